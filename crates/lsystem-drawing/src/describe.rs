@@ -77,6 +77,7 @@ fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) ->
                 Some(Action::SetWidth(_)) => "w",
                 Some(Action::SetColour(_)) => "c",
                 Some(Action::Draw(_) | Action::Move(_) | Action::DrawUnmarked(_) | Action::MoveUnmarked(_)) => "l",
+                Some(Action::Circle(_) | Action::Disc(_)) => "d",
                 Some(_) => "a",
                 None => "x",
             };
@@ -99,6 +100,9 @@ fn numbered_words(system: &System, action: Action, name: &str) -> String {
         Action::RollRight(_) => format!("rolls right by {name}°"),
         Action::SetColour(_) => format!("takes colour {name}"),
         Action::SetWidth(_) => format!("draws {name} steps wide"),
+        Action::ScaleLength(_) => format!("multiplies lengths by {name}"),
+        Action::Circle(_) => format!("draws a circle with the diameter {name}"),
+        Action::Disc(_) => format!("fills a disc with the diameter {name}"),
         _ => action_words(system, action),
     }
 }
@@ -121,6 +125,10 @@ fn action_words(system: &System, action: Action) -> String {
     let along = |verb: &str, length: Option<f64>| match length {
         None => format!("{verb} one step"),
         Some(length) => format!("{verb} {length}"),
+    };
+    let round = |words: &str, diameter: Option<f64>| match diameter {
+        None => format!("{words} one step wide"),
+        Some(diameter) => format!("{words} {diameter} wide"),
     };
     let bend = |verb: &str, degrees: Option<f64>, own: Heading| {
         format!("{verb} by {}°", degrees.unwrap_or_else(|| own.degrees()))
@@ -149,6 +157,10 @@ fn action_words(system: &System, action: Action) -> String {
         Action::SetWidth(width) => format!("draws {width} steps wide"),
         Action::ScaleWidth(factor) if factor < 1.0 => format!("draws thinner (x {factor:.3})"),
         Action::ScaleWidth(factor) => format!("draws thicker (x {factor:.3})"),
+        Action::ScaleLength(factor) => format!("multiplies lengths by {factor}"),
+        Action::SwapTurns => "exchanges left and right turns".to_owned(),
+        Action::Circle(diameter) => round("draws a circle", diameter),
+        Action::Disc(diameter) => round("fills a disc", diameter),
     }
 }
 

@@ -221,9 +221,14 @@ impl<S: Space> Drawing<S> {
     /// this drawing shares the pieces of plain letters and contains this one.
     #[must_use]
     pub fn piece(&self, symbol: LetterId, depth: u32) -> Option<&Piece<S>> {
+        self.piece_of(symbol, depth, false)
+    }
+
+    /// As [`Drawing::piece`]; with `swapped`, the piece that the symbol draws while left and right turns are exchanged.
+    pub(crate) fn piece_of(&self, symbol: LetterId, depth: u32, swapped: bool) -> Option<&Piece<S>> {
         let Pieces::Letters(levels) = &self.pieces else { return None };
         let level = levels.get(depth.checked_sub(1)? as usize)?;
-        let place = level.binary_search_by_key(&symbol, |(s, _)| *s).ok()?;
+        let place = level.binary_search_by_key(&(symbol, swapped), |(key, _)| *key).ok()?;
         Some(&level[place].1)
     }
 

@@ -24,7 +24,7 @@ fn drawn_as(system: &System, letter: LetterId) -> Option<u64> {
 /// The number of segments that a letter draws by its own actions, without images.
 fn segments_of(system: &System, symbol: LetterId) -> u64 {
     let actions = &system.turtle.actions[usize::from(symbol)];
-    actions.iter().filter(|action| action.draws()).count() as u64
+    actions.iter().map(|action| action.segments()).sum()
 }
 
 /// By letter: the number of segments that the letter draws by its own actions, without images.

@@ -35,8 +35,9 @@ trait Successors {
 
 /// A symbol of a word.
 struct Member<N> {
-    /// If the symbol is rewritten: its node, and the block that its derivation draws, if any.
-    inner: Option<(N, Option<BlockId>)>,
+    /// If the symbol is rewritten: its node, and the blocks that its derivation may draw: usually, and while left and
+    /// right turns are exchanged.
+    inner: Option<(N, [Option<BlockId>; 2])>,
     /// The number of symbols in its derivation; saturating.
     symbols: u128,
 }
@@ -49,9 +50,10 @@ struct LetterSuccessors<'a, S: Space> {
 
 impl<S: Space> LetterSuccessors<'_, S> {
     fn letters(&self, letters: &[LetterId], depth: u32) -> Vec<Member<(LetterId, u32)>> {
-        let member = |&letter: &LetterId| Member {
-            inner: self.drawing.piece(letter, depth).map(|piece| ((letter, depth), piece.block)),
-            symbols: self.word.derived(letter, depth),
+        let member = |&letter: &LetterId| {
+            let [usual, other] = [false, true].map(|swapped| self.drawing.piece_of(letter, depth, swapped));
+            let blocks = [usual, other].map(|piece| piece.and_then(|piece| piece.block));
+            Member { inner: usual.map(|_| ((letter, depth), blocks)), symbols: self.word.derived(letter, depth) }
         };
         letters.iter().map(member).collect()
     }
@@ -83,7 +85,7 @@ impl StateWords {
         let member = |&state: &Option<u32>| {
             let word = state.zip(states).and_then(|(state, states)| Some((state, states.get(state as usize)?)));
             match word {
-                Some((state, word)) => Member { inner: Some(((state, depth), word.block)), symbols: word.symbols },
+                Some((state, word)) => Member { inner: Some(((state, depth), word.blocks)), symbols: word.symbols },
                 None => Member { inner: None, symbols: 1 },
             }
         };
@@ -102,14 +104,21 @@ fn opening<S: Space, W: Successors>(
     let (mut members, mut left) = (axiom, number);
     let (mut block, mut before) = (drawing.root?, 0_u128);
     loop {
-        let inner: HashSet<BlockId> = members.iter().filter_map(|member| member.inner?.1).collect();
-        let mut own = vec![];
-        collect(drawing, block, &inner, &mut own);
-        let mut own = own.into_iter().peekable();
+        let inner: HashSet<BlockId> =
+            members.iter().filter_map(|m| m.inner.as_ref()).flat_map(|m| m.1).flatten().collect();
+        let mut contents = WordContents::default();
+        contents.collect(drawing, block, &inner);
+        let mut own = contents.own.into_iter().peekable();
+        let mut blocks = contents.blocks.into_iter().peekable();
+        // The block of the present member.
+        let mut drawn = None;
         let held = members.iter().enumerate().find(|&(place, member)| {
             let mut count = 0_u128;
             match member.inner {
-                Some((_, inner)) => count = inner.map_or(0, |inner| drawing.blocks[inner.0 as usize].polygons),
+                Some((_, either)) => {
+                    drawn = blocks.next_if(|&block| either.contains(&Some(block)));
+                    count = drawn.map_or(0, |drawn| drawing.blocks[drawn.0 as usize].polygons);
+                }
                 None => {
                     while own.next_if_eq(&(place as u32)).is_some() {
                         count += 1;
@@ -124,24 +133,35 @@ fn opening<S: Space, W: Successors>(
             false
         });
         let (_, member) = held?;
-        let Some((node, inner)) = member.inner else { return Some(before) };
-        block = inner?;
+        let Some((node, _)) = member.inner else { return Some(before) };
+        block = drawn?;
         members = words.successor(node)?;
     }
 }
 
-/// Collects the places of a word's own symbols that open polygons. The block of a long word contains blocks of its
-/// parts.
-fn collect<S: Space>(drawing: &Drawing<S>, block: BlockId, inner: &HashSet<BlockId>, own: &mut Vec<u32>) {
-    // If only one symbol of a word draws, the word has that symbol's block.
-    if inner.contains(&block) {
-        return;
-    }
-    for item in drawing.items_of(block) {
-        match item {
-            Item::Stroke(_) => {}
-            Item::Polygon(polygon) => own.push(polygon.symbol),
-            Item::Block(placed) => collect(drawing, placed.block, inner, own),
+/// The contents of a word's block, in order.
+#[derive(Default)]
+struct WordContents {
+    /// The places of the word's own symbols that open polygons.
+    own: Vec<u32>,
+    /// The blocks of the symbols that are rewritten.
+    blocks: Vec<BlockId>,
+}
+
+impl WordContents {
+    /// Collects the contents of a block. The block of a long word contains blocks of its parts.
+    fn collect<S: Space>(&mut self, drawing: &Drawing<S>, block: BlockId, inner: &HashSet<BlockId>) {
+        // If only one symbol of a word draws, the word has that symbol's block.
+        if inner.contains(&block) {
+            self.blocks.push(block);
+            return;
+        }
+        for item in drawing.items_of(block) {
+            match item {
+                Item::Stroke(_) => {}
+                Item::Polygon(polygon) => self.own.push(polygon.symbol),
+                Item::Block(placed) => self.collect(drawing, placed.block, inner),
+            }
         }
     }
 }

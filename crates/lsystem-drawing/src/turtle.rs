@@ -1,12 +1,12 @@
 //! The turtle: the actions of each letter, and the turtle's state at the start.
 
 use crate::Plane;
-use crate::room::reserve;
+use crate::room::{bytes_of, reserve};
 use crate::rotation::Axis;
-use crate::space::{Geometry, Tropism, exponent_of, finite};
+use crate::space::{Geometry, Tropism, exponent_of, finite, unit_of};
 use crate::style::{ColourChange, StyleChange, WidthChange};
 use lsystem_derive::{Fate, LetterId, Purpose, Rule, Rules};
-use lsystem_syntax::{Action, Heading};
+use lsystem_syntax::{Action, CIRCLE_SIDES, Heading};
 
 /// The actions of all letters and the settings of the turtle.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +72,14 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     /// Go forward without drawing; the length in the same units.
     Move(f64),
     Turn(Turning<S>),
+    /// Exchange left and right turns from here on.
+    SwapTurns,
+    /// Multiply lengths from here on.
+    ScaleLength(f64),
+    /// Draw a circle around the turtle; the diameter in the same units as lengths.
+    Circle(f64),
+    /// Fill a disc around the turtle; the diameter in the same units.
+    Disc(f64),
     /// Roll until the turtle's left is level.
     Upright,
     /// Turn the heading by a tropism.
@@ -79,6 +87,8 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     Push(BranchFactors),
     Pop,
     Style(StyleChange),
+    /// Set the colour index after a turn: to the first number, or to the second while turns are exchanged.
+    TurnColour([i32; 2]),
     OpenPolygon,
     /// Record the turtle's position as a vertex if the innermost open polygon has none yet.
     FirstVertex,
@@ -95,6 +105,8 @@ pub(crate) struct Turning<S: Geometry> {
     /// Whether the rotation goes against the right-hand rule. A half turn is the same both ways, but a fraction of a
     /// half turn is not.
     back: bool,
+    /// For a left or right turn: the angle of the other, which replaces this turn while turns are exchanged.
+    other: Option<Heading>,
 }
 
 /// The factors of widths and lengths in a branch.
@@ -121,8 +133,6 @@ pub(crate) struct Score<S: Geometry = Plane> {
     variations: [f64; 2],
     /// Whether the colour index is the derivation step that made the module.
     pub(crate) colours_by_generation: bool,
-    /// The factor of lengths in a branch.
-    pub(crate) branch_length_factor: f64,
 }
 
 impl Default for Turtle {
@@ -162,8 +172,8 @@ impl Turtle {
         let mut ops: Vec<Vec<TurtleOp<S>>> = (self.actions.iter().zip(reachable))
             .map(|(actions, &reached)| if reached { self.ops(actions) } else { vec![] })
             .collect();
-        let length = |op: &TurtleOp<S>| if let TurtleOp::Draw(l) | TurtleOp::Move(l) = op { l.abs() } else { 0.0 };
-        let exponent = exponent_of(ops.iter().flatten().map(length).fold(0.0, f64::max));
+        let lengths = ops.iter().flatten().filter_map(TurtleOp::length);
+        let exponent = exponent_of(lengths.map(f64::abs).fold(0.0, f64::max));
         for op in ops.iter_mut().flatten() {
             *op = op.scaled(-exponent);
         }
@@ -175,7 +185,6 @@ impl Turtle {
             growth: finite(self.growth).clamp(0.0, 1.0),
             variations: [self.angle_variation, self.length_variation].map(|part| finite(part).clamp(0.0, 1.0)),
             colours_by_generation: self.colouring == Colouring::Generations,
-            branch_length_factor: self.branch_factors().length,
         }
     }
 
@@ -201,12 +210,12 @@ impl Turtle {
             if let Some(tropism) = self.tropism.filter(|_| action.draws()) {
                 ops.push(TurtleOp::Bend(tropism));
             }
-            let side = match (self.colouring, action) {
-                (Colouring::Turns([left, _]), Action::TurnLeft(_)) => Some(left),
-                (Colouring::Turns([_, right]), Action::TurnRight(_)) => Some(right),
+            let sides = match (self.colouring, action) {
+                (Colouring::Turns([left, right]), Action::TurnLeft(_)) => Some([left, right]),
+                (Colouring::Turns([left, right]), Action::TurnRight(_)) => Some([right, left]),
                 _ => None,
             };
-            ops.extend(side.map(|index| TurtleOp::Style(ColourChange::Set(index).into())));
+            ops.extend(sides.map(TurtleOp::TurnColour));
         }
         ops
     }
@@ -218,11 +227,16 @@ impl Turtle {
 
     /// The operation of an action; lengths in units of [`Turtle::unit`].
     fn op<S: Geometry>(&self, action: Action) -> TurtleOp<S> {
+        let angle = |degrees: Option<f64>, own: Heading| degrees.map_or(own, Heading::from_degrees);
         let turn = |about: Axis, degrees: Option<f64>, own: Heading| {
-            TurtleOp::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), false))
+            TurtleOp::Turn(Turning::new(about, angle(degrees, own), false))
         };
         let back = |about: Axis, degrees: Option<f64>, own: Heading| {
-            TurtleOp::Turn(Turning::new(about, degrees.map_or(own, Heading::from_degrees), true))
+            TurtleOp::Turn(Turning::new(about, angle(degrees, own), true))
+        };
+        let side = |degrees: Option<f64>, [own, other]: [Heading; 2], back: bool| {
+            let other = Some(angle(degrees, other));
+            TurtleOp::Turn(Turning { other, ..Turning::new(Axis::Up, angle(degrees, own), back) })
         };
         let in_steps = |length: Option<f64>| length.map_or(self.steps(), |l| finite(l / self.unit()));
         match action {
@@ -231,8 +245,12 @@ impl Turtle {
             Action::OpenPolygon => TurtleOp::OpenPolygon,
             Action::Vertex => TurtleOp::Vertex,
             Action::ClosePolygon => TurtleOp::ClosePolygon,
-            Action::TurnLeft(degrees) => turn(Axis::Up, degrees, self.left),
-            Action::TurnRight(degrees) => back(Axis::Up, degrees, self.right),
+            Action::TurnLeft(degrees) => side(degrees, [self.left, self.right], false),
+            Action::TurnRight(degrees) => side(degrees, [self.right, self.left], true),
+            Action::SwapTurns => TurtleOp::SwapTurns,
+            Action::ScaleLength(factor) => TurtleOp::ScaleLength(finite(factor).max(0.0)),
+            Action::Circle(diameter) => TurtleOp::Circle(in_steps(diameter)),
+            Action::Disc(diameter) => TurtleOp::Disc(in_steps(diameter)),
             Action::PitchDown(degrees) => turn(Axis::Left, degrees, self.pitch_down),
             Action::PitchUp(degrees) => back(Axis::Left, degrees, self.pitch_up),
             Action::RollLeft(degrees) => turn(Axis::Ahead, degrees, self.roll_left),
@@ -259,11 +277,6 @@ impl Turtle {
 }
 
 impl<S: Geometry> Score<S> {
-    /// Whether a letter draws or moves.
-    pub(crate) fn goes(&self, letter: LetterId) -> bool {
-        self.ops[usize::from(letter)].iter().any(|op| matches!(op, TurtleOp::Draw(_) | TurtleOp::Move(_)))
-    }
-
     /// The operations of a letter. `number`, a module's first argument, replaces the number of the letter's first
     /// action.
     pub(crate) fn ops_of(
@@ -303,9 +316,14 @@ impl<S: Geometry> Score<S> {
         self.variations != [0.0; 2]
     }
 
-    /// Whether a letter opens a polygon.
+    /// Whether a letter opens a polygon or fills a disc.
     pub(crate) fn fills(&self) -> bool {
-        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::OpenPolygon))
+        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::OpenPolygon | TurtleOp::Disc(_)))
+    }
+
+    /// Whether a letter exchanges left and right turns.
+    pub(crate) fn swaps(&self) -> bool {
+        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::SwapTurns))
     }
 
     /// Whether modules of the same letter may do different things: by variation, colour or growth.
@@ -331,24 +349,20 @@ impl<S: Geometry> Score<S> {
             own.push(TurtleOp::Style(ColourChange::Set(fate.since.cast_signed()).into()));
         }
         own.extend(ops.iter().map(|op| match *op {
-            TurtleOp::Draw(length) => TurtleOp::Draw(length * varied(lengths, Purpose::Length)),
-            TurtleOp::Move(length) => TurtleOp::Move(length * varied(lengths, Purpose::Length)),
             TurtleOp::Turn(turning) => {
                 // A half turn leads straight back and does not vary.
                 let most = if turning.by == Heading::HALF { 0.0 } else { angles };
                 TurtleOp::Turn(turning.part(varied(most, Purpose::Angle)))
             }
-            other => other,
+            other => other.map_length(|length| length * varied(lengths, Purpose::Length)),
         }));
     }
 
     /// The operation `op` of a module that still grows.
     pub(crate) fn growing(&self, op: TurtleOp<S>) -> TurtleOp<S> {
         match op {
-            TurtleOp::Draw(length) => TurtleOp::Draw(length * self.growth),
-            TurtleOp::Move(length) => TurtleOp::Move(length * self.growth),
             TurtleOp::Turn(turning) => TurtleOp::Turn(turning.part(self.growth)),
-            other => other,
+            other => other.map_length(|length| length * self.growth),
         }
     }
 
@@ -385,24 +399,97 @@ pub(crate) fn continuation(
 
 impl<S: Geometry> Turning<S> {
     fn new(about: Axis, by: Heading, back: bool) -> Self {
-        Self { turn: S::turn(about, if back { -by } else { by }), about, by, back }
+        Self { turn: S::turn(about, if back { -by } else { by }), about, by, back, other: None }
     }
 
     fn part(&self, factor: f64) -> Self {
-        if factor == 1.0 { *self } else { Self::new(self.about, self.by.part(factor), self.back) }
+        if factor == 1.0 {
+            return *self;
+        }
+        let other = self.other.map(|other| other.part(factor));
+        Self { other, ..Self::new(self.about, self.by.part(factor), self.back) }
+    }
+
+    /// The turn, or while turns are exchanged the turn to the other side.
+    fn turn(&self, swapped: bool) -> S::Turn {
+        match self.other {
+            Some(other) if swapped => S::turn(self.about, if self.back { other } else { -other }),
+            _ => self.turn,
+        }
     }
 }
 
 impl<S: Geometry> TurtleOp<S> {
     /// The operation with its length times `2^exponent`.
     fn scaled(self, exponent: i32) -> Self {
+        self.map_length(|length| finite(libm::scalbn(length, exponent)))
+    }
+
+    /// The operation with another length or diameter, if it has one.
+    fn map_length(self, change: impl FnOnce(f64) -> f64) -> Self {
         match self {
-            Self::Draw(length) => Self::Draw(finite(libm::scalbn(length, exponent))),
-            Self::Move(length) => Self::Move(finite(libm::scalbn(length, exponent))),
+            Self::Draw(length) => Self::Draw(change(length)),
+            Self::Move(length) => Self::Move(change(length)),
+            Self::Circle(diameter) => Self::Circle(change(diameter)),
+            Self::Disc(diameter) => Self::Disc(change(diameter)),
             other => other,
         }
     }
+
+    /// The operation's length or diameter.
+    pub(crate) fn length(&self) -> Option<f64> {
+        match *self {
+            Self::Draw(length) | Self::Move(length) | Self::Circle(length) | Self::Disc(length) => Some(length),
+            _ => None,
+        }
+    }
+
+    /// The number of segments that the operation draws.
+    pub(crate) fn segments(&self) -> u64 {
+        match self {
+            Self::Draw(_) => 1,
+            Self::Circle(_) => u64::from(CIRCLE_SIDES),
+            _ => 0,
+        }
+    }
+
+    /// The units of work of the operation, and an upper bound on the number of its items.
+    pub(crate) fn work(&self) -> u64 {
+        if matches!(self, Self::Circle(_) | Self::Disc(_)) { u64::from(CIRCLE_SIDES) } else { 1 }
+    }
 }
+
+/// The units of work of operations.
+pub(crate) fn work_of<S: Geometry>(ops: &[TurtleOp<S>]) -> u64 {
+    ops.iter().map(TurtleOp::work).sum()
+}
+
+/// The corners of a circle with radius 1, counter-clockwise from +x.
+const CORNERS: [[f64; 2]; CIRCLE_SIDES as usize] = {
+    // The cosines of multiples of 11.25 degrees, from 0 to 90 degrees.
+    const COSINES: [f64; 9] = [
+        1.0,
+        0.980_785_280_403_230_4,
+        0.923_879_532_511_286_7,
+        0.831_469_612_302_545_2,
+        core::f64::consts::FRAC_1_SQRT_2,
+        0.555_570_233_019_602_2,
+        0.382_683_432_365_089_8,
+        0.195_090_322_016_128_28,
+        0.0,
+    ];
+    let mut corners = [[0.0; 2]; CIRCLE_SIDES as usize];
+    let mut at = 0;
+    while at < 8 {
+        let [c, s] = [COSINES[at], COSINES[8 - at]];
+        corners[at] = [c, s];
+        corners[at + 8] = [-s, c];
+        corners[at + 16] = [-c, -s];
+        corners[at + 24] = [s, -c];
+        at += 1;
+    }
+    corners
+};
 
 /// The state of the turtle.
 #[derive(Clone, Copy, Debug)]
@@ -410,8 +497,10 @@ pub(crate) struct Pen<S: Geometry = Plane> {
     pub at: S::Point,
     pub heading: S::Turn,
     pub style: StyleChange,
-    /// The factor of lengths in the present branch.
+    /// The factor of lengths, by branches and by [`TurtleOp::ScaleLength`].
     pub scale: f64,
+    /// Whether left and right turns are exchanged.
+    pub swapped: bool,
     /// The upward direction of the model, in the pen's frame.
     pub vertical: S::Point,
 }
@@ -433,7 +522,7 @@ pub(crate) trait Paper<S: Geometry> {
 impl<S: Geometry> Pen<S> {
     /// A pen at the origin.
     pub(crate) fn new(heading: S::Turn, style: StyleChange) -> Self {
-        Self { at: S::Point::default(), heading, style, scale: 1.0, vertical: S::UPWARDS }
+        Self { at: S::Point::default(), heading, style, scale: 1.0, swapped: false, vertical: S::UPWARDS }
     }
 
     /// Performs operations, with lengths times `scale`, and draws on `paper`. `saved` is the stack of open branches. A
@@ -454,7 +543,20 @@ impl<S: Geometry> Pen<S> {
                     paper.stroke(from, self.at, &self.style);
                 }
                 TurtleOp::Move(length) => self.forward(length * scale, directions),
-                TurtleOp::Turn(by) => self.heading = S::then(self.heading, by.turn),
+                TurtleOp::Turn(by) => self.heading = S::then(self.heading, by.turn(self.swapped)),
+                TurtleOp::SwapTurns => self.swapped = !self.swapped,
+                TurtleOp::ScaleLength(factor) => self.scale_by(factor),
+                TurtleOp::Circle(diameter) => {
+                    let corners = self.circle(diameter * scale, directions);
+                    for (at, &from) in corners.iter().enumerate() {
+                        paper.stroke(from, corners[(at + 1) % corners.len()], &self.style);
+                    }
+                }
+                TurtleOp::Disc(diameter) => {
+                    paper.open(&self.style);
+                    self.circle(diameter * scale, directions).into_iter().for_each(|corner| paper.vertex(corner));
+                    paper.close();
+                }
                 TurtleOp::Upright => self.heading = S::upright(self.heading, &self.vertical),
                 TurtleOp::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
                 TurtleOp::Push(BranchFactors { width, length }) => {
@@ -462,10 +564,13 @@ impl<S: Geometry> Pen<S> {
                     saved.push(*self);
                     self.style.level = self.style.level.saturating_add(1);
                     self.style.width = self.style.width.then(WidthChange { factor: width, offset: 0.0 });
-                    self.scale = (self.scale * length).min(LARGEST_SCALE);
+                    self.scale_by(length);
                 }
                 TurtleOp::Pop => *self = saved.pop().unwrap_or(*self),
                 TurtleOp::Style(change) => self.style = self.style.then(&change),
+                TurtleOp::TurnColour(sides) => {
+                    self.style.colour = ColourChange::Set(sides[usize::from(self.swapped)]);
+                }
                 TurtleOp::OpenPolygon => paper.open(&self.style),
                 TurtleOp::FirstVertex => paper.first_vertex(self.at),
                 TurtleOp::Vertex => paper.vertex(self.at),
@@ -474,10 +579,64 @@ impl<S: Geometry> Pen<S> {
         }
     }
 
+    /// Multiplies lengths from here on.
+    pub(crate) fn scale_by(&mut self, factor: f64) {
+        self.scale = scaled(self.scale, factor);
+    }
+
+    /// The corners of a circle around the turtle.
+    fn circle(&self, diameter: f64, directions: &mut S::Directions) -> [S::Point; CIRCLE_SIDES as usize] {
+        let axes = S::scaled(S::axes(directions, self.heading), 0.5 * diameter * self.scale);
+        CORNERS.map(|[x, y]| S::transform(&axes, self.at, S::point([x, y, 0.0])))
+    }
+
     fn forward(&mut self, length: f64, directions: &mut S::Directions) {
         self.at = S::ahead(&S::axes(directions, self.heading), self.at, length * self.scale);
     }
 }
 
-/// The largest factor of lengths in nested branches: far beyond any picture.
+/// A scale times `factor`, at most [`LARGEST_SCALE`].
+pub(crate) fn scaled(scale: f64, factor: f64) -> f64 {
+    (scale * factor).min(LARGEST_SCALE)
+}
+
+/// The factor of lengths along a word, without the rest of the turtle's state.
+#[derive(Clone, Debug)]
+pub(crate) struct ScaleTrace {
+    pub scale: f64,
+    saved: Vec<f64>,
+}
+
+impl ScaleTrace {
+    /// The scale at the start of a word.
+    pub(crate) fn new() -> Self {
+        Self { scale: 1.0, saved: vec![] }
+    }
+
+    /// Applies an operation.
+    pub(crate) fn follow<S: Geometry>(&mut self, op: &TurtleOp<S>) {
+        match op {
+            TurtleOp::Push(BranchFactors { length, .. }) => {
+                reserve(&mut self.saved, 1);
+                self.saved.push(self.scale);
+                self.scale = scaled(self.scale, *length);
+            }
+            TurtleOp::Pop => self.scale = self.saved.pop().unwrap_or(self.scale),
+            TurtleOp::ScaleLength(factor) => self.scale = scaled(self.scale, *factor),
+            _ => {}
+        }
+    }
+
+    /// The exponent of the scale; 0 without scaling.
+    pub(crate) fn exponent(&self) -> i32 {
+        if self.scale == 1.0 { 0 } else { unit_of(self.scale) }
+    }
+
+    /// The bytes that the saved scales occupy.
+    pub(crate) fn bytes(&self) -> u64 {
+        bytes_of(&self.saved)
+    }
+}
+
+/// The largest factor of lengths: far beyond any picture.
 pub(crate) const LARGEST_SCALE: f64 = 1e30;

@@ -1,5 +1,9 @@
 //! The turtle's actions.
 
+/// The number of sides of a circle and of a disc. With 32 sides, the sides stay within half a pixel of a true circle
+/// with a diameter of up to 200 pixels.
+pub const CIRCLE_SIDES: u32 = 32;
+
 /// One action of the turtle. Each symbol has a list of actions, from the [`Dialect`](crate::Dialect) or an override.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
@@ -34,7 +38,7 @@ pub enum Action {
     RollRight(Option<f64>),
     /// Roll about the heading until the turtle's left is level and its up does not point below the horizon.
     RollUpright,
-    /// Save position, heading, colour, width and length, and go one branch level deeper.
+    /// Save position, heading, colour, width, length and the exchange of turns, and go one branch level deeper.
     Push,
     /// Restore the state that the matching [`Action::Push`] saved.
     Pop,
@@ -46,12 +50,23 @@ pub enum Action {
     SetWidth(f64),
     /// Multiply the stroke width.
     ScaleWidth(f64),
+    /// Multiply all lengths from here on.
+    ScaleLength(f64),
+    /// From here on, exchange left and right turns: [`Action::TurnLeft`] and [`Action::TurnRight`] do what the other
+    /// does. A second exchange ends the first.
+    SwapTurns,
+    /// Draw a circle around the turtle, in the plane of its heading and its left. The diameter is in model units, times
+    /// the length scale; `None` is the system's step length. The circle is drawn as [`CIRCLE_SIDES`] segments.
+    Circle(Option<f64>),
+    /// As [`Action::Circle`], filled in the turtle's current colour, without segments.
+    Disc(Option<f64>),
     /// In the next derivation step, remove this symbol and the rest of its branch. The turtle ignores the symbol.
     Cut,
 }
 
 impl Action {
-    /// The action with a module's first argument as its number: a length, degrees, a width or a palette index. Actions
+    /// The action with a module's first argument as its number: a length, degrees, a width, a factor or a palette
+    /// index. Actions
     /// without a number stay the same. [`Action::AddColour`] and [`Action::ScaleWidth`] become [`Action::SetColour`]
     /// and [`Action::SetWidth`].
     #[must_use]
@@ -67,7 +82,11 @@ impl Action {
             Self::PitchUp(_) => Self::PitchUp(Some(number)),
             Self::RollLeft(_) => Self::RollLeft(Some(number)),
             Self::RollRight(_) => Self::RollRight(Some(number)),
+            Self::ScaleLength(_) => Self::ScaleLength(number),
+            Self::Circle(_) => Self::Circle(Some(number)),
+            Self::Disc(_) => Self::Disc(Some(number)),
             Self::TurnRound
+            | Self::SwapTurns
             | Self::RollUpright
             | Self::Push
             | Self::Pop
@@ -81,10 +100,31 @@ impl Action {
         }
     }
 
-    /// Whether the action draws a segment.
+    /// Whether the action goes forward and draws.
     #[must_use]
     pub fn draws(self) -> bool {
         matches!(self, Self::Draw(_) | Self::DrawUnmarked(_))
+    }
+
+    /// The number of segments that the action draws.
+    #[must_use]
+    pub fn segments(self) -> u64 {
+        match self {
+            Self::Draw(_) | Self::DrawUnmarked(_) => 1,
+            Self::Circle(_) => u64::from(CIRCLE_SIDES),
+            _ => 0,
+        }
+    }
+
+    /// The action's length or diameter, if the action has one: `Some(None)` is the system's step length.
+    #[must_use]
+    pub fn length(self) -> Option<Option<f64>> {
+        match self {
+            Self::Draw(length) | Self::DrawUnmarked(length) => Some(length),
+            Self::Move(length) | Self::MoveUnmarked(length) => Some(length),
+            Self::Circle(length) | Self::Disc(length) => Some(length),
+            _ => None,
+        }
     }
 
     /// The action without recording vertices.

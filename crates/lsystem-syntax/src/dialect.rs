@@ -52,9 +52,9 @@ impl Dialect {
             Self::Abop => [
                 "Algorithmic Beauty of Plants",
                 "F and G draw, f and g move; + and − turn, | turns round, [ and ] branch; ! thins and # thickens the \
-                 stroke, ; and , step through the colours. { and } fill the polygon whose corners F, f and . mark. In \
-                 space & and ^ pitch down and up, \\ and / roll left and right, and $ rolls upright. Other symbols do \
-                 nothing.",
+                 stroke, ; and , step through the colours. { and } fill the polygon whose corners F, f and . mark, ● and ○ \
+                 draw a disc and a circle. In space & and ^ pitch down and up, \\ and / roll left and right, and $ rolls \
+                 upright. Other symbols do nothing.",
             ],
             Self::EveryLetter => [
                 "Every letter draws",
@@ -115,6 +115,8 @@ impl Dialect {
             // As in cpfg and L-Py: `;` raises the palette index and `,` lowers it. `'` is ABOP's own.
             (Self::Abop, '\'' | ';') => &[Action::AddColour(1)],
             (Self::Abop, ',') => &[Action::AddColour(-1)],
+            (Self::Abop, '○') => &[Action::Circle(None)],
+            (Self::Abop, '●') => &[Action::Disc(None)],
             (Self::Abop, '%') => &[Action::Cut],
             (Self::Abop, '{') => &[Action::OpenPolygon],
             (Self::Abop, '.') => &[Action::Vertex],

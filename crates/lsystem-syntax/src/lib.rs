@@ -51,7 +51,7 @@ pub mod message;
 pub mod notes;
 mod place;
 
-pub use action::Action;
+pub use action::{Action, CIRCLE_SIDES};
 pub use characters::look_alike;
 pub use class::Class;
 pub use classify::classify;

@@ -390,7 +390,8 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             match similar {
                 Some(similar) => format!("Did you mean `{similar}`?"),
                 None => "Actions are draw, move, turn left, turn right, turn round, open branch, close branch, colour 2, \
-                         next colour, previous colour, width 2, thicker, thinner, nothing."
+                         next colour, previous colour, width 2, thicker, thinner, length times 0.5, swap turns, circle, \
+                         disc, nothing."
                     .into(),
             },
         ),

@@ -24,6 +24,9 @@
 //! | `open branch`, `push`; `close branch`, `pop` | save and restore the turtle |
 //! | `colour 3`, `next colour`, `next colour 2`, `previous colour` | choose from the palette, counted from 0 |
 //! | `width 2`, `width times 0.5`, `thicker`, `thinner` | stroke width in steps, or by a factor (√2, 1/√2) |
+//! | `circle`, `circle 2`, `disc`, `disc 2` | a circle or a filled disc around the turtle, with the step or this number as diameter |
+//! | `length times 0.5` | multiply all lengths from here on |
+//! | `swap turns` | from here on, left turns go right and right turns go left |
 //! | `cut branch` | in the next derivation step it and the rest of its branch are gone |
 //! | `nothing` | no action at all |
 
@@ -161,6 +164,10 @@ fn print_action(action: Action) -> String {
         Action::ScaleWidth(SQRT_2) => "thicker".to_owned(),
         Action::ScaleWidth(FRAC_1_SQRT_2) => "thinner".to_owned(),
         Action::ScaleWidth(factor) => format!("width times {}", number(factor)),
+        Action::ScaleLength(factor) => format!("length times {}", number(factor)),
+        Action::SwapTurns => "swap turns".to_owned(),
+        Action::Circle(diameter) => optional("circle", diameter),
+        Action::Disc(diameter) => optional("disc", diameter),
     }
 }
 
@@ -252,7 +259,7 @@ enum NumberForm {
 const MOST: f64 = 1e9;
 
 /// The words of all actions except `nothing`.
-const FORMS: [(&str, NumberForm); 31] = [
+const FORMS: [(&str, NumberForm); 36] = [
     ("draw", NumberForm::Optional(Action::Draw)),
     ("move", NumberForm::Optional(Action::Move)),
     ("draw unmarked", NumberForm::Optional(Action::DrawUnmarked)),
@@ -284,6 +291,11 @@ const FORMS: [(&str, NumberForm); 31] = [
     ("width times", NumberForm::Number(Action::ScaleWidth, Expected::PositiveUpTo(MOST))),
     ("thicker", NumberForm::Plain(Action::ScaleWidth(SQRT_2))),
     ("thinner", NumberForm::Plain(Action::ScaleWidth(FRAC_1_SQRT_2))),
+    ("length times", NumberForm::Number(Action::ScaleLength, Expected::PositiveUpTo(MOST))),
+    ("swap turns", NumberForm::Plain(Action::SwapTurns)),
+    ("circle", NumberForm::Optional(Action::Circle)),
+    ("disc", NumberForm::Optional(Action::Disc)),
+    ("disk", NumberForm::Optional(Action::Disc)),
 ];
 
 fn form(words: &str) -> Option<NumberForm> {

@@ -190,6 +190,11 @@ fn leafy(reaching: bool) -> impl Strategy<Value = String> {
         "{}",
         "[{f&f-f}]",
         "{.[-f.][+f.]}",
+        "●",
+        "○",
+        "@",
+        "~",
+        "~[+B]~",
     ];
     if reaching {
         parts.extend(["{.-f.+F[A]}", "{", "}", "{", "}", "]"]);
@@ -216,7 +221,10 @@ proptest! {
         if drawn {
             rules += "\ndraw:\nL -> {f-f-f}F";
         }
-        let definition = Definition { axiom: format!("F{axiom}"), rules, angle: 25.7, ..Definition::default() };
+        // The naive turtle knows no custom symbols in systems with images.
+        let overrides = if drawn { "" } else { "@: length times 0.8\n~: swap turns" }.into();
+        let definition = Definition {
+            axiom: format!("F{axiom}"), rules, angle: 25.7, right_angle: Some(31.0), overrides, ..Definition::default() };
         let (system, problems) = System::new(&definition);
         let system = system.unwrap_or_else(|| panic!("{definition:?}: {problems:?}"));
         prop_assume!((0..=n).all(|n| naive::modules(&system.grammar, 0, n).is_some_and(|word| word.len() < 900)));

@@ -112,6 +112,14 @@ fn word() -> impl Strategy<Value = String> {
         "{f{'f+f}+f+f}",
         "{.[-f.][+f.]}",
         "{[-f][+f]f}",
+        "@",
+        "@F[@+A]",
+        "~",
+        "~B~",
+        "[~A]",
+        "○",
+        "●",
+        "{f+●f-f}",
     ];
     prop::collection::vec(prop::sample::select(parts), 1..6).prop_map(|parts| parts.concat())
 }
@@ -137,6 +145,8 @@ fn random() -> impl Strategy<Value = (Definition, u32)> {
             let style =
                 Style { colour_by, width: 0.5, width_factor: numbers.2, turn_colours: [3, 5], ..Style::default() };
             let definition = Definition {
+                right_angle: (seed % 2 == 0).then_some(35.0),
+                overrides: "@: length times 0.8\n~: swap turns".into(),
                 angle_variation: numbers.0,
                 length_variation: numbers.1,
                 length_factor: numbers.3,
@@ -180,6 +190,14 @@ fn numbered() -> impl Strategy<Value = String> {
         "[C(x)+f(x)A(x)]",
         "G(x)",
         "E(x)",
+        "@(x)",
+        "@(0.5)A(x)",
+        "~",
+        "~B(x)",
+        "[~A(x)-F]",
+        "○(x)",
+        "●(x)",
+        "○",
     ];
     prop::collection::vec(prop::sample::select(parts), 1..5).prop_map(|parts| parts.concat())
 }
@@ -193,7 +211,19 @@ fn with_parameters() -> impl Strategy<Value = (Definition, u32)> {
         let rules = format!("r = 0.9\nA(x) : x > 0.2 -> {a}\nB(x) -> {b}\nF(x) : x > 0.5 -> {f}F(x)\n{images}");
         let style = Style { colour_by, width: 0.5, width_factor: numbers.0, turn_colours: [3, 5], ..Style::default() };
         let (length_factor, growth) = (numbers.1, numbers.2);
-        (Definition { length_factor, growth, style, ..abop("A(1)[+B(0.7)]F(0.8)", &rules, 25.0) }, n)
+        let overrides = "@: length times 0.8\n~: swap turns, turn left 7".into();
+        let right_angle = (n % 2 == 0).then_some(40.0);
+        (
+            Definition {
+                length_factor,
+                growth,
+                style,
+                overrides,
+                right_angle,
+                ..abop("A(1)[+B(0.7)]F(0.8)", &rules, 25.0)
+            },
+            n,
+        )
     })
 }
 
@@ -237,9 +267,47 @@ fn a_polygon_records_the_start_of_its_first_segment_only() {
     ];
     for (axiom, expected) in cases {
         let found = outlines(axiom);
-        let exact = found.iter().map(|p| p.iter().map(|v| v.map(|c| (c * 1e9).round() / 1e9 + 0.0)).collect::<Vec<_>>());
+        let exact =
+            found.iter().map(|p| p.iter().map(|v| v.map(|c| (c * 1e9).round() / 1e9 + 0.0)).collect::<Vec<_>>());
         assert_eq!(exact.collect::<Vec<_>>(), [expected.to_vec()], "{axiom}");
     }
+}
+
+#[test]
+fn scaled_lengths_exchanged_turns_and_discs_share_blocks() {
+    let overrides = "@: length times 0.5\n~: swap turns";
+    // The last rule leaves the turtle with exchanged turns.
+    for rules in ["X -> F[@+X]~[@-X]F", "X -> F@X~+X○", "X -> @~F-X●~", "X -> +FX~"] {
+        let definition =
+            |rules: &str| Definition { overrides: overrides.into(), right_angle: Some(50.0), ..abop("X", rules, 30.0) };
+        check(&definition(rules), 5).unwrap();
+        let deep = drawn(&definition(rules), 60);
+        assert!(deep.is_memoised() && deep.block_count() < 200, "{rules}: {}", deep.block_count());
+        let turned = format!("{rules}\nY(a) : a > 0 -> +(a)Y(a/2)~\n")
+            .replace('X', "X(x)")
+            .replace("X(x) ->", "X(x) : x > 0 ->");
+        let turned = Definition { axiom: "X(1)Y(8)".into(), ..definition(&turned) };
+        check(&turned, 5).unwrap();
+        assert!(drawn(&turned, 40).is_memoised(), "{rules}");
+    }
+}
+
+#[test]
+fn modules_give_factors_and_diameters() {
+    let bounds = |axiom: &str| {
+        let definition = Definition { overrides: "@: length times 2".into(), ..abop(axiom, "", 0.0) };
+        drawn(&definition, 0).bounds().unwrap()
+    };
+    let same = |axiom: &str, expected: [f64; 4]| {
+        let found = bounds(axiom);
+        assert!(near(found, expected, 1e-9), "{axiom}: {found:?}");
+    };
+    same("@F", [0.0, 0.0, 0.0, 2.0]);
+    same("@(0.5)F", [0.0, 0.0, 0.0, 0.5]);
+    same("[@(3)F]F", [0.0, 0.0, 0.0, 3.0]);
+    same("●", [-0.5, -0.5, 0.5, 0.5]);
+    same("f○(3)", [-1.5, -0.5, 1.5, 2.5]);
+    same("@(2)●(3)", [-3.0, -3.0, 3.0, 3.0]);
 }
 
 #[test]

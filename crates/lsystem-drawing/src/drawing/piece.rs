@@ -5,7 +5,7 @@ use super::builder::Builder;
 use crate::Plane;
 use crate::space::{reach, times, unit_of};
 use crate::style::StyleChange;
-use crate::turtle::{LARGEST_SCALE, Pen, Score};
+use crate::turtle::{Pen, Score};
 use lsystem_derive::LetterId;
 
 /// The change of the turtle's state by a piece. The frame is the turtle's at entry: position at the origin, heading +x.
@@ -19,6 +19,10 @@ pub struct Effect<S: Space = Plane> {
     pub heading: S::Turn,
     /// The change of the style.
     pub style: StyleChange,
+    /// The factor of lengths at the end.
+    pub scale: f64,
+    /// Whether left and right turns are exchanged at the end, unlike at entry.
+    pub swaps: bool,
 }
 
 /// The drawing of a letter that is derived for some more steps.
@@ -30,15 +34,12 @@ pub struct Piece<S: Space = Plane> {
     pub effect: Effect<S>,
 }
 
-/// The pieces of one depth, sorted by letter.
-pub(super) type Level<S = Plane> = Vec<(LetterId, Piece<S>)>;
+/// The pieces of one depth, sorted by letter and by whether the turtle enters with exchanged turns.
+pub(super) type Level<S = Plane> = Vec<((LetterId, bool), Piece<S>)>;
 
-/// The exponent of the factor of lengths on a branch at `level`.
-pub(super) fn branch_exponent<S: Space>(score: &Score<S>, level: i32) -> i32 {
-    if score.branch_length_factor == 1.0 || level == 0 {
-        return 0;
-    }
-    unit_of(libm::pow(score.branch_length_factor, f64::from(level)).min(LARGEST_SCALE))
+/// The numbers of pieces of a letter or state: a turtle that exchanges left and right turns draws another piece.
+pub(super) fn variants<S: Space>(score: &Score<S>) -> usize {
+    if score.swaps() { 2 } else { 1 }
 }
 
 /// The exponent of the farthest coordinate of a piece; `None` if the piece neither draws nor moves the turtle.
@@ -78,13 +79,23 @@ pub(super) fn follow<S: Space>(
     pen.at = S::transform(&axes, pen.at, by);
     pen.heading = S::then(pen.heading, effect.heading);
     pen.style = pen.style.then(&effect.style);
+    pen.scale_by(effect.scale);
+    pen.swapped ^= effect.swaps;
 }
 
-/// The effect that the pen's state stands for. The pen started at the origin, in units of `2^exponent` steps.
-pub(super) fn effect<S: Space>(pen: &Pen<S>, exponent: i32) -> Effect<S> {
+/// The effect that the pen's state stands for. The pen started at the origin, in units of `2^exponent` steps, and with
+/// exchanged turns if `swapped`.
+pub(super) fn effect<S: Space>(pen: &Pen<S>, exponent: i32, swapped: bool) -> Effect<S> {
     let shift = unit_of(reach(&pen.at));
     let at = shifted(pen.at, -shift);
-    Effect { at, exponent: exponent.saturating_add(shift), heading: pen.heading, style: pen.style }
+    Effect {
+        at,
+        exponent: exponent.saturating_add(shift),
+        heading: pen.heading,
+        style: pen.style,
+        scale: pen.scale,
+        swaps: pen.swapped != swapped,
+    }
 }
 
 /// The point with every coordinate times `2^exponent`.

@@ -43,8 +43,8 @@ pub(crate) struct StateWords {
 pub(crate) struct StateWord {
     /// The successor's range in [`StateWords::modules`].
     pub modules: Range<u32>,
-    /// The block that the state draws, if any.
-    pub block: Option<BlockId>,
+    /// The blocks that the state draws, if any: usually, and while left and right turns are exchanged.
+    pub blocks: [Option<BlockId>; 2],
     /// The number of symbols in the state's derivation.
     pub symbols: u128,
 }

@@ -38,11 +38,13 @@ struct Pen {
     level: u32,
     /// The factor of lengths.
     scale: f64,
+    /// Whether left and right turns are exchanged.
+    swapped: bool,
 }
 
 impl Pen {
     fn new(turtle: &Turtle) -> Self {
-        Self { colour: 0, width: turtle.width, level: 0, scale: 1.0 }
+        Self { colour: 0, width: turtle.width, level: 0, scale: 1.0, swapped: false }
     }
 
     fn begin(&mut self, turtle: &Turtle, module: &Module) {
@@ -70,14 +72,30 @@ impl Pen {
             (Action::AddColour(by), Colouring::Symbols) => self.colour = self.colour.wrapping_add(by),
             (Action::SetWidth(width), _) => self.width = width,
             (Action::ScaleWidth(factor), _) => self.width *= factor,
+            (Action::ScaleLength(factor), _) => self.scale *= factor.max(0.0),
+            (Action::SwapTurns, _) => self.swapped = !self.swapped,
             _ => {}
+        }
+    }
+
+    /// The action that a turtle performs instead of `action`, if left and right turns are exchanged.
+    fn exchanged(&self, action: Action) -> Action {
+        match action {
+            Action::TurnLeft(by) if self.swapped => Action::TurnRight(by),
+            Action::TurnRight(by) if self.swapped => Action::TurnLeft(by),
+            other => other,
         }
     }
 }
 
 /// By module of a word: the number of segments that it draws.
 pub fn segments_of_each(system: &System, word: &[Module]) -> Vec<usize> {
-    let draws = |module: &Module| actions(system, module.symbol).iter().filter(|action| action.draws()).count();
+    let segments = |action: &Action| match action {
+        Action::Draw(_) | Action::DrawUnmarked(_) => 1,
+        Action::Circle(_) => 32,
+        _ => 0,
+    };
+    let draws = |module: &Module| actions(system, module.symbol).iter().map(segments).sum::<usize>();
     let images = image_of_each(&system.grammar, system.seed, word);
     images.iter().map(|modules| modules.iter().map(draws).sum()).collect()
 }
@@ -122,7 +140,7 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
             let [longer, farther] = variations(system, n, &module, slot(actions(system, module.symbol), index));
             let longer = longer * state.pen.scale;
             let turned = |degrees: f64| if farther == 1.0 { degrees } else { shorter(degrees) * farther };
-            let action = number.map_or(*action, |number| replaced(*action, *number));
+            let action = state.pen.exchanged(number.map_or(*action, |number| replaced(*action, *number)));
             match action {
                 Action::Draw(length) | Action::DrawUnmarked(length) => {
                     let from = state.at;
@@ -142,6 +160,16 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                 Action::TurnRound => {
                     turn(&mut state, 180.0 * if module.made == n && n > 0 { turtle.growth } else { 1.0 });
                 }
+                Action::Circle(diameter) => {
+                    let corners = (0..32).map(|corner| {
+                        let mut there = state;
+                        turn(&mut there, 11.25 * f64::from(corner));
+                        advance(&mut there, 0.5 * longer * diameter.unwrap_or(turtle.step));
+                        there.at
+                    });
+                    segments
+                        .extend(around(&corners.collect::<Vec<_>>(), |from, to| state.pen.segment(turtle, from, to)));
+                }
                 Action::Push => saved.push(state),
                 Action::Pop => state = saved.pop().unwrap_or(state),
                 // Polygons have no strokes. Other actions leave the plane or change only the pen.
@@ -153,11 +181,17 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
     segments
 }
 
+/// The segments around a closed outline.
+fn around<P: Copy, T>(corners: &[P], segment: impl Fn(P, P) -> T) -> Vec<T> {
+    (0..corners.len()).map(|at| segment(corners[at], corners[(at + 1) % corners.len()])).collect()
+}
+
 /// The number of lengths and turns before the action at `index`.
 fn slot(actions: &[Action], index: usize) -> usize {
     use Action::{PitchDown, PitchUp, RollLeft, RollRight, TurnLeft, TurnRight, TurnRound};
     let goes = |action: &Action| {
         matches!(action, Action::Draw(_) | Action::DrawUnmarked(_) | Action::Move(_) | Action::MoveUnmarked(_))
+            || matches!(action, Action::Circle(_) | Action::Disc(_))
     };
     let turns = |action: &Action| {
         matches!(
@@ -194,7 +228,12 @@ fn replaced(action: Action, number: f64) -> Action {
         Action::RollRight(_) => Action::RollRight(Some(number)),
         Action::DrawUnmarked(_) => Action::DrawUnmarked(Some(number)),
         Action::MoveUnmarked(_) => Action::MoveUnmarked(Some(number)),
-        Action::TurnRound | Action::RollUpright | Action::Push | Action::Pop | Action::Cut => action,
+        Action::ScaleLength(_) => Action::ScaleLength(number),
+        Action::Circle(_) => Action::Circle(Some(number)),
+        Action::Disc(_) => Action::Disc(Some(number)),
+        Action::SwapTurns | Action::TurnRound | Action::RollUpright | Action::Push | Action::Pop | Action::Cut => {
+            action
+        }
         Action::OpenPolygon | Action::Vertex | Action::ClosePolygon => action,
     }
 }

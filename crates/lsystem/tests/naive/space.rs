@@ -1,6 +1,6 @@
 //! The naive turtle in space: three vectors, rotated by Rodrigues' formula.
 
-use super::{Pen, actions, drawn, replaced, shorter, slot, variations};
+use super::{Pen, actions, around, drawn, replaced, shorter, slot, variations};
 use lsystem::drawing::Segment;
 use lsystem::syntax::Action;
 use lsystem::{Solid, System};
@@ -35,6 +35,17 @@ impl State {
 
     fn advance(&mut self, length: f64) {
         self.at = [0, 1, 2].map(|i| self.at[i] + length * self.heading[i]);
+    }
+
+    /// The corners of a circle around the turtle.
+    fn circle(&self, diameter: f64) -> Vec<Vector> {
+        let corner = |corner: i32| {
+            let mut there = *self;
+            there.rotate(self.up, (11.25 * f64::from(corner)).to_radians());
+            there.advance(0.5 * diameter);
+            there.at
+        };
+        (0..32).map(corner).collect()
     }
 
     fn upright(&mut self) {
@@ -90,7 +101,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
             };
             let before = state.at;
             let marks = matches!(action, Action::Draw(_) | Action::Move(_));
-            let action = number.map_or(*action, |number| replaced(*action, *number));
+            let action = state.pen.exchanged(number.map_or(*action, |number| replaced(*action, *number)));
             match action {
                 Action::Draw(length) | Action::DrawUnmarked(length) => {
                     let from = state.at;
@@ -121,6 +132,15 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                 Action::RollLeft(degrees) => state.rotate(state.heading, by(degrees, turtle.roll_left)),
                 Action::RollRight(degrees) => state.rotate(state.heading, -by(degrees, turtle.roll_right)),
                 Action::RollUpright => state.upright(),
+                Action::Circle(diameter) => {
+                    let corners = state.circle(longer * diameter.unwrap_or(turtle.step));
+                    segments.extend(around(&corners, |from, to| state.pen.segment(turtle, from, to)));
+                }
+                Action::Disc(diameter) => {
+                    closed.push(polygons.len());
+                    let corners = state.circle(longer * diameter.unwrap_or(turtle.step));
+                    polygons.push((corners, state.pen.colour, state.pen.level, segments.len(), module.index));
+                }
                 Action::Push => saved.push(state),
                 Action::Pop => state = saved.pop().unwrap_or(state),
                 // Other actions change only the pen.

@@ -4,7 +4,7 @@ use super::plan::LetterPlan;
 use super::word::{LetterPieceWriting, Origin, PieceWord};
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::piece::Level;
+use crate::drawing::piece::{Level, variants};
 use crate::drawing::pieces::Pieces;
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::bytes_of;
@@ -117,7 +117,7 @@ impl<S: Space> LetterSharing<S> {
                     return Outcome::Paused;
                 };
                 let (most, limit) = task.most_letters();
-                if plan.cost > most {
+                if plan.cost.saturating_mul(variants(&task.score) as u64) > most {
                     let largest = depths.checked_sub(1);
                     return Outcome::Failed(Diagnostic::limit(limit, task.limits.value(limit), largest));
                 }
@@ -139,6 +139,7 @@ impl<S: Space> Build<S> {
         let Self { needed, pieces, writing, held } = self;
         let Task { rules, turtle, score, n, .. } = task;
         let depth = pieces.len().saturating_sub(1);
+        let variants = variants(score);
         let done = pieces.last().map_or(0, Vec::len);
         let mut write = |word: PieceWord<'_, S>| {
             let piece =
@@ -147,18 +148,20 @@ impl<S: Space> Build<S> {
             meter.charge(8);
             Some(piece)
         };
-        match needed.get(depth).and_then(|letters| letters.get(done)) {
+        match needed.get(depth).and_then(|letters| letters.get(done / variants)) {
             Some(&symbol) => {
                 let letters = rules.rewrites[usize::from(symbol)].always().unwrap_or_default();
                 let below = depth.checked_sub(1).map(|below| &pieces[below]);
                 let origin = Origin { former: Some(symbol), step: n.saturating_sub(depth as u32) };
-                let Some(piece) = write(PieceWord { score, below, letters, origin, heading: S::AHEAD }) else {
+                let swapped = done % variants == 1;
+                let word = PieceWord { score, below, letters, origin, heading: S::AHEAD, swapped };
+                let Some(piece) = write(word) else {
                     return Outcome::Paused;
                 };
                 if pieces.is_empty() {
                     pieces.push(vec![]);
                 }
-                pieces[depth].push((symbol, piece));
+                pieces[depth].push(((symbol, swapped), piece));
             }
             None if pieces.len() < needed.len() => {
                 *held += pieces.last().map_or(0, bytes_of);
@@ -168,7 +171,8 @@ impl<S: Space> Build<S> {
             None => {
                 let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
                 let heading = turtle.start_turn::<S>();
-                if let Some(root) = write(PieceWord { score, below: pieces.last(), letters, origin, heading }) {
+                let word = PieceWord { score, below: pieces.last(), letters, origin, heading, swapped: false };
+                if let Some(root) = write(word) {
                     return Outcome::Ended(Made {
                         root: root.block,
                         pieces: Pieces::Letters(core::mem::take(pieces)),

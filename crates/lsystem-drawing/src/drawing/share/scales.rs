@@ -112,7 +112,7 @@ impl<'a> DrawnRules<'a> {
 
     /// Whether a letter's first argument is the length of a draw or move.
     fn length(&self, letter: usize) -> bool {
-        let goes = matches!(self.actions(letter).first(), Some(Action::Draw(_) | Action::Move(_)));
+        let goes = self.actions(letter).first().is_some_and(|action| action.length().is_some());
         goes && self.rules.letters[letter].arity > 0
     }
 
@@ -122,14 +122,11 @@ impl<'a> DrawnRules<'a> {
             [first, rest @ ..] if self.rules.letters[letter].arity > 0 => (Some(first), rest),
             all => (None, all),
         };
-        let fixed = |action: &Action| match action {
-            Action::Draw(length) | Action::Move(length) => length.unwrap_or(self.turtle.step) != 0.0,
-            _ => false,
-        };
+        let fixed = |action: &Action| action.length().is_some_and(|own| own.unwrap_or(self.turtle.step) != 0.0);
         let counts = |action: &Action| {
             let free =
                 matches!(action, Action::Push | Action::Pop | Action::TurnRound | Action::RollUpright | Action::Cut);
-            !free && !matches!(action, Action::Draw(_) | Action::Move(_))
+            !free && action.length().is_none()
         };
         !(rest.iter().any(fixed) || length && first.is_some_and(counts))
     }

@@ -15,7 +15,7 @@ use super::word::Origin;
 use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::piece::Piece;
+use crate::drawing::piece::{Piece, variants};
 use crate::drawing::pieces::{Pieces, StateWord, StateWords};
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::{bytes_of, reserve};
@@ -91,11 +91,14 @@ pub(crate) struct States<S: Space> {
     state_indices: HashMap<StateKey, u32>,
     /// Whether there are more than [`STATES`] states. Further states are not kept.
     has_too_many_states: bool,
-    /// The number of states done in the present level.
+    /// The number of states planned, and later of pieces made, in the present level.
     done: usize,
+    /// As [`variants`].
+    variants: usize,
     /// The word whose parts are being found.
     planning: Option<Planning<S>>,
-    /// The pieces of the level below and of the present level; `None` during planning.
+    /// The pieces of the level below and of the present level, with [`States::variants`] of each state; `None` during
+    /// planning.
     pieces: Option<[Vec<CountedPiece<S>>; 2]>,
     /// The next piece, in the making.
     writing: Option<Box<StatePieceWriting<S>>>,
@@ -181,8 +184,8 @@ enum TurtleCommand<S: Space> {
     Place(u32),
     /// The colour of the next commands, by generation.
     Colour(ColourChange),
-    /// Place a piece, times a scale.
-    Piece(Piece<S>, f64),
+    /// Place the piece of a state of the level below, times a scale.
+    State(u32, f64),
 }
 
 impl<S: Space> States<S> {
@@ -207,6 +210,7 @@ impl<S: Space> States<S> {
             state_indices: HashMap::new(),
             has_too_many_states: false,
             done: 0,
+            variants: variants(score),
             planning: None,
             pieces: None,
             writing: None,
@@ -251,14 +255,15 @@ impl<S: Space> States<S> {
         }
         let is_top = self.levels.is_empty();
         let step = self.levels.len() as u32;
-        let begun = match self.levels.last().map(|level| level.get(self.done)) {
+        let begun = match self.levels.last().map(|level| level.get(self.done / self.variants)) {
             None => {
                 let origin = Origin { former: None, step };
-                (self.top.clone(), origin, (turtle.start_turn::<S>(), S::UPWARDS))
+                (self.top.clone(), origin, (turtle.start_turn::<S>(), S::UPWARDS, false))
             }
             Some(Some(state)) => {
                 let origin = Origin { former: Some(state.letter), step };
-                (state.parts.clone(), origin, (S::AHEAD, vertical_of(&state.tilt)))
+                let swapped = self.done % self.variants == 1;
+                (state.parts.clone(), origin, (S::AHEAD, vertical_of(&state.tilt), swapped))
             }
             Some(None) => {
                 self.close_pieces(meter);
@@ -292,12 +297,12 @@ impl<S: Space> States<S> {
         let (Some(level), Some([below, here])) = (self.levels.pop(), &mut self.pieces) else { return };
         meter.charge(1 + level.len() as u64 / 4);
         if let Some(words) = &mut self.words {
-            let word = |(state, made): (&State, &CountedPiece<S>)| StateWord {
+            let word = |(state, made): (&State, &[CountedPiece<S>])| StateWord {
                 modules: state.parts.clone(),
-                block: made.0.block,
-                symbols: made.1,
+                blocks: [made.first(), made.get(1)].map(|made| made.and_then(|made| made.0.block)),
+                symbols: made.first().map_or(0, |made| made.1),
             };
-            words.levels.push(level.iter().zip(here.iter()).map(word).collect());
+            words.levels.push(level.iter().zip(here.chunks(self.variants)).map(word).collect());
         }
         *below = core::mem::take(here);
     }

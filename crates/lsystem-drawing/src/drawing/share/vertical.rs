@@ -40,6 +40,10 @@ pub(super) fn is_known<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     if !uses.contains(&true) {
         return true;
     }
+    // Whether left and right turns are exchanged is not known during planning.
+    if score.swaps() {
+        return false;
+    }
     let turns = spread(rules, score, &|op| matches!(op, TurtleOp::Turn(_) | TurtleOp::Upright), true);
     let known = |word: &Template| {
         let (mut lost, mut saved) = (false, vec![]);

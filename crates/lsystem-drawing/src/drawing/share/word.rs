@@ -2,11 +2,11 @@
 
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::piece::{Level, Piece, branch_exponent, effect, exponent, follow, place};
+use crate::drawing::piece::{Level, Piece, effect, exponent, follow, place};
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::style::{ColourChange, StyleChange};
-use crate::turtle::{Pen, Score, TurtleOp};
+use crate::turtle::{Pen, ScaleTrace, Score, TurtleOp, scaled, work_of};
 use lsystem_derive::LetterId;
 use lsystem_syntax::Meter;
 
@@ -37,13 +37,15 @@ pub(super) struct PieceWord<'a, S: Space> {
     pub origin: Origin,
     /// The turtle's heading at entry.
     pub heading: S::Turn,
+    /// Whether left and right turns are exchanged at entry.
+    pub swapped: bool,
 }
 
 impl<'a, S: Space> PieceWord<'a, S> {
     /// The piece of a rewritten letter.
-    fn lower(&self, symbol: LetterId) -> Option<&'a Piece<S>> {
+    fn lower(&self, symbol: LetterId, swapped: bool) -> Option<&'a Piece<S>> {
         let below = self.below?;
-        below.binary_search_by_key(&symbol, |(s, _)| *s).ok().map(|place| &below[place].1)
+        below.binary_search_by_key(&(symbol, swapped), |(key, _)| *key).ok().map(|place| &below[place].1)
     }
 
     fn ops(&self, symbol: LetterId) -> &'a [TurtleOp<S>] {
@@ -56,8 +58,8 @@ impl<'a, S: Space> PieceWord<'a, S> {
 pub(super) struct LetterPieceWriting<S: Space> {
     /// The number of letters done: letters are measured while `tree` is `None`, then drawn.
     done: usize,
-    /// The number of open branches after the letters measured.
-    level: i32,
+    /// The factor of lengths after the letters measured.
+    trace: ScaleTrace,
     /// The exponent of the piece's longest length so far.
     exponent: Option<i32>,
     /// An upper bound on the number of items.
@@ -72,15 +74,15 @@ pub(super) struct LetterPieceWriting<S: Space> {
 
 impl<S: Space> LetterPieceWriting<S> {
     pub(super) fn new(word: &PieceWord<'_, S>) -> Self {
-        let PieceWord { score, below, letters, origin, heading } = *word;
+        let PieceWord { score, below, letters, origin, heading, swapped } = *word;
         let growing = origin.former.filter(|_| below.is_none() && score.growth < 1.0);
         Self {
             done: 0,
-            level: 0,
+            trace: ScaleTrace::new(),
             exponent: None,
             weight: 0,
             fully_grown: growing.map(|former| score.continuation(former, letters)),
-            pen: Pen::new(heading, StyleChange::NONE),
+            pen: Pen { swapped, ..Pen::new(heading, StyleChange::NONE) },
             saved: vec![],
             tree: None,
         }
@@ -88,7 +90,7 @@ impl<S: Space> LetterPieceWriting<S> {
 
     /// The bytes that the piece in the making occupies.
     pub(super) fn bytes(&self) -> u64 {
-        bytes_of(&self.saved) + self.tree.as_ref().map_or(0, Tree::bytes)
+        bytes_of(&self.saved) + self.trace.bytes() + self.tree.as_ref().map_or(0, Tree::bytes)
     }
 
     /// Continues until the meter is spent. Returns the finished piece.
@@ -117,7 +119,7 @@ impl<S: Space> LetterPieceWriting<S> {
                 return None;
             }
             self.draw(builder, word, symbol, (&mut tree, exponent));
-            meter.charge(2 + word.ops(symbol).len() as u64 + builder.take_work());
+            meter.charge(2 + work_of(word.ops(symbol)) + builder.take_work());
             self.done += 1;
         }
         while !meter.is_spent() && !builder.is_full {
@@ -125,7 +127,7 @@ impl<S: Space> LetterPieceWriting<S> {
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
             if let Some(block) = finished {
-                return Some(Piece { block, effect: effect(&self.pen, exponent) });
+                return Some(Piece { block, effect: effect(&self.pen, exponent, word.swapped) });
             }
         }
         self.tree = Some(tree);
@@ -134,23 +136,22 @@ impl<S: Space> LetterPieceWriting<S> {
 
     /// Measures the length and the number of items of a letter.
     fn measure(&mut self, builder: &Builder<S>, word: &PieceWord<'_, S>, symbol: LetterId) {
-        let score = word.score;
-        let below = word.lower(symbol);
-        let own = match below {
-            None => score.goes(symbol).then_some(score.exponent),
-            Some(piece) => exponent(builder, piece),
+        let Self { exponent: most, trace, weight, .. } = self;
+        let mut reach = |own: Option<i32>, trace: &ScaleTrace| {
+            *most = (*most).max(own.map(|own| own.saturating_add(trace.exponent())));
         };
-        self.exponent = self.exponent.max(own.map(|own| own.saturating_add(branch_exponent(score, self.level))));
-        self.weight += 1;
-        if below.is_none() {
-            self.weight += word.ops(symbol).len();
-            let depths = word.ops(symbol).iter().map(|op| match op {
-                TurtleOp::Push(_) => 1,
-                TurtleOp::Pop => -1,
-                _ => 0,
-            });
-            self.level = self.level.saturating_add(depths.sum::<i32>()).max(0);
+        *weight += 1;
+        // With exchanged turns, a piece has the same scale and about the same size.
+        if let Some(piece) = word.lower(symbol, false) {
+            reach(exponent(builder, piece), trace);
+            trace.scale = scaled(trace.scale, piece.effect.scale);
+            return;
         }
+        for op in word.ops(symbol) {
+            reach(op.length().map(|_| word.score.exponent), trace);
+            trace.follow(op);
+        }
+        *weight += work_of(word.ops(symbol)) as usize;
     }
 
     fn draw(
@@ -165,7 +166,7 @@ impl<S: Space> LetterPieceWriting<S> {
         if score.colours_by_generation {
             pen.style.colour = word.origin.colour_of(symbol);
         }
-        match word.lower(symbol) {
+        match word.lower(symbol, pen.swapped) {
             None => {
                 let scale = libm::scalbn(1.0, score.exponent - exponent);
                 let grown;

@@ -22,7 +22,9 @@ pub(super) struct DrawingCounts {
 impl DrawingCounts {
     pub(super) fn add<S: Space>(&mut self, op: &TurtleOp<S>) {
         match op {
-            TurtleOp::Draw(_) => self.segments += 1,
+            TurtleOp::Draw(_) | TurtleOp::Circle(_) => self.segments += op.segments(),
+            // The polygon and its vertices.
+            TurtleOp::Disc(_) => self.segments += 1 + op.work(),
             TurtleOp::Push(_) => {
                 self.open += 1;
                 self.deepest = self.deepest.max(self.open);
@@ -40,6 +42,9 @@ impl DrawingCounts {
             | TurtleOp::Upright
             | TurtleOp::Bend(_)
             | TurtleOp::Style(_)
+            | TurtleOp::TurnColour(_)
+            | TurtleOp::SwapTurns
+            | TurtleOp::ScaleLength(_)
             | TurtleOp::FirstVertex => {}
         }
     }

@@ -9,7 +9,7 @@ use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::style::StyleChange;
-use crate::turtle::{Pen, Score, TurtleOp};
+use crate::turtle::{Pen, Score, TurtleOp, work_of};
 use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, fault};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
 
@@ -228,9 +228,7 @@ impl GenerationSize {
     fn add<S: Space>(&mut self, ops: &[TurtleOp<S>]) {
         for op in ops {
             self.counts.add(op);
-            if let TurtleOp::Draw(length) | TurtleOp::Move(length) = op {
-                self.longest = self.longest.max(length.abs());
-            }
+            self.longest = op.length().map_or(self.longest, |length| self.longest.max(length.abs()));
         }
     }
 
@@ -293,10 +291,10 @@ impl<S: Space> TurtleOpReader<S> {
             }
             match fate {
                 _ if plain.is_empty() => Some(0),
-                None => Some(plain.len() as u64 + act(place, plain)?),
+                None => Some(work_of(plain) + act(place, plain)?),
                 Some(fate) => {
                     score.own(plain, fate, seed, own);
-                    Some(own.len() as u64 + act(place, own)?)
+                    Some(work_of(own) + act(place, own)?)
                 }
             }
         };

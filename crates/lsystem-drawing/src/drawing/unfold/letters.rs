@@ -7,7 +7,7 @@ use crate::drawing::task::Task;
 use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::style::StyleChange;
-use crate::turtle::{Pen, Score, TurtleOp};
+use crate::turtle::{Pen, Score, TurtleOp, work_of};
 use lsystem_derive::{LetterId, Next, Rules, Walk};
 use lsystem_syntax::{LimitName, Limits, Meter};
 
@@ -138,7 +138,7 @@ impl<S: Space> LetterUnfolding<S> {
             }
             tree.draw(builder, place, |paper, directions| pen.act(ops, saved, 1.0, directions, paper));
             let is_full = builder.is_full || builder.bytes() + bytes_of(saved) + tree.bytes() > limits.memory;
-            (!is_full).then(|| ops.len() as u64 + builder.take_work())
+            (!is_full).then(|| work_of(ops) + builder.take_work())
         });
         let outcome = match outcome {
             WalkOutcome::Paused => WalkOutcome::Paused,

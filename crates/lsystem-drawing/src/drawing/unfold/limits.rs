@@ -37,7 +37,7 @@ pub(crate) struct Forecast {
 
 impl Forecast {
     pub(super) fn new<S: Space>(score: &Score<S>) -> Self {
-        let draws = |ops: &Vec<TurtleOp<S>>| ops.iter().filter(|op| matches!(op, TurtleOp::Draw(_))).count() as u128;
+        let draws = |ops: &Vec<TurtleOp<S>>| ops.iter().map(|op| u128::from(op.segments())).sum();
         let sums = score.ops.iter().map(|ops| (draws(ops), 0)).collect();
         Self {
             sums,

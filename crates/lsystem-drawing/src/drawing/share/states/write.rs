@@ -4,13 +4,13 @@ use super::{CountedPiece, StateModule, States, TurtleCommand};
 use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
-use crate::drawing::piece::{Piece, branch_exponent, effect, exponent, follow, place};
+use crate::drawing::piece::{Piece, effect, exponent, follow, place};
 use crate::drawing::share::word::Origin;
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::style::StyleChange;
-use crate::turtle::{Pen, Score, TurtleOp};
+use crate::turtle::{Pen, ScaleTrace, Score, scaled};
 use core::ops::Range;
 use lsystem_derive::fault;
 use lsystem_syntax::{Diagnostic, Limits, Meter};
@@ -22,8 +22,10 @@ pub(super) struct StatePieceWriting<S: Space> {
     origin: Origin,
     /// As [`States::fully_grown`].
     fully_grown: Option<Option<u32>>,
-    /// The number of open branches after the parts measured.
-    level: i32,
+    /// The factor of lengths after the parts measured.
+    trace: ScaleTrace,
+    /// Whether left and right turns are exchanged at entry.
+    swapped: bool,
     /// The first part not yet done: parts are measured while `tree` is `None`, then drawn.
     done: u32,
     /// The exponent of the piece's longest length so far.
@@ -59,11 +61,11 @@ impl<S: Space> States<S> {
         let mut commands = core::mem::take(&mut self.commands);
         while writing.tree.is_none() && (writing.done < end || writing.weight == 0) {
             let next = self.collect((turtle, score), writing, &mut commands)?;
-            writing.measure(builder, score, &commands);
+            let charged = writing.measure(builder, score, &commands, |state| self.below(state, false));
             let symbols = (writing.done..next).map(|part| self.symbols_of(part)).fold(0, u128::saturating_add);
             writing.symbols = writing.symbols.saturating_add(symbols);
             writing.held = (writing.done == writing.parts.start && next == end).then_some(end);
-            meter.charge(4 + 2 * u64::from(next - writing.done) + commands.len() as u64);
+            meter.charge(4 + 2 * u64::from(next - writing.done) + charged);
             writing.done = next;
             if meter.is_spent() && writing.held.is_none() {
                 self.commands = commands;
@@ -83,10 +85,16 @@ impl<S: Space> States<S> {
             };
             writing.held = Some(next);
             while let Some(command) = commands.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
-                writing.draw(builder, command, (&mut tree, unit, scale));
+                let piece = match *command {
+                    TurtleCommand::State(state, scale) => {
+                        self.below(state, writing.pen.swapped).map(|(piece, _)| (*piece, scale))
+                    }
+                    _ => None,
+                };
+                let work = writing.draw(builder, command, piece, (&mut tree, unit, scale));
                 writing.drawn += 1;
                 // Most of the work is for hulls of blocks that the command completes.
-                meter.charge(2 + builder.take_work());
+                meter.charge(1 + work + builder.take_work());
             }
             if writing.drawn < commands.len() {
                 break;
@@ -98,7 +106,7 @@ impl<S: Space> States<S> {
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
             if let Some(block) = finished {
-                let piece = Piece { block, effect: effect(&writing.pen, unit) };
+                let piece = Piece { block, effect: effect(&writing.pen, unit, writing.swapped) };
                 return Ok(Some((piece, writing.symbols)));
             }
         }
@@ -138,48 +146,51 @@ impl<S: Space> States<S> {
                     }
                 }
                 StateModule::State(_, state, scale) => {
-                    commands.extend(self.below(state).map(|(piece, _)| TurtleCommand::Piece(*piece, scale)));
+                    commands.push(TurtleCommand::State(state, scale));
                 }
             }
         }
         Ok(writing.parts.end)
     }
 
-    /// The piece of a state of the level below.
-    fn below(&self, state: u32) -> Option<&CountedPiece<S>> {
-        self.pieces.as_ref().and_then(|[below, _]| below.get(state as usize))
+    /// The piece of a state of the level below, usually or while left and right turns are exchanged.
+    fn below(&self, state: u32, swapped: bool) -> Option<&CountedPiece<S>> {
+        let place = state as usize * self.variants + usize::from(swapped);
+        self.pieces.as_ref().and_then(|[below, _]| below.get(place))
     }
 
     /// The number of symbols in a part's derivation.
     fn symbols_of(&self, part: u32) -> u128 {
         match self.parts[part as usize] {
             StateModule::Module(..) => 1,
-            StateModule::State(_, state, _) => self.below(state).map_or(0, |(_, symbols)| *symbols),
+            StateModule::State(_, state, _) => self.below(state, false).map_or(0, |(_, symbols)| *symbols),
         }
     }
 }
 
 impl<S: Space> StatePieceWriting<S> {
-    /// A piece of these parts. The turtle enters with `heading`, in a frame with `vertical`.
+    /// A piece of these parts. The turtle enters with `heading`, in a frame with `vertical`; if `swapped`, with left
+    /// and right turns exchanged.
     pub(super) fn new(
         parts: Range<u32>,
         origin: Origin,
         fully_grown: Option<Option<u32>>,
-        (heading, vertical): (S::Turn, S::Point),
+        (heading, vertical, swapped): (S::Turn, S::Point, bool),
     ) -> Self {
         Self {
             done: parts.start,
             parts,
             origin,
             fully_grown,
-            level: 0,
+            trace: ScaleTrace::new(),
+            swapped,
             unit: None,
             symbols: 0,
             held: None,
             drawn: 0,
             weight: 0,
             place: 0,
-            pen: Pen { vertical, ..Pen::new(heading, StyleChange::NONE) },
+            pen: Pen { vertical, swapped, ..Pen::new(heading, StyleChange::NONE) },
             saved: vec![],
             tree: None,
         }
@@ -187,56 +198,72 @@ impl<S: Space> StatePieceWriting<S> {
 
     /// The bytes that the piece in the making occupies.
     pub(super) fn bytes(&self) -> u64 {
-        bytes_of(&self.saved) + self.tree.as_ref().map_or(0, Tree::bytes)
+        bytes_of(&self.saved) + self.trace.bytes() + self.tree.as_ref().map_or(0, Tree::bytes)
     }
 
-    /// Measures the lengths and the number of some commands.
-    fn measure(&mut self, builder: &Builder<S>, score: &Score<S>, commands: &[TurtleCommand<S>]) {
+    /// Measures the lengths and the number of some commands. `below` gives the piece of a state of the level below.
+    /// Returns the units of work.
+    fn measure<'a>(
+        &mut self,
+        builder: &Builder<S>,
+        score: &Score<S>,
+        commands: &[TurtleCommand<S>],
+        below: impl Fn(u32) -> Option<&'a CountedPiece<S>>,
+    ) -> u64 {
+        let Self { unit: most, trace, .. } = self;
+        let mut reach = |unit: Option<i32>, trace: &ScaleTrace| {
+            *most = (*most).max(unit.map(|unit| unit.saturating_add(trace.exponent())));
+        };
+        let mut work = 0;
         for command in commands {
-            let unit = match command {
-                TurtleCommand::Op(TurtleOp::Draw(length) | TurtleOp::Move(length)) if *length != 0.0 => {
-                    Some(score.exponent.saturating_add(unit_of(*length)))
+            work += 1;
+            match command {
+                TurtleCommand::Op(op) => {
+                    let length = op.length().filter(|length| *length != 0.0);
+                    reach(length.map(|length| score.exponent.saturating_add(unit_of(length))), trace);
+                    trace.follow(op);
+                    work += op.work() - 1;
                 }
-                TurtleCommand::Op(TurtleOp::Push(_)) => {
-                    self.level = self.level.saturating_add(1);
-                    None
+                TurtleCommand::State(state, scale) => {
+                    // With exchanged turns, a piece has the same scale and about the same size.
+                    let Some((piece, _)) = below(*state) else { continue };
+                    reach(exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale))), trace);
+                    trace.scale = scaled(trace.scale, piece.effect.scale);
                 }
-                TurtleCommand::Op(TurtleOp::Pop) => {
-                    self.level = self.level.saturating_sub(1).max(0);
-                    None
-                }
-                TurtleCommand::Op(_) | TurtleCommand::Colour(_) | TurtleCommand::Place(_) => None,
-                TurtleCommand::Piece(piece, scale) => {
-                    exponent(builder, piece).map(|own| own.saturating_add(unit_of(*scale)))
-                }
-            };
-            self.unit = self.unit.max(unit.map(|unit| unit.saturating_add(branch_exponent(score, self.level))));
+                TurtleCommand::Colour(_) | TurtleCommand::Place(_) => {}
+            }
         }
-        self.weight += 1 + commands.len();
+        self.weight += 1 + work as usize;
+        work
     }
 
+    /// Performs a command. `piece` is the piece of the command's state, with its scale. Returns the units of work.
     fn draw(
         &mut self,
         builder: &mut Builder<S>,
         command: &TurtleCommand<S>,
+        piece: Option<(Piece<S>, f64)>,
         (tree, unit, scale): (&mut Tree<S>, i32, f64),
-    ) {
+    ) -> u64 {
         let Self { pen, saved, place: at, .. } = self;
         match command {
             TurtleCommand::Op(op) => {
                 tree.draw(builder, u64::from(*at), |paper, directions| {
                     pen.act(&[*op], saved, scale, directions, paper);
                 });
+                return op.work();
             }
             TurtleCommand::Place(place) => *at = *place,
             TurtleCommand::Colour(colour) => pen.style.colour = *colour,
-            TurtleCommand::Piece(piece, scale) => {
+            TurtleCommand::State(..) => {
+                let Some((piece, scale)) = piece else { return 1 };
                 if let Some(block) = piece.block {
-                    let placed = place(builder, block, pen, unit, *scale);
+                    let placed = place(builder, block, pen, unit, scale);
                     tree.place(builder, placed);
                 }
-                follow(builder, pen, &piece.effect, unit, *scale);
+                follow(builder, pen, &piece.effect, unit, scale);
             }
         }
+        1
     }
 }
