@@ -289,6 +289,7 @@ fn note_foreign(word: &[Module], spans: &[Range<usize>], idle: impl Fn(char) -> 
             let kind = Kind::DigitsBehind { symbol: module.symbol, digits };
             notes.add(kind, spans[first].start..spans[at - 1].end);
         } else if module.symbol == '@'
+            && spans[first - 1].len() == 1
             && idle('@')
             && let Some(second) = word.get(first)
             && spans[first].start == spans[first - 1].end

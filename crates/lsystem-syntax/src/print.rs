@@ -1,6 +1,7 @@
 //! Printing a grammar in the notation, as text that reads back as the same grammar.
 
 use crate::characters::{is_blank, is_invisible, look_alike};
+use crate::notation::token::disc;
 use crate::number::number;
 use crate::{Expr, Grammar, Module, Pattern, Production, Seen};
 use core::fmt::Write;
@@ -142,7 +143,11 @@ pub fn print_module(ch: char, arguments: &[f64], out: &mut String) {
 pub(crate) fn symbol(symbol: char, quote: bool, out: &mut String) {
     if is_blank(symbol) && symbol != ' ' || is_invisible(symbol) {
         out.push_str(&format!("`U+{:02X}`", u32::from(symbol)));
-    } else if quote || matches!(symbol, ' ' | '`' | '(' | ')' | ':' | '→') || look_alike(symbol).is_some() {
+    } else if quote
+        || out.ends_with('@') && disc(symbol).is_some()
+        || matches!(symbol, ' ' | '`' | '(' | ')' | ':' | '→')
+        || look_alike(symbol).is_some()
+    {
         out.push('`');
         out.push(symbol);
         out.push('`');

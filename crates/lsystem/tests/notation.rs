@@ -13,7 +13,7 @@ use proptest::prelude::*;
 /// Letters, all characters with a meaning in the notation, look-alikes, invisible characters, and others.
 fn symbol() -> impl Strategy<Value = char> {
     prop_oneof![
-        4 => prop::sample::select("FGXab01+-[]".chars().collect::<Vec<_>>()),
+        4 => prop::sample::select("FGXabco@●01+-[]".chars().collect::<Vec<_>>()),
         4 => prop::sample::select("`:->=#/*()<ε→.,;{}|\\^&$!'\"% \t\n\r_".chars().collect::<Vec<_>>()),
         1 => prop::sample::select("−–—’“ˆ（）＞⇒\u{feff}\u{200b}\u{a0}\u{2028}\u{0}\u{301}é木🌱".chars().collect::<Vec<_>>()),
         1 => any::<char>(),

@@ -1,4 +1,5 @@
-//! The characters of a line as tokens: literals unwrapped, white space dropped, look-alikes replaced.
+//! The characters of a line as tokens: literals unwrapped, white space dropped, look-alikes replaced, and the two
+//! characters of cpfg's discs joined.
 
 use crate::Kind;
 use crate::characters::{is_blank, look_alike};
@@ -77,12 +78,24 @@ pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut Notes) -> Vec<
                     continue;
                 }
             },
+            None if ch == '@' => match text[at..range.end].chars().next().and_then(disc) {
+                Some(disc) => {
+                    at += 1;
+                    (disc, false)
+                }
+                None => (ch, false),
+            },
             None => (ch, false),
         };
         found.push(Token { ch, literal, joined, start: start as u32, end: at as u32 });
         joined = true;
     }
     found
+}
+
+/// The symbol for `@` followed by this ASCII character. In cpfg, `@c` and `@o` fill a disc around the turtle.
+pub(crate) fn disc(after: char) -> Option<char> {
+    matches!(after, 'c' | 'o').then_some('●')
 }
 
 struct Broken {
