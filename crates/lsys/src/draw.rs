@@ -6,8 +6,9 @@ use crate::cores::{Say, SharedLimits};
 use crate::input::{self, InputSystem};
 use crate::pending::{Pending, with_extension};
 use crate::{CommandFailure, cores, picture, print};
-use lsystem::drawing::Outlook;
+use lsystem::drawing::{Outlook, why_empty};
 use lsystem::files::{Content, Format, write_all};
+use lsystem::syntax::visible;
 use lsystem::{Mesh, SvgOptions, write_json};
 use std::io::IsTerminal;
 use std::sync::Arc;
@@ -29,6 +30,15 @@ fn draw_one(
     say: Say<'_>,
 ) -> Result<(), CommandFailure> {
     let input = input::read(&job.file, changes, say)?;
+    let formats = match &job.target {
+        Destination::Print(format) => core::slice::from_ref(format),
+        Destination::Write(_, formats) => formats,
+    };
+    if formats.iter().any(|format| !matches!(format.content, Content::System | Content::String))
+        && let Some(reason) = why_empty(&input.system, input.iterations)
+    {
+        say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
+    }
     match &job.target {
         Destination::Print(format) if matches!(format.name, "png" | "glb") && std::io::stdout().is_terminal() => {
             Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))

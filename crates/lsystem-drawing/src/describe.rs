@@ -1,6 +1,6 @@
 //! Systems and drawings in words: the legend of symbols, the reason for an empty picture, a picture's text alternative.
 use crate::System;
-use crate::drawn::drawn_by_letter;
+use crate::drawn::shown_by_letter;
 use lsystem_derive::{Rewrite, Tally, weigh_until};
 use lsystem_syntax::message::grouped;
 use lsystem_syntax::sorted::set;
@@ -173,7 +173,7 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
     if system.rules.is_cutting() {
         return None;
     }
-    let drawn = drawn_by_letter(system)?;
+    let drawn = shown_by_letter(system)?;
     // Every reachable letter occurs within as many steps as there are letters.
     let far = (n + 1 + system.rules.letters.len() as u32).min(MAX_ITERATIONS);
     let (mut at_first, mut here, mut later) = (false, None, None);
@@ -208,6 +208,12 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
     }
     if n > 0 && at_first {
         return Some("Every symbol that draws has been rewritten away: try fewer iterations.".to_owned());
+    }
+    let moves = |actions: &[Action]| matches!(actions, [Action::Move(_) | Action::MoveUnmarked(_)]);
+    let mut letters = system.rules.letters.iter().zip(&system.turtle.actions);
+    if let Some((letter, _)) = letters.find(|(letter, actions)| letter.symbol.is_lowercase() && moves(actions)) {
+        let (small, large) = (letter.symbol, letter.symbol.to_ascii_uppercase());
+        return Some(format!("{small} moves without a line: write a capital {large} to draw."));
     }
     Some(
         "No symbol of this system draws: use one that does (F in most dialects), or give one a meaning such as \

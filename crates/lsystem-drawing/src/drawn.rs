@@ -1,33 +1,46 @@
-//! The number of segments that each letter draws.
+//! The number of segments that each letter draws, and whether it draws at all.
 
 use crate::System;
 use lsystem_derive::LetterId;
+use lsystem_syntax::Action;
 
 /// By letter: the number of segments that the letter, or its image, draws; 0 for a letter that never occurs. `None` if
 /// the number varies for a letter that may occur.
 pub(crate) fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
-    let drawn = |(id, reached): (usize, &bool)| if *reached { drawn_as(system, id as LetterId) } else { Some(0) };
-    system.rules.reachable().iter().enumerate().map(drawn).collect()
+    marks_by_letter(system, Action::segments)
 }
 
-/// The number of segments that a letter is drawn as; `None` if its images draw different numbers.
-fn drawn_as(system: &System, letter: LetterId) -> Option<u64> {
+/// As [`drawn_by_letter`], for segments, discs and ends of polygons.
+pub(crate) fn shown_by_letter(system: &System) -> Option<Vec<u64>> {
+    marks_by_letter(system, |action| match action {
+        Action::Disc(_) | Action::ClosePolygon => 1,
+        other => other.segments(),
+    })
+}
+
+/// By letter: the sum of `marks` over the actions of the letter or its image.
+fn marks_by_letter(system: &System, marks: fn(Action) -> u64) -> Option<Vec<u64>> {
+    let of = |(id, reached): (usize, &bool)| if *reached { marks_of(system, id as LetterId, marks) } else { Some(0) };
+    system.rules.reachable().iter().enumerate().map(of).collect()
+}
+
+/// The sum of `marks` over the actions that a letter is drawn as; `None` if its images have different sums.
+fn marks_of(system: &System, letter: LetterId, marks: fn(Action) -> u64) -> Option<u64> {
+    let alone = |letter: LetterId| marks_alone(system, letter, marks);
     let images = &system.rules.images[usize::from(letter)];
-    let mut all =
-        images.iter().map(|image| image.successor.letters.iter().map(|&letter| segments_of(system, letter)).sum());
+    let mut all = images.iter().map(|image| image.successor.letters.iter().map(|&letter| alone(letter)).sum());
     let always = images.iter().any(|image| image.condition.is_none() && image.weight.is_none());
-    let own = (!always).then(|| segments_of(system, letter));
+    let own = (!always).then(|| alone(letter));
     let first: u64 = own.or_else(|| all.next())?;
     all.all(|other| other == first).then_some(first)
 }
 
-/// The number of segments that a letter draws by its own actions, without images.
-fn segments_of(system: &System, symbol: LetterId) -> u64 {
-    let actions = &system.turtle.actions[usize::from(symbol)];
-    actions.iter().map(|action| action.segments()).sum()
+/// The sum of `marks` over a letter's own actions, without images.
+fn marks_alone(system: &System, letter: LetterId, marks: fn(Action) -> u64) -> u64 {
+    system.turtle.actions[usize::from(letter)].iter().map(|&action| marks(action)).sum()
 }
 
 /// By letter: the number of segments that the letter draws by its own actions, without images.
 pub(crate) fn drawn_alone(system: &System) -> Vec<u64> {
-    (0..system.rules.letters.len()).map(|letter| segments_of(system, letter as LetterId)).collect()
+    (0..system.rules.letters.len()).map(|letter| marks_alone(system, letter as LetterId, Action::segments)).collect()
 }

@@ -217,7 +217,7 @@ pub(super) fn rules(source: &mut Source<'_>, features: SystemFeatures) -> String
 
 /// Overrides of a dialect.
 pub(crate) fn overrides(source: &mut Source<'_>) -> String {
-    const ACTIONS: [&str; 34] = [
+    const ACTIONS: [&str; 38] = [
         "draw",
         "move",
         "draw N",
