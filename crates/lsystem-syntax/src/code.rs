@@ -36,6 +36,9 @@ pub enum Op {
     Call2(Function),
     /// A random number between the two values on top, with its index (0-based) among the production's random numbers.
     Random(u16),
+    /// A normal random number: the mean and the standard deviation are on top, and two random numbers make it. This is
+    /// the index of the first.
+    NormalRandom(u16),
 }
 
 /// The most values on the stack. Deeper expressions do not compile.
@@ -102,7 +105,7 @@ impl Code {
     /// Whether the expression contains a random number.
     #[must_use]
     pub fn is_random(&self) -> bool {
-        matches!(self, Self::Postfix(ops) if ops.iter().any(|op| matches!(op, Op::Random(_))))
+        matches!(self, Self::Postfix(ops) if ops.iter().any(|op| matches!(op, Op::Random(_) | Op::NormalRandom(_))))
     }
 }
 
@@ -123,12 +126,22 @@ fn run(ops: &[Op], slots: &[f64], random: &impl Fn(u16) -> f64) -> f64 {
                 let (from, to) = (stack[top - 2], stack[top - 1]);
                 (from + (to - from) * random(place), 2)
             }
+            Op::NormalRandom(place) => {
+                let (mean, deviation) = (stack[top - 2], stack[top - 1]);
+                (mean + deviation * normal(random(place), random(place.wrapping_add(1))), 2)
+            }
         };
         top -= used;
         stack[top] = value;
         top += 1;
     }
     stack[0]
+}
+
+/// A normal random number with mean 0 and standard deviation 1, from two random numbers in `0.0..1.0`, by Box and
+/// Muller.
+fn normal(radius: f64, angle: f64) -> f64 {
+    (-2.0 * libm::log(1.0 - radius)).sqrt() * libm::cos(core::f64::consts::TAU * angle)
 }
 
 /// Appends the postfix form of `expr` with constants folded. `held` is the number of values already on the stack.
@@ -172,6 +185,10 @@ fn compile(
                     *randoms = randoms.wrapping_add(1);
                     Op::Random(randoms.wrapping_sub(1))
                 }
+                (Function::NormalRandom, _) => {
+                    *randoms = randoms.wrapping_add(2);
+                    Op::NormalRandom(randoms.wrapping_sub(2))
+                }
                 (_, 2) => Op::Call2(*function),
                 _ => Op::Call1(*function),
             });
@@ -181,7 +198,7 @@ fn compile(
     if let [arguments @ .., last] = &ops[start..]
         && !arguments.is_empty()
         && arguments.iter().all(constant)
-        && !matches!(last, Op::Number(_) | Op::Random(_))
+        && !matches!(last, Op::Number(_) | Op::Random(_) | Op::NormalRandom(_))
     {
         let value = run(&ops[start..], &[], &|_| 0.0);
         ops.truncate(start);

@@ -153,11 +153,13 @@ pub enum Function {
     /// `random(a, b)`: a uniform random number from `a` up to `b`. As with stochastic productions, its key is the place
     /// in the derivation.
     Random,
+    /// `nran(m, s)`: a normal random number with mean `m` and standard deviation `s`, as in cpfg.
+    NormalRandom,
 }
 
 impl Function {
     /// All functions.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Sin,
         Self::Cos,
         Self::Tan,
@@ -174,6 +176,7 @@ impl Function {
         Self::Min,
         Self::Max,
         Self::Random,
+        Self::NormalRandom,
     ];
 
     /// The function's name in the notation.
@@ -196,6 +199,7 @@ impl Function {
             Self::Min => "min",
             Self::Max => "max",
             Self::Random => "random",
+            Self::NormalRandom => "nran",
         }
     }
 
@@ -203,13 +207,13 @@ impl Function {
     #[must_use]
     pub fn arity(self) -> usize {
         match self {
-            Self::Atan2 | Self::Min | Self::Max | Self::Random => 2,
+            Self::Atan2 | Self::Min | Self::Max | Self::Random | Self::NormalRandom => 2,
             _ => 1,
         }
     }
 
-    /// The function's value; functions of one argument ignore `b`. [`Function::Random`] gives NaN here, because `Code`
-    /// computes it.
+    /// The function's value; functions of one argument ignore `b`. Random numbers give NaN here, because `Code`
+    /// computes them.
     pub fn apply(self, a: f64, b: f64) -> f64 {
         match self {
             Self::Sin => crate::Heading::from_degrees(a).cos_sin().1 + 0.0 * a,
@@ -230,7 +234,7 @@ impl Function {
             Self::Ceil => a.ceil(),
             Self::Min => a.min(b),
             Self::Max => a.max(b),
-            Self::Random => f64::NAN,
+            Self::Random | Self::NormalRandom => f64::NAN,
         }
     }
 }

@@ -310,7 +310,7 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 _ if matches!(name.as_str(), "pow" | "power") => "For a power write `x^y`.".into(),
                 _ if matches!(name.as_str(), "mod" | "fmod") => "For a remainder write `x % y`.".into(),
                 _ if matches!(name.as_str(), "log" | "log10") => "The natural logarithm is `ln(x)`.".into(),
-                _ if matches!(name.as_str(), "rand" | "rnd" | "ran") => {
+                _ if matches!(name.as_str(), "rand" | "rnd") => {
                     "A random number between two others is `random(0, 1)`.".into()
                 }
                 _ if matches!(name.as_str(), "round" | "int" | "trunc") => "To round write `floor(x + 0.5)`.".into(),
@@ -331,6 +331,7 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             format!("`{}` takes {}, not {found}", function.name(), plural(*expected, "argument")),
             match function {
                 Function::Random => "`random(a, b)` is a number from a up to b.".into(),
+                Function::NormalRandom => "`nran(m, s)` has the mean m and the standard deviation s.".into(),
                 Function::Atan2 => "`atan2(y, x)` is the angle of the point (x, y).".into(),
                 _ if *expected == 2 => format!("Write it as in `{}(a, b)`.", function.name()),
                 _ => format!("Write it as in `{}(a)`.", function.name()),

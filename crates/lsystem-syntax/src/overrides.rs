@@ -291,7 +291,7 @@ const FORMS: [(&str, NumberForm); 36] = [
     ("width times", NumberForm::Number(Action::ScaleWidth, Expected::PositiveUpTo(MOST))),
     ("thicker", NumberForm::Plain(Action::ScaleWidth(SQRT_2))),
     ("thinner", NumberForm::Plain(Action::ScaleWidth(FRAC_1_SQRT_2))),
-    ("length times", NumberForm::Number(Action::ScaleLength, Expected::PositiveUpTo(MOST))),
+    ("length times", NumberForm::Number(Action::ScaleLength, Expected::Between(0.0, MOST))),
     ("swap turns", NumberForm::Plain(Action::SwapTurns)),
     ("circle", NumberForm::Optional(Action::Circle)),
     ("disc", NumberForm::Optional(Action::Disc)),

@@ -100,7 +100,7 @@ fn module(source: &mut Source<'_>, names: &[&str]) -> String {
 pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) -> String {
     const OPERATORS: [&str; 16] =
         ["+", "-", "*", "/", "%", "^", "<", "<=", ">", ">=", "==", "!=", "&&", "||", " and ", " or "];
-    const FUNCTIONS: [(&str, usize); 16] = [
+    const FUNCTIONS: [(&str, usize); 18] = [
         ("sin", 1),
         ("cos", 1),
         ("tan", 1),
@@ -117,6 +117,8 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
         ("min", 2),
         ("max", 2),
         ("random", 2),
+        ("ran", 1),
+        ("nran", 2),
     ];
     match source.below(if depth == 0 { 4 } else { 10 }) {
         0 | 1 if !names.is_empty() => source.pick(names).to_owned(),

@@ -141,7 +141,8 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
     // In plain rules, an image is one letter with several actions, so its variations have other random numbers.
     let images = system.rules.is_plain() && !system.grammar.images.is_empty();
     // A strong tropism overshoots and swings ever wider, so that rounding errors grow.
-    let swings = turtle.tropism.is_some_and(|tropism| tropism.elasticity.abs() > 1.0);
+    let pull = |vector: [f64; 3]| vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let swings = turtle.tropism.is_some_and(|tropism| tropism.elasticity.abs() * pull(tropism.vector) > 1.0);
     let varies = varies || swings || images && (turtle.angle_variation != 0.0 || turtle.length_variation != 0.0);
     words.len() as u64 == u64::from(n) + 1
         && words.last().is_some_and(arguments)

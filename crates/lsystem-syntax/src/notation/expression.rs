@@ -355,6 +355,9 @@ impl ExpressionReader<'_> {
             }
         }
         self.closed(open)?;
+        if name == RAN && arguments.len() == 1 {
+            arguments.insert(0, Expr::Number(0.0));
+        }
         if arguments.len() != function.arity() {
             let (expected, found) = (function.arity(), arguments.len());
             self.notes.add(Kind::FunctionArity { function, expected, found }, span);
@@ -364,8 +367,14 @@ impl ExpressionReader<'_> {
     }
 }
 
+/// The name in cpfg of a random number from 0 up to the only argument.
+const RAN: &str = "ran";
+
 /// The function with this name.
 pub(super) fn function(name: &str) -> Option<Function> {
+    if name == RAN {
+        return Some(Function::Random);
+    }
     Function::ALL.into_iter().find(|function| function.name() == name)
 }
 

@@ -89,7 +89,7 @@ fn rule(features: Features) -> impl Strategy<Value = String> {
             prop::sample::select(values.clone()).prop_map(|value| format!(" : {value}")),
         );
         if features.weights && features.parameters {
-            values.extend(["random(0, 3)", "random(r, 2) - 1"]);
+            values.extend(["random(0, 3)", "random(r, 2) - 1", "ran(2)", "nran(1, 0.5)"]);
         }
         (condition, word(features, &values), weight).prop_map(move |(condition, successor, weight)| {
             format!("{left}{strict}{right}{condition} -> {successor}{weight}")

@@ -211,7 +211,7 @@ fn degree(code: &Code, length: &impl Fn(u16) -> bool) -> Option<Degree> {
                 unscaled(stack.pop()?)?;
                 unscaled(stack.pop()?)?
             }
-            Op::Random(_) => return None,
+            Op::Random(_) | Op::NormalRandom(_) => return None,
         };
         stack.push(degree);
     }
