@@ -177,6 +177,11 @@ fn the_same_strokes_as_the_drawing() {
         check_covers(&styled, 20_000.0);
         styled.style.min_width = 0.0;
         check_covers(&styled, 20_000.0);
+        let mut scaled = plant(5);
+        scaled.rules = "X -> F@[[X]~+X]+F~[+FX]-○X\nF -> FF".into();
+        scaled.overrides = "@: length times 0.9\n~: swap turns".into();
+        (scaled.right_angle, scaled.style.colour_by) = (Some(31.0), colour_by);
+        check_covers(&scaled, 200_000.0);
     }
 }
 

@@ -265,6 +265,10 @@ fn word() -> impl Strategy<Value = String> {
         "$",
         "{f+f+f}",
         "[^{f-f-f}]",
+        "○",
+        "●",
+        "@",
+        "~",
         "]",
     ];
     prop::collection::vec(prop::sample::select(parts), 1..7).prop_map(|parts| parts.concat())
@@ -282,7 +286,9 @@ fn system([axiom, a, b, f]: [String; 4], chance: bool, width: f64, step: f64) ->
         axiom: format!("F{axiom}"),
         rules,
         angle: 25.7,
+        right_angle: Some(40.0),
         start: [3.0, -2.0],
+        overrides: "@: length times 0.8\n~: swap turns".into(),
         style,
         ..Definition::default()
     };

@@ -61,8 +61,8 @@ fn check(system: &System, n: u32) -> Result<Drawing<Solid>, TestCaseError> {
 /// A word with letters that turn about all axes, and with `$` if `upright`.
 fn word(upright: bool) -> impl Strategy<Value = String> {
     let mut parts = vec![
-        "F", "F", "F", "A", "B", "+", "-", "&", "^", "\\", "/", "|", "f", "!", "'", "[&F]", "[/A]", "[^^B]", "[-\\F",
-        "]",
+        "F", "F", "F", "A", "B", "+", "-", "&", "^", "\\", "/", "|", "f", "!", "'", "[&F]", "[/A]", "[^^B]", "@", "~",
+        "[~A]", "○", "[-\\F", "]",
     ];
     // Unbalanced branches prevent sharing, so they are rare; with `$` there are none.
     parts.truncate(if upright { parts.len() } else { parts.len() - 2 });
@@ -100,6 +100,7 @@ fn random() -> impl Strategy<Value = (Definition, u32)> {
                 heading: angle + 7.0,
                 start: [3.0, -2.0],
                 step: 0.7,
+                overrides: "@: length times 0.8\n~: swap turns".into(),
                 seed,
                 style: lsystem::Style { width: 0.5, ..lsystem::Style::default() },
                 ..abop(&axiom, &rules, angle)

@@ -4,7 +4,7 @@ use crate::Source;
 use core::fmt::Write;
 
 /// Letters, and all symbols with a meaning in a dialect or in the notation.
-const SYMBOLS: &str = "FGfgABXYLPQabcxyz+-|[]{}.!#',;%&^\\/$<>v*:=()~@é木🌱01";
+const SYMBOLS: &str = "FGfgABXYLPQabcxyz+-|[]{}.!#',;%&^\\/$<>v*:=()~@é木🌱○●01";
 /// The symbols of most words; they draw in the plane.
 const COMMON: &str = "FFFFABX++--fG";
 /// Symbols that fill polygons, leave the plane or change the style.
