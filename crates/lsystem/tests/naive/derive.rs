@@ -373,7 +373,7 @@ impl Scope<'_> {
                     (Function::NormalRandom, [mean, deviation]) => {
                         let [u, v] = [0, 1].map(|next| self.key.number(self.seed, self.step, self.drawn + next));
                         self.drawn += 2;
-                        mean + deviation * (-2.0 * libm::log(1.0 - u)).sqrt() * libm::cos(core::f64::consts::TAU * v)
+                        mean + deviation * ((-2.0 * libm::log(1.0 - u)).sqrt() * libm::cos(core::f64::consts::TAU * v))
                     }
                     (Function::Min, [a, b]) => a.min(*b),
                     (Function::Max, [a, b]) => a.max(*b),
