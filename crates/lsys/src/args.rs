@@ -16,6 +16,8 @@ pub(crate) enum Command {
     Expand { file: PathBuf, changes: Changes },
     /// Write or print pictures and other files.
     Draw { jobs: Vec<Job>, look: Look, changes: Changes },
+    /// Convert files of other programs to JSON files in a folder.
+    Import { files: Vec<PathBuf>, to: PathBuf },
     /// Print facts.
     Info { files: Vec<PathBuf>, json: bool, changes: Changes },
 }
@@ -69,6 +71,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             0 | 1 => Ok(Command::Info { files, json, changes }),
             _ => Err(explain("info", "standard input (-) can be read only once".to_owned())),
         },
+        Verb::Import { files, to } => Ok(Command::Import { files, to }),
         Verb::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut cli, "lsys", &mut script);
@@ -201,10 +204,11 @@ mod tests {
     use expect_test::{Expect, expect};
 
     fn check(line: &str, expected: &Expect) {
-        let with = |Changes { iterations, seed, settings, memory }| {
+        let with = |Changes { iterations, seed, settings, memory, entry }| {
             let set = if settings.is_empty() { String::new() } else { format!(" set {settings:?}") };
             let memory = memory.map_or_else(String::new, |bytes| format!(" memory {bytes}"));
-            format!("n {iterations:?} seed {seed:?}{set}{memory}")
+            let entry = entry.map_or_else(String::new, |entry| format!(" entry {entry}"));
+            format!("n {iterations:?} seed {seed:?}{set}{memory}{entry}")
         };
         let text = match parse(line.split_whitespace().map(OsString::from)) {
             Ok(Command::Expand { file, changes }) => format!("expand {file:?} {}", with(changes)),
@@ -215,6 +219,7 @@ mod tests {
                 let compact = if compact { " compact" } else { "" };
                 format!("draw {}{size}{compact} {}", jobs.join(", "), with(changes))
             }
+            Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
             Err(error) => error.split("\n\n").next().unwrap_or_default().to_owned(),
         };

@@ -10,7 +10,7 @@ use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use std::path::PathBuf;
 use std::str::FromStr;
 
-const FILE: &str = "System as JSON, or an SVG or PNG that carries one; - for standard input";
+const FILE: &str = "System as JSON, an SVG or PNG that carries one, or text of another program; - for standard input";
 
 const NOTES: &str = "\
 `lsys FILE OUT_BASE` is short for `lsys draw FILE OUT_BASE`.
@@ -67,6 +67,14 @@ pub(crate) enum Verb {
         #[command(flatten)]
         changes: Changes,
     },
+    /// Convert files of other programs, or folders of them, to JSON files
+    Import {
+        #[arg(help = "Fractint, scripts, TikZ, Racket, text; or a folder of such files", value_name = "FILE", value_hint = ValueHint::AnyPath, required = true)]
+        files: Vec<PathBuf>,
+        /// Folder for the JSON files
+        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+        to: PathBuf,
+    },
     /// Print the script that completes commands and options in a shell
     Completions {
         /// Shell that will read the script
@@ -89,6 +97,9 @@ pub(crate) struct Changes {
     /// Examples: --set angle_deg=22.5 --set colour_by=path --set 'palette=["gold","teal"]'
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true, value_parser = setting)]
     pub(crate) settings: Vec<(String, String)>,
+    /// System to read from a file of another program that holds several
+    #[arg(long, value_name = "NAME")]
+    pub(crate) entry: Option<String>,
     /// Memory limit for drawings, such as 512M or 2G [default: 1G]
     ///
     /// Files that are drawn at the same time share the limit, and so the limits of strings and segments.

@@ -4,7 +4,7 @@ use crate::cli::Changes;
 use crate::cores::Say;
 use crate::{CommandFailure, settings};
 use lsystem::drawing::Space;
-use lsystem::files::FileContent;
+use lsystem::files::{FileContent, Imported, import};
 use lsystem::syntax::{LimitName, MAX_TEXT, visible};
 use lsystem::{Definition, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, System, read_file, render_diagnostic};
 use std::fs::File;
@@ -36,6 +36,12 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
     let name = if file.as_os_str() == "-" { "standard input".into() } else { file.display().to_string() };
     let bytes = bytes_of(file).map_err(|error| CommandFailure::io(&name, &error))?;
     let FileContent { mut definition, mut diagnostics, json } = read_file(&bytes);
+    if definition.is_none()
+        && let Some(imported) = str::from_utf8(&bytes).ok().and_then(import)
+    {
+        definition = Some(chosen(imported, changes.entry.as_deref(), &name, say)?);
+        diagnostics.clear();
+    }
     let mut system = None;
     if let Some(definition) = &mut definition {
         definition.iterations = changes.iterations.unwrap_or(definition.iterations);
@@ -58,6 +64,31 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
     let usual = Limits::default();
     let limits = Limits { memory: changes.memory.unwrap_or(usual.memory), ..usual };
     Ok(InputSystem { file: name.into(), definition, system, iterations, limits })
+}
+
+/// The system with the name `wanted`, or the only one, of a text of another program. Remarks are printed as warnings.
+fn chosen(imported: Imported, wanted: Option<&str>, file: &str, say: Say<'_>) -> Result<Definition, CommandFailure> {
+    let Imported { notation, mut entries } = imported;
+    if let Some(wanted) = wanted {
+        entries.retain(|entry| entry.name.eq_ignore_ascii_case(wanted));
+    }
+    let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+    let problem = match (names.len(), wanted) {
+        (1, _) => None,
+        (0, _) => Some(format!("{notation}: there is no system of this name")),
+        (count, Some(_)) => Some(format!("{notation}: {count} systems have this name")),
+        (count, None) => Some(format!("{notation}: choose one of {count} systems with --entry: {}", names.join(", "))),
+    };
+    if let Some(problem) = problem {
+        say(&format!("error: {}\n --> {}\n", visible(&problem), visible(file)));
+        return Err(CommandFailure::Said);
+    }
+    let entry = entries.remove(0);
+    let severity = if entry.definition.is_some() { "warning" } else { "error" };
+    for remark in &entry.remarks {
+        say(&format!("{severity}: {}\n --> {}:{}\n", visible(&remark.message), visible(file), remark.line));
+    }
+    entry.definition.ok_or(CommandFailure::Said)
 }
 
 impl InputSystem {
@@ -130,7 +161,7 @@ const TEXT: u64 = 2 * MAX_TEXT as u64 + 3;
 const HEAD: u64 = 1 << 10;
 
 /// The bytes of a file, or the beginning of a file that is too large, so that memory and time are bounded.
-fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
+pub(crate) fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
     if file.as_os_str() == "-" { beginning(io::stdin().lock()) } else { beginning(File::open(file)?) }
 }
 

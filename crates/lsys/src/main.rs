@@ -5,6 +5,7 @@ mod args;
 mod cli;
 mod cores;
 mod draw;
+mod import;
 mod info;
 mod input;
 mod memory;
@@ -85,6 +86,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Expand { file, changes } => expand(&file, &changes),
         Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
         Command::Info { files, json, changes } => info::info(&files, json, &changes),
+        Command::Import { files, to } => import::convert(&files, &to),
     }
 }
 
@@ -128,7 +130,7 @@ fn write_line(out: &mut dyn Write, text: &str) -> io::Result<()> {
 }
 
 /// Writes to standard output.
-fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandFailure> {
+pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandFailure> {
     output::print(write).map_err(|error| CommandFailure::io("standard output", &error))
 }
 

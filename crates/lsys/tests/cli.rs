@@ -711,3 +711,49 @@ fn compact_pictures_stay_small_and_say_what_they_cost() {
     assert!(output.stdout.len() < 200_000 && output.status.success());
     assert!(text(&output.stderr).starts_with("warning: This SVG may open slowly ("));
 }
+
+const FRACTINT: &str = "Koch { Angle 6\nAxiom F--F--F\nF=F+F--F+F }\nOdd { Angle 8\nAxiom F+D\\30D\nD=D }\n";
+
+#[test]
+fn systems_of_other_programs_are_read_by_their_content() {
+    let folder = Folder::new("others");
+    let file = folder.base("old.l");
+    std::fs::write(&file, FRACTINT).unwrap();
+    let output = lsys(&["expand", &file]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text(&output.stderr).contains("choose one of 2 systems with --entry: Koch, Odd"),
+        "{}",
+        text(&output.stderr)
+    );
+    let output = lsys(&["expand", &file, "--entry", "koch", "-n", "1"]);
+    assert_eq!(text(&output.stdout), "F+F--F+F--F+F--F+F--F+F--F+F\n");
+    assert!(text(&output.stderr).starts_with("warning: "));
+    let output = lsys(&["expand", &file, "--entry", "odd"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("one heading"));
+}
+
+#[test]
+fn files_of_other_programs_are_converted() {
+    let folder = Folder::new("convert");
+    let [from, to] = ["from", "to"].map(|name| folder.base(name));
+    std::fs::create_dir_all(&from).unwrap();
+    std::fs::write(format!("{from}/a.l"), FRACTINT).unwrap();
+    std::fs::write(format!("{from}/b.js"), "const koch = {axiom: 'F', rules: {F: 'F+F'}, angle: 60};").unwrap();
+    std::fs::write(format!("{from}/c.txt"), "a shopping list").unwrap();
+    std::fs::write(format!("{from}/d.json"), r#"{"initial": "F", "rules": {"F": "FF"}}"#).unwrap();
+    let output = lsys(&["import", &from, "--to", &to]);
+    assert_eq!(output.status.code(), Some(1), "two were refused");
+    let report = text(&output.stdout);
+    for expected in
+        ["Koch -> koch.json", "koch -> koch-2.json", "Odd: refused", "c.txt: no known notation", "3 written, 2 refused"]
+    {
+        assert!(report.contains(expected), "{expected} in {report}");
+    }
+    let mut names: Vec<_> = std::fs::read_dir(&to).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["d.json", "koch-2.json", "koch.json"]);
+    let output = lsys(&["expand", &format!("{to}/koch-2.json"), "-n", "1"]);
+    assert_eq!(text(&output.stdout), "F+F\n");
+}
