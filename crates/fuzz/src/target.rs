@@ -5,6 +5,7 @@ mod drawing;
 mod export;
 mod expressions;
 mod files;
+mod import;
 mod notation;
 mod pick;
 mod render;
@@ -27,13 +28,14 @@ const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Ga
     Target { name, run, short }
 }
 
-const TARGETS: [Target; 16] = [
+const TARGETS: [Target; 17] = [
     target("notation", 1_500, notation::notation),
     target("overrides", 8_000, notation::overrides),
     target("expressions", 15_000, expressions::expressions),
     target("json", 4_000, files::json),
     target("pictures", 4_000, files::pictures),
     target("bytes", 8_000, files::bytes),
+    target("import", 1_500, import::import_text),
     target("derive", 3_000, derive::derive),
     target("access", 1_500, derive::access),
     target("drawing", 3_000, drawing::plane),

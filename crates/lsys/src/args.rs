@@ -207,7 +207,7 @@ mod tests {
         let with = |Changes { iterations, seed, settings, memory, entry }| {
             let set = if settings.is_empty() { String::new() } else { format!(" set {settings:?}") };
             let memory = memory.map_or_else(String::new, |bytes| format!(" memory {bytes}"));
-            let entry = entry.map_or_else(String::new, |entry| format!(" entry {entry}"));
+            let entry = entry.map_or_else(String::new, |name| format!(" entry {name}"));
             format!("n {iterations:?} seed {seed:?}{set}{memory}{entry}")
         };
         let text = match parse(line.split_whitespace().map(OsString::from)) {
@@ -286,6 +286,11 @@ mod tests {
         check("--help nonsense", &expect!["print Derives, draws and inspects L-systems"]);
         check("a out -h", &expect!["print Write or print pictures, meshes, segments and strings"]);
         check("info a -V", &expect!["print lsys 0.1.0"]);
+        check(
+            "draw old.l out --entry Bush",
+            &expect![[r#"draw "old.l" to Write("out", [txt, svg]) n None seed None entry Bush"#]],
+        );
+        check("import a.l folder --to out", &expect![[r#"import ["a.l", "folder"] to "out""#]]);
         check("help draw", &expect!["print Write or print pictures, meshes, segments and strings"]);
     }
 

@@ -10,7 +10,7 @@ use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use std::path::PathBuf;
 use std::str::FromStr;
 
-const FILE: &str = "System as JSON, an SVG or PNG that carries one, or text of another program; - for standard input";
+const FILE: &str = "System as JSON, in the notation of another program, or in an SVG or PNG; - for standard input";
 
 const NOTES: &str = "\
 `lsys FILE OUT_BASE` is short for `lsys draw FILE OUT_BASE`.
@@ -67,12 +67,16 @@ pub(crate) enum Verb {
         #[command(flatten)]
         changes: Changes,
     },
-    /// Convert files of other programs, or folders of them, to JSON files
+    /// Convert files in the notations of other programs to JSON
+    ///
+    /// Reads Fractint, cpfg, L-Py, TikZ, Racket, Houdini, JavaScript objects, and lists as in papers.
+    /// Every system becomes a file of its own in DIR. What is not carried over is told with its line.
+    #[command(verbatim_doc_comment)]
     Import {
-        #[arg(help = "Fractint, scripts, TikZ, Racket, text; or a folder of such files", value_name = "FILE", value_hint = ValueHint::AnyPath, required = true)]
+        #[arg(help = "File, or folder with files", value_name = "FILE", value_hint = ValueHint::AnyPath, required = true)]
         files: Vec<PathBuf>,
-        /// Folder for the JSON files
-        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+        /// Folder for the JSON files; made if it is missing
+        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true)]
         to: PathBuf,
     },
     /// Print the script that completes commands and options in a shell
@@ -97,8 +101,8 @@ pub(crate) struct Changes {
     /// Examples: --set angle_deg=22.5 --set colour_by=path --set 'palette=["gold","teal"]'
     #[arg(long = "set", value_name = "NAME=VALUE", allow_hyphen_values = true, value_parser = setting)]
     pub(crate) settings: Vec<(String, String)>,
-    /// System to read from a file of another program that holds several
-    #[arg(long, value_name = "NAME")]
+    /// Name of the system in a file with several, or its number
+    #[arg(long, value_name = "NAME", allow_hyphen_values = true)]
     pub(crate) entry: Option<String>,
     /// Memory limit for drawings, such as 512M or 2G [default: 1G]
     ///

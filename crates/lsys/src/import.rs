@@ -1,116 +1,166 @@
-//! Converting files of other programs to files of this one.
+//! `lsys import`: files of other programs to JSON files.
 
+use crate::input::{bytes_of, remark_line};
 use crate::pending::Pending;
-use crate::print;
-use crate::{CommandFailure, input};
-use lsystem::files::{Entry, import};
-use lsystem::write_json;
-use std::collections::HashSet;
-
+use crate::{CommandFailure, print, say};
+use lsystem::files::{Entry, FileContent, Imported, Remark, import_file};
+use lsystem::syntax::visible;
+use lsystem::{Definition, System, read_file, write_json};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Converts the systems of files, and of the files in folders, to JSON files in `folder`, and prints a report. A file
-/// that cannot be read does not stop the others.
+/// The numbers of a report.
+#[derive(Debug, Default)]
+struct Totals {
+    files: usize,
+    failed_files: usize,
+    converted: usize,
+    refused: usize,
+}
+
+/// Converts every system in `files` to a JSON file in the folder `to`, and prints a report. A bad file does not stop
+/// the others.
 ///
 /// # Errors
-/// [`CommandFailure::Said`] if a file holds no system, or a system is refused.
-pub(crate) fn convert(files: &[PathBuf], folder: &Path) -> Result<(), CommandFailure> {
-    std::fs::create_dir_all(folder).map_err(|error| CommandFailure::io(folder.display().to_string(), &error))?;
-    let mut names = HashSet::new();
-    let [mut written, mut refused] = [0_usize; 2];
-    for file in files.iter().flat_map(|file| files_in(file)) {
-        let shown = file.display().to_string();
-        let report = match systems(&file) {
-            Ok((notation, entries)) => {
-                let mut report = format!("{shown}: {notation}\n");
-                for entry in entries {
-                    report.push_str(&one(&entry, &file, folder, &mut names, [&mut written, &mut refused]));
-                }
-                report
-            }
-            Err(words) => {
-                refused += 1;
-                format!("{shown}: {words}\n")
-            }
-        };
-        print(|out| out.write_all(report.as_bytes()))?;
+/// [`CommandFailure::Said`] if a file or a system is not converted; [`CommandFailure::Words`] if `to` is no folder.
+pub(crate) fn import(files: &[PathBuf], to: &Path) -> Result<(), CommandFailure> {
+    std::fs::create_dir_all(to).map_err(|error| CommandFailure::io(to.display(), &error))?;
+    let (mut totals, mut taken) = (Totals::default(), BTreeSet::new());
+    for file in files.iter().flat_map(|file| listed(file, 0)) {
+        import_one(&file, to, &mut taken, &mut totals);
     }
-    print(|out| writeln!(out, "{written} written, {refused} refused"))?;
-    if refused > 0 { Err(CommandFailure::Said) } else { Ok(()) }
+    let Totals { files, failed_files, converted, refused } = totals;
+    print(|out| {
+        let files = format!("{files} {} read", if files == 1 { "file" } else { "files" });
+        writeln!(out, "{files}, {failed_files} without a system; {converted} converted, {refused} refused")
+    })?;
+    if failed_files + refused == 0 { Ok(()) } else { Err(CommandFailure::Said) }
 }
 
-/// The file itself, or the files in a folder by name.
-fn files_in(path: &Path) -> Vec<PathBuf> {
+/// The files in a folder and its folders, sorted by name; or the file itself.
+fn listed(path: &Path, depth: usize) -> Vec<PathBuf> {
+    const DEEPEST: usize = 16;
+    let is_link = depth > 0 && path.is_symlink();
+    if !path.is_dir() || is_link {
+        return if is_link { Vec::new() } else { vec![path.to_owned()] };
+    }
     let Ok(folder) = std::fs::read_dir(path) else { return vec![path.to_owned()] };
-    let mut files: Vec<PathBuf> = folder.flatten().map(|entry| entry.path()).filter(|path| path.is_file()).collect();
-    files.sort();
-    files
+    let mut inside: Vec<PathBuf> = folder.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    inside.sort();
+    if depth >= DEEPEST {
+        return Vec::new();
+    }
+    inside.iter().flat_map(|path| listed(path, depth + 1)).collect()
 }
 
-/// The systems of a file, with the name of their notation.
-fn systems(file: &Path) -> Result<(&'static str, Vec<Entry>), String> {
-    let bytes = input::bytes_of(file).map_err(|error| error.to_string())?;
-    let text = String::from_utf8_lossy(&bytes);
-    if let Some(imported) = import(&text) {
-        return Ok((imported.notation, imported.entries));
-    }
-    match lsystem::read_file(&bytes).definition {
-        Some(definition) => {
-            let name = definition.label().to_owned();
-            Ok(("JSON", vec![Entry { name, definition: Some(definition), remarks: Vec::new() }]))
+/// Converts the systems of one file.
+fn import_one(file: &Path, to: &Path, taken: &mut BTreeSet<String>, totals: &mut Totals) {
+    let name = file.display().to_string();
+    totals.files += 1;
+    let entries = match bytes_of(file) {
+        Ok(bytes) => entries_of(&bytes),
+        Err(error) => {
+            say(&format!("{}\n", visible(&format!("error: {name}: {error}"))));
+            totals.failed_files += 1;
+            return;
         }
-        None => Err("no known notation".to_owned()),
+    };
+    if entries.is_empty() {
+        say(&format!("{}\n", visible(&format!("error: {name}: no L-system in a known notation"))));
+        totals.failed_files += 1;
     }
-}
-
-/// Writes one system, and reports it.
-fn one(entry: &Entry, file: &Path, folder: &Path, names: &mut HashSet<String>, counts: [&mut usize; 2]) -> String {
-    let [written, refused] = counts;
-    let mut report = String::new();
-    match &entry.definition {
-        Some(definition) => {
-            let name = free_name(&entry.name, file, names);
-            let path = folder.join(format!("{name}.json"));
-            let json = write_json(definition);
-            let result = Pending::write(&path, |out| out.write_all(json.as_bytes())).and_then(Pending::commit);
-            match result {
-                Ok(()) => {
-                    *written += 1;
-                    report.push_str(&format!("  {} -> {name}.json\n", entry.name));
-                }
-                Err(error) => {
-                    *refused += 1;
-                    report.push_str(&format!("  {}: {error}\n", entry.name));
-                }
+    for entry in entries {
+        let title = if entry.name.is_empty() { String::new() } else { format!(" ({})", entry.name) };
+        for remark in &entry.remarks {
+            say(&remark_line(&format!("{name}{title}"), remark));
+        }
+        let Some(mut definition) = entry.definition else {
+            totals.refused += 1;
+            continue;
+        };
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let base = unique(&safe(if entry.name.is_empty() { &stem } else { &entry.name }), taken);
+        if definition.name.is_empty() {
+            definition.name.clone_from(&base);
+        }
+        match write(&definition, &to.join(format!("{base}.json"))) {
+            Ok(()) => totals.converted += 1,
+            Err(words) => {
+                say(&format!("{}\n", visible(&format!("error: {words}"))));
+                totals.refused += 1;
             }
         }
-        None => {
-            *refused += 1;
-            report.push_str(&format!("  {}: refused\n", entry.name));
-        }
     }
-    for remark in &entry.remarks {
-        report.push_str(&format!("    line {}: {}\n", remark.line, remark.message));
-    }
-    report
 }
 
-/// A file name that no other system has: the system's name, or else the file's, with plain characters only.
-fn free_name(name: &str, file: &Path, names: &mut HashSet<String>) -> String {
-    let plain = |name: &str| -> String {
-        let plain: String =
-            name.chars().map(|ch| if ch.is_ascii_alphanumeric() { ch.to_ascii_lowercase() } else { '-' }).collect();
-        plain.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-").chars().take(80).collect()
-    };
-    let own = plain(name);
-    let stem = || plain(&file.file_stem().unwrap_or_default().to_string_lossy());
-    let base = if own.is_empty() { stem() } else { own };
-    let base = if base.is_empty() { "system".to_owned() } else { base };
-    let mut name = base.clone();
-    let mut number = 2;
-    while !names.insert(name.clone()) {
-        name = format!("{base}-{number}");
-        number += 1;
+/// The systems in a file of any notation.
+fn entries_of(bytes: &[u8]) -> Vec<Entry> {
+    if let Some(Imported { entries, .. }) = import_file(bytes) {
+        return entries;
     }
-    name
+    let FileContent { definition, .. } = read_file(bytes);
+    let compiled = definition.filter(|definition| System::new(definition).0.is_some());
+    compiled
+        .map(|definition| Entry {
+            name: definition.name.clone(),
+            definition: Some(definition),
+            remarks: Vec::<Remark>::new(),
+        })
+        .into_iter()
+        .collect()
+}
+
+fn write(definition: &Definition, path: &Path) -> Result<(), String> {
+    let text = write_json(definition);
+    let pending = Pending::write(path, |out| out.write_all(text.as_bytes()));
+    pending.and_then(Pending::commit).map_err(|error| format!("{}: {error}", path.display()))
+}
+
+/// A file name from any text: ASCII letters, digits, `-`, `_` and `.`, which every system accepts.
+fn safe(name: &str) -> String {
+    const LONGEST: usize = 80;
+    let kept = |c: char| if c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.') { c } else { '-' };
+    let name: String = name.chars().map(kept).take(LONGEST).collect();
+    let name = name.trim_matches(['-', '.']);
+    // Windows reserves these names.
+    let stem = name.split('.').next().unwrap_or_default().to_ascii_lowercase();
+    let numbered = |device: &str| stem.strip_prefix(device).is_some_and(|rest| rest.len() == 1);
+    let reserved = matches!(stem.as_str(), "con" | "prn" | "aux" | "nul") || numbered("com") || numbered("lpt");
+    if name.is_empty() || reserved {
+        format!("system-{name}").trim_end_matches('-').to_owned()
+    } else {
+        name.to_owned()
+    }
+}
+
+/// A name that is not taken yet, also where case does not matter.
+fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let mut found = name.to_owned();
+    let mut number = 1;
+    while !taken.insert(found.to_ascii_lowercase()) {
+        number += 1;
+        found = format!("{name}-{number}");
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files_are_safe_and_unique() {
+        for (name, expected) in [
+            ("Koch 1", "Koch-1"),
+            ("../../x", "x"),
+            ("", "system"),
+            ("con.l", "system-con.l"),
+            ("ä/ö", "system"),
+            ("a.b", "a.b"),
+        ] {
+            assert_eq!(safe(name), expected, "{name}");
+        }
+        let mut taken = BTreeSet::new();
+        assert_eq!(["A", "a", "A"].map(|name| unique(name, &mut taken)), ["A", "a-2", "A-3"]);
+    }
 }

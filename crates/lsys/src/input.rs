@@ -4,7 +4,7 @@ use crate::cli::Changes;
 use crate::cores::Say;
 use crate::{CommandFailure, settings};
 use lsystem::drawing::Space;
-use lsystem::files::{FileContent, Imported, import};
+use lsystem::files::{Entry, FileContent, Imported, Remark, import_file};
 use lsystem::syntax::{LimitName, MAX_TEXT, visible};
 use lsystem::{Definition, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, System, read_file, render_diagnostic};
 use std::fs::File;
@@ -35,13 +35,7 @@ const WORK: u64 = 1 << 16;
 pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<InputSystem, CommandFailure> {
     let name = if file.as_os_str() == "-" { "standard input".into() } else { file.display().to_string() };
     let bytes = bytes_of(file).map_err(|error| CommandFailure::io(&name, &error))?;
-    let FileContent { mut definition, mut diagnostics, json } = read_file(&bytes);
-    if definition.is_none()
-        && let Some(imported) = str::from_utf8(&bytes).ok().and_then(import)
-    {
-        definition = Some(chosen(imported, changes.entry.as_deref(), &name, say)?);
-        diagnostics.clear();
-    }
+    let FileContent { mut definition, mut diagnostics, json } = content(&bytes, &name, changes.entry.as_deref(), say)?;
     let mut system = None;
     if let Some(definition) = &mut definition {
         definition.iterations = changes.iterations.unwrap_or(definition.iterations);
@@ -66,29 +60,59 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
     Ok(InputSystem { file: name.into(), definition, system, iterations, limits })
 }
 
-/// The system with the name `wanted`, or the only one, of a text of another program. Remarks are printed as warnings.
-fn chosen(imported: Imported, wanted: Option<&str>, file: &str, say: Say<'_>) -> Result<Definition, CommandFailure> {
-    let Imported { notation, mut entries } = imported;
-    if let Some(wanted) = wanted {
-        entries.retain(|entry| entry.name.eq_ignore_ascii_case(wanted));
-    }
-    let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
-    let problem = match (names.len(), wanted) {
-        (1, _) => None,
-        (0, _) => Some(format!("{notation}: there is no system of this name")),
-        (count, Some(_)) => Some(format!("{notation}: {count} systems have this name")),
-        (count, None) => Some(format!("{notation}: choose one of {count} systems with --entry: {}", names.join(", "))),
+/// The system in a file of any notation. The remarks on a system in another notation are printed.
+///
+/// # Errors
+/// [`CommandFailure::Said`] if the system is refused; [`CommandFailure::Words`] if `entry` names no system, or is needed
+/// and missing.
+fn content(bytes: &[u8], name: &str, entry: Option<&str>, say: Say<'_>) -> Result<FileContent, CommandFailure> {
+    let Some(Imported { notation, entries }) = import_file(bytes) else {
+        return match entry {
+            Some(_) => Err(CommandFailure::Words(format!("{name}: --entry is for files with several systems"))),
+            None => Ok(read_file(bytes)),
+        };
     };
-    if let Some(problem) = problem {
-        say(&format!("error: {}\n --> {}\n", visible(&problem), visible(file)));
-        return Err(CommandFailure::Said);
+    let found = match entry {
+        Some(wanted) => (entries.iter().find(|entry| entry.name == wanted))
+            .or_else(|| entries.iter().find(|entry| entry.name.eq_ignore_ascii_case(wanted)))
+            .or_else(|| entries.get(wanted.parse::<usize>().ok()?.checked_sub(1)?)),
+        None => entries.first().filter(|_| entries.len() == 1),
+    };
+    let Some(found) = found else {
+        let problem = match entry {
+            Some(wanted) => format!("there is no system `{wanted}`"),
+            None => format!("this {notation} file has {} systems; choose one with --entry NAME", entries.len()),
+        };
+        return Err(CommandFailure::Words(format!("{name}: {problem}\n{}", names(&entries))));
+    };
+    for remark in &found.remarks {
+        say(&remark_line(name, remark));
     }
-    let entry = entries.remove(0);
-    let severity = if entry.definition.is_some() { "warning" } else { "error" };
-    for remark in &entry.remarks {
-        say(&format!("{severity}: {}\n --> {}:{}\n", visible(&remark.message), visible(file), remark.line));
+    match &found.definition {
+        Some(definition) => {
+            Ok(FileContent { definition: Some(definition.clone()), diagnostics: Vec::new(), json: String::new() })
+        }
+        None => Err(CommandFailure::Said),
     }
-    entry.definition.ok_or(CommandFailure::Said)
+}
+
+/// The names of the systems in a file, with their numbers where they have no names.
+fn names(entries: &[Entry]) -> String {
+    const MOST: usize = 200;
+    let named = entries.iter().enumerate().take(MOST).map(|(at, entry)| match entry.name.as_str() {
+        "" => (at + 1).to_string(),
+        name => name.to_owned(),
+    });
+    let more = if entries.len() > MOST { ", ..." } else { "" };
+    format!("{}{more}", named.collect::<Vec<_>>().join(", "))
+}
+
+/// A remark as a line of text.
+pub(crate) fn remark_line(name: &str, remark: &Remark) -> String {
+    let Remark { line, text, message, refused } = remark;
+    let severity = if *refused { "error" } else { "warning" };
+    let text = if text.is_empty() { String::new() } else { format!(": `{text}`") };
+    format!("{}\n", visible(&format!("{severity}: {name}:{line}: {message}{text}")))
 }
 
 impl InputSystem {

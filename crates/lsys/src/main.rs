@@ -1,4 +1,4 @@
-//! `lsys`: derives, draws and inspects L-systems from JSON files. The library `lsystem` does the work; this program
+//! `lsys`: derives, draws and inspects L-systems from JSON files and from files of other programs. The library `lsystem` does the work; this program
 //! reads arguments and files and writes results and messages.
 
 mod args;
@@ -85,8 +85,8 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::Expand { file, changes } => expand(&file, &changes),
         Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
+        Command::Import { files, to } => import::import(&files, &to),
         Command::Info { files, json, changes } => info::info(&files, json, &changes),
-        Command::Import { files, to } => import::convert(&files, &to),
     }
 }
 
@@ -130,7 +130,7 @@ fn write_line(out: &mut dyn Write, text: &str) -> io::Result<()> {
 }
 
 /// Writes to standard output.
-pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandFailure> {
+fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandFailure> {
     output::print(write).map_err(|error| CommandFailure::io("standard output", &error))
 }
 

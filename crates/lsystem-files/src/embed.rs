@@ -48,6 +48,17 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
     }
 }
 
+/// Reads all systems of a file in the notation of another program, as [`import`](crate::import()) does. Characters that
+/// are not UTF-8, as in old comments, are replaced. Returns `None` for pictures and for texts of no known notation.
+#[must_use]
+pub fn import_file(bytes: &[u8]) -> Option<crate::Imported> {
+    let plain = without_byte_order_mark(bytes);
+    if png::is_png(&plain) || is_xml(&plain) || plain.len() > MAX_TEXT {
+        return None;
+    }
+    crate::import(&String::from_utf8_lossy(&plain))
+}
+
 /// The result for a file that is not read.
 fn refused(kind: Kind) -> FileContent {
     let diagnostics = vec![Diagnostic { kind, field: Field::File, span: 0..0 }];

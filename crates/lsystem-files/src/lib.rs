@@ -14,7 +14,7 @@ mod svg;
 mod xml;
 
 pub use csv::{CsvWriter, write_csv};
-pub use embed::{FileContent, read_file};
+pub use embed::{FileContent, import_file, read_file};
 pub use formats::{Content, FORMATS, Format, Writer, write_all};
 pub use gltf::{GlbWriter, write_glb};
 pub use import::{Entry, Imported, MAX_ENTRIES, Remark, import};

@@ -25,7 +25,7 @@ fn texts_of_others_and_what_is_read() {
         }
         expect_file![&path].assert_eq(&actual);
     }
-    assert!(cases >= 55, "{cases} cases");
+    assert!(cases >= 70, "{cases} cases");
 }
 
 /// What is read from a text.

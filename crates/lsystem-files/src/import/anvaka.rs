@@ -1,98 +1,220 @@
-//! The text of anvaka's L-system page.
+//! The text form of anvaka's L-system page.
 //!
 //! ```text
 //! axiom: X
 //! rules:
-//!   X => F-[[X]+X]+F[-FX]-X
-//!   F => FF
-//! depth: 5
+//!   X => F+[X]
+//! depth: 4
 //! angle: 25
 //! actions:
-//!   F => draw()
-//!   + => rotate(-25)
+//!   F => draw(10)
+//!   + => rotate(-90)
 //! ```
+//!
+//! The turtle starts to the right. `rotate` turns to the left by degrees. Without other actions F draws 10, f moves 10,
+//! and + and - turn by the angle, which is 60 if it is missing; the depth is 5 if it is missing. Of several rules for a
+//! symbol the last one counts.
 
-use super::draft::Draft;
-use super::plain::{Plain, word};
-use lsystem_syntax::decimal;
+use super::draft::{Draft, production};
+use super::rules::split_rule;
 use lsystem_syntax::number::number;
+use lsystem_syntax::{Grammar, Module};
 
-/// Reads one system: lines of `key: value`, with indented lists of rules and actions.
+/// The keys, in lower case. All other lines with a colon are rules or actions.
+const KEYS: [&str; 12] = [
+    "axiom",
+    "start",
+    "rules",
+    "production rules",
+    "actions",
+    "depth",
+    "angle",
+    "width",
+    "color",
+    "stepsperframe",
+    "direction",
+    "position",
+];
+
+/// Keys that only this page has.
+const OWN: [&str; 5] = ["depth", "actions", "stepsperframe", "direction", "position"];
+
+/// The key and the value of a line such as `axiom: X`.
+fn key(line: &str) -> Option<(String, &str)> {
+    let (key, value) = line.split_once(':')?;
+    let key = key.trim().to_ascii_lowercase();
+    KEYS.contains(&key.as_str()).then_some((key, value.trim()))
+}
+
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
-    let keys: Vec<&str> = text.lines().filter_map(|line| line.split_once(':')).map(|(key, _)| key.trim()).collect();
-    if !keys.contains(&"axiom") || !keys.contains(&"rules") || !text.contains("=>") {
+    let keys: Vec<(String, &str)> = text.lines().filter_map(key).collect();
+    let has = |names: &[&str]| keys.iter().any(|(key, _)| names.contains(&key.as_str()));
+    let header =
+        keys.iter().any(|(key, value)| matches!(key.as_str(), "rules" | "production rules") && value.is_empty());
+    if !has(&["axiom", "start"]) || !header || !(has(&OWN) || text.contains("=>")) {
         return None;
     }
-    let mut draft = Plain::new("", 1);
-    let mut part = "";
-    draft.definition().angle = 90.0;
-    for (at, line) in text.lines().enumerate() {
-        let line_number = at + 1;
-        let line = line.split("//").next().unwrap_or("");
-        if line.trim().is_empty() {
+    let mut draft = Draft::new("", 1);
+    let title = text.lines().find_map(|line| line.trim().strip_prefix("//"));
+    draft.definition.name = title.unwrap_or_default().trim().chars().take(200).collect();
+    system(text, &mut draft);
+    Some(vec![draft])
+}
+
+fn system(text: &str, draft: &mut Draft) {
+    let mut grammar = Grammar::default();
+    let mut section = String::new();
+    let word = |text: &str| text.chars().filter(|c| !c.is_whitespace()).collect::<Vec<char>>();
+    (draft.definition.angle, draft.definition.heading, draft.definition.step) = (60.0, 0.0, 10.0);
+    (draft.definition.iterations, draft.has_iterations) = (5, true);
+    draft.others = Some("");
+    for (symbol, actions) in [('F', "draw"), ('f', "move"), ('+', "turn left"), ('-', "turn right")] {
+        draft.meaning(symbol, actions);
+    }
+    draft.meaning('[', "open branch");
+    draft.meaning(']', "close branch");
+    let mut space = Vec::new();
+    for (at, line) in text.lines().enumerate().map(|(at, line)| (at + 1, line.trim())) {
+        if line.is_empty() || line.starts_with("//") {
             continue;
         }
-        if let Some((left, right)) = line.split_once("=>") {
-            let Some(symbol) = left.trim().chars().next().filter(|_| left.trim().chars().count() == 1) else {
-                draft.draft.refuse(line_number, line, "Only rules and actions of one plain symbol are read");
-                continue;
-            };
-            match part {
-                "actions" => action(symbol, right.trim(), line_number, &mut draft),
-                _ => draft.produce(symbol, right, None),
+        if let Some((key, value)) = key(line) {
+            section.clear();
+            match key.as_str() {
+                "axiom" | "start" => grammar.axiom = word(value).into_iter().map(Module::from).collect(),
+                "depth" => draft.iterations(at, value),
+                "angle" => match value.parse::<f64>() {
+                    Ok(angle) => draft.definition.angle = angle,
+                    Err(_) => draft.refuse(at, line, "The angle is not a number"),
+                },
+                "direction" => direction(value, at, draft),
+                "rules" | "production rules" => section = "rules".into(),
+                "actions" => section = key,
+                _ => draft.note(at, line, "This is not carried over"),
+            }
+            if !value.is_empty() && !section.is_empty() {
+                draft.refuse(at, line, "A rule or an action must stand on a line of its own");
             }
             continue;
         }
-        let Some((key, value)) = line.split_once(':') else {
-            draft.draft.refuse(line_number, line, "This line is neither a rule nor a setting");
+        let Some((from, to)) = split_rule(line).filter(|_| !section.is_empty()) else {
+            draft.refuse(at, line, "This line cannot be read");
             continue;
         };
-        let value = value.trim();
-        match key.trim() {
-            "rules" => part = "rules",
-            "actions" => part = "actions",
-            "axiom" => draft.grammar.axiom = word(value),
-            "depth" => draft.draft.iterations(line_number, value),
-            "angle" => draft.definition().angle = decimal::read(value).unwrap_or(90.0),
-            "title" | "name" => value.clone_into(&mut draft.definition().name),
-            "direction" => direction(value, line_number, &mut draft),
-            "color" | "width" | "stepsPerFrame" | "position" | "size" | "animate" => {}
-            other => draft.draft.note(line_number, other, "This setting has no meaning here"),
+        let mut letters = from.chars();
+        let (Some(symbol), None) = (letters.next(), letters.next()) else {
+            draft.refuse(at, line, "The left side must be one symbol");
+            continue;
+        };
+        if section == "rules" {
+            let before = grammar.productions.len();
+            grammar.productions.retain(|rule| rule.predecessor.symbol != symbol);
+            if grammar.productions.len() < before {
+                draft.note(at, line, "This rule replaces an earlier one for the same symbol");
+            }
+            grammar.productions.push(production(symbol, word(to)));
+        } else {
+            match action(to) {
+                Ok(actions) => draft.meaning(symbol, actions),
+                Err(true) => space.push((at, line, symbol)),
+                Err(false) => draft.refuse(at, line, "This action cannot be read"),
+            }
+        }
+        if draft.is_refused() && grammar.productions.len() > 1000 {
+            break;
         }
     }
-    Some(vec![draft.into_draft()])
+    for (at, line, symbol) in space {
+        if grammar.made().any(|module| module.symbol == symbol) {
+            draft.refuse(at, line, "This turns about a fixed axis of space; our turtle turns about its own axes");
+        }
+    }
+    draft.grammar(&grammar);
 }
 
-/// The direction at the start, as `[0, 1, 0]`.
-fn direction(value: &str, line: usize, draft: &mut Plain) {
-    let numbers: Vec<f64> =
-        value.trim_matches(['[', ']']).split(',').filter_map(|part| decimal::read(part.trim())).collect();
-    match numbers[..] {
-        [x, y, 0.0] | [x, y] if x != 0.0 || y != 0.0 => draft.definition().heading = libm::atan2(y, x).to_degrees(),
-        _ => draft.draft.refuse(line, value, "The direction at the start must lie in the plane"),
+/// The words for an action such as `rotate(90)`; an error for another one, true for turns in space.
+fn action(text: &str) -> Result<String, bool> {
+    let (name, rest) = text.split_once('(').ok_or(false)?;
+    let argument = rest.trim_end().strip_suffix(')').ok_or(false)?.trim();
+    let value = if argument.is_empty() { None } else { Some(argument.parse::<f64>().map_err(|_| false)?) };
+    let length = |word: &str| match value {
+        None | Some(10.0) => word.to_owned(),
+        Some(length) => format!("{word} {}", number(length)),
+    };
+    match (name.trim(), value) {
+        ("draw", _) => Ok(length("draw")),
+        ("move", _) => Ok(length("move")),
+        ("push", None) => Ok("open branch".into()),
+        ("pop", None) => Ok("close branch".into()),
+        ("rotateX" | "rotateY", Some(0.0)) => Ok(String::new()),
+        ("rotateX" | "rotateY", Some(_)) => Err(true),
+        ("rotate" | "rotateZ", Some(angle)) if angle < 0.0 => Ok(format!("turn right {}", number(-angle))),
+        ("rotate" | "rotateZ", Some(angle)) => Ok(format!("turn left {}", number(angle))),
+        _ => Err(false),
     }
 }
 
-/// The actions of a symbol.
-fn action(symbol: char, code: &str, line: usize, draft: &mut Plain) {
-    let (name, inside) = code.split_once('(').unwrap_or((code, ""));
-    let argument = inside.trim_end_matches([')', ';', ' ']);
-    let value = decimal::read(argument);
-    let with = |words: &str| value.map_or(words.to_owned(), |value| format!("{words} {}", number(value)));
-    let turn = |left: &str, right: &str, default: f64| {
-        let value = value.unwrap_or(default);
-        format!("{} {}", if value < 0.0 { right } else { left }, number(value.abs()))
-    };
-    let angle = draft.definition().angle;
-    let actions = match name.trim() {
-        "draw" => with("draw"),
-        "move" => with("move"),
-        "push" => "open branch".to_owned(),
-        "pop" => "close branch".to_owned(),
-        "rotate" | "rotateZ" => turn("turn left", "turn right", angle),
-        "rotateX" => turn("pitch down", "pitch up", angle),
-        "rotateY" => turn("roll left", "roll right", angle),
-        _ => return draft.draft.refuse(line, code, "This action cannot be expressed"),
-    };
-    draft.draft.meaning(symbol, actions);
+fn direction(value: &str, line: usize, draft: &mut Draft) {
+    let numbers = value.trim_matches(['[', ']', ' ']).split(',').map(|part| part.trim().parse::<f64>());
+    match numbers.collect::<Result<Vec<f64>, _>>().as_deref() {
+        Ok([x, y] | [x, y, 0.0]) if (*x != 0.0 || *y != 0.0) && x.is_finite() && y.is_finite() => {
+            let degrees = libm::atan2(*y, *x).to_degrees();
+            draft.definition.heading = libm::round(degrees * 1e9) / 1e9;
+        }
+        _ => draft.refuse(line, value, "The direction must be in the plane, such as 0, 1, 0"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::check;
+    use expect_test::expect;
+
+    #[test]
+    fn cases() {
+        check(
+            "// dragon\naxiom: X\nrules: \n X => X+YF+\n Y => -FX-Y\n\ndepth: 10\nangle: 90",
+            expect![[r#"
+                anvaka’s page
+                [dragon]
+                n 10, angle 90, heading 0, abop, step 10
+                  X
+                  X -> X+YF+
+                  Y -> -FX-Y"#]],
+        );
+        check(
+            "axiom: F^F\nrules:\n  F => F f&[F]\n  f =>\ncolor: #ff0000\nstepsPerFrame: 10\ndirection: [0, 1, 0]\nactions:\n  F => draw()\n  f => move(5)\n  - => rotate(-90)\n  ^ => rotate(60)\n  & => rotate(-60.5)",
+            expect![[r#"
+                anvaka’s page
+                []
+                n 5, angle 60, heading 90, abop, step 10
+                  F^F
+                  F -> Ff&[F]
+                  f -> *
+                  | &: turn right 60.5
+                  | ^: turn left 60
+                  | f: move 5
+                note 5 "color: #ff0000": This is not carried over
+                note 6 "stepsPerFrame: 10": This is not carried over"#]],
+        );
+        check(
+            "axiom: F\nrules:\n F -> F+F\n F -> FF\nactions:\n + => rotateX(10)\n - => jump(3)",
+            expect![[r#"
+                anvaka’s page
+                []
+                note 4 "F -> FF": This rule replaces an earlier one for the same symbol
+                refused 7 "- => jump(3)": This action cannot be read"#]],
+        );
+        check(
+            "axiom: F\nrules:\n F -> F+F\n",
+            expect![[r#"
+                a description
+                []
+                n 13, angle 90, heading 90, abop
+                  F
+                  F -> F+F
+                note 1 "": There is no angle; 90° is taken
+                note 1 "": The text gives no number of iterations; 13 is chosen by the size"#]],
+        );
+    }
 }

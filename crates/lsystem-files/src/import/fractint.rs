@@ -14,9 +14,9 @@
 //! both headings alike.
 
 use super::draft::{Draft, FreeSymbols, production};
-use lsystem_syntax::decimal;
 use lsystem_syntax::number::number;
 use lsystem_syntax::{Colour, Grammar, Module};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A symbol of Fractint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,7 +129,7 @@ fn bare(text: &str) -> Option<Vec<Source>> {
 
 /// Splits a word into symbols.
 fn tokens(word: &str) -> Vec<Token> {
-    let chars: Vec<char> = word.chars().flat_map(char::to_lowercase).collect();
+    let chars: Vec<char> = word.chars().map(|c| c.to_ascii_lowercase()).collect();
     let mut found = Vec::new();
     let mut at = 0;
     while at < chars.len() {
@@ -165,7 +165,7 @@ fn value(digits: &[char], root: bool, inverse: bool) -> f64 {
         points < 2
     };
     let text: String = digits.iter().take_while(until_second_point).take(30).collect();
-    let mut value = decimal::read(&text).unwrap_or(0.0);
+    let mut value = text.parse::<f64>().unwrap_or(0.0);
     if value <= 0.0 {
         return 0.0;
     }
@@ -189,16 +189,17 @@ struct Parts {
 
 impl Parts {
     /// The symbols that can occur.
-    fn reachable(&self) -> Vec<char> {
-        let mut seen: Vec<char> = Vec::new();
-        let mut words = vec![&self.axiom[..]];
-        while let Some(word) = words.pop() {
-            for token in word {
-                let (Token::Plain(ch) | Token::Number(ch, _)) = *token;
-                if !seen.contains(&ch) {
-                    seen.push(ch);
-                    let rule = self.rules.iter().find(|(letter, _)| *letter == ch);
-                    words.extend(rule.map(|(_, word)| &word[..]));
+    fn reachable(&self) -> BTreeSet<char> {
+        let rules: BTreeMap<char, &[Token]> = self.rules.iter().map(|(c, word)| (*c, &word[..])).collect();
+        let mut seen = BTreeSet::new();
+        let mut open: Vec<&[Token]> = vec![&self.axiom];
+        while let Some(word) = open.pop() {
+            for &token in word {
+                let (Token::Plain(ch) | Token::Number(ch, _)) = token;
+                if seen.insert(ch)
+                    && let Some(successor) = rules.get(&ch)
+                {
+                    open.push(successor);
                 }
             }
         }
@@ -207,7 +208,7 @@ impl Parts {
 
     /// The first line that contains one of these characters, and its text.
     fn place(&self, chars: &[char]) -> (usize, String) {
-        let found = self.words.iter().find(|(_, word)| word.to_ascii_lowercase().contains(chars));
+        let found = self.words.iter().find(|(_, word)| word.to_lowercase().contains(chars));
         found.cloned().unwrap_or((self.words.first().map_or(1, |word| word.0), String::new()))
     }
 
@@ -584,10 +585,12 @@ mod tests {
         check(
             "Even {\nangle 6\naxiom f|f!+f\n}",
             expect![[r#"
-            Fractint
-            [Even]
-            note 1 "": The text gives no number of iterations; 1 is chosen by the size
-            refused 1 "swap turns": In our notation: `swap turns` is not an action"#]],
+                Fractint
+                [Even]
+                n 1, angle 60, heading 0, abop
+                  F|F!+F
+                  | !: swap turns
+                note 1 "": The text gives no number of iterations; 1 is chosen by the size"#]],
         );
         check(
             "Odd {\nangle 5\naxiom f|f\n}",
@@ -613,18 +616,26 @@ mod tests {
         check(
             "L {\nangle 4\naxiom a\na=f@.5f@q2f@iq2f@i2f@1.5.7a@.5\n}",
             expect![[r#"
-            Fractint
-            [L]
-            note 1 "": The text gives no number of iterations; 16 is chosen by the size
-            refused 1 "length times 0.5": In our notation: `length times 0.5` is not an action"#]],
+                Fractint
+                [L]
+                n 16, angle 90, heading 0, abop
+                  A
+                  A -> FaFbFcFaFdAa
+                  | a: length times 0.5
+                  | b: length times 1.4142135623730951
+                  | c: length times 0.7071067811865475
+                  | d: length times 1.5
+                note 1 "": The text gives no number of iterations; 16 is chosen by the size"#]],
         );
         check(
             "Z {\nangle 4\naxiom f@f\n}",
             expect![[r#"
-            Fractint
-            [Z]
-            note 1 "": The text gives no number of iterations; 1 is chosen by the size
-            refused 1 "length times 0": In our notation: `length times 0` is not an action"#]],
+                Fractint
+                [Z]
+                n 1, angle 90, heading 0, abop
+                  FaF
+                  | a: length times 0
+                note 1 "": The text gives no number of iterations; 1 is chosen by the size"#]],
         );
         check(
             "C {\nangle 4\naxiom c1f<2f>f>3fc300f\n}",
@@ -648,10 +659,13 @@ mod tests {
         check(
             "Both {\nangle 4\naxiom f+\\90d-/90d@.5+\\90f\n}",
             expect![[r#"
-            Fractint
-            [Both]
-            note 1 "": The text gives no number of iterations; 1 is chosen by the size
-            refused 1 "length times 0.5": In our notation: `length times 0.5` is not an action"#]],
+                Fractint
+                [Both]
+                n 1, angle 90, heading 0, abop
+                  F+D-Da+F
+                  | D: draw
+                  | a: length times 0.5
+                note 1 "": The text gives no number of iterations; 1 is chosen by the size"#]],
         );
         check(
             "Straight {\nangle 4\naxiom fdfm\n}",

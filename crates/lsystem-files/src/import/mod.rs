@@ -9,14 +9,18 @@
 //! bytes. `docs/imports.md` lists what each reader reads, notes and refuses.
 
 mod anvaka;
+mod cpfg;
 mod draft;
 mod fractint;
-mod javascript;
-mod literal;
+mod houdini;
+mod link;
+mod objects;
 mod plain;
 mod prose;
 mod racket;
+mod rules;
 mod tikz;
+mod value;
 mod words;
 
 #[cfg(test)]
@@ -66,11 +70,15 @@ type Reader = fn(&str) -> Option<Vec<Draft>>;
 
 /// All readers by the name of the notation. The first reader that recognises a text reads it.
 const READERS: &[(&str, Reader)] = &[
+    ("a link", link::read),
+    ("TikZ", tikz::read),
+    ("cpfg", cpfg::read_cpfg),
+    ("L-Py", cpfg::read_lpy),
+    ("Houdini", houdini::read),
     ("Fractint", fractint::read),
     ("Racket", racket::read),
-    ("TikZ", tikz::read),
+    ("JavaScript", objects::read),
     ("anvaka’s page", anvaka::read),
-    ("JavaScript", javascript::read),
     ("a description", prose::read),
 ];
 

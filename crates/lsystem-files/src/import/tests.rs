@@ -38,7 +38,7 @@ fn entry(entry: &Entry) -> String {
 
 /// Compares the summary of a text with the expected one.
 #[track_caller]
-#[expect(clippy::needless_pass_by_value, reason = "a literal stands at every call")]
+#[expect(clippy::needless_pass_by_value, reason = "the macro `expect!` makes a value")]
 pub(super) fn check(text: &str, expected: Expect) {
     expected.assert_eq(&summary(text));
 }

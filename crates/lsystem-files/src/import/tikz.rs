@@ -1,128 +1,228 @@
-//! The TikZ library `lindenmayersystems`.
+//! TikZ's library `lindenmayersystems`.
 //!
 //! ```text
-//! \pgfdeclarelindenmayersystem{Koch curve}{ \rule{F -> F-F++F-F} }
-//! \draw [l-system={Koch curve, axiom=F++F++F, order=3, angle=60, step=2pt}] l-system;
+//! \pgfdeclarelindenmayersystem{Koch}{\rule{F -> F-F++F-F}}
+//! \draw [l-system={Koch, axiom=F++F++F, order=3, angle=60}] lindenmayer system;
+//! \draw [l-system={rule set={F -> FF}, axiom=F}] lindenmayer system;
 //! ```
+//!
+//! The turtle starts to the right. Angles are 90 degrees where they are missing. `F` draws, `f` moves,
+//! `+ - [ ]` turn and branch; `\symbol` gives other symbols one of these actions.
 
-use super::draft::Draft;
-use super::plain::{Plain, line_of};
-use lsystem_syntax::decimal;
+use super::draft::{Draft, production};
+use super::rules::{Lines, split_rule};
+use lsystem_syntax::{Grammar, Module};
 
-/// Reads every declared system with the options of its first use, and every rule set among options.
+/// A declared system.
+struct Declared<'a> {
+    name: &'a str,
+    body: &'a str,
+}
+
+/// The most declarations and the most uses that are read.
+const MOST: usize = 500;
+
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
-    if !text.contains("l-system") && !text.contains("lindenmayer") {
-        return None;
-    }
-    let uses: Vec<&str> = text.match_indices("l-system").filter_map(|(at, _)| options(&text[at + 8..])).collect();
-    let mut entries = Vec::new();
-    for (at, mark) in text.match_indices("\\pgfdeclarelindenmayersystem") {
+    let lines = Lines::new(text);
+    let mut declared = Vec::new();
+    for (at, mark) in text.match_indices("\\pgfdeclarelindenmayersystem").take(MOST) {
         let rest = &text[at + mark.len()..];
         let Some((name, after)) = group(rest) else { continue };
         let Some((body, _)) = group(after) else { continue };
-        let mut draft = Plain::new(name, line_of(text, at));
-        let line = line_of(text, at);
-        for (place, mark) in body.match_indices("\\rule") {
-            if let Some((rule, _)) = group(&body[place + mark.len()..]) {
-                add_rule(rule, &mut draft, line);
-            }
-        }
-        for (place, mark) in body.match_indices("\\symbol") {
-            if let Some((symbol, after)) = group(&body[place + mark.len()..])
-                && let Some((code, _)) = group(after)
-            {
-                add_symbol(symbol, code, &mut draft, line);
-            }
-        }
-        let own = uses.iter().find(|options| options.split(',').any(|option| option.trim() == name.trim()));
-        entries.push(finish(draft, own.or(uses.first()).copied().unwrap_or(""), line));
+        declared.push(Declared { name: name.trim(), body });
     }
-    for options in uses {
-        if let Some(at) = options.find("rule set") {
-            let mut draft = Plain::new("", 1);
-            let rest = options[at + 8..].trim_start().trim_start_matches('=');
-            let (set, _) = group(rest).unwrap_or((rest, ""));
-            set.split(',').filter(|rule| rule.contains("->")).for_each(|rule| add_rule(rule, &mut draft, 1));
-            entries.push(finish(draft, options, 1));
+    let mut drafts = Vec::new();
+    let mut used = Vec::new();
+    for key in ["l-system", "lindenmayer system"] {
+        for (at, mark) in text.match_indices(key).take(MOST) {
+            let rest = text[at + mark.len()..].trim_start();
+            let Some((options, _)) = rest.strip_prefix('=').and_then(group) else { continue };
+            let line = lines.of(at);
+            let (draft, name) = system(options, &declared, line);
+            used.extend(name);
+            drafts.push((at, draft));
         }
     }
-    (!entries.is_empty()).then_some(entries)
+    // A name in a style or in a path may stand without options.
+    for one in declared.iter().filter(|one| !used.iter().any(|name: &String| name == one.name)).take(100) {
+        let at = one.body.as_ptr() as usize - text.as_ptr() as usize;
+        let mut draft = Draft::new(one.name, lines.of(at));
+        draft.refuse(lines.of(at), one.name, "The text gives no axiom for this system");
+        drafts.push((at, draft));
+    }
+    drafts.sort_by_key(|(at, _)| *at);
+    let drafts: Vec<Draft> = drafts.into_iter().map(|(_, draft)| draft).collect();
+    (!drafts.is_empty()).then_some(drafts)
 }
 
-/// The text between the braces at the start, and the rest.
+/// The text in the braces at the start of a text, and the text behind. At most 10,000 characters are searched.
 fn group(text: &str) -> Option<(&str, &str)> {
-    let inner = text.trim_start().strip_prefix('{')?;
+    let text = text.trim_start();
+    let inside = text.strip_prefix('{')?;
     let mut depth = 1_usize;
-    for (at, ch) in inner.char_indices() {
+    for (at, ch) in inside.char_indices().take(10_000) {
         match ch {
             '{' => depth += 1,
             '}' => depth -= 1,
             _ => {}
         }
         if depth == 0 {
-            return Some((&inner[..at], &inner[at + 1..]));
+            return Some((&inside[..at], &inside[at + 1..]));
         }
     }
     None
 }
 
-/// The options behind `l-system`, in braces.
-fn options(text: &str) -> Option<&str> {
-    group(text.trim_start().trim_start_matches('=')).map(|(options, _)| options)
+/// The options between commas outside braces.
+fn options(text: &str) -> Vec<&str> {
+    let mut depth = 0_usize;
+    let split = text.split(|c: char| {
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        c == ',' && depth == 0
+    });
+    split.map(str::trim).filter(|part| !part.is_empty()).collect()
 }
 
-fn add_rule(rule: &str, draft: &mut Plain, line: usize) {
-    let Some((predecessor, successor)) = rule.split_once("->") else {
-        return draft.draft.refuse(line, rule, "This rule has no arrow");
-    };
-    let mut letters = predecessor.trim().chars();
+fn system(text: &str, declared: &[Declared<'_>], line: usize) -> (Draft, Option<String>) {
+    let mut draft = Draft::new("", line);
+    let mut grammar = Grammar::default();
+    let mut name = None;
+    let definition = &mut draft.definition;
+    (definition.heading, definition.angle) = (0.0, 90.0);
+    draft.others = Some("");
+    for (symbol, actions) in [('F', "draw"), ('f', "move"), ('+', "turn left"), ('-', "turn right")] {
+        draft.meaning(symbol, actions);
+    }
+    draft.meaning('[', "open branch");
+    draft.meaning(']', "close branch");
+    for option in options(text) {
+        let (key, value) = option.split_once('=').map_or((option, ""), |(key, value)| (key.trim(), value.trim()));
+        let value = group(value).map_or(value, |(inside, _)| inside.trim());
+        let number = |draft: &mut Draft| {
+            let number = value.trim_end_matches('°').trim().parse::<f64>().ok();
+            if number.is_none() {
+                draft.refuse(line, option, "This is not a number");
+            }
+            number.unwrap_or_default()
+        };
+        match key {
+            "axiom" => {
+                let symbols = value.chars().filter(|c| !c.is_whitespace());
+                grammar.axiom = symbols.map(Module::from).collect();
+            }
+            "order" => draft.iterations(line, value),
+            "angle" => {
+                draft.definition.angle = number(&mut draft);
+                draft.definition.right_angle = None;
+            }
+            "left angle" => {
+                let right = draft.definition.right_angle.unwrap_or(draft.definition.angle);
+                draft.definition.angle = number(&mut draft);
+                draft.definition.right_angle = Some(right);
+            }
+            "right angle" => draft.definition.right_angle = Some(number(&mut draft)),
+            "randomize angle percent" => draft.definition.angle_variation = number(&mut draft),
+            "randomize step percent" => draft.definition.length_variation = number(&mut draft),
+            "rule set" => options(value).into_iter().for_each(|rule| add_rule(rule, line, &mut grammar, &mut draft)),
+            "step" | "anchor" => {}
+            _ if value.is_empty() => match declared.iter().rev().find(|one| one.name == key) {
+                Some(one) => {
+                    name = Some(key.to_owned());
+                    draft.definition.name = key.chars().take(200).collect();
+                    body(one.body, line, &mut grammar, &mut draft);
+                }
+                None => draft.refuse(line, option, "The text does not declare this system"),
+            },
+            _ => draft.note(line, option, "This option is not carried over"),
+        }
+    }
+    if grammar.axiom.is_empty() {
+        draft.refuse(line, "", "The text gives no axiom for this system");
+    }
+    draft.grammar(&grammar);
+    (draft, name)
+}
+
+/// Reads the body of a declaration.
+fn body(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft) {
+    for (at, mark) in text.match_indices("\\rule") {
+        match group(&text[at + mark.len()..]) {
+            Some((rule, _)) => add_rule(rule, line, grammar, draft),
+            None => draft.refuse(line, "", "This rule has no braces"),
+        }
+    }
+    for (at, mark) in text.match_indices("\\symbol") {
+        let parts =
+            group(&text[at + mark.len()..]).and_then(|(symbol, rest)| Some((symbol.trim(), group(rest)?.0.trim())));
+        let Some((symbol, code)) = parts else { continue };
+        let actions = match code {
+            "\\pgflsystemdrawforward" => "draw",
+            "\\pgflsystemmoveforward" => "move",
+            "\\pgflsystemturnleft" => "turn left",
+            "\\pgflsystemturnright" => "turn right",
+            "\\pgflsystemsavestate" => "open branch",
+            "\\pgflsystemrestorestate" => "close branch",
+            "" => "",
+            _ => {
+                draft.refuse(line, code, "The code of this symbol is not run");
+                continue;
+            }
+        };
+        if let Some(symbol) = symbol.chars().next() {
+            draft.meaning(symbol, actions);
+        }
+    }
+}
+
+fn add_rule(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft) {
+    let (from, to) = split_rule(text).unwrap_or_default();
+    let mut letters = from.chars();
     match (letters.next(), letters.next()) {
-        (Some(letter), None) => draft.produce(letter, successor, None),
-        _ => draft.draft.refuse(line, rule, "A rule for more than one plain symbol is not read"),
+        (Some(letter), None) => {
+            grammar.productions.push(production(letter, to.chars().filter(|c| !c.is_whitespace())));
+        }
+        _ => draft.refuse(line, text, "This rule cannot be read"),
     }
 }
 
-/// The meaning of a symbol, by the commands of its code.
-fn add_symbol(symbol: &str, code: &str, draft: &mut Plain, line: usize) {
-    let Some(letter) = symbol.trim().chars().next() else { return };
-    let commands = [
-        ("drawforward", "draw"),
-        ("moveforward", "move"),
-        ("turnleft", "turn left"),
-        ("turnright", "turn right"),
-        ("savestate", "open branch"),
-        ("restorestate", "close branch"),
-    ];
-    let known = commands.iter().find(|(command, _)| code.contains(command));
-    match known {
-        Some((_, actions)) => draft.draft.meaning(letter, *actions),
-        None if code.trim().is_empty() => draft.draft.meaning(letter, "nothing"),
-        None => draft.draft.refuse(line, code, format!("The meaning of `{letter}` is TeX code, which is not read")),
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::super::tests::check;
+    use expect_test::expect;
 
-fn finish(mut draft: Plain, options: &str, line: usize) -> Draft {
-    let option = |name: &str| {
-        options.split(',').find_map(|option| {
-            let (key, value) = option.split_once('=')?;
-            (key.trim().trim_start_matches('{') == name).then(|| value.trim().trim_matches(['{', '}']))
-        })
-    };
-    match option("axiom") {
-        Some(axiom) => draft.start(axiom),
-        None => {
-            draft.start("F");
-            draft.draft.note(line, "", "There is no axiom; F is taken");
-        }
+    #[test]
+    fn cases() {
+        check(
+            "\\pgfdeclarelindenmayersystem{Koch curve}{\n  \\rule{F -> F-F++F-F}}\n\\begin{tikzpicture}\n\\draw [l-system={Koch curve, axiom=F++F++F, order=3, angle=60, step=2pt}] lindenmayer system;\n\\end{tikzpicture}",
+            expect![[r#"
+                TikZ
+                [Koch curve]
+                n 3, angle 60, heading 0, abop
+                  F++F++F
+                  F -> F-F++F-F"#]],
+        );
+        check(
+            "\\draw [green, l-system={rule set={F -> FF-[-F+F]+[+F-F], X -> f}, axiom=F, order=4, left angle=25, randomize angle percent=25}] l-system;",
+            expect![[r#"
+                TikZ
+                []
+                n 4, angle 25, right 90, heading 0, abop
+                  F
+                  F -> FF-[-F+F]+[+F-F]
+                  X -> f"#]],
+        );
+        check(
+            "\\pgfdeclarelindenmayersystem{H}{\\symbol{A}{\\pgflsystemdrawforward}\\symbol{B}{\\code}\\rule{A -> AB}}\n\\draw[lindenmayer system={H, axiom=A, order=2}] (0,0) lindenmayer system; \\pgfdeclarelindenmayersystem{I}{\\rule{F->F}}",
+            expect![[r#"
+                TikZ
+                [H]
+                refused 2 "\\code": The code of this symbol is not run
+                [I]
+                refused 2 "I": The text gives no axiom for this system"#]],
+        );
     }
-    // The library's own values, where an option is missing.
-    draft.definition().angle = option("angle").and_then(decimal::read).unwrap_or(90.0);
-    draft.iterate(option("order").and_then(decimal::read).unwrap_or(1.0));
-    draft.definition().heading = 0.0;
-    for option in ["randomize step percent", "randomize angle percent"] {
-        if options.contains(option) {
-            draft.draft.note(line, option, "The variation is not carried over; set it under Growth");
-        }
-    }
-    draft.into_draft()
 }

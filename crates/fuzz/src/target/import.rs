@@ -1,0 +1,68 @@
+//! Texts in the notations of other programs: any text is read without a panic, and every system of the result compiles.
+
+use crate::{Gauge, Source};
+use lsystem::System;
+use lsystem::files::import;
+
+/// Texts of every notation, mixed and damaged.
+pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let text = text(source);
+    let found = gauge.call("import", || import(&text));
+    let again = import(&text);
+    assert_eq!(found, again, "the same text gives the same systems");
+    let Some(imported) = found else { return };
+    assert!(!imported.entries.is_empty());
+    gauge.reach("recognised");
+    let lines = text.matches(['\n', '\r']).count() + 1;
+    for entry in &imported.entries {
+        let refused = entry.remarks.iter().any(|remark| remark.refused);
+        assert_eq!(refused, entry.definition.is_none(), "a system is refused with a reason: {entry:?}");
+        assert!(entry.remarks.iter().all(|remark| (1..=lines).contains(&remark.line)), "{:?}", entry.remarks);
+        if let Some(definition) = &entry.definition {
+            gauge.reach("read");
+            assert!(System::new(definition).0.is_some(), "{definition:?} does not compile");
+        }
+    }
+}
+
+/// A system in each notation.
+const WHOLE: [&str; 12] = [
+    "Koch {\n  Angle 6 ; six\n  Axiom F--F--F\n  F=F+F--F+F\n  X=@.5C1\\30D/30[!|M]\n}\n",
+    "new LSystem({axiom: 'F++F', productions: {'F': 'F-F', 'A<B>C': [{weight: 2, successor: 'X'}]}})",
+    "{axiom: \"A\", rules: [[\"A\", \"B-F\"], {in: 'F', out: 'FF'}], alpha: 0, theta: Math.PI / 3, iterations: 3}",
+    "axiom: X\nrules:\n X => F+[X]\ndepth: 4\nangle: 90\nactions:\n F => draw(10)\n",
+    "#lang lindenmayer racket\n## axiom ##\nA(1)\n## rules ##\nA(d) : d > 0 -> F(d)[+(2)A(d-1)]\n## variables ##\nn=3\nθ=45\n",
+    "axiom X, angle 25°, rules (X → F+[[X]-X]), (F → FF)",
+    "n=5, δ=25.7°\nF\nF→F[+F]F[-F]F",
+    "\\pgfdeclarelindenmayersystem{K}{\\rule{F -> F-F}\\symbol{G}{\\pgflsystemdrawforward}}\\draw[l-system={K, axiom=F, order=3}]",
+    "lsystem: 1\n#define r 0.9\nderivation length: 3\naxiom: Ab(1)\nAb(s) : s > 0 --> F(s)[+Ab(s*r)]\nhomomorphism\nAb(s) --> @o(1)\n",
+    "Axiom: A\nderivation length: 2\nproduction:\nA --> F[+A]\n",
+    "Premise: A(0)\nRule 1: A(i):i<=3=FA(i+1)\nAngle: 30\n",
+    "#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&do=F%3A%20draw",
+];
+
+/// Parts of the notations.
+const PIECES: [&str; 48] = [
+    "{", "}", "[", "]", "(", ")", "<", ">", ":", "=", "->", "→", "-->", "\n", "\n\n", " ", ",", ";", "'", "\"", "`",
+    "\\", "/*", "*/", "//", "#", "##", "@", "@iq2", "C300", "F", "f", "X", "+", "-", "|", "!", "0.5", "1e999", "π",
+    "°", "axiom", "rules", "Angle 7", "n=3", "é", "\u{feff}", "\r",
+];
+
+fn text(source: &mut Source<'_>) -> String {
+    let mut text = String::new();
+    for _ in 0..source.between(1, 3) {
+        text.push_str(source.pick(&WHOLE));
+    }
+    for _ in 0..source.between(0, 12) {
+        let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
+        let (from, to) = (source.pick(&ends), source.pick(&ends));
+        let times = if source.once_in(60) { source.pick(&[10, 500, 20_000]) } else { 1 };
+        let inserted = match source.below(4) {
+            0 => text[from.min(to)..from.max(to)].to_owned(),
+            _ => source.pick(&PIECES).repeat(times),
+        };
+        let end = if source.once_in(4) { to.max(from) } else { from };
+        text.replace_range(from..end, &inserted);
+    }
+    text
+}
