@@ -295,7 +295,9 @@ fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft
         .made()
         .chain(grammar.images.iter().flat_map(|image| &image.successor))
         .any(|module| module.arguments.is_empty() && "+-&^/\\".contains(module.symbol));
-    if draft.meanings.remove(&'\0').is_none() {
+    let known = draft.meanings.len();
+    draft.meanings.retain(|(symbol, _)| *symbol != '\0');
+    if draft.meanings.len() == known {
         draft.definition.angle = if kind == Kind::LPy { 60.0 } else { 90.0 };
         if plain_turn {
             let why = match kind {

@@ -3,10 +3,12 @@
 use super::{Entry, Remark};
 use lsystem_drawing::System;
 use lsystem_syntax::notes::excerpt;
+use lsystem_syntax::sorted::set;
 use lsystem_syntax::{
-    Action, Definition, Grammar, MAX_ITERATIONS, Module, Production, parse, parse_overrides, print_axiom, print_rules,
+    Action, Definition, Grammar, MAX_ITERATIONS, Module, Production, decimal, parse, parse_overrides, print_axiom,
+    print_rules,
 };
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::HashMap;
 
 /// A system while it is read: texts in our notation, and what was not carried over.
 #[derive(Debug, Default)]
@@ -15,7 +17,7 @@ pub(super) struct Draft {
     pub(super) definition: Definition,
     /// The actions of symbols in the words of custom symbols, such as `turn left 90`; empty for no action. Only symbols
     /// that occur and act differently in the dialect become custom symbols.
-    pub(super) meanings: BTreeMap<char, String>,
+    pub(super) meanings: Vec<(char, String)>,
     /// The actions of all other symbols; `None` leaves them to the dialect.
     pub(super) others: Option<&'static str>,
     /// Whether the text gives the number of iterations.
@@ -64,7 +66,8 @@ impl Draft {
 
     /// Sets the actions of a symbol, in the words of custom symbols; empty for no action.
     pub(super) fn meaning(&mut self, symbol: char, actions: impl Into<String>) {
-        self.meanings.insert(symbol, actions.into());
+        self.meanings.retain(|(known, _)| *known != symbol);
+        self.meanings.push((symbol, actions.into()));
     }
 
     /// Takes over a grammar of plain symbols.
@@ -75,7 +78,7 @@ impl Draft {
 
     /// Takes over the number of iterations, which must be whole and within our limit.
     pub(super) fn iterations(&mut self, line: usize, text: &str) {
-        let number = text.trim().parse::<f64>().ok().filter(|n| n.is_finite() && *n >= 0.0);
+        let number = decimal::read(text.trim()).filter(|n| n.is_finite() && *n >= 0.0);
         match number {
             Some(n) if n.fract() == 0.0 && n <= f64::from(MAX_ITERATIONS) => {
                 self.definition.iterations = n as u32;
@@ -128,11 +131,12 @@ impl Draft {
     /// Writes the custom symbols: those that occur and act differently in the dialect.
     fn custom_symbols(&mut self, grammar: &Grammar) {
         let images = grammar.images.iter().flat_map(|image| &image.successor);
-        let symbols: BTreeSet<char> = grammar.made().chain(images).map(|module| module.symbol).collect();
+        let symbols = set(grammar.made().chain(images).map(|module| module.symbol));
         let mut lines = Vec::new();
         for symbol in symbols {
-            let words = match (self.meanings.get(&symbol), self.others) {
-                (Some(words), _) => words.as_str(),
+            let own = self.meanings.iter().find(|(known, _)| *known == symbol);
+            let words = match (own, self.others) {
+                (Some((_, words)), _) => words.as_str(),
                 (None, Some(words)) => words,
                 (None, None) => continue,
             };
@@ -161,14 +165,15 @@ pub(super) fn production(symbol: char, successor: impl IntoIterator<Item = char>
 /// Single characters that a system does not use, for actions and names that need a symbol of their own.
 #[derive(Debug, Default)]
 pub(super) struct FreeSymbols {
-    used: BTreeSet<char>,
-    given: BTreeMap<String, char>,
+    /// Sorted, each once.
+    used: Vec<char>,
+    given: HashMap<String, char>,
 }
 
 impl FreeSymbols {
     /// Marks the characters of a text as used.
     pub(super) fn add_used(&mut self, text: &str) {
-        self.used.extend(text.chars());
+        self.used = set(self.used.iter().copied().chain(text.chars()));
     }
 
     /// The symbol for a key, the same one for equal keys.
@@ -180,8 +185,8 @@ impl FreeSymbols {
         let letters =
             ('a'..='z').filter(|c| !matches!(c, 'f' | 'g' | 'v')).chain('α'..='ω').chain('\u{100}'..='\u{17f}');
         let letters = letters.chain('\u{4e00}'..='\u{9fff}').filter(|c| !matches!(c, 'ε' | 'ς'));
-        let symbol = letters.into_iter().find(|c| !self.used.contains(c)).unwrap_or('\u{ac00}');
-        self.used.insert(symbol);
+        let symbol = letters.into_iter().find(|c| self.used.binary_search(c).is_err()).unwrap_or('\u{ac00}');
+        self.add_used(symbol.encode_utf8(&mut [0; 4]));
         self.given.insert(key.to_owned(), symbol);
         symbol
     }
@@ -194,34 +199,28 @@ pub(super) fn fitting_iterations(grammar: &Grammar) -> u32 {
     if !grammar.is_plain() {
         return 5;
     }
-    let mut successors: BTreeMap<char, BTreeMap<char, f64>> = BTreeMap::new();
+    let letters = set(grammar.made().chain(grammar.productions.iter().flat_map(|p| &p.successor)).map(|m| m.symbol));
+    let index = |symbol: char| letters.binary_search(&symbol).ok();
+    // By letter: the letters of its successor. Of several random productions, the longest counts.
+    let mut successors: Vec<Option<Vec<usize>>> = vec![None; letters.len()];
     for production in &grammar.productions {
-        let count = successors.entry(production.predecessor.symbol).or_default();
-        // Of several random productions, the largest counts.
-        let mut own = BTreeMap::new();
-        for module in &production.successor {
-            *own.entry(module.symbol).or_insert(0.0) += 1.0;
-        }
-        if count.values().sum::<f64>() <= own.values().sum() {
-            *count = own;
+        let Some(letter) = index(production.predecessor.symbol) else { continue };
+        let own: Vec<usize> = production.successor.iter().filter_map(|module| index(module.symbol)).collect();
+        if successors[letter].as_ref().is_none_or(|known| known.len() <= own.len()) {
+            successors[letter] = Some(own);
         }
     }
-    let mut counts: BTreeMap<char, f64> = BTreeMap::new();
-    for module in &grammar.axiom {
-        *counts.entry(module.symbol).or_insert(0.0) += 1.0;
-    }
+    let mut counts = vec![0.0; letters.len()];
+    grammar.axiom.iter().filter_map(|module| index(module.symbol)).for_each(|letter| counts[letter] += 1.0);
     for step in 0..STEPS {
-        let mut next: BTreeMap<char, f64> = BTreeMap::new();
-        for (symbol, count) in &counts {
-            match successors.get(symbol) {
-                Some(made) => made.iter().for_each(|(c, n)| *next.entry(*c).or_insert(0.0) += n * count),
-                None => *next.entry(*symbol).or_insert(0.0) += count,
+        let mut next = vec![0.0; letters.len()];
+        for (letter, &count) in counts.iter().enumerate().filter(|(_, count)| **count > 0.0) {
+            match &successors[letter] {
+                Some(made) => made.iter().for_each(|&made| next[made] += count),
+                None => next[letter] += count,
             }
         }
-        if next.values().sum::<f64>() > MOST {
-            return step.max(1);
-        }
-        if next == counts {
+        if next.iter().sum::<f64>() > MOST || next == counts {
             return step.max(1);
         }
         counts = next;

@@ -14,9 +14,9 @@
 //! both headings alike.
 
 use super::draft::{Draft, FreeSymbols, production};
+use lsystem_syntax::decimal;
 use lsystem_syntax::number::number;
 use lsystem_syntax::{Colour, Grammar, Module};
-use std::collections::{BTreeMap, BTreeSet};
 
 /// A symbol of Fractint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,7 +165,7 @@ fn value(digits: &[char], root: bool, inverse: bool) -> f64 {
         points < 2
     };
     let text: String = digits.iter().take_while(until_second_point).take(30).collect();
-    let mut value = text.parse::<f64>().unwrap_or(0.0);
+    let mut value = decimal::read(&text).unwrap_or(0.0);
     if value <= 0.0 {
         return 0.0;
     }
@@ -189,17 +189,16 @@ struct Parts {
 
 impl Parts {
     /// The symbols that can occur.
-    fn reachable(&self) -> BTreeSet<char> {
-        let rules: BTreeMap<char, &[Token]> = self.rules.iter().map(|(c, word)| (*c, &word[..])).collect();
-        let mut seen = BTreeSet::new();
-        let mut open: Vec<&[Token]> = vec![&self.axiom];
-        while let Some(word) = open.pop() {
-            for &token in word {
-                let (Token::Plain(ch) | Token::Number(ch, _)) = token;
-                if seen.insert(ch)
-                    && let Some(successor) = rules.get(&ch)
-                {
-                    open.push(successor);
+    fn reachable(&self) -> Vec<char> {
+        let mut seen: Vec<char> = Vec::new();
+        let mut words = vec![&self.axiom[..]];
+        while let Some(word) = words.pop() {
+            for token in word {
+                let (Token::Plain(ch) | Token::Number(ch, _)) = *token;
+                if !seen.contains(&ch) {
+                    seen.push(ch);
+                    let rule = self.rules.iter().find(|(letter, _)| *letter == ch);
+                    words.extend(rule.map(|(_, word)| &word[..]));
                 }
             }
         }
@@ -208,7 +207,7 @@ impl Parts {
 
     /// The first line that contains one of these characters, and its text.
     fn place(&self, chars: &[char]) -> (usize, String) {
-        let found = self.words.iter().find(|(_, word)| word.to_lowercase().contains(chars));
+        let found = self.words.iter().find(|(_, word)| word.to_ascii_lowercase().contains(chars));
         found.cloned().unwrap_or((self.words.first().map_or(1, |word| word.0), String::new()))
     }
 

@@ -15,7 +15,6 @@ use super::draft::{Draft, production};
 use super::rules::{Lines, split_rule};
 use super::value::{Node, Scanner, Unit, Value};
 use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern};
-use std::collections::BTreeSet;
 
 const AXIOM: &[&str] = &["axiom", "start", "initial", "initiator", "omega", "startString", "start_string", "seed"];
 const RULES: &[&str] = &["rules", "productions", "rule", "production", "ruleset", "production_rules"];
@@ -451,11 +450,9 @@ impl Reader<'_> {
             self.draft.meaning(symbol.chars().next().unwrap_or_default(), actions);
         }
         // lindsvg drops letters without a rule at the next iteration.
-        let mut letters: BTreeSet<char> = self.grammar.made().map(|module| module.symbol).collect();
-        letters.retain(|c| !"+-[]".contains(*c));
-        for rule in &self.grammar.productions {
-            letters.remove(&rule.predecessor.symbol);
-        }
+        let mut letters = lsystem_syntax::sorted::set(self.grammar.made().map(|module| module.symbol));
+        let has_rule = |letter: char| self.grammar.productions.iter().any(|rule| rule.predecessor.symbol == letter);
+        letters.retain(|&letter| !"+-[]".contains(letter) && !has_rule(letter));
         self.grammar.productions.extend(letters.into_iter().map(|letter| production(letter, [])));
     }
 
