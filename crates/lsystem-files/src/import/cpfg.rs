@@ -15,7 +15,7 @@
 //! includes, and symbols that need other files are refused. The angle stands in another file.
 
 use super::draft::{Draft, FreeSymbols};
-use lsystem_syntax::{Diagnostic, Dialect, parse};
+use lsystem_syntax::{Diagnostic, parse};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A line without comments, with its number.
@@ -389,13 +389,10 @@ impl Words<'_> {
             let next = chars.get(at + 1).copied();
             match (ch, next) {
                 ('@', Some(kind @ ('o' | 'c' | 'O'))) => {
-                    let symbol = if kind == 'c' { '○' } else { '●' };
-                    if Dialect::Abop.actions(symbol).is_empty() {
-                        draft.refuse(line, &format!("@{kind}"), "Circles and spheres are not possible");
-                    } else if kind == 'O' {
+                    if kind == 'O' {
                         draft.note(line, "@O", "A sphere is drawn as a disc");
                     }
-                    out.push(symbol);
+                    out.push('●');
                     at += 2;
                 }
                 ('@' | '~' | '?', Some(kind)) if !kind.is_whitespace() => {
