@@ -16,6 +16,10 @@ const ITERATIONS: &[&str] =
 
 /// Reads one system: an axiom, and at least one rule with an arrow.
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
+    // Objects and markup have readers of their own.
+    if text.trim_start().starts_with(['{', '<']) {
+        return None;
+    }
     let text = &plain(text);
     let rules = rules(text);
     // Without a label, the axiom stands alone on the line before the first rule, as in the captions of ABOP.
