@@ -88,7 +88,7 @@ export function createImporting(engine, { open, restyle }) {
         html('import-cards').replaceChildren(...cards.map(({ item }) => item));
         search.value = '';
         html('import-search-row').hidden = entries.length < 9;
-        dialog.classList.toggle('fitted', entries.length < 4);
+        dialog.classList.toggle('fitted', entries.length < 10);
         const first = readable[0] ?? entries[0];
         if (first) choose(first);
         dialog.showModal();
