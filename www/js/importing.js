@@ -7,6 +7,7 @@ import { toast } from './announce.js';
 import { button, byId, closes, html, input, make, setText, withCode } from './dom.js';
 import { setLayer } from './layers.js';
 import { emptyThumb, paintThumb } from './thumb.js';
+import { createTool } from './tool.js';
 
 /** @typedef {import('./protocol.js').Imported} Imported */
 /** @typedef {Imported['entries'][number]} Entry */
@@ -27,6 +28,8 @@ const nameOf = ({ name }) => name || 'Untitled system';
  * @param {{open: (definition: import('./state.js').Definition) => void, restyle: (definition: import('./state.js').Definition) => import('./state.js').Definition}} page
  */
 export function createImporting(engine, { open, restyle }) {
+    /** @type {ReturnType<typeof createTool<import('./protocol.js').ImportCalls>>} */
+    const tool = createTool('import');
     const dialog = byId('import', HTMLDialogElement);
     const note = html('import-offer');
     const search = input('import-search');
@@ -113,9 +116,9 @@ export function createImporting(engine, { open, restyle }) {
     async function read(text) {
         if (text.length < SHORTEST || text.length > LONGEST) return null;
         try {
-            return await engine.import(text);
+            return await tool.call('import', { text });
         } catch {
-            // The worker was replaced; the text stays as it is.
+            toast('The readers of other notations did not load. Try again.');
             return null;
         }
     }

@@ -95,7 +95,6 @@ export {};
  * @property {{asked: {texts: Texts}, answer: Notation}} notation
  * @property {{asked: {texts: Texts, field: 'axiom' | 'rules', offset: number}, answer: {site: Site | null}}} site the module at a UTF-16 offset into a text; null for other text
  * @property {{asked: {file: Blob}, answer: FileRead}} read a file: JSON, or a picture that carries its system
- * @property {{asked: {text: string}, answer: {imported: Imported | null}}} import the systems of a text; null if it is in no known notation
  * @property {{asked: {format: Format}, answer: Exported}} export
  * @property {{asked: {width: number, height: number, definition: Definition}, answer: {blob: Blob | null, reason: string | null}}} png the current view at another size, with the system in the file; `reason` tells why there is no file
  * @property {{asked: {definition: Definition, width: number, height: number}, answer: {bitmap: ImageBitmap | null, missing: string | null}}} thumb a small fitted picture of another system; `missing` tells why there is none
@@ -140,6 +139,12 @@ export {};
  */
 /** The work spent on a pane, and whether the budget was too small to draw everything (`poor`). @typedef {{work: number, poor: boolean}} Outcome */
 /** A mate's answer to every pane; `made` is null if the pane was cancelled. `memory`: the size of the mate's wasm memory, in bytes. @typedef {{pane: Pane, round: number, memory: number, made: {outcome: Outcome, pixels: Uint8Array<ArrayBuffer>} | null}} FromMate */
+
+// Tools: workers that few visits need, each with a wasm of its own.
+
+/** The calls of the tool that reads other notations; null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
+/** From the page to a tool: calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
+/** From a tool to the page. `fatal`: the tool has crashed. @typedef {{type: 'pong'} | {type: 'answer', id: number, value: unknown} | {type: 'progress', id: number, value: unknown} | {type: 'refused', id: number, reason: unknown} | {type: 'fatal', id: number, reason: unknown}} FromTool */
 
 /**
  * One end of a channel: sends messages `Out` and receives messages `In`.

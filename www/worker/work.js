@@ -46,8 +46,6 @@ export function createWork({ playground, inbox, drawing, sharing, files, thumbs,
                 return page.postMessage({ type: 'notation', id, .../** @type {import('../js/protocol.js').Notation} */ (wasm_bindgen.notation(question.texts)) });
             case 'site':
                 return page.postMessage({ type: 'site', id, site: wasm_bindgen.siteOf(question.texts, question.field, question.offset) });
-            case 'import':
-                return page.postMessage({ type: 'import', id, imported: wasm_bindgen.importSystems(question.text) });
             case 'qr':
                 return page.postMessage({ type: 'qr', id, modules: wasm_bindgen.qr_code(question.text) ?? null });
             case 'seed':

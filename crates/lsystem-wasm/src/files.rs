@@ -6,7 +6,7 @@ use crate::report::{Problem, problems};
 use crate::surface::CanvasSurface;
 use crate::viewer::{NOTHING, PictureSettings, Snapshot};
 use crate::{from_js, to_js};
-use lsystem::files::{FileContent, Remark};
+use lsystem::files::FileContent;
 use lsystem::{Definition, Progress, Viewport, write_json};
 use serde::Serialize;
 use std::rc::Rc;
@@ -30,53 +30,6 @@ pub fn read_file(bytes: &[u8]) -> Result<JsValue, JsValue> {
     let FileContent { definition, diagnostics, json } = lsystem::read_file(bytes);
     let texts = definition.clone().unwrap_or_default();
     to_js(&FileReport { definition, diagnostics: problems(&diagnostics, &texts, &json) })
-}
-
-/// Systems in the notation of another program or of a paper.
-#[derive(Serialize)]
-struct ImportReport {
-    notation: &'static str,
-    entries: Vec<ImportEntry>,
-}
-
-/// One of these systems.
-#[derive(Serialize)]
-struct ImportEntry {
-    name: String,
-    /// Null if the system cannot be opened.
-    definition: Option<Definition>,
-    remarks: Vec<ImportRemark>,
-}
-
-/// What was not carried over, by line of the text, 1-based.
-#[derive(Serialize)]
-struct ImportRemark {
-    line: usize,
-    text: String,
-    message: String,
-}
-
-/// Reads systems in the notation of another program or of a paper: `{notation, entries: [{name, definition, remarks:
-/// [{line, text, message}]}]}`; null if no notation is recognised.
-///
-/// # Errors
-/// Throws only if the result cannot be translated.
-#[wasm_bindgen(js_name = importSystems)]
-pub fn import_systems(text: &str) -> Result<JsValue, JsValue> {
-    to_js(&lsystem::files::import(text).map(|imported| {
-        ImportReport {
-            notation: imported.notation,
-            entries: (imported.entries.into_iter())
-                .map(|entry| ImportEntry {
-                    name: entry.name,
-                    definition: entry.definition,
-                    remarks: (entry.remarks.into_iter())
-                        .map(|Remark { line, text, message, .. }| ImportRemark { line, text, message })
-                        .collect(),
-                })
-                .collect(),
-        }
-    }))
 }
 
 /// Puts a definition into a PNG file, for [`read_file`]. Returns other bytes unchanged.

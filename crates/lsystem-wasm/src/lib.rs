@@ -24,7 +24,7 @@ mod surface;
 mod viewer;
 
 pub use export::Export;
-pub use files::{Picture, import_systems, read_file, tag_png};
+pub use files::{Picture, read_file, tag_png};
 pub use notation::{notation, site_of};
 pub use plain::{Segments, draw, expand};
 pub use playground::Playground;

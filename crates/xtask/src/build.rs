@@ -1,14 +1,11 @@
 //! `cargo xtask build`: the page, the worker and the wasm in one folder that any static host can serve.
 
 use crate::esbuild::Esbuild;
-use crate::workspace::{Workspace, run};
-use crate::{bindgen, docs, files, gallery, include, joined, offline, one_file, tools};
+use crate::workspace::Workspace;
+use crate::{docs, files, gallery, include, joined, offline, one_file, wasms};
 use anyhow::{Context, Result};
 use std::fs;
-use std::path::{Path, PathBuf};
-
-/// The name of the boundary crate's library and of its generated files.
-const NAME: &str = "lsystem_wasm";
+use std::path::Path;
 
 /// The classic scripts of the pages.
 const SCRIPTS: [&str; 3] = ["js/theme-early.js", "l-system.js", "service-worker.js"];
@@ -22,35 +19,21 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     for name in SCRIPTS {
         files::write(&site.join(name), esbuild.script(name)?)?;
     }
-    let generated = wasm(workspace)?;
-    fs::copy(generated.join(format!("{NAME}_bg.wasm")), site.join("lsystem.wasm"))?;
-    files::write(&site.join("worker.js"), worker(&esbuild, &generated)?)?;
+    wasms::write(workspace, &esbuild, &site)?;
     let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
     files::write(&site.join("gallery.json"), gallery.to_string())?;
     let (index, embed) = ("index.html", site.join("embed.html"));
     files::write(&embed, include::include(&files::read_text(&embed)?, index, &files::read_text(&site.join(index))?)?)?;
     // These pages become single files, with the files that they would fetch inside.
-    for (page, file, more) in [(index, "playground.html", Some("gallery.json")), ("embed.html", "embed.html", None)] {
-        let carried: Vec<_> = ["worker.js", "lsystem.wasm"].into_iter().chain(more).collect();
-        let text = one_file::one_file(&site, page, &carried, &esbuild)?;
+    let all: Vec<_> = wasms::WASMS.iter().flat_map(|wasm| [wasm.script, wasm.file]).chain(["gallery.json"]).collect();
+    for (page, file, carried) in [(index, "playground.html", &*all), ("embed.html", "embed.html", &all[..2])] {
+        let text = one_file::one_file(&site, page, carried, &esbuild)?;
         files::write(&site.join(file), text)?;
     }
     docs::write_pages(&workspace.root.join("docs"), &www, &site, &esbuild)?;
     joined::join(&site, index, &esbuild)?;
     offline::list_files(&site)?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
-}
-
-/// Compiles the boundary crate and generates its JavaScript. Returns the folder with both.
-fn wasm(workspace: &Workspace) -> Result<PathBuf> {
-    tools::wasm_target()?;
-    let target = tools::WASM_TARGET;
-    run(&mut workspace.cargo(["build", "--profile=wasm", "--lib", "--package=lsystem-wasm", "--target", target]))?;
-    // The page's type check reads the generated types here: www/tsconfig.worker.json.
-    let out = workspace.root.join("target/wasm-bindgen");
-    let wasm = workspace.target.join(target).join("wasm").join(format!("{NAME}.wasm"));
-    bindgen::generate(&wasm, &out, NAME)?;
-    Ok(out)
 }
 
 /// Copies the files of `www` that are shipped unchanged.
@@ -70,13 +53,6 @@ fn is_shipped(path: &Path) -> bool {
     } else {
         ["html", "svg", "png", "webmanifest"].iter().any(|end| name.ends_with(end))
     }
-}
-
-/// The worker as one classic script, which works in sandboxed frames and from files. Module workers and imports fail
-/// there.
-fn worker(esbuild: &Esbuild, generated: &Path) -> Result<String> {
-    let glue = files::read_text(&generated.join(format!("{NAME}.js")))?;
-    Ok(esbuild.minified("glue.js", &glue)? + &esbuild.script("worker/worker.js")?)
 }
 
 /// Moves the folder at `place` to `old`, and `new` to `place`.

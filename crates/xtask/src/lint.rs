@@ -2,6 +2,7 @@
 
 use crate::report::StepReport;
 use crate::tools;
+use crate::wasms::WASMS;
 use crate::workspace::{Workspace, run};
 
 pub(crate) fn steps(workspace: &Workspace, report: &mut StepReport) {
@@ -11,7 +12,8 @@ pub(crate) fn steps(workspace: &Workspace, report: &mut StepReport) {
     });
     report.step("clippy for wasm", || {
         tools::wasm_target()?;
-        let what = ["clippy", "--all-targets", "--package=lsystem-wasm", "--target", tools::WASM_TARGET];
+        let packages = WASMS.iter().flat_map(|wasm| ["--package", wasm.package]);
+        let what = ["clippy", "--all-targets", "--target", tools::WASM_TARGET].into_iter().chain(packages);
         run(workspace.cargo(what).args(["--", "-D", "warnings"]))
     });
     report.step("clippy for the measurements in the browser", || {

@@ -22,6 +22,7 @@ mod server;
 mod size;
 mod test;
 mod tools;
+mod wasms;
 mod workspace;
 
 use anyhow::{Result, bail};

@@ -1,6 +1,7 @@
-//! The check of the shipped wasm's size against the committed limit.
+//! The check of the sizes of the shipped wasms against the committed limits.
 
 use crate::files;
+use crate::wasms::WASMS;
 use crate::workspace::Workspace;
 use anyhow::{Context, Result, bail};
 use flate2::Compression;
@@ -15,16 +16,18 @@ struct FileSize {
     gzip: usize,
 }
 
-/// Compares the wasm in `dist/` with the committed limit and prints both.
+/// Compares the wasms in `dist/` with the committed limits and prints both.
 pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let file = "crates/lsystem-wasm/size-limit.txt";
     let limits = files::read_text(&workspace.root.join(file))?;
-    let name = "lsystem.wasm";
-    let size = measure(&files::read(&workspace.dist().join(name))?)?;
-    let limit = read(&limits, name).with_context(|| format!("in {file}"))?;
-    println!("{name}: {size}; limit {limit}");
-    if size.raw > limit.raw || size.gzip > limit.gzip {
-        bail!("{name} is larger than its limit: make it smaller, or raise the limit in {file} and give the reason");
+    for wasm in &WASMS {
+        let name = wasm.file;
+        let size = measure(&files::read(&workspace.dist().join(name))?)?;
+        let limit = read(&limits, name).with_context(|| format!("in {file}"))?;
+        println!("{name}: {size}; limit {limit}");
+        if size.raw > limit.raw || size.gzip > limit.gzip {
+            bail!("{name} is larger than its limit: make it smaller, or raise the limit in {file} and give the reason");
+        }
     }
     Ok(())
 }

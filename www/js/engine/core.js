@@ -3,7 +3,8 @@
  * server that answers 200, is fetched again.
  */
 
-import { WASM, WORKER, responseOf, scriptAddress } from '../files.js';
+import { WASM, WORKER, scriptAddress } from '../files.js';
+import { compile } from '../wasm.js';
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
@@ -13,7 +14,7 @@ let failed = false;
 /** @returns {Promise<WebAssembly.Module>} */
 export function core() {
     if (!compiled) {
-        compiled = compile();
+        compiled = compile(WASM, failed);
         compiled.catch(forgetCore);
     }
     return compiled;
@@ -23,17 +24,6 @@ export function core() {
 export function forgetCore() {
     compiled = null;
     failed = true;
-}
-
-/** Compiles while downloading, if the server sends the right content type. */
-async function compile() {
-    const response = await responseOf(WASM, failed);
-    const streams = response.headers.get('content-type') === 'application/wasm';
-    try {
-        return await (streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
-    } catch (error) {
-        throw new Error(`${WASM} is not what the server sent (${error instanceof Error ? error.message : error})`);
-    }
 }
 
 /** @typedef {import('../protocol.js').Channel<import('../protocol.js').ToWorker, import('../protocol.js').FromWorker> & Pick<Worker, 'terminate' | 'onerror'>} Hired */

@@ -122,9 +122,6 @@ export function asking(ask) {
         /** @param {Blob} file */
         read: (file) => ask('read', { file }),
 
-        /** @param {string} text */
-        import: async (text) => (await ask('import', { text })).imported,
-
         /** @param {import('../protocol.js').Format} format */
         export: (format) => ask('export', { format }),
 

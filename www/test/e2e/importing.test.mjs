@@ -76,6 +76,16 @@ test('a whole system pasted into the rules is offered, and may stay a text', () 
         assert.ok(!(await page.isVisible('#import')));
     }));
 
+test('readers that do not load are told, and loaded with the next text', () =>
+    withPage({ expected: /import\.wasm|Failed to load/ }, async (page) => {
+        await page.route(/import\.wasm$/, (route) => route.abort());
+        await paste(page, '#drawing', PROSE);
+        await until(async () => /did not load/.test(await text(page, '#toast')), 'the reason');
+        await page.unroute(/import\.wasm$/);
+        await paste(page, '#drawing', PROSE);
+        await page.waitForSelector('#import[open]');
+    }));
+
 test('a file of many systems is a list of pictures, and says what cannot be opened', () =>
     withPage({}, async (page) => {
         await page.setInputFiles('#file', { name: 'old.l', mimeType: 'text/plain', buffer: Buffer.from(FRACTINT) });

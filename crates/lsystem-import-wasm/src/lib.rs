@@ -1,0 +1,53 @@
+//! The readers of other notations for JavaScript. The page loads this wasm when text is pasted, dropped or opened.
+
+use lsystem_files::Remark;
+use lsystem_syntax::Definition;
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// Systems in the notation of another program or of a paper.
+#[derive(Serialize)]
+struct ImportReport {
+    notation: &'static str,
+    entries: Vec<ImportEntry>,
+}
+
+/// One of these systems.
+#[derive(Serialize)]
+struct ImportEntry {
+    name: String,
+    /// Null if the system cannot be opened.
+    definition: Option<Definition>,
+    remarks: Vec<ImportRemark>,
+}
+
+/// What was not carried over, by line of the text, 1-based.
+#[derive(Serialize)]
+struct ImportRemark {
+    line: usize,
+    text: String,
+    message: String,
+}
+
+/// Reads systems in the notation of another program or of a paper: `{notation, entries: [{name, definition, remarks:
+/// [{line, text, message}]}]}`; null if no notation is recognised.
+///
+/// # Errors
+/// Throws only if the result cannot be translated.
+#[wasm_bindgen(js_name = importSystems)]
+pub fn import_systems(text: &str) -> Result<JsValue, JsValue> {
+    let report = lsystem_files::import(text).map(|imported| ImportReport {
+        notation: imported.notation,
+        entries: (imported.entries.into_iter())
+            .map(|entry| ImportEntry {
+                name: entry.name,
+                definition: entry.definition,
+                remarks: (entry.remarks.into_iter())
+                    .map(|Remark { line, text, message, .. }| ImportRemark { line, text, message })
+                    .collect(),
+            })
+            .collect(),
+    });
+    let plain = serde_wasm_bindgen::Serializer::json_compatible();
+    report.serialize(&plain).map_err(JsValue::from)
+}

@@ -1,0 +1,59 @@
+//! The wasms of the site: each has a crate, generated JavaScript, and a worker that runs it.
+
+use crate::esbuild::Esbuild;
+use crate::workspace::{Workspace, run};
+use crate::{bindgen, files, tools};
+use anyhow::Result;
+use std::fs;
+use std::path::Path;
+
+/// A wasm of the site.
+pub(crate) struct Wasm {
+    /// The crate with its boundary.
+    pub(crate) package: &'static str,
+    /// The name of the wasm on the site.
+    pub(crate) file: &'static str,
+    /// The name of its worker's script on the site.
+    pub(crate) script: &'static str,
+    /// The worker's first module, in `www`.
+    worker: &'static str,
+}
+
+/// All wasms: the core, and the tools that few visits need.
+pub(crate) const WASMS: [Wasm; 2] = [
+    Wasm { package: "lsystem-wasm", file: "lsystem.wasm", script: "worker.js", worker: "worker/worker.js" },
+    Wasm { package: "lsystem-import-wasm", file: "import.wasm", script: "import.js", worker: "worker/import.js" },
+];
+
+impl Wasm {
+    /// The name of the crate's library and of its generated files.
+    fn library(&self) -> String {
+        self.package.replace('-', "_")
+    }
+
+    /// The worker as one classic script, which works in sandboxed frames and from files. Module workers and imports
+    /// fail there.
+    fn write(&self, esbuild: &Esbuild, generated: &Path, site: &Path) -> Result<()> {
+        let library = self.library();
+        fs::copy(generated.join(format!("{library}_bg.wasm")), site.join(self.file))?;
+        let glue = files::read_text(&generated.join(format!("{library}.js")))?;
+        files::write(&site.join(self.script), esbuild.minified("glue.js", &glue)? + &esbuild.script(self.worker)?)
+    }
+}
+
+/// Compiles the boundary crates, generates their JavaScript, and puts wasms and workers into the folder of the site.
+pub(crate) fn write(workspace: &Workspace, esbuild: &Esbuild, site: &Path) -> Result<()> {
+    tools::wasm_target()?;
+    let target = tools::WASM_TARGET;
+    // The page's type check reads the generated types here: www/tsconfig.worker.json.
+    let generated = workspace.root.join("target/wasm-bindgen");
+    let packages = WASMS.iter().flat_map(|wasm| ["--package", wasm.package]);
+    run(&mut workspace.cargo(["build", "--profile=wasm", "--lib", "--target", target].into_iter().chain(packages)))?;
+    for wasm in &WASMS {
+        let library = wasm.library();
+        let compiled = workspace.target.join(target).join("wasm").join(format!("{library}.wasm"));
+        bindgen::generate(&compiled, &generated, &library)?;
+        wasm.write(esbuild, &generated, site)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,18 @@
+/** Compiling the site's wasms. */
+
+import { responseOf } from './files.js';
+
+/**
+ * Compiles while downloading, if the server sends the right content type.
+ * @param {string} name
+ * @param {boolean} anew whether to bypass the browser's cache
+ */
+export async function compile(name, anew) {
+    const response = await responseOf(name, anew);
+    const streams = response.headers.get('content-type') === 'application/wasm';
+    try {
+        return await (streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
+    } catch (error) {
+        throw new Error(`${name} is not what the server sent (${error instanceof Error ? error.message : error})`);
+    }
+}

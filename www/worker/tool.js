@@ -1,0 +1,59 @@
+/**
+ * A tool's worker: starts its wasm and answers the page's calls (js/tool.js). A long call is a generator: the worker
+ * returns to its event loop after every step, and sends what the step yields to the page.
+ */
+
+/** @typedef {import('../js/protocol.js').ToTool} ToTool */
+/** @typedef {import('../js/protocol.js').FromTool} FromTool */
+
+/** The tool's page. @type {import('../js/protocol.js').Channel<FromTool, ToTool>} */
+const page = self;
+
+/**
+ * @param {(module: WebAssembly.Module) => void} start starts the wasm
+ * @param {Record<string, (asked: any) => any>} calls the answers to calls, by name; an answer may be a generator, whose result is the answer
+ */
+export function serve(start, calls) {
+    /** Long calls that were not cancelled. @type {Set<number>} */
+    const running = new Set();
+    let dead = false;
+
+    page.onmessage = ({ data }) => {
+        if (dead) return;
+        if (data.type === 'ping') page.postMessage({ type: 'pong' });
+        else if (data.type === 'cancel') running.delete(data.id);
+        else if (data.type === 'init') guard(0, () => start(data.wasm));
+        else guard(data.id, () => answer(data.id, calls[data.call]?.(data.asked)));
+    };
+
+    /** @param {number} id @param {any} value */
+    function answer(id, value) {
+        if (typeof value?.next !== 'function') return page.postMessage({ type: 'answer', id, value });
+        running.add(id);
+        step(id, value);
+    }
+
+    /** @param {number} id @param {Generator} steps */
+    function step(id, steps) {
+        if (!running.has(id)) return void steps.return(undefined);
+        const { done, value } = steps.next();
+        if (done) {
+            running.delete(id);
+            return page.postMessage({ type: 'answer', id, value });
+        }
+        if (value !== undefined) page.postMessage({ type: 'progress', id, value });
+        setTimeout(() => guard(id, () => step(id, steps)));
+    }
+
+    /** After a trap the instance may be in an invalid state: the page starts a fresh worker. @param {number} id @param {() => void} action */
+    function guard(id, action) {
+        if (dead) return;
+        try {
+            action();
+        } catch (error) {
+            running.delete(id);
+            dead = error instanceof WebAssembly.RuntimeError || error instanceof RangeError || id === 0;
+            page.postMessage({ type: dead ? 'fatal' : 'refused', id, reason: error instanceof Error ? error.message : error });
+        }
+    }
+}
