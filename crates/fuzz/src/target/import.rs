@@ -12,7 +12,7 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
     assert_eq!(found, again, "the same text gives the same systems");
     let Some(imported) = found else { return };
     assert!(!imported.entries.is_empty());
-    gauge.reach("recognised");
+    gauge.reach(imported.notation);
     let lines = text.matches(['\n', '\r']).count() + 1;
     for entry in &imported.entries {
         let refused = entry.remarks.iter().any(|remark| remark.refused);

@@ -14,6 +14,11 @@ const ANGLE: &[&str] = &["angle", "δ", "delta", "θ", "theta", "turning angle"]
 const ITERATIONS: &[&str] =
     &["iterations", "generations", "derivation length", "depth", "order", "recursion", "n", "steps", "level", "levels"];
 
+/// A text with more arrows is no description of a system.
+const MOST_RULES: usize = 1000;
+/// The most bytes of a rule before its arrow.
+const LONGEST_START: usize = 1000;
+
 /// Reads one system: an axiom, and at least one rule with an arrow.
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     // Objects and markup have readers of their own.
@@ -112,9 +117,13 @@ fn caption(text: &str, first: usize, has_angle: bool) -> Option<String> {
 /// The rules: the place of the arrow, the predecessor and the successor.
 fn rules(text: &str) -> Vec<(usize, String, String)> {
     let mut rules = Vec::new();
-    let arrows: Vec<usize> = text.match_indices('→').map(|(at, _)| at).collect();
+    let arrows: Vec<usize> = text.match_indices('→').map(|(at, _)| at).take(MOST_RULES + 1).collect();
+    if arrows.len() > MOST_RULES {
+        return rules;
+    }
     for (index, &at) in arrows.iter().enumerate() {
-        let before = &text[..at];
+        // Equally long for every rule, so that the work stays in proportion to the text.
+        let before = &text[text.ceil_char_boundary(at.saturating_sub(LONGEST_START))..at];
         let line = before.rsplit('\n').next().unwrap_or("");
         // The predecessor follows a label, a bracket or a separator.
         let parts = line.rsplit([',', ';', ' ', ':', '{']).filter(|part| !part.trim().is_empty());

@@ -84,11 +84,8 @@ impl<'a> Scanner<'a> {
     }
 
     fn eat(&mut self, ch: char) -> bool {
-        let found = self.peek() == Some(ch);
-        if found {
-            self.bump();
-        }
-        found
+        // False without allowed work, so that no loop waits for the end of a list.
+        self.peek() == Some(ch) && self.bump().is_some()
     }
 
     /// Skips white space and comments.

@@ -2,6 +2,9 @@
 
 use lsystem_syntax::{decimal, look_alike};
 
+/// Ends a line of a formula. The text itself has no `\r`, so that [`line_of`](super::plain::line_of) knows it.
+const FORMULA_LINE_END: &str = "\r\n";
+
 /// Text in which typographic look-alikes, LaTeX's commands and markup are replaced. Places in the text change, lines do
 /// not.
 pub(super) fn plain(text: &str) -> String {
@@ -30,7 +33,8 @@ pub(super) fn plain(text: &str) -> String {
         ("\\text", ""),
         ("\\mathrm", ""),
         ("\\texttt", ""),
-        ("\\\\", "\n"),
+        // The end of a line in a formula, not in the text.
+        ("\\\\", FORMULA_LINE_END),
         ("\\,", " "),
         ("\\;", " "),
         ("$", ""),
