@@ -26,7 +26,7 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
 }
 
 /// A system in each notation.
-const WHOLE: [&str; 12] = [
+const WHOLE: [&str; 13] = [
     "Koch {\n  Angle 6 ; six\n  Axiom F--F--F\n  F=F+F--F+F\n  X=@.5C1\\30D/30[!|M]\n}\n",
     "new LSystem({axiom: 'F++F', productions: {'F': 'F-F', 'A<B>C': [{weight: 2, successor: 'X'}]}})",
     "{axiom: \"A\", rules: [[\"A\", \"B-F\"], {in: 'F', out: 'FF'}], alpha: 0, theta: Math.PI / 3, iterations: 3}",
@@ -36,6 +36,7 @@ const WHOLE: [&str; 12] = [
     "n=5, δ=25.7°\nF\nF→F[+F]F[-F]F",
     "\\pgfdeclarelindenmayersystem{K}{\\rule{F -> F-F}\\symbol{G}{\\pgflsystemdrawforward}}\\draw[l-system={K, axiom=F, order=3}]",
     "lsystem: 1\n#define r 0.9\nderivation length: 3\naxiom: Ab(1)\nAb(s) : s > 0 --> F(s)[+Ab(s*r)]\nhomomorphism\nAb(s) --> @o(1)\n",
+    "lsystem: 1\nderivation length: 3\naxiom: A(1)\nA(x) : {y=x+1; z=y*y;} y<3 {w=z;} --> B(w)A(y)\ndecomposition\nmaximum depth: 9\nB(x) : x < 2 --> F(x)[B(x+x)]\nB(x) --> *\n",
     "Axiom: A\nderivation length: 2\nproduction:\nA --> F[+A]\n",
     "Premise: A(0)\nRule 1: A(i):i<=3=FA(i+1)\nAngle: 30\n",
     "#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&do=F%3A%20draw",

@@ -11,9 +11,11 @@
 //! endlsystem
 //! ```
 //!
-//! The rules are nearly in our notation. Names of several letters become single symbols. Decompositions, blocks of code,
-//! includes, and symbols that need other files are refused. The angle stands in another file.
+//! The rules are nearly in our notation. Names of several letters become single symbols. Decompositions are written into
+//! the successors, and the values of local assignments in place of their names. Other blocks of code, includes, and symbols that need other files are refused. The angle stands in another file.
 
+use super::assignments::inlined;
+use super::decomposition::Decomposition;
 use super::draft::{Draft, FreeSymbols};
 use lsystem_syntax::{Diagnostic, parse};
 use std::collections::{BTreeMap, BTreeSet};
@@ -120,8 +122,20 @@ struct Parts {
     headings: Vec<String>,
     rules: Vec<Line>,
     images: Vec<Line>,
+    /// The line of the keyword, and the decompositions below it.
+    decomposed: Option<usize>,
+    decompositions: Vec<Line>,
+    decomposition_depth: Option<String>,
     length: Option<(usize, String)>,
     depth: Option<String>,
+}
+
+/// The section of a file whose rules are being read.
+#[derive(Clone, Copy, PartialEq)]
+enum Section {
+    Productions,
+    Decompositions,
+    Images,
 }
 
 fn system(text: &str, kind: Kind) -> Draft {
@@ -129,7 +143,8 @@ fn system(text: &str, kind: Kind) -> Draft {
     draft.definition.step = 1.0;
     let mut parts = Parts::default();
     let mut macros: BTreeMap<String, String> = BTreeMap::new();
-    let (mut below, mut ended) = (false, false);
+    let mut section = Section::Productions;
+    let mut ended = false;
     for (at, line) in statements(text, kind) {
         if ended {
             break;
@@ -143,10 +158,16 @@ fn system(text: &str, kind: Kind) -> Draft {
                     Ok(seed) => draft.definition.seed = seed,
                     Err(_) => draft.note(at, &line, "The seed is not read"),
                 },
-                "homomorphism" | "interpretation" => below = true,
-                "production" => below = false,
+                "homomorphism" | "interpretation" => section = Section::Images,
+                "production" => section = Section::Productions,
+                "decomposition" => {
+                    section = Section::Decompositions;
+                    parts.decomposed = Some(at);
+                }
+                "maximum depth" if section == Section::Decompositions => {
+                    parts.decomposition_depth = Some(rest.to_owned());
+                }
                 "maximum depth" => parts.depth = Some(rest.to_owned()),
-                "decomposition" => draft.refuse(at, &line, "Decomposition rules are not possible"),
                 "start" | "end" | "starteach" | "endeach" => draft.refuse(at, &line, "Code is not run"),
                 "group" => draft.refuse(at, &line, "Groups of productions are not possible"),
                 "endlsystem" => ended = true,
@@ -159,10 +180,18 @@ fn system(text: &str, kind: Kind) -> Draft {
             continue;
         }
         if let Some(arrow) = line.find("-->") {
+            let mut line = line;
             if line[..arrow].contains('{') {
-                draft.refuse(at, &line, "Blocks of code in a production are not possible");
+                match inlined(&line) {
+                    Some(own) if kind == Kind::Cpfg => line = own,
+                    _ => draft.refuse(at, &line, "Of the code in a production, only assignments are read"),
+                }
             }
-            let list = if below { &mut parts.images } else { &mut parts.rules };
+            let list = match section {
+                Section::Productions => &mut parts.rules,
+                Section::Decompositions => &mut parts.decompositions,
+                Section::Images => &mut parts.images,
+            };
             list.push((at, line));
             continue;
         }
@@ -171,7 +200,7 @@ fn system(text: &str, kind: Kind) -> Draft {
     if parts.axiom.1.is_empty() {
         draft.refuse(1, "", "There is no axiom");
     }
-    let size = parts.rules.iter().chain(&parts.images).map(|(_, rule)| rule.len()).sum::<usize>() + parts.axiom.1.len();
+    let size = parts.rules.iter().chain(&parts.images).chain(&parts.decompositions).map(|(_, rule)| rule.len()).sum::<usize>() + parts.axiom.1.len();
     if size > 200_000 || parts.constants.len() > 1000 {
         draft.refuse(1, "", "The rules are too long");
     }
@@ -242,7 +271,7 @@ fn other(at: usize, line: &str, kind: Kind, parts: &mut Parts, draft: &mut Draft
 
 fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft: &mut Draft) {
     let mut free = FreeSymbols::default();
-    let all = [&parts.rules[..], &parts.images].concat();
+    let all = [&parts.rules[..], &parts.decompositions, &parts.images].concat();
     free.add_used(&parts.axiom.1);
     all.iter().for_each(|(_, rule)| free.add_used(rule));
     parts.constants.iter().for_each(|(name, _)| free.add_used(name));
@@ -264,7 +293,10 @@ fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft
     };
     let rules: Vec<String> = parts.rules.iter().map(|line| rule(line, draft)).collect();
     let images: Vec<String> = parts.images.iter().map(|line| rule(line, draft)).collect();
-    let text = format!("{}\n{}\n{}", draft.definition.axiom, rules.join("\n"), images.join("\n"));
+    let decompositions: Vec<String> = parts.decompositions.iter().map(|line| rule(line, draft)).collect();
+    let mut text = vec![draft.definition.axiom.clone()];
+    text.extend([&rules[..], &images, &decompositions].concat());
+    let text = text.join("\n");
     let used = identifiers(&text);
     let mut lines: Vec<String> = Vec::new();
     let mut needed = used;
@@ -276,6 +308,7 @@ fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft
         }
     }
     lines.extend(constants.iter().rev().map(|(name, value)| format!("{name} = {value}")));
+    let decompositions = [&lines[..], &decompositions].concat().join("\n");
     lines.extend(parts.headings.iter().cloned());
     lines.extend(rules);
     if !images.is_empty() {
@@ -283,6 +316,9 @@ fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft
         lines.extend(images);
     }
     draft.definition.rules = lines.join("\n");
+    if let Some(at) = parts.decomposed {
+        decompose(parts, at, &decompositions, draft);
+    }
     length(parts, macros, draft);
     let (grammar, _) = parse(&draft.definition.axiom, &draft.definition.rules);
     let imaged: BTreeSet<char> = grammar.images.iter().map(|image| image.predecessor.symbol).collect();
@@ -306,6 +342,24 @@ fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft
             };
             draft.note(1, "", why);
         }
+    }
+}
+
+/// Writes the decompositions, whose keyword stands in this line, into the axiom and the successors.
+fn decompose(parts: &Parts, at: usize, decompositions: &str, draft: &mut Draft) {
+    let (mut grammar, wrong) = parse(&draft.definition.axiom, &draft.definition.rules);
+    let (own, own_wrong) = parse("", decompositions);
+    if wrong.iter().chain(&own_wrong).any(Diagnostic::is_error) {
+        return draft.refuse(at, "decomposition", "A decomposition or a production cannot be read");
+    }
+    let depth = match &parts.decomposition_depth {
+        None => Some(1),
+        Some(text) => text.trim().parse().ok(),
+    };
+    let Some(depth) = depth else { return draft.refuse(at, "decomposition", "The maximum depth cannot be read") };
+    match Decomposition::new(&own, depth).and_then(|decomposition| decomposition.apply(&mut grammar)) {
+        Ok(()) => draft.grammar(&grammar),
+        Err(why) => draft.refuse(at, "decomposition", why),
     }
 }
 
@@ -486,11 +540,9 @@ mod tests {
         check(
             "lsystem: 1\naxiom: A\n#include \"x.h\"\nA : {x = 1;} x > 0 --> B\ndecomposition\n",
             expect![[r##"
-            cpfg
-            []
-            refused 3 "#include \"x.h\"": Of the preprocessor, only #define is read
-            refused 4 "A : {x = 1;} x > 0 --> B": Blocks of code in a production are not possible
-            refused 5 "decomposition": Decomposition rules are not possible"##]],
+                cpfg
+                []
+                refused 3 "#include \"x.h\"": Of the preprocessor, only #define is read"##]],
         );
         check(
             "lsystem: 1\nderivation length: 2\naxiom: A\nA --> @M(1)~l?P(x)F\nF(a) --> F\n",

@@ -9,7 +9,9 @@
 //! bytes. `docs/imports.md` lists what each reader reads, notes and refuses.
 
 mod anvaka;
+mod assignments;
 mod cpfg;
+mod decomposition;
 mod draft;
 mod fractint;
 mod houdini;

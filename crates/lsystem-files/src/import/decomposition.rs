@@ -1,0 +1,150 @@
+//! The decompositions of cpfg: productions that replace the modules of the axiom and of every successor at once, until
+//! none applies. Where that ends, they are written into the axiom and the successors.
+
+use core::cell::Cell;
+use lsystem_syntax::grammar::Values;
+use lsystem_syntax::{Expr, Function, Grammar, Module, Production};
+
+/// Decompositions, with the constants of the system.
+pub(super) struct Decomposition<'a> {
+    rules: &'a [Production],
+    constants: Values<'a>,
+    /// The most replacements inside one another.
+    depth: usize,
+    /// How many parts of expressions may still be written.
+    parts: Cell<usize>,
+}
+
+/// The most modules of a word, and of all words that are replaced on the way.
+const MOST_MODULES: usize = 20_000;
+const TOO_LONG: &str = "A decomposition into so many modules is not possible";
+/// The most numbers, names, operators and calls in all arguments and conditions that are written.
+const MOST_PARTS: usize = 400_000;
+
+impl<'a> Decomposition<'a> {
+    /// The productions of `grammar` as decompositions.
+    pub(super) fn new(grammar: &'a Grammar, depth: usize) -> Result<Self, &'static str> {
+        let rules = &*grammar.productions;
+        if rules.iter().any(|rule| !rule.left.is_empty() || !rule.right.is_empty() || rule.weight.is_some()) {
+            return Err("A decomposition with a context or a probability is not possible");
+        }
+        Ok(Self { rules, constants: grammar.values(), depth, parts: Cell::new(MOST_PARTS) })
+    }
+
+    /// Writes the decompositions into the axiom and the successors.
+    pub(super) fn apply(&self, grammar: &mut Grammar) -> Result<(), &'static str> {
+        grammar.axiom = self.word(&grammar.axiom)?;
+        for production in &mut grammar.productions {
+            production.successor = self.word(&production.successor)?;
+        }
+        Ok(())
+    }
+
+    /// A word in which no decomposition applies.
+    fn word(&self, word: &[Module]) -> Result<Vec<Module>, &'static str> {
+        let mut made = Vec::new();
+        // The modules still to come, the next one last, with the number of replacements that made them.
+        let mut rest: Vec<(Module, usize)> = word.iter().rev().map(|module| (module.clone(), 0)).collect();
+        let mut work = 0;
+        while let Some((module, depth)) = rest.pop() {
+            work += 1;
+            if work + rest.len() > MOST_MODULES || self.parts.get() == 0 {
+                return Err(TOO_LONG);
+            }
+            let rule = self.matching(&module)?;
+            let Some(rule) = rule else {
+                made.push(module);
+                continue;
+            };
+            if depth >= self.depth {
+                return Err("The decomposition does not end within its maximum depth");
+            }
+            // Used several times, an argument would be a different random number each time.
+            if module.arguments.iter().any(is_random) {
+                return Err("A decomposition of random arguments is not possible");
+            }
+            for next in rule.successor.iter().rev() {
+                let arguments = next.arguments.iter().map(|own| self.replaced(own, rule, &module)).collect();
+                rest.push((Module { symbol: next.symbol, arguments }, depth + 1));
+            }
+        }
+        if self.parts.get() == 0 { Err(TOO_LONG) } else { Ok(made) }
+    }
+
+    /// The first decomposition that applies to a module.
+    fn matching(&self, module: &Module) -> Result<Option<&Production>, &'static str> {
+        for rule in self.rules {
+            let own = &rule.predecessor;
+            if own.symbol != module.symbol || own.parameters.len() != module.arguments.len() {
+                continue;
+            }
+            let Some(condition) = &rule.condition else { return Ok(Some(rule)) };
+            match self.constants.value(&self.replaced(condition, rule, module)) {
+                Some(value) if value != 0.0 && !value.is_nan() => return Ok(Some(rule)),
+                Some(_) => {}
+                None => return Err("Whether this decomposition applies depends on parameters, which is not possible"),
+            }
+        }
+        Ok(None)
+    }
+
+    /// An expression of a decomposition with the module's arguments in place of parameters. Constants become numbers,
+    /// because a parameter of the surrounding production may have the same name.
+    fn replaced(&self, expr: &Expr, rule: &Production, module: &Module) -> Expr {
+        if !self.may_write(1) {
+            return Expr::Number(0.0);
+        }
+        let inner = |expr: &Expr| self.replaced(expr, rule, module);
+        let replaced = match expr {
+            Expr::Number(_) => expr.clone(),
+            Expr::Name(name) => {
+                let parameter = rule.predecessor.parameters.iter().position(|own| own == name);
+                match (parameter, self.constants.of(name)) {
+                    (Some(at), _) if self.may_write(size(&module.arguments[at])) => module.arguments[at].clone(),
+                    (Some(_), _) => Expr::Number(0.0),
+                    (None, Some(value)) => Expr::Number(value),
+                    (None, None) => expr.clone(),
+                }
+            }
+            Expr::Negative(of) => Expr::Negative(Box::new(inner(of))),
+            Expr::Not(of) => Expr::Not(Box::new(inner(of))),
+            Expr::Binary(operator, a, b) => Expr::Binary(*operator, Box::new(inner(a)), Box::new(inner(b))),
+            Expr::Call(function, arguments) => Expr::Call(*function, arguments.iter().map(inner).collect()),
+        };
+        // Computed at once, so that expressions do not grow with the depth.
+        match self.constants.value(&replaced) {
+            Some(value) if value.is_finite() => Expr::Number(value),
+            _ => replaced,
+        }
+    }
+}
+
+impl Decomposition<'_> {
+    /// Whether so many more parts of expressions may be written; counts them.
+    fn may_write(&self, parts: usize) -> bool {
+        self.parts.set(self.parts.get().saturating_sub(parts));
+        self.parts.get() > 0
+    }
+}
+
+/// The number of parts of an expression.
+fn size(expr: &Expr) -> usize {
+    1 + match expr {
+        Expr::Number(_) | Expr::Name(_) => 0,
+        Expr::Negative(of) | Expr::Not(of) => size(of),
+        Expr::Binary(_, a, b) => size(a) + size(b),
+        Expr::Call(_, arguments) => arguments.iter().map(size).sum(),
+    }
+}
+
+/// Whether an expression has random numbers.
+fn is_random(expr: &Expr) -> bool {
+    match expr {
+        Expr::Number(_) | Expr::Name(_) => false,
+        Expr::Negative(of) | Expr::Not(of) => is_random(of),
+        Expr::Binary(_, a, b) => is_random(a) || is_random(b),
+        Expr::Call(function, arguments) => {
+            matches!(function, Function::Random | Function::NormalRandom) || arguments.iter().any(is_random)
+        }
+    }
+}
