@@ -4,7 +4,7 @@ use crate::input::{bytes_of, remark_line};
 use crate::pending::Pending;
 use crate::{CommandFailure, print, say};
 use lsystem::files::{Entry, FileContent, Imported, Remark, import_file};
-use lsystem::syntax::visible;
+use lsystem::syntax::{MAX_TEXT, visible};
 use lsystem::{Definition, System, read_file, write_json};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -57,18 +57,14 @@ fn listed(path: &Path, depth: usize) -> Vec<PathBuf> {
 fn import_one(file: &Path, to: &Path, taken: &mut BTreeSet<String>, totals: &mut Totals) {
     let name = file.display().to_string();
     totals.files += 1;
-    let entries = match bytes_of(file) {
-        Ok(bytes) => entries_of(&bytes),
-        Err(error) => {
-            say(&format!("{}\n", visible(&format!("error: {name}: {error}"))));
+    let entries = match bytes_of(file).map_err(|error| error.to_string()).and_then(|bytes| entries_of(&bytes)) {
+        Ok(entries) => entries,
+        Err(words) => {
+            say(&format!("{}\n", visible(&format!("error: {name}: {words}"))));
             totals.failed_files += 1;
             return;
         }
     };
-    if entries.is_empty() {
-        say(&format!("{}\n", visible(&format!("error: {name}: no L-system in a known notation"))));
-        totals.failed_files += 1;
-    }
     for entry in entries {
         let title = if entry.name.is_empty() { String::new() } else { format!(" ({})", entry.name) };
         for remark in &entry.remarks {
@@ -93,21 +89,27 @@ fn import_one(file: &Path, to: &Path, taken: &mut BTreeSet<String>, totals: &mut
     }
 }
 
-/// The systems in a file of any notation.
-fn entries_of(bytes: &[u8]) -> Vec<Entry> {
+/// The systems in a file of any notation, or the reason why there are none.
+fn entries_of(bytes: &[u8]) -> Result<Vec<Entry>, String> {
     if let Some(Imported { entries, .. }) = import_file(bytes) {
-        return entries;
+        return Ok(entries);
     }
-    let FileContent { definition, .. } = read_file(bytes);
-    let compiled = definition.filter(|definition| System::new(definition).0.is_some());
-    compiled
-        .map(|definition| Entry {
+    let FileContent { definition, mut diagnostics, .. } = read_file(bytes);
+    // Other notations begin with a brace too, so only JSON that has parts of a system is told to be wrong.
+    let is_json = definition.is_some() || bytes.windows(9).any(|part| part == b"\"initial\"");
+    if let Some(definition) = &definition {
+        diagnostics.extend(System::new(definition).1);
+    }
+    match (definition, diagnostics.iter().find(|diagnostic| diagnostic.is_error())) {
+        (Some(definition), None) => Ok(vec![Entry {
             name: definition.name.clone(),
             definition: Some(definition),
             remarks: Vec::<Remark>::new(),
-        })
-        .into_iter()
-        .collect()
+        }]),
+        (_, Some(error)) if is_json => Err(error.message()),
+        _ if bytes.len() > MAX_TEXT => Err(format!("longer than {} KiB, which is not read", MAX_TEXT >> 10)),
+        _ => Err("no L-system in a known notation".to_owned()),
+    }
 }
 
 fn write(definition: &Definition, path: &Path) -> Result<(), String> {

@@ -75,4 +75,10 @@ fn folders_are_converted() {
     }
     assert_eq!(lsys(path, "import in/deep/b.txt --to out").0, Some(0));
     assert_eq!(lsys(path, "import missing.l --to out").0, Some(1));
+    std::fs::write(path.join("broken.json"), r#"{"initial": "F", "rules": {"F" "FF"}}"#).expect("written");
+    std::fs::write(path.join("huge.l"), "Koch {\n Angle 6\n Axiom F\n F=F+F\n}\n".repeat(40_000)).expect("written");
+    let (_, out, error) = lsys(path, "import broken.json huge.l in/a.l --to out");
+    assert!(error.contains("broken.json: A colon is missing"), "{error}");
+    assert!(error.contains("huge.l: longer than 1024 KiB"), "{error}");
+    assert!(out.starts_with("3 files read, 2 without a system; 1 converted"), "{out}");
 }

@@ -200,7 +200,9 @@ fn system(text: &str, kind: Kind) -> Draft {
     if parts.axiom.1.is_empty() {
         draft.refuse(1, "", "There is no axiom");
     }
-    let size = parts.rules.iter().chain(&parts.images).chain(&parts.decompositions).map(|(_, rule)| rule.len()).sum::<usize>() + parts.axiom.1.len();
+    let size =
+        parts.rules.iter().chain(&parts.images).chain(&parts.decompositions).map(|(_, rule)| rule.len()).sum::<usize>()
+            + parts.axiom.1.len();
     if size > 200_000 || parts.constants.len() > 1000 {
         draft.refuse(1, "", "The rules are too long");
     }
