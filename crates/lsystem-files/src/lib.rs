@@ -13,6 +13,7 @@ mod number;
 mod obj;
 pub mod packed;
 mod png;
+mod segments;
 mod svg;
 mod xml;
 
@@ -26,4 +27,5 @@ pub use json_write::write_json;
 pub use link::{Link, LinkProblem, read_link};
 pub use obj::{ObjWriter, write_obj};
 pub use png::tag_png;
+pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use svg::{Svg, SvgForm, SvgOptions, SvgWriter, write_svg};
