@@ -13,7 +13,7 @@ use lsystem_files::read_segments;
 use lsystem_syntax::{Definition, Diagnostic};
 
 /// The most bytes of an output that is read.
-const MAX_OUTPUT: usize = 64 << 20;
+pub const MAX_OUTPUT: usize = 64 << 20;
 /// The most segments of an output, and of a generation that is compared with segments.
 const MAX_SEGMENTS: usize = 1_000_000;
 /// Generations up to this many steps away are compared, too.

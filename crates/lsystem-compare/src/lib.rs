@@ -2,4 +2,4 @@
 
 mod check;
 
-pub use check::{Check, Output, SymbolDifference, Verdict, check};
+pub use check::{Check, MAX_OUTPUT, Output, SymbolDifference, Verdict, check};

@@ -90,11 +90,16 @@ fn compare(expected: &[Segment], found: &[Segment], rounding: f64) -> Option<Ver
     if is_same_set(expected, found, rounding) {
         return Some(Verdict::Reordered);
     }
-    let turns = [false, true].into_iter().flat_map(|is_mirrored| (0..4).map(move |quarters| (quarters, is_mirrored)));
-    turns.skip(1).find_map(|(quarters, is_mirrored)| {
-        let turned: Vec<Segment> = expected.iter().map(|&segment| turn(segment, quarters, is_mirrored)).collect();
-        let is_equal = is_same(&turned, found, rounding).is_ok() || is_same_set(&turned, found, rounding);
-        is_equal.then_some(Verdict::Placed { degrees: 90 * quarters, is_mirrored })
+    // The same order tells more than the same set: a mirrored corner is a turned corner in another order.
+    let tests: [fn(&[Segment], &[Segment], f64) -> bool; 2] = [|a, b, r| is_same(a, b, r).is_ok(), is_same_set];
+    tests.into_iter().find_map(|test| {
+        let turns =
+            [false, true].into_iter().flat_map(|is_mirrored| (0..4).map(move |quarters| (quarters, is_mirrored)));
+        turns.skip(1).find_map(|(quarters, is_mirrored)| {
+            let turned: Vec<Segment> = expected.iter().map(|&segment| turn(segment, quarters, is_mirrored)).collect();
+            let verdict = Verdict::Placed { degrees: 90 * quarters, is_mirrored };
+            test(&turned, found, rounding).then_some(verdict)
+        })
     })
 }
 
