@@ -8,16 +8,21 @@ mod string;
 mod words;
 
 use lsystem_derive::Tally;
-use lsystem_drawing::{System, count_segments, count_symbols};
+use lsystem_drawing::System;
 use lsystem_files::read_segments;
-use lsystem_syntax::{Definition, Diagnostic};
+use lsystem_syntax::{Definition, Diagnostic, Limits, MAX_ITERATIONS};
 
 /// The most bytes of an output that is read.
-pub const MAX_OUTPUT: usize = 64 << 20;
+pub const MAX_OUTPUT: usize = 16 << 20;
 /// The most segments of an output, and of a generation that is compared with segments.
-const MAX_SEGMENTS: usize = 1_000_000;
+const MAX_SEGMENTS: usize = 250_000;
 /// Generations up to this many steps away are compared, too.
 const NEAR: u32 = 20;
+/// The same, where the symbols of a generation cannot be counted without deriving it.
+const NEAR_UNCOUNTED: u32 = 2;
+/// The limits of a generation that is derived or drawn as a whole: what the page can hold beside the output.
+const LIMITS: Limits =
+    Limits { symbols: 16 << 20, modules: 2 << 20, segments: 500_000, work: 16 << 20, memory: 96 << 20 };
 
 /// The result of a comparison.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,8 +117,8 @@ impl Check {
 /// Any other text is compared as a string. White space in it does not count, unless white space is a symbol of the
 /// system.
 ///
-/// The work grows in proportion to the output and the number of iterations. Outputs of more than 64 MiB or a million
-/// segments are not read.
+/// The work grows in proportion to the output and the generation. Outputs of more than 16 MiB or 250,000 segments are
+/// not read, and at most 16 million symbols are derived that are not in the output.
 #[must_use]
 pub fn check(definition: &Definition, output: &str) -> Check {
     let generation = definition.iterations;
@@ -139,18 +144,15 @@ pub fn check(definition: &Definition, output: &str) -> Check {
     }
 }
 
-/// The generations near `n`, nearest first, that may have `count` symbols or segments.
-fn candidates(n: u32, has_count: impl Fn(u32) -> bool) -> impl Iterator<Item = u32> {
-    let near = (1..=NEAR).flat_map(move |step| [n.checked_sub(step), n.checked_add(step)]);
-    near.flatten().filter(|&n| n <= lsystem_syntax::MAX_ITERATIONS).filter(move |&n| has_count(n))
-}
-
-/// Whether generation `n` has this many symbols, as far as that can be counted.
-fn has_symbols(system: &System, n: u32, count: u64) -> bool {
-    count_symbols(system, n).is_none_or(|symbols| symbols == Tally::from(count))
-}
-
-/// Whether generation `n` has this many segments, as far as that can be counted.
-fn has_segments(system: &System, n: u32, count: u64) -> bool {
-    count_segments(system, n).is_none_or(|segments| segments == Tally::from(count))
+/// The generations near `n`, nearest first, that may have `found` symbols or segments. `count` counts those of a
+/// generation, if that is possible.
+fn candidates(n: u32, found: u64, count: impl Fn(u32) -> Option<Tally>) -> impl Iterator<Item = u32> {
+    let near = (1..=NEAR).flat_map(move |step| [n.checked_sub(step), n.checked_add(step)]).flatten();
+    near.filter(move |&other| {
+        other <= MAX_ITERATIONS
+            && match count(other) {
+                Some(count) => count == Tally::from(found),
+                None => other.abs_diff(n) <= NEAR_UNCOUNTED,
+            }
+    })
 }

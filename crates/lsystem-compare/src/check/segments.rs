@@ -1,9 +1,9 @@
 //! Segments, compared up to place and size, within the rounding of the output.
 
-use super::{Check, MAX_SEGMENTS, Output, Verdict, candidates, has_segments};
-use lsystem_drawing::{Drawing, Space, System, draw, draw_solid};
+use super::{Check, LIMITS, MAX_SEGMENTS, Output, Verdict, candidates};
+use lsystem_drawing::{Drawing, Space, System, count_segments, draw, draw_solid};
 use lsystem_files::{SegmentFile, SegmentForm};
-use lsystem_syntax::{Diagnostic, LimitName, Limits};
+use lsystem_syntax::{Diagnostic, LimitName};
 use std::collections::HashMap;
 
 type Segment = [[f64; 3]; 2];
@@ -38,7 +38,7 @@ pub(super) fn check(system: &System, n: u32, file: &SegmentFile) -> Check {
             let segments = segments_of(system, other);
             segments.is_ok_and(|segments| is_same(&segments, &found, file.rounding).is_ok())
         };
-        candidates(n, |other| has_segments(system, other, found.len() as u64))
+        candidates(n, found.len() as u64, |other| count_segments(system, other))
             .find(is_generation)
             .map(Verdict::Generation)
     });
@@ -75,10 +75,9 @@ fn segments_of(system: &System, n: u32) -> Result<Vec<Segment>, Diagnostic> {
         };
         Ok(drawing.segments().map(|segment| [point(segment.from), point(segment.to)]).collect())
     }
-    let limits = Limits::default();
     match system.is_solid() {
-        true => read(&draw_solid(system, n, &limits)?),
-        false => read(&draw(system, n, &limits)?),
+        true => read(&draw_solid(system, n, &LIMITS)?),
+        false => read(&draw(system, n, &LIMITS)?),
     }
 }
 

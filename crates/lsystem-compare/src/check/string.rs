@@ -1,19 +1,17 @@
 //! Strings, compared symbol by symbol.
 
-use super::{Check, Output, SymbolDifference, Verdict, candidates, has_symbols};
+use super::{Check, LIMITS, Output, SymbolDifference, Verdict, candidates};
 use lsystem_derive::Word;
-use lsystem_drawing::{System, expand};
+use lsystem_drawing::{System, count_symbols, expand};
 use lsystem_syntax::{Diagnostic, Grammar, Limits, print_rules};
 use std::borrow::Cow;
 
 /// The symbols of a page of a long string.
 const PAGE: usize = 1 << 16;
-/// The most symbols of a string that is derived as a whole.
-const WHOLE: u64 = 64 << 20;
 /// The symbols told on each side of a difference.
 const NEAR: usize = 24;
 /// The most units of work for applying rules one after another: symbols read and written.
-const MOST_REPLACED: usize = 1 << 28;
+const MOST_REPLACED: usize = 1 << 25;
 
 pub(super) fn check(system: &System, n: u32, output: &str) -> Check {
     let is_plain = system.rules.is_plain();
@@ -25,7 +23,7 @@ pub(super) fn check(system: &System, n: u32, output: &str) -> Check {
     };
     let count = Symbols::new(&found, is_plain).count() as u64;
     let checked = |expected, verdict| Check { output: Output::Text, generation: n, expected, found: count, verdict };
-    let string = match GenerationString::new(system, n, WHOLE) {
+    let string = match GenerationString::new(system, n, LIMITS.symbols) {
         Ok(string) => string,
         Err(limit) => return checked(None, Verdict::Failed(vec![limit])),
     };
@@ -35,7 +33,7 @@ pub(super) fn check(system: &System, n: u32, output: &str) -> Check {
         let string = GenerationString::new(system, other, count.saturating_add(1));
         string.is_ok_and(|string| string.compare(&found, is_plain, system).is_none())
     };
-    if let Some(other) = candidates(n, |other| has_symbols(system, other, count)).find(is_generation) {
+    if let Some(other) = candidates(n, count, |other| count_symbols(system, other)).find(is_generation) {
         return checked(expected, Verdict::Generation(other));
     }
     if one_after_another(system, n, found.len()).is_some_and(|string| string == found) {
@@ -56,7 +54,7 @@ impl<'a> GenerationString<'a> {
     fn new(system: &'a System, n: u32, most: u64) -> Result<Self, Diagnostic> {
         match system.word(n) {
             Some(word) => Ok(Self::Word(word)),
-            None => expand(system, n, &Limits { symbols: most.min(WHOLE), ..Limits::default() }).map(Self::Whole),
+            None => expand(system, n, &Limits { symbols: most.min(LIMITS.symbols), ..LIMITS }).map(Self::Whole),
         }
     }
 
