@@ -18,6 +18,8 @@ pub(crate) enum Command {
     Draw { jobs: Vec<Job>, look: Look, changes: Changes },
     /// Convert files of other programs to JSON files in a folder.
     Import { files: Vec<PathBuf>, to: PathBuf },
+    /// Compare the output of a program with a system.
+    Check { file: PathBuf, output: PathBuf, changes: Changes },
     /// Print facts.
     Info { files: Vec<PathBuf>, json: bool, changes: Changes },
 }
@@ -72,6 +74,10 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             _ => Err(explain("info", "standard input (-) can be read only once".to_owned())),
         },
         Verb::Import { files, to } => Ok(Command::Import { files, to }),
+        Verb::Check { file, output, changes } => match file == output && file.as_os_str() == "-" {
+            false => Ok(Command::Check { file, output, changes }),
+            true => Err(explain("check", "standard input (-) can be read only once".to_owned())),
+        },
         Verb::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut cli, "lsys", &mut script);
@@ -220,6 +226,7 @@ mod tests {
                 format!("draw {}{size}{compact} {}", jobs.join(", "), with(changes))
             }
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
+            Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
             Err(error) => error.split("\n\n").next().unwrap_or_default().to_owned(),
         };
@@ -291,6 +298,7 @@ mod tests {
             &expect![[r#"draw "old.l" to Write("out", [txt, svg]) n None seed None entry Bush"#]],
         );
         check("import a.l folder --to out", &expect![[r#"import ["a.l", "folder"] to "out""#]]);
+        check("check a.json out.txt -n 3", &expect![[r#"check "a.json" "out.txt" n Some(3) seed None"#]]);
         check("help draw", &expect!["print Write or print pictures, meshes, segments and strings"]);
     }
 

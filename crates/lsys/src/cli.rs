@@ -79,6 +79,20 @@ pub(crate) enum Verb {
         #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true)]
         to: PathBuf,
     },
+    /// Compare what a program printed with a system
+    ///
+    /// OUTPUT is the string, an SVG of lines, or a table of segments (x0,y0,x1,y1 on each line) that
+    /// the program made for FILE. Prints the first difference. Place and size of a picture do not count.
+    #[command(verbatim_doc_comment)]
+    Check {
+        #[arg(help = FILE, value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+        /// What the program printed; - for standard input
+        #[arg(value_hint = ValueHint::FilePath)]
+        output: PathBuf,
+        #[command(flatten)]
+        changes: Changes,
+    },
     /// Print the script that completes commands and options in a shell
     Completions {
         /// Shell that will read the script

@@ -189,6 +189,18 @@ pub(crate) fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
     if file.as_os_str() == "-" { beginning(io::stdin().lock()) } else { beginning(File::open(file)?) }
 }
 
+/// The bytes of a program's output, or one byte more than the comparison reads.
+pub(crate) fn output_of(file: &Path) -> io::Result<Vec<u8>> {
+    const MOST: u64 = lsystem::compare::MAX_OUTPUT as u64 + 1;
+    let mut bytes = Vec::new();
+    if file.as_os_str() == "-" {
+        io::stdin().lock().take(MOST).read_to_end(&mut bytes)?;
+    } else {
+        File::open(file)?.take(MOST).read_to_end(&mut bytes)?;
+    }
+    Ok(bytes)
+}
+
 fn beginning(mut file: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.by_ref().take(HEAD).read_to_end(&mut bytes)?;

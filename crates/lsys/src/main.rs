@@ -1,7 +1,8 @@
-//! `lsys`: derives, draws and inspects L-systems from JSON files and from files of other programs. The library `lsystem` does the work; this program
-//! reads arguments and files and writes results and messages.
+//! `lsys`: derives, draws, compares and inspects L-systems from JSON files and from files of other programs. The library
+//! `lsystem` does the work; this program reads arguments and files and writes results and messages.
 
 mod args;
+mod check;
 mod cli;
 mod cores;
 mod draw;
@@ -86,6 +87,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Expand { file, changes } => expand(&file, &changes),
         Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
         Command::Import { files, to } => import::import(&files, &to),
+        Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Info { files, json, changes } => info::info(&files, json, &changes),
     }
 }

@@ -1,4 +1,5 @@
-//! File formats: systems as JSON, drawings as SVG and CSV, meshes as OBJ and glTF, and pictures that hold their system.
+//! File formats: systems as JSON and in links, drawings as SVG and CSV, meshes as OBJ and glTF, and pictures that hold
+//! their system.
 
 mod csv;
 mod embed;
@@ -7,9 +8,12 @@ mod gltf;
 mod import;
 mod json;
 mod json_write;
+mod link;
 mod number;
 mod obj;
+pub mod packed;
 mod png;
+mod segments;
 mod svg;
 mod xml;
 
@@ -20,6 +24,8 @@ pub use gltf::{GlbWriter, write_glb};
 pub use import::{Entry, Imported, MAX_ENTRIES, Remark, import};
 pub use json::read_json;
 pub use json_write::write_json;
+pub use link::{Link, LinkProblem, read_link};
 pub use obj::{ObjWriter, write_obj};
 pub use png::tag_png;
+pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use svg::{Svg, SvgForm, SvgOptions, SvgWriter, write_svg};

@@ -37,6 +37,7 @@
 //! ```
 
 // All items, by phase.
+pub use lsystem_compare as compare;
 pub use lsystem_derive as derive;
 pub use lsystem_drawing as drawing;
 pub use lsystem_files as files;

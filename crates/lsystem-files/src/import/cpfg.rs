@@ -88,14 +88,14 @@ fn statements(text: &str, kind: Kind) -> Vec<Line> {
                 own.push(' ');
                 continue;
             }
-            let block = rest.find("/*").unwrap_or(rest.len());
-            let short = rest.find("//").unwrap_or(rest.len());
-            let hash = if kind == Kind::LPy { rest.find('#').unwrap_or(rest.len()) } else { rest.len() };
-            own.push_str(&rest[..block.min(short).min(hash)]);
-            if block >= short.min(hash) {
+            let comment = rest.match_indices('/').find(|&(at, _)| rest[at + 1..].starts_with(['*', '/']));
+            let comment = comment.map_or(rest.len(), |(at, _)| at);
+            let hash = rest[..comment].find('#').filter(|_| kind == Kind::LPy);
+            own.push_str(&rest[..hash.unwrap_or(comment)]);
+            if hash.is_some() || !rest[comment..].starts_with("/*") {
                 break;
             }
-            (rest, in_comment) = (&rest[block + 2..], true);
+            (rest, in_comment) = (&rest[comment + 2..], true);
         }
         let own = own.trim_end();
         let (own, continues) = own.strip_suffix('\\').map_or((own, false), |own| (own, true));

@@ -2,7 +2,7 @@
 //! form.
 
 use super::draft::Draft;
-use lsystem_syntax::{Expected, FIELDS, Value};
+use crate::link::{fields_of, read_fields};
 
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     let text = text.trim();
@@ -11,63 +11,24 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     }
     let (before, hash) = text.split_once('#')?;
     let is_address = before.is_empty() || before.contains("://") || before.ends_with(".html") || before.ends_with('/');
-    let parts = hash.split('&').filter_map(|part| part.split_once('='));
-    let has = |name: &str| parts.clone().any(|(key, _)| key == name);
+    let has = |name: &str| fields_of(hash).any(|(key, _)| key == name);
     if !is_address || !has("v") || !has("axiom") || has("z") {
         return None;
     }
+    let link = read_fields(fields_of(hash));
     let mut draft = Draft::new("", 1);
+    draft.definition = link.definition;
     draft.has_iterations = true;
-    for (key, value) in parts {
-        if matches!(key, "v" | "view" | "camera" | "controls" | "theme" | "host") {
-            continue;
-        }
-        let Some(spec) = FIELDS.iter().find(|spec| spec.link == key && spec.is_defined()) else {
-            draft.note(1, key, "This key is unknown");
-            continue;
-        };
-        let Some(text) = decoded(value) else {
-            draft.note(1, value, format!("The value of `{key}` is damaged"));
-            continue;
-        };
-        let value = field(spec.expected, &text);
-        let valid = value.filter(|value| spec.admits(value));
-        if !valid.is_some_and(|value| spec.set(&mut draft.definition, &value)) {
-            draft.note(1, &text, format!("The value of `{key}` must be {}", spec.expected_words()));
-        }
-    }
     draft.keeps_overrides = true;
-    Some(vec![draft])
-}
-
-/// The value of a field.
-fn field(expected: Expected, text: &str) -> Option<Value> {
-    let number = |text: &str| (text.len() <= 40).then(|| text.parse().ok()).flatten().map(Value::Number);
-    let colour = |text: &str| Value::Text(format!("#{text}"));
-    match expected {
-        Expected::Text(_) | Expected::Word(_) | Expected::String => Some(Value::Text(text.to_owned())),
-        Expected::Boolean => Some(Value::Flag(text == "1")),
-        Expected::Colour => Some(colour(text)),
-        Expected::Palette => Some(Value::List(text.split(',').map(colour).collect())),
-        Expected::Each(..) => text.split(',').map(number).collect::<Option<Vec<Value>>>().map(Value::List),
-        _ => number(text),
+    for problem in link.problems {
+        draft.note(1, &problem.text, problem.message);
     }
-}
-
-/// A percent-encoded text.
-fn decoded(text: &str) -> Option<String> {
-    let mut bytes = Vec::with_capacity(text.len());
-    let mut rest = text.bytes();
-    while let Some(byte) = rest.next() {
-        if byte != b'%' {
-            bytes.push(byte);
-            continue;
+    for (key, _) in link.others {
+        if !matches!(key.as_str(), "view" | "camera" | "controls" | "theme" | "host") {
+            draft.note(1, &key, "This key is unknown");
         }
-        let mut digit = || char::from(rest.next()?).to_digit(16);
-        let (high, low) = (digit()?, digit()?);
-        bytes.push((high * 16 + low) as u8);
     }
-    String::from_utf8(bytes).ok()
+    Some(vec![draft])
 }
 
 #[cfg(test)]
@@ -96,8 +57,8 @@ mod tests {
                   A -> FA
                   F -> FF
                   | A: draw
-                note 1 "x": The value of `n` must be a whole number from 0 to 1,000
-                note 1 "1000": The value of `hue` must be a number from -360 to 360
+                note 1 "x": The value of `n` must be a whole number from 0 to 1,000; it was left out
+                note 1 "1000": The value of `hue` must be a number from -360 to 360; the nearest value was taken
                 note 1 "moon": This key is unknown"#]],
         );
         check("#v=1&z=eNpLrMjMz7", expect!["not recognised"]);

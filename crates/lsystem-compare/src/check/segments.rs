@@ -1,0 +1,265 @@
+//! Segments, compared up to place and size, within the rounding of the output.
+
+use super::{Check, LIMITS, MAX_SEGMENTS, Output, Verdict, candidates};
+use lsystem_drawing::{Drawing, Space, System, count_segments, draw, draw_solid};
+use lsystem_files::{SegmentFile, SegmentForm};
+use lsystem_syntax::{Diagnostic, LimitName};
+use std::collections::HashMap;
+
+type Segment = [[f64; 3]; 2];
+
+/// The part of a usual segment's length by which ends may differ.
+const NEAR: f64 = 0.05;
+/// The part of the drawing's size by which ends may always differ, for rounding errors of the arithmetic.
+const TINY: f64 = 1e-9;
+
+pub(super) fn check(system: &System, n: u32, file: &SegmentFile) -> Check {
+    let (output, found) = match file.form {
+        SegmentForm::Svg => (Output::Svg, upright(&file.segments)),
+        SegmentForm::Table => (Output::Table, file.segments.clone()),
+    };
+    let checked = |expected: Option<usize>, verdict| Check {
+        output,
+        generation: n,
+        expected: expected.map(|count| count as u128),
+        found: found.len() as u64,
+        verdict,
+    };
+    if system.is_solid() && !file.is_solid {
+        let reason = "the drawing is in space, and the output has no z coordinates".to_owned();
+        return checked(None, Verdict::Unreadable(reason));
+    }
+    let expected = match segments_of(system, n) {
+        Ok(segments) => segments,
+        Err(limit) => return checked(None, Verdict::Failed(vec![limit])),
+    };
+    let verdict = compare(&expected, &found, file.rounding).or_else(|| {
+        let is_generation = |&other: &u32| {
+            let segments = segments_of(system, other);
+            segments.is_ok_and(|segments| is_same(&segments, &found, file.rounding).is_ok())
+        };
+        candidates(n, found.len() as u64, |other| count_segments(system, other))
+            .find(is_generation)
+            .map(Verdict::Generation)
+    });
+    let verdict = verdict.unwrap_or_else(|| {
+        let index = common_start(&expected, &found, file.rounding);
+        Verdict::Segment {
+            index: index as u64,
+            expected: expected.get(index).copied(),
+            found: file.segments.get(index).copied(),
+        }
+    });
+    checked(Some(expected.len()), verdict)
+}
+
+/// The segments of a picture with y up.
+fn upright(segments: &[Segment]) -> Vec<Segment> {
+    segments.iter().map(|segment| segment.map(|[x, y, z]| [x, -y, z])).collect()
+}
+
+/// The segments of generation `n`.
+///
+/// # Errors
+/// The limit that the drawing exceeds.
+fn segments_of(system: &System, n: u32) -> Result<Vec<Segment>, Diagnostic> {
+    fn read<S: Space>(drawing: &Drawing<S>) -> Result<Vec<Segment>, Diagnostic> {
+        let most = MAX_SEGMENTS as u64;
+        if drawing.segment_count() > u128::from(most) {
+            return Err(Diagnostic::limit(LimitName::Segments, most, None));
+        }
+        let point = |point: S::Point| {
+            let mut all = [0.0; 3];
+            all.iter_mut().zip(point.as_ref()).for_each(|(to, from)| *to = *from);
+            all
+        };
+        Ok(drawing.segments().map(|segment| [point(segment.from), point(segment.to)]).collect())
+    }
+    match system.is_solid() {
+        true => read(&draw_solid(system, n, &LIMITS)?),
+        false => read(&draw(system, n, &LIMITS)?),
+    }
+}
+
+/// Whether two lists of segments are the same, within a tolerance.
+type Test = fn(&[Segment], &[Segment], f64) -> bool;
+
+/// The verdict if both are the same up to order, turns by 90 degrees and mirroring.
+fn compare(expected: &[Segment], found: &[Segment], rounding: f64) -> Option<Verdict> {
+    if is_same(expected, found, rounding).is_ok() {
+        return Some(Verdict::Same);
+    }
+    if is_same_set(expected, found, rounding) {
+        return Some(Verdict::Reordered);
+    }
+    // The same order tells more than the same set: a mirrored corner is a turned corner in another order.
+    let tests: [Test; 2] = [|a, b, r| is_same(a, b, r).is_ok(), is_same_set];
+    tests.into_iter().find_map(|test| {
+        let turns =
+            [false, true].into_iter().flat_map(|is_mirrored| (0..4).map(move |quarters| (quarters, is_mirrored)));
+        turns.skip(1).find_map(|(quarters, is_mirrored)| {
+            let turned: Vec<Segment> = expected.iter().map(|&segment| turn(segment, quarters, is_mirrored)).collect();
+            let verdict = Verdict::Placed { degrees: 90 * quarters, is_mirrored };
+            test(&turned, found, rounding).then_some(verdict)
+        })
+    })
+}
+
+/// A segment mirrored left to right, then turned by quarters counter-clockwise about the z axis.
+fn turn(segment: Segment, quarters: u32, is_mirrored: bool) -> Segment {
+    segment.map(|[x, y, z]| {
+        let x = if is_mirrored { -x } else { x };
+        match quarters {
+            0 => [x, y, z],
+            1 => [-y, x, z],
+            2 => [-x, -y, z],
+            _ => [y, -x, z],
+        }
+    })
+}
+
+/// A map of points to a common place and size.
+#[derive(Clone, Copy)]
+struct Fit {
+    at: [f64; 3],
+    size: f64,
+}
+
+/// The least and the greatest coordinates.
+fn extent(segments: &[Segment]) -> [[f64; 3]; 2] {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for point in segments.iter().flatten() {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
+        }
+    }
+    [low, high]
+}
+
+impl Fit {
+    /// Puts the centre of the extent to the origin and makes its longest side 1.
+    fn whole(segments: &[Segment]) -> Self {
+        let [low, high] = extent(segments);
+        let at = [0, 1, 2].map(|axis| low[axis] / 2.0 + high[axis] / 2.0);
+        let size = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+        Self { at, size }.usable()
+    }
+
+    /// Puts the start of the first segment to the origin and makes its length 1.
+    fn first(segments: &[Segment]) -> Self {
+        let Some(first) = segments.iter().find(|segment| length(segment) > 0.0) else { return Self::whole(segments) };
+        Self { at: first[0], size: length(first) }.usable()
+    }
+
+    fn usable(self) -> Self {
+        let size = if self.size.is_normal() { self.size } else { 1.0 };
+        Self { at: self.at.map(|value| if value.is_finite() { value } else { 0.0 }), size }
+    }
+
+    fn place(&self, segment: &Segment) -> Segment {
+        segment.map(|point| [0, 1, 2].map(|axis| (point[axis] - self.at[axis]) / self.size))
+    }
+}
+
+fn length([from, to]: &Segment) -> f64 {
+    libm::sqrt((0..3).map(|axis| (to[axis] - from[axis]) * (to[axis] - from[axis])).sum())
+}
+
+/// Both fitted, with the distance up to which ends count as equal.
+struct Pair {
+    expected: Fit,
+    found: Fit,
+    near: f64,
+}
+
+impl Pair {
+    fn new(segments: [&[Segment]; 2], fit: fn(&[Segment]) -> Fit, rounding: f64) -> Self {
+        let [expected, found] = segments.map(fit);
+        let mut lengths: Vec<f64> = segments[0].iter().map(length).filter(|&length| length > 0.0).collect();
+        let middle = lengths.len() / 2;
+        let usual = match lengths.is_empty() {
+            true => 0.0,
+            false => *lengths.select_nth_unstable_by(middle, f64::total_cmp).1,
+        };
+        // Rounding moves both the ends and the extent by half a step along each axis.
+        let rounded = 1.5 * rounding / found.size;
+        let tiny = TINY * Fit::whole(segments[0]).size / expected.size;
+        // A coarse rounding must not make everything equal.
+        let near = (NEAR * usual / expected.size).max(rounded.min(usual / expected.size / 2.0)).max(tiny);
+        Self { expected, found, near }
+    }
+
+    /// Whether the ends of two fitted segments are at most `near` apart along each axis, in either direction.
+    fn is_near(a: &Segment, b: &Segment, near: f64) -> bool {
+        let ends = |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() <= near);
+        (ends(&a[0], &b[0]) && ends(&a[1], &b[1])) || (ends(&a[0], &b[1]) && ends(&a[1], &b[0]))
+    }
+
+    fn is_equal(&self, expected: &Segment, found: &Segment) -> bool {
+        Self::is_near(&self.expected.place(expected), &self.found.place(found), self.near)
+    }
+}
+
+/// Whether the segments are the same in the same order; the first difference if not.
+fn is_same(expected: &[Segment], found: &[Segment], rounding: f64) -> Result<(), usize> {
+    let pair = Pair::new([expected, found], Fit::whole, rounding);
+    same_start(&pair, expected, found)
+}
+
+fn same_start(pair: &Pair, expected: &[Segment], found: &[Segment]) -> Result<(), usize> {
+    let equal = expected.iter().zip(found).take_while(|(expected, found)| pair.is_equal(expected, found)).count();
+    if equal == expected.len() && equal == found.len() { Ok(()) } else { Err(equal) }
+}
+
+/// The number of equal segments at the start, fitted as a whole or by the first segment, whichever explains more.
+fn common_start(expected: &[Segment], found: &[Segment], rounding: f64) -> usize {
+    let fits: [fn(&[Segment]) -> Fit; 2] = [Fit::whole, Fit::first];
+    let start = |fit| same_start(&Pair::new([expected, found], fit, rounding), expected, found).err();
+    fits.into_iter().filter_map(start).max().unwrap_or(0)
+}
+
+/// Whether each segment has an equal one on the other side. Repeats do not count.
+fn is_same_set(expected: &[Segment], found: &[Segment], rounding: f64) -> bool {
+    let pair = Pair::new([expected, found], Fit::whole, rounding);
+    let expected: Vec<Segment> = expected.iter().map(|segment| pair.expected.place(segment)).collect();
+    let found: Vec<Segment> = found.iter().map(|segment| pair.found.place(segment)).collect();
+    let [sides, others] = [extent(&expected), extent(&found)];
+    let is_as_large =
+        sides.iter().flatten().zip(others.iter().flatten()).all(|(a, b)| (a - b).abs() <= 2.0 * pair.near);
+    expected.is_empty() == found.is_empty()
+        && (expected.is_empty() || is_as_large)
+        && is_within(&expected, &found, pair.near)
+        && is_within(&found, &expected, pair.near)
+}
+
+/// The most segments of one cell that are told apart.
+const MOST_IN_CELL: usize = 256;
+
+/// Whether each segment of `some` has one in `all` that is at most `near` away.
+fn is_within(some: &[Segment], all: &[Segment], near: f64) -> bool {
+    // Segments by the cell of their middle. Middles of equal segments are at most a quarter of a cell apart, so they lie
+    // in the same cell or in the nearer neighbours.
+    let side = 4.0 * near.max(f64::MIN_POSITIVE);
+    let middle = |segment: &Segment| [0, 1, 2].map(|axis| (segment[0][axis] + segment[1][axis]) / 2.0 / side);
+    let mut cells: HashMap<[i64; 3], Vec<&Segment>> = HashMap::with_capacity(all.len());
+    for segment in all {
+        let inside = cells.entry(middle(segment).map(|value| libm::floor(value) as i64)).or_default();
+        // Repeats are kept once, so that a cell with many of them stays short.
+        if inside.len() < MOST_IN_CELL && !inside.iter().any(|other| Pair::is_near(other, segment, near / 8.0)) {
+            inside.push(segment);
+        }
+    }
+    some.iter().all(|segment| {
+        let at = middle(segment);
+        (0..8).any(|corner| {
+            let cell = [0, 1, 2].map(|axis| {
+                let own = libm::floor(at[axis]);
+                let is_beside = corner >> axis & 1 == 1;
+                let beside = if at[axis] - own < 0.5 { own - 1.0 } else { own + 1.0 };
+                (if is_beside { beside } else { own }) as i64
+            });
+            cells.get(&cell).is_some_and(|inside| inside.iter().any(|other| Pair::is_near(segment, other, near)))
+        })
+    })
+}

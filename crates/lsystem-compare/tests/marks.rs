@@ -1,0 +1,27 @@
+//! Marks compared with brute force: every one-symbol edit of ten systems, and other rules with the same picture.
+
+mod naive;
+
+use naive::is_same;
+use naive::systems::{one_symbol_edits, rewritings, systems};
+
+/// The reference accepts what must be the same by construction, and tells most edits apart.
+#[test]
+fn the_reference_is_right() {
+    let mut accepted = 0;
+    for system in systems() {
+        let target = system.segments().unwrap();
+        for (kind, other) in rewritings(&system) {
+            assert!(is_same(&target, &other.segments().unwrap()), "{}: {kind}: {other:?}", system.name);
+            accepted += 1;
+        }
+        let edits = one_symbol_edits(&system.rules[0].1, &system.alphabet());
+        let is_right = |edit: &&String| {
+            let segments = system.with_rule(0, edit.to_string()).segments();
+            segments.is_some_and(|segments| is_same(&target, &segments))
+        };
+        let right = edits.iter().filter(is_right).count();
+        assert!(edits.len() >= 48 && right < edits.len() / 3, "{}: {right} of {}", system.name, edits.len());
+    }
+    assert!(accepted >= 200, "{accepted}");
+}
