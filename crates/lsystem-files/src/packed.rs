@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn what_is_packed_is_unpacked_within_a_limit() {
-        let bytes: Vec<u8> = (0..10_000_u32).map(|i| (i * i >> 7) as u8).collect();
+        let bytes: Vec<u8> = (0..10_000_u32).map(|i| ((i * i) >> 7) as u8).collect();
         let text = pack(&bytes);
         assert_eq!(unpack(&text, bytes.len()).as_ref(), Ok(&bytes));
         assert!(unpack(&text, bytes.len() - 1).unwrap_err().contains("larger"));

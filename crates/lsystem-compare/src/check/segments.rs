@@ -81,6 +81,9 @@ fn segments_of(system: &System, n: u32) -> Result<Vec<Segment>, Diagnostic> {
     }
 }
 
+/// Whether two lists of segments are the same, within a tolerance.
+type Test = fn(&[Segment], &[Segment], f64) -> bool;
+
 /// The verdict if both are the same up to order, turns by 90 degrees and mirroring.
 fn compare(expected: &[Segment], found: &[Segment], rounding: f64) -> Option<Verdict> {
     if is_same(expected, found, rounding).is_ok() {
@@ -90,7 +93,7 @@ fn compare(expected: &[Segment], found: &[Segment], rounding: f64) -> Option<Ver
         return Some(Verdict::Reordered);
     }
     // The same order tells more than the same set: a mirrored corner is a turned corner in another order.
-    let tests: [fn(&[Segment], &[Segment], f64) -> bool; 2] = [|a, b, r| is_same(a, b, r).is_ok(), is_same_set];
+    let tests: [Test; 2] = [|a, b, r| is_same(a, b, r).is_ok(), is_same_set];
     tests.into_iter().find_map(|test| {
         let turns =
             [false, true].into_iter().flat_map(|is_mirrored| (0..4).map(move |quarters| (quarters, is_mirrored)));
