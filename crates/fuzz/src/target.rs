@@ -1,5 +1,6 @@
 //! The targets: each tries one part of the core with random inputs and checks its properties.
 
+mod answers;
 mod derive;
 mod drawing;
 mod export;
@@ -28,7 +29,7 @@ const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Ga
     Target { name, run, short }
 }
 
-const TARGETS: [Target; 17] = [
+const TARGETS: [Target; 19] = [
     target("notation", 1_500, notation::notation),
     target("overrides", 8_000, notation::overrides),
     target("expressions", 15_000, expressions::expressions),
@@ -36,6 +37,8 @@ const TARGETS: [Target; 17] = [
     target("pictures", 4_000, files::pictures),
     target("bytes", 8_000, files::bytes),
     target("import", 1_500, import::import_text),
+    target("links", 1_500, answers::links),
+    target("outputs", 1_500, answers::outputs),
     target("derive", 3_000, derive::derive),
     target("access", 1_500, derive::access),
     target("drawing", 3_000, drawing::plane),

@@ -2,6 +2,7 @@
 
 mod naive;
 
+use lsystem_syntax::Limits;
 use naive::is_same;
 use naive::systems::{one_symbol_edits, rewritings, systems};
 
@@ -24,4 +25,23 @@ fn the_reference_is_right() {
         assert!(edits.len() >= 48 && right < edits.len() / 3, "{}: {right} of {}", system.name, edits.len());
     }
     assert!(accepted >= 200, "{accepted}");
+}
+
+/// The reference draws what the library draws, also of edits with unmatched brackets.
+#[test]
+fn the_reference_draws_as_the_library() {
+    for system in systems() {
+        let edits = one_symbol_edits(&system.rules[0].1, &system.alphabet());
+        let edited = edits.iter().step_by(5).map(|edit| system.with_rule(0, edit.clone()));
+        for system in std::iter::once(system.clone()).chain(edited) {
+            let Some(expected) = system.segments() else { continue };
+            let definition = system.definition();
+            let compiled = lsystem_drawing::System::new(&definition).0.expect("edits stay readable");
+            let drawing = lsystem_drawing::draw(&compiled, system.n, &Limits::default()).expect("a small drawing");
+            let found: Vec<_> = drawing.segments().map(|segment| [segment.from, segment.to]).collect();
+            assert_eq!(found.len(), expected.len(), "{system:?}");
+            let ends = found.iter().flatten().flatten().zip(expected.iter().flatten().flatten());
+            assert!(ends.into_iter().all(|(a, b)| (a - b).abs() < 1e-9), "{system:?}");
+        }
+    }
 }
