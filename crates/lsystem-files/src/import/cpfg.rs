@@ -12,7 +12,8 @@
 //! ```
 //!
 //! The rules are nearly in our notation. Names of several letters become single symbols. Decompositions are written into
-//! the successors, and the values of local assignments in place of their names. Other blocks of code, includes, and symbols that need other files are refused. The angle stands in another file.
+//! the successors, and the values of local assignments in place of their names. Other blocks of code, includes, and
+//! symbols that need other files are refused. The angle stands in another file.
 
 use super::assignments::inlined;
 use super::decomposition::Decomposition;
@@ -90,7 +91,7 @@ fn statements(text: &str, kind: Kind) -> Vec<Line> {
             }
             let comment = rest.match_indices('/').find(|&(at, _)| rest[at + 1..].starts_with(['*', '/']));
             let comment = comment.map_or(rest.len(), |(at, _)| at);
-            let hash = rest[..comment].find('#').filter(|_| kind == Kind::LPy);
+            let hash = if kind == Kind::LPy { rest[..comment].find('#') } else { None };
             own.push_str(&rest[..hash.unwrap_or(comment)]);
             if hash.is_some() || !rest[comment..].starts_with("/*") {
                 break;
@@ -200,9 +201,8 @@ fn system(text: &str, kind: Kind) -> Draft {
     if parts.axiom.1.is_empty() {
         draft.refuse(1, "", "There is no axiom");
     }
-    let size =
-        parts.rules.iter().chain(&parts.images).chain(&parts.decompositions).map(|(_, rule)| rule.len()).sum::<usize>()
-            + parts.axiom.1.len();
+    let rules = [&parts.rules, &parts.decompositions, &parts.images].into_iter().flatten();
+    let size = rules.map(|(_, rule)| rule.len()).sum::<usize>() + parts.axiom.1.len();
     if size > 200_000 || parts.constants.len() > 1000 {
         draft.refuse(1, "", "The rules are too long");
     }

@@ -11,15 +11,17 @@ pub(super) struct Decomposition<'a> {
     constants: Values<'a>,
     /// The most replacements inside one another.
     depth: usize,
-    /// How many parts of expressions may still be written.
-    parts: Cell<usize>,
+    /// How many modules and parts of expressions may still be read and written, in all words together.
+    work: Cell<usize>,
 }
 
-/// The most modules of a word, and of all words that are replaced on the way.
+/// The most modules of a word.
 const MOST_MODULES: usize = 20_000;
+/// The most modules and parts of expressions that are read and written for a system.
+const MOST_WORK: usize = 2_000_000;
+/// The most parts of an expression, which may be nested in one another.
+const LONGEST: usize = 1000;
 const TOO_LONG: &str = "A decomposition into so many modules is not possible";
-/// The most numbers, names, operators and calls in all arguments and conditions that are written.
-const MOST_PARTS: usize = 400_000;
 
 impl<'a> Decomposition<'a> {
     /// The productions of `grammar` as decompositions.
@@ -28,7 +30,7 @@ impl<'a> Decomposition<'a> {
         if rules.iter().any(|rule| !rule.left.is_empty() || !rule.right.is_empty() || rule.weight.is_some()) {
             return Err("A decomposition with a context or a probability is not possible");
         }
-        Ok(Self { rules, constants: grammar.values(), depth, parts: Cell::new(MOST_PARTS) })
+        Ok(Self { rules, constants: grammar.values(), depth, work: Cell::new(MOST_WORK) })
     }
 
     /// Writes the decompositions into the axiom and the successors.
@@ -45,14 +47,11 @@ impl<'a> Decomposition<'a> {
         let mut made = Vec::new();
         // The modules still to come, the next one last, with the number of replacements that made them.
         let mut rest: Vec<(Module, usize)> = word.iter().rev().map(|module| (module.clone(), 0)).collect();
-        let mut work = 0;
         while let Some((module, depth)) = rest.pop() {
-            work += 1;
-            if work + rest.len() > MOST_MODULES || self.parts.get() == 0 {
+            if made.len() + rest.len() >= MOST_MODULES {
                 return Err(TOO_LONG);
             }
-            let rule = self.matching(&module)?;
-            let Some(rule) = rule else {
+            let Some(rule) = self.matching(&module)? else {
                 made.push(module);
                 continue;
             };
@@ -64,22 +63,24 @@ impl<'a> Decomposition<'a> {
                 return Err("A decomposition of random arguments is not possible");
             }
             for next in rule.successor.iter().rev() {
-                let arguments = next.arguments.iter().map(|own| self.replaced(own, rule, &module)).collect();
+                let arguments =
+                    next.arguments.iter().map(|own| self.replaced(own, rule, &module)).collect::<Result<_, _>>()?;
                 rest.push((Module { symbol: next.symbol, arguments }, depth + 1));
             }
         }
-        if self.parts.get() == 0 { Err(TOO_LONG) } else { Ok(made) }
+        Ok(made)
     }
 
     /// The first decomposition that applies to a module.
     fn matching(&self, module: &Module) -> Result<Option<&Production>, &'static str> {
         for rule in self.rules {
+            self.spend(1)?;
             let own = &rule.predecessor;
             if own.symbol != module.symbol || own.parameters.len() != module.arguments.len() {
                 continue;
             }
             let Some(condition) = &rule.condition else { return Ok(Some(rule)) };
-            match self.constants.value(&self.replaced(condition, rule, module)) {
+            match self.constants.value(&self.replaced(condition, rule, module)?) {
                 Some(value) if value != 0.0 && !value.is_nan() => return Ok(Some(rule)),
                 Some(_) => {}
                 None => return Err("Whether this decomposition applies depends on parameters, which is not possible"),
@@ -90,40 +91,46 @@ impl<'a> Decomposition<'a> {
 
     /// An expression of a decomposition with the module's arguments in place of parameters. Constants become numbers,
     /// because a parameter of the surrounding production may have the same name.
-    fn replaced(&self, expr: &Expr, rule: &Production, module: &Module) -> Expr {
-        if !self.may_write(1) {
-            return Expr::Number(0.0);
-        }
+    fn replaced(&self, expr: &Expr, rule: &Production, module: &Module) -> Result<Expr, &'static str> {
+        self.spend(1)?;
         let inner = |expr: &Expr| self.replaced(expr, rule, module);
         let replaced = match expr {
             Expr::Number(_) => expr.clone(),
             Expr::Name(name) => {
                 let parameter = rule.predecessor.parameters.iter().position(|own| own == name);
                 match (parameter, self.constants.of(name)) {
-                    (Some(at), _) if self.may_write(size(&module.arguments[at])) => module.arguments[at].clone(),
-                    (Some(_), _) => Expr::Number(0.0),
+                    (Some(at), _) => {
+                        let argument = &module.arguments[at];
+                        self.spend(size(argument))?;
+                        argument.clone()
+                    }
                     (None, Some(value)) => Expr::Number(value),
                     (None, None) => expr.clone(),
                 }
             }
-            Expr::Negative(of) => Expr::Negative(Box::new(inner(of))),
-            Expr::Not(of) => Expr::Not(Box::new(inner(of))),
-            Expr::Binary(operator, a, b) => Expr::Binary(*operator, Box::new(inner(a)), Box::new(inner(b))),
-            Expr::Call(function, arguments) => Expr::Call(*function, arguments.iter().map(inner).collect()),
+            Expr::Negative(of) => Expr::Negative(Box::new(inner(of)?)),
+            Expr::Not(of) => Expr::Not(Box::new(inner(of)?)),
+            Expr::Binary(operator, a, b) => Expr::Binary(*operator, Box::new(inner(a)?), Box::new(inner(b)?)),
+            Expr::Call(function, arguments) => {
+                Expr::Call(*function, arguments.iter().map(inner).collect::<Result<_, _>>()?)
+            }
         };
         // Computed at once, so that expressions do not grow with the depth.
-        match self.constants.value(&replaced) {
+        let size = size(&replaced);
+        self.spend(size)?;
+        if size > LONGEST {
+            return Err("A decomposition with so long arguments is not possible");
+        }
+        Ok(match self.constants.value(&replaced) {
             Some(value) if value.is_finite() => Expr::Number(value),
             _ => replaced,
-        }
+        })
     }
-}
 
-impl Decomposition<'_> {
-    /// Whether so many more parts of expressions may be written; counts them.
-    fn may_write(&self, parts: usize) -> bool {
-        self.parts.set(self.parts.get().saturating_sub(parts));
-        self.parts.get() > 0
+    /// Counts work; an error when too much is done.
+    fn spend(&self, work: usize) -> Result<(), &'static str> {
+        self.work.set(self.work.get().checked_sub(work).ok_or(TOO_LONG)?);
+        Ok(())
     }
 }
 
