@@ -12,7 +12,7 @@ use std::path::Path;
 /// be read.
 pub(crate) fn check(file: &Path, output: &Path, changes: &Changes) -> Result<(), CommandFailure> {
     let input = input::read(file, changes, &mut say)?;
-    let name = if output.as_os_str() == "-" { "standard input".into() } else { output.display().to_string() };
+    let name = input::name_of(output);
     let bytes = input::output_of(output).map_err(|error| CommandFailure::io(&name, &error))?;
     let text = String::from_utf8(bytes).map_err(|_| CommandFailure::Words(format!("{name}: this is no text")))?;
     let check = compare(&input.definition, &text);

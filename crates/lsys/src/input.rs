@@ -33,7 +33,7 @@ const WORK: u64 = 1 << 16;
 /// # Errors
 /// [`CommandFailure::Said`] if the file has errors; [`CommandFailure::Words`] if it cannot be read.
 pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<InputSystem, CommandFailure> {
-    let name = if file.as_os_str() == "-" { "standard input".into() } else { file.display().to_string() };
+    let name = name_of(file);
     let bytes = bytes_of(file).map_err(|error| CommandFailure::io(&name, &error))?;
     let FileContent { mut definition, mut diagnostics, json } = content(&bytes, &name, changes.entry.as_deref(), say)?;
     let mut system = None;
@@ -186,19 +186,28 @@ const HEAD: u64 = 1 << 10;
 
 /// The bytes of a file, or the beginning of a file that is too large, so that memory and time are bounded.
 pub(crate) fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
-    if file.as_os_str() == "-" { beginning(io::stdin().lock()) } else { beginning(File::open(file)?) }
+    beginning(open(file)?)
 }
 
 /// The bytes of a program's output, or one byte more than the comparison reads.
 pub(crate) fn output_of(file: &Path) -> io::Result<Vec<u8>> {
     const MOST: u64 = lsystem::compare::MAX_OUTPUT as u64 + 1;
     let mut bytes = Vec::new();
-    if file.as_os_str() == "-" {
-        io::stdin().lock().take(MOST).read_to_end(&mut bytes)?;
-    } else {
-        File::open(file)?.take(MOST).read_to_end(&mut bytes)?;
-    }
+    open(file)?.take(MOST).read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+/// The file's path, or `standard input`.
+pub(crate) fn name_of(file: &Path) -> String {
+    if is_standard_input(file) { "standard input".into() } else { file.display().to_string() }
+}
+
+fn open(file: &Path) -> io::Result<Box<dyn Read>> {
+    Ok(if is_standard_input(file) { Box::new(io::stdin().lock()) } else { Box::new(File::open(file)?) })
+}
+
+fn is_standard_input(file: &Path) -> bool {
+    file.as_os_str() == "-"
 }
 
 fn beginning(mut file: impl Read) -> io::Result<Vec<u8>> {

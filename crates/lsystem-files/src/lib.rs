@@ -8,6 +8,7 @@ mod gltf;
 mod import;
 mod json;
 mod json_write;
+mod lines;
 mod link;
 mod number;
 mod obj;

@@ -3,7 +3,7 @@
 
 use super::packed::unpack;
 use lsystem_syntax::notes::excerpt;
-use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, MAX_PALETTE, Value};
+use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, MAX_PALETTE, Value, decimal};
 use std::collections::HashMap;
 
 /// Longer links are not read, in UTF-16 units.
@@ -155,8 +155,8 @@ fn value(expected: Expected, text: &str) -> Option<Value> {
 
 /// A decimal number; `None` for any other text, and for numbers that are not finite.
 fn number(text: &str) -> Option<f64> {
-    let is_decimal = text.len() <= LONGEST_NUMBER && text.bytes().all(|byte| b"0123456789+-.eE".contains(&byte));
-    is_decimal.then(|| text.parse().ok()).flatten().filter(|number: &f64| number.is_finite())
+    let is_short = text.len() <= LONGEST_NUMBER;
+    is_short.then(|| decimal::read(text)).flatten().filter(|number| number.is_finite())
 }
 
 /// The nearest value in the range; `None` if there is none.

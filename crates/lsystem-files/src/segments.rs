@@ -3,6 +3,8 @@
 mod svg;
 mod table;
 
+use lsystem_syntax::decimal;
+
 /// The segments of a file, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SegmentFile {
@@ -84,12 +86,7 @@ const SCALES: [f64; 7] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
 
 /// A finite number.
 fn number(text: &str) -> Option<f64> {
-    text.parse().ok().filter(|number: &f64| number.is_finite())
-}
-
-/// The number of the line, from 1, in which byte `at` of a text stands.
-fn line_of(text: &str, at: usize) -> usize {
-    text.as_bytes()[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count() + 1
+    decimal::read(text).filter(|number| number.is_finite())
 }
 
 #[cfg(test)]

@@ -65,49 +65,46 @@ impl<'a> GenerationString<'a> {
         }
     }
 
+    /// The symbols from `index` on: a page, or all of them; empty at the end.
+    fn page(&self, index: u64) -> Cow<'_, str> {
+        match self {
+            Self::Word(word) => word.slice(index.into(), PAGE).into(),
+            Self::Whole(text) if index == 0 => text.as_str().into(),
+            Self::Whole(_) => "".into(),
+        }
+    }
+
     /// The first difference from a string.
     fn compare(&self, found: &str, is_plain: bool, system: &System) -> Option<SymbolDifference> {
-        let mut found_symbols = Symbols::new(found, is_plain);
-        let mut index = 0_u64;
+        let mut symbols = Symbols::new(found, is_plain);
+        let mut index = 0;
         loop {
-            let page: Cow<'_, str> = match self {
-                Self::Word(word) => word.slice(index.into(), PAGE).into(),
-                Self::Whole(text) if index == 0 => text.as_str().into(),
-                Self::Whole(_) => "".into(),
-            };
-            let mut expected_symbols = Symbols::new(&page, is_plain);
-            let page_start = index;
-            loop {
-                let (expected_rest, found_rest) = (expected_symbols.rest, found_symbols.rest);
-                let differs = match (expected_symbols.next(), found_symbols.next()) {
-                    (Some(expected), Some(found)) => !is_equal(expected, found),
-                    (None, None) if page_start == index || page.is_empty() => return None,
-                    (None, found) => {
-                        // The next page may continue.
-                        found_symbols.rest = found_rest;
-                        if index > page_start {
-                            break;
-                        }
-                        found.is_some()
-                    }
-                    (Some(_), None) => true,
-                };
-                if differs {
-                    let before = &found[..found.len() - found_rest.len()];
-                    let expected = match self {
-                        Self::Word(word) => word.slice(index.into(), NEAR),
-                        Self::Whole(_) => Symbols::new(expected_rest, is_plain).take(NEAR).collect(),
-                    };
-                    return Some(SymbolDifference {
-                        index,
-                        before: last_symbols(before, is_plain),
-                        expected,
-                        found: Symbols::new(found_rest, is_plain).take(NEAR).collect(),
-                        made_by: self.made_by(index, system),
-                    });
+            let page = self.page(index);
+            if page.is_empty() {
+                return (!symbols.rest.is_empty()).then(|| self.difference(index, found, &symbols, system));
+            }
+            for expected in Symbols::new(&page, is_plain) {
+                let here = symbols.clone();
+                if !symbols.next().is_some_and(|symbol| is_equal(expected, symbol)) {
+                    return Some(self.difference(index, found, &here, system));
                 }
                 index += 1;
             }
+        }
+    }
+
+    /// The difference at `index`, where `rest` of the symbols found are left.
+    fn difference(&self, index: u64, found: &str, rest: &Symbols<'_>, system: &System) -> SymbolDifference {
+        let is_plain = rest.is_plain;
+        SymbolDifference {
+            index,
+            before: last_symbols(&found[..found.len() - rest.rest.len()], is_plain),
+            expected: match self {
+                Self::Word(word) => word.slice(index.into(), NEAR),
+                Self::Whole(text) => Symbols::new(text, is_plain).skip(index as usize).take(NEAR).collect(),
+            },
+            found: rest.clone().take(NEAR).collect(),
+            made_by: self.made_by(index, system),
         }
     }
 

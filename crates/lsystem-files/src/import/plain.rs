@@ -76,10 +76,3 @@ pub(super) fn word(text: &str) -> Vec<Module> {
     let plain = text.chars().map(|ch| look_alike(ch).unwrap_or(ch));
     plain.filter(|ch| !ch.is_whitespace()).map(Module::from).collect()
 }
-
-/// The line of a place in a text, 1-based. Line ends of formulas do not count.
-pub(super) fn line_of(text: &str, at: usize) -> usize {
-    let before = &text.as_bytes()[..at.min(text.len())];
-    let ends = |byte: u8| before.iter().filter(|&&own| own == byte).count();
-    ends(b'\n') - ends(b'\r').min(ends(b'\n')) + 1
-}

@@ -5,8 +5,8 @@
 //! ```
 
 use super::draft::Draft;
-use super::plain::{Plain, line_of};
-use super::words::{behind, number, plain};
+use super::plain::Plain;
+use super::words::{behind, number, original_line, plain};
 use lsystem_syntax::decimal;
 
 const AXIOM: &[&str] = &["axiom", "start", "initiator", "initial string", "initial word", "initial axiom", "ω", "s0"];
@@ -50,7 +50,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
             draft.produce(letter, successor, several.then_some(1.0));
             if several {
                 draft.draft.note(
-                    line_of(text, *at),
+                    original_line(text, *at),
                     successor,
                     format!("`{letter}` has several rules; each is as likely as the others"),
                 );

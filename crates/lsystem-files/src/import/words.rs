@@ -1,9 +1,15 @@
 //! Values behind labels in running text, as in `axiom X, angle 25°, n = 5`.
 
+use crate::lines::line_of;
 use lsystem_syntax::{decimal, look_alike};
 
-/// Ends a line of a formula. The text itself has no `\r`, so that [`line_of`](super::plain::line_of) knows it.
+/// Ends a line of a formula. The text itself has no `\r`.
 const FORMULA_LINE_END: &str = "\r\n";
+
+/// The line of the text from which [`plain`] made `text`, for a place in `text`; from 1.
+pub(super) fn original_line(text: &str, at: usize) -> usize {
+    line_of(text, at) - text[..at].matches(FORMULA_LINE_END).count()
+}
 
 /// Text in which typographic look-alikes, LaTeX's commands and markup are replaced. Places in the text change, lines do
 /// not.
