@@ -1,5 +1,7 @@
 //! Whether two drawings are the same, how much they agree, and marks for exercises.
 
 mod check;
+mod same;
 
 pub use check::{Check, MAX_OUTPUT, Output, SymbolDifference, Verdict, check};
+pub use same::{Segment, is_same_picture};
