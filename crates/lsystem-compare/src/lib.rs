@@ -1,7 +1,9 @@
 //! Whether two drawings are the same, how much they agree, and marks for exercises.
 
 mod check;
+mod fit;
 mod same;
 
 pub use check::{Check, MAX_OUTPUT, Output, SymbolDifference, Verdict, check};
-pub use same::{Segment, is_same_picture};
+pub use fit::Segment;
+pub use same::is_same_picture;

@@ -1,7 +1,6 @@
 //! Whether two pictures have the same ink, whatever the order of their segments, their repeats and their subdivision.
 
-/// A segment: both ends. In the plane the third coordinate is 0.
-pub type Segment = [[f64; 3]; 2];
+use crate::fit::{Fit, Segment, extent, length};
 
 /// Places, directions and lengths that differ by less are equal, in pictures whose longest side is 1.
 const NEAR: f64 = 1e-7;
@@ -26,17 +25,13 @@ pub fn is_same_picture(a: &[Segment], b: &[Segment]) -> bool {
 
 /// The segments that are more than points, with the centre of all at the origin and the longest side 1.
 fn placed(segments: &[Segment]) -> Vec<Segment> {
-    let ends = || segments.iter().flatten();
-    let low = [0, 1, 2].map(|axis| ends().map(|end| end[axis]).fold(f64::INFINITY, f64::min));
-    let high = [0, 1, 2].map(|axis| ends().map(|end| end[axis]).fold(f64::NEG_INFINITY, f64::max));
-    let size = [0, 1, 2].into_iter().map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
-    if size <= 0.0 || !size.is_finite() {
+    if !extent(segments).as_flattened().iter().all(|value| value.is_finite()) {
         return Vec::new();
     }
-    let place = |end: [f64; 3]| [0, 1, 2].map(|axis| (end[axis] - f64::midpoint(low[axis], high[axis])) / size);
+    let fit = Fit::whole(segments);
     segments
         .iter()
-        .map(|segment| segment.map(place))
+        .map(|segment| fit.place(segment))
         .filter(|[from, to]| (0..3).any(|axis| (to[axis] - from[axis]).abs() > NEAR))
         .collect()
 }
@@ -62,9 +57,10 @@ fn stretches(a: &[Segment], b: &[Segment]) -> (Vec<Stretch>, Vec<Stretch>) {
 
 /// The line that carries a segment, as its direction and its point nearest to the origin, and where the segment starts
 /// and ends along it.
-fn line([from, to]: &Segment) -> [f64; 8] {
+fn line(segment: &Segment) -> [f64; 8] {
+    let [from, to] = segment;
     let along = [0, 1, 2].map(|axis| to[axis] - from[axis]);
-    let length = libm::sqrt(dot(along, along));
+    let length = length(segment);
     // Both ways along a line are the same line.
     let sign = along.into_iter().find(|part| part.abs() > NEAR * length).unwrap_or(1.0).signum();
     let way = along.map(|part| part * sign / length);
