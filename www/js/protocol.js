@@ -143,6 +143,7 @@ export {};
 // Tools: workers that few visits need, each with a wasm of its own.
 
 /** The calls of the tool that reads other notations; null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
+/** The calls of the tool for courses. @typedef {{check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string}}}} CourseCalls */
 /** From the page to a tool: calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
 /** From a tool to the page. `fatal`: the tool has crashed. @typedef {{type: 'pong'} | {type: 'answer', id: number, value: unknown} | {type: 'progress', id: number, value: unknown} | {type: 'refused', id: number, reason: unknown} | {type: 'fatal', id: number, reason: unknown}} FromTool */
 

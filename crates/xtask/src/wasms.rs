@@ -20,9 +20,10 @@ pub(crate) struct Wasm {
 }
 
 /// All wasms: the core, and the tools that few visits need.
-pub(crate) const WASMS: [Wasm; 2] = [
+pub(crate) const WASMS: [Wasm; 3] = [
     Wasm { package: "lsystem-wasm", file: "lsystem.wasm", script: "worker.js", worker: "worker/worker.js" },
     Wasm { package: "lsystem-import-wasm", file: "import.wasm", script: "import.js", worker: "worker/import.js" },
+    Wasm { package: "lsystem-course-wasm", file: "course.wasm", script: "course.js", worker: "worker/course.js" },
 ];
 
 impl Wasm {
