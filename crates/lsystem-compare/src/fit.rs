@@ -25,7 +25,11 @@ pub(crate) fn extent(segments: &[Segment]) -> [[f64; 3]; 2] {
 impl Fit {
     /// Puts the centre of the extent to the origin and makes its longest side 1.
     pub(crate) fn whole(segments: &[Segment]) -> Self {
-        let [low, high] = extent(segments);
+        Self::of(extent(segments))
+    }
+
+    /// Puts the centre of an extent to the origin and makes its longest side 1.
+    pub(crate) fn of([low, high]: [[f64; 3]; 2]) -> Self {
         let at = [0, 1, 2].map(|axis| low[axis] / 2.0 + high[axis] / 2.0);
         let size = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
         Self { at, size }.usable()

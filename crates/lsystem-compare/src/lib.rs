@@ -1,9 +1,19 @@
-//! Whether two drawings are the same, how much they agree, and marks for exercises.
+//! Whether two drawings are the same and how much they agree; exercises and their marks.
 
 mod check;
+mod exercise;
 mod fit;
+mod graph;
+mod hint;
+mod ink;
+mod mark;
 mod same;
+mod sample;
+mod sketch;
 
 pub use check::{Check, MAX_OUTPUT, Output, SymbolDifference, Verdict, check};
+pub use exercise::{Asks, Exercise, First, Given};
 pub use fit::Segment;
+pub use ink::SIDE;
+pub use mark::{Mark, Marker, Marking};
 pub use same::is_same_picture;

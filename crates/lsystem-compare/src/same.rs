@@ -1,12 +1,28 @@
 //! Whether two pictures have the same ink, whatever the order of their segments, their repeats and their subdivision.
 
 use crate::fit::{Fit, Segment, extent, length};
+use std::collections::HashMap;
 
-/// Places, directions and lengths that differ by less are equal, in pictures whose longest side is 1.
-const NEAR: f64 = 1e-7;
+/// Places and directions that differ by less are equal, in pictures whose longest side is 1.
+const NEAR: f64 = 1e-8;
+/// The size of the cells in which equal lines are looked up. Lines in one cell are equal.
+const CELL: f64 = 1e-6;
+/// Where the cells begin. Coordinates of drawings are seldom near a border then.
+const BORDER: f64 = 0.377 * CELL;
 
-/// A stretch of ink: the line that carries it, and where it starts and ends along the line.
-type Stretch = ([u32; 6], f64, f64);
+/// A stretch of ink: the number of the line that carries it, and where it starts and ends along the line.
+#[derive(Clone, Copy)]
+struct Stretch {
+    line: u32,
+    start: f64,
+    end: f64,
+}
+
+/// The ink of a picture, to be compared with others.
+pub(crate) struct Outline {
+    lines: Lines,
+    stretches: Vec<Stretch>,
+}
 
 /// Whether two pictures have the same ink after the centre of each is moved to the origin and its longest side is made
 /// 1. Pictures without ink are equal.
@@ -14,60 +30,119 @@ type Stretch = ([u32; 6], f64, f64);
 /// The work grows as m log m in the number of segments.
 #[must_use]
 pub fn is_same_picture(a: &[Segment], b: &[Segment]) -> bool {
-    let (a, b) = (placed(a), placed(b));
-    if a.is_empty() || b.is_empty() {
-        return a.is_empty() == b.is_empty();
-    }
-    let (a, b) = stretches(&a, &b);
-    a.len() == b.len()
-        && a.iter().zip(&b).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 2.0 * NEAR && (a.2 - b.2).abs() < 2.0 * NEAR)
+    Outline::new(a, &[]).is_of(b, &[])
 }
 
-/// The segments that are more than points, with the centre of all at the origin and the longest side 1.
-fn placed(segments: &[Segment]) -> Vec<Segment> {
-    if !extent(segments).as_flattened().iter().all(|value| value.is_finite()) {
-        return Vec::new();
+impl Outline {
+    /// The ink of segments and of the sides of filled shapes.
+    pub(crate) fn new(segments: &[Segment], sides: &[Segment]) -> Self {
+        let mut lines = Lines::default();
+        let stretches = lines.stretches(segments, sides, true).unwrap_or_default();
+        Self { lines, stretches }
     }
-    let fit = Fit::whole(segments);
-    segments
-        .iter()
-        .map(|segment| fit.place(segment))
-        .filter(|[from, to]| (0..3).any(|axis| (to[axis] - from[axis]).abs() > NEAR))
-        .collect()
+
+    /// Whether another picture has the same ink.
+    pub(crate) fn is_of(&mut self, segments: &[Segment], sides: &[Segment]) -> bool {
+        let Some(others) = self.lines.stretches(segments, sides, false) else { return false };
+        let near = |a: f64, b: f64| (a - b).abs() < 2.0 * NEAR;
+        self.stretches.len() == others.len()
+            && (self.stretches.iter().zip(&others))
+                .all(|(a, b)| a.line == b.line && near(a.start, b.start) && near(a.end, b.end))
+    }
 }
 
-/// The ink of both pictures as disjoint stretches in order. Equal lines have equal numbers in both.
-fn stretches(a: &[Segment], b: &[Segment]) -> (Vec<Stretch>, Vec<Stretch>) {
-    let lines: Vec<[f64; 8]> = a.iter().chain(b).map(line).collect();
-    let mut numbers = vec![[0; 6]; lines.len()];
-    let mut order: Vec<usize> = (0..lines.len()).collect();
-    for coordinate in 0..6 {
-        order.sort_unstable_by(|&i, &j| lines[i][coordinate].total_cmp(&lines[j][coordinate]));
-        let (mut number, mut last) = (0, f64::NEG_INFINITY);
-        for &i in &order {
-            number += u32::from(lines[i][coordinate] - last > NEAR);
-            last = lines[i][coordinate];
-            numbers[i][coordinate] = number;
+/// The cell of a line. Lines of sides of filled shapes are other lines.
+type Cell = (bool, [i32; 6]);
+
+/// The lines that carry a picture's ink.
+#[derive(Default)]
+struct Lines {
+    numbers: HashMap<Cell, u32>,
+}
+
+impl Lines {
+    /// The ink as disjoint stretches in order, after the picture is moved and scaled. `None` if a line is not known and
+    /// `learns` is false.
+    fn stretches(&mut self, segments: &[Segment], sides: &[Segment], learns: bool) -> Option<Vec<Stretch>> {
+        let mut stretches = Vec::with_capacity(segments.len() + sides.len());
+        let [a, b] = [extent(segments), extent(sides)];
+        let range =
+            [[0, 1, 2].map(|axis| a[0][axis].min(b[0][axis])), [0, 1, 2].map(|axis| a[1][axis].max(b[1][axis]))];
+        if !range.as_flattened().iter().all(|value| value.is_finite()) {
+            return Some(stretches);
         }
+        let fit = Fit::of(range);
+        for (list, is_side) in [(segments, false), (sides, true)] {
+            for segment in list {
+                let placed = fit.place(segment);
+                if (0..3).all(|axis| (placed[1][axis] - placed[0][axis]).abs() <= NEAR) {
+                    continue;
+                }
+                let (coordinates, [start, end]) = line(&placed);
+                let line = match self.find(is_side, coordinates) {
+                    Some(line) => line,
+                    None if learns => self.learn(is_side, coordinates),
+                    None => return None,
+                };
+                stretches.push(Stretch { line, start, end });
+            }
+        }
+        Some(merged(stretches))
     }
-    let all: Vec<Stretch> = numbers.into_iter().zip(&lines).map(|(number, line)| (number, line[6], line[7])).collect();
-    let (a, b) = all.split_at(a.len());
-    (merged(a), merged(b))
+
+    /// The number of a line. A coordinate near the border of its cell may be in the next cell, too.
+    fn find(&self, is_side: bool, coordinates: [f64; 6]) -> Option<u32> {
+        let cell = coordinates.map(cell);
+        if let Some(&number) = self.numbers.get(&(is_side, cell)) {
+            return Some(number);
+        }
+        let other = coordinates.map(|value| [cell_or(value, -NEAR), cell_or(value, NEAR)]);
+        let choices = [0, 1, 2, 3, 4, 5].map(|axis| {
+            let [low, high] = other[axis];
+            if low == cell[axis] { high } else { low }
+        });
+        let near_border: u32 = (0..6).filter(|&axis| choices[axis] != cell[axis]).map(|axis| 1 << axis).sum();
+        // All subsets of the coordinates that are near a border.
+        let mut subset = near_border;
+        while subset != 0 {
+            let mut next = cell;
+            (0..6).filter(|axis| subset >> axis & 1 == 1).for_each(|axis| next[axis] = choices[axis]);
+            if let Some(&number) = self.numbers.get(&(is_side, next)) {
+                return Some(number);
+            }
+            subset = (subset - 1) & near_border;
+        }
+        None
+    }
+
+    fn learn(&mut self, is_side: bool, coordinates: [f64; 6]) -> u32 {
+        let number = self.numbers.len() as u32;
+        self.numbers.insert((is_side, coordinates.map(cell)), number);
+        number
+    }
+}
+
+fn cell(value: f64) -> i32 {
+    cell_or(value, 0.0)
+}
+
+fn cell_or(value: f64, offset: f64) -> i32 {
+    libm::floor((value + offset + BORDER) / CELL) as i32
 }
 
 /// The line that carries a segment, as its direction and its point nearest to the origin, and where the segment starts
 /// and ends along it.
-fn line(segment: &Segment) -> [f64; 8] {
+fn line(segment: &Segment) -> ([f64; 6], [f64; 2]) {
     let [from, to] = segment;
     let along = [0, 1, 2].map(|axis| to[axis] - from[axis]);
     let length = length(segment);
     // Both ways along a line are the same line.
-    let sign = along.into_iter().find(|part| part.abs() > NEAR * length).unwrap_or(1.0).signum();
+    let sign = along.into_iter().find(|part| part.abs() > 10.0 * NEAR * length).unwrap_or(1.0).signum();
     let way = along.map(|part| part * sign / length);
     let (start, end) = (dot(*from, way), dot(*to, way));
     let middle = f64::midpoint(start, end);
     let near = [0, 1, 2].map(|axis| f64::midpoint(from[axis], to[axis]) - middle * way[axis]);
-    [way[0], way[1], way[2], near[0], near[1], near[2], start.min(end), start.max(end)]
+    ([way[0], way[1], way[2], near[0], near[1], near[2]], [start.min(end), start.max(end)])
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -75,15 +150,14 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Stretches that touch or overlap become one.
-fn merged(stretches: &[Stretch]) -> Vec<Stretch> {
-    let mut sorted = stretches.to_vec();
-    sorted.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let mut merged: Vec<Stretch> = Vec::new();
-    for stretch in sorted {
-        match merged.last_mut() {
-            Some(last) if last.0 == stretch.0 && stretch.1 < last.2 + NEAR => last.2 = last.2.max(stretch.2),
-            _ => merged.push(stretch),
+fn merged(mut stretches: Vec<Stretch>) -> Vec<Stretch> {
+    stretches.sort_unstable_by(|a, b| a.line.cmp(&b.line).then(a.start.total_cmp(&b.start)));
+    stretches.dedup_by(|next, last| {
+        let touches = next.line == last.line && next.start < last.end + NEAR;
+        if touches {
+            last.end = last.end.max(next.end);
         }
-    }
-    merged
+        touches
+    });
+    stretches
 }

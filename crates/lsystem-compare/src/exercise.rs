@@ -1,0 +1,236 @@
+//! Exercises: a target, what the student is given, and what counts as solved.
+
+use lsystem_files::packed::{pack, unpack};
+use lsystem_syntax::{Definition, parse};
+use serde::{Deserialize, Serialize};
+
+/// The most bytes of an exercise as JSON.
+const MAX_JSON: usize = 256 << 10;
+/// The most hints.
+const MAX_HINTS: usize = 20;
+/// The most UTF-16 units of a title, and of a task or a hint.
+const MAX_TITLE: usize = 200;
+const MAX_WORDS: usize = 5_000;
+/// Mixed into the bytes of an exercise, so that a decoder for base64 and zlib alone does not show its rules.
+const VEIL: &[u8] = b"Lindenmayer 1968";
+
+/// What a student sees of a part of the target.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Given {
+    /// The student sees it and cannot change it.
+    #[default]
+    Shown,
+    /// The student has to find it.
+    Free,
+    /// It counts, but the student does not see it.
+    Hidden,
+}
+
+/// What must be the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Asks {
+    /// The picture, up to its place and size.
+    #[default]
+    Picture,
+    /// The derived string.
+    Text,
+    /// The number of segments.
+    Segments,
+    /// With rules of chance: the numbers of segments and the sizes over many seeds.
+    Statistics,
+}
+
+/// The values with which a student starts, where they are free.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct First {
+    /// The axiom.
+    pub axiom: String,
+    /// The student's own rules.
+    pub rules: String,
+    /// The angle of turns, in degrees.
+    pub angle: f64,
+    /// The derivation steps.
+    pub n: u32,
+}
+
+/// An exercise.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Exercise {
+    /// The title.
+    pub title: String,
+    /// The task in words.
+    pub task: String,
+    /// Hints, shown one by one when the student asks.
+    pub hints: Vec<String>,
+    /// The system to find. Its look is that of the student's drawing, too.
+    #[serde(serialize_with = "differing")]
+    pub target: Definition,
+    /// The axiom.
+    pub axiom: Given,
+    /// All angles of turns.
+    pub angle: Given,
+    /// The derivation steps.
+    pub n: Given,
+    /// The turtle: what symbols mean, the heading at the start, lengths, bending.
+    pub turtle: Given,
+    /// Each line of the target's rules. Further lines are free.
+    pub rules: Vec<Given>,
+    /// Where the student starts.
+    pub first: First,
+    /// What must be the same.
+    pub asks: Asks,
+    /// The most symbols that the student's rules may have.
+    pub most_symbols: Option<u32>,
+    /// The agreement of the ink that counts as solved, from 0 to 1; `None` if only the same picture counts.
+    pub tolerance: Option<f64>,
+    /// Whether the target's rules are shown once the exercise is solved.
+    pub shows_answer: bool,
+}
+
+impl Exercise {
+    /// Reads the value of `x` in a link.
+    ///
+    /// # Errors
+    /// A sentence's end that says what is wrong.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let bytes = unpack(text, MAX_JSON).map_err(str::to_owned)?;
+        let exercise: Self = serde_json::from_slice(&veiled(bytes)).map_err(|error| match error.classify() {
+            serde_json::error::Category::Data => format!("has a wrong value: {error}"),
+            _ => "is damaged or cut off".to_owned(),
+        })?;
+        Ok(exercise.within_limits())
+    }
+
+    /// Writes the value of `x` in a link.
+    #[must_use]
+    pub fn write(&self) -> String {
+        // Numbers that JSON cannot hold become null, which reading refuses.
+        pack(&veiled(serde_json::to_vec(self).unwrap_or_default()))
+    }
+
+    /// The exercise with texts cut and numbers moved into their ranges.
+    #[must_use]
+    pub fn within_limits(mut self) -> Self {
+        cut(&mut self.title, MAX_TITLE);
+        cut(&mut self.task, MAX_WORDS);
+        self.hints.truncate(MAX_HINTS);
+        self.hints.iter_mut().for_each(|hint| cut(hint, MAX_WORDS));
+        self.tolerance = self.tolerance.filter(|least| (0.0..1.0).contains(least));
+        self
+    }
+
+    /// The lines of the target's rules that are given in this way.
+    fn lines(&self, given: Given) -> impl Iterator<Item = &str> {
+        let kinds = self.rules.iter().copied().chain(std::iter::repeat(Given::Free));
+        self.target.rules.lines().zip(kinds).filter(move |(_, kind)| *kind == given).map(|(line, _)| line)
+    }
+
+    /// The rules that the student sees and cannot change.
+    #[must_use]
+    pub fn shown_rules(&self) -> String {
+        self.lines(Given::Shown).collect::<Vec<_>>().join("\n")
+    }
+
+    /// The system with which the student starts: only the student's own rules, and nothing of what is hidden.
+    #[must_use]
+    pub fn start(&self) -> Definition {
+        let usual = Definition::default();
+        let mut start = Definition { rules: self.first.rules.clone(), ..self.target.clone() };
+        start.title.clone_from(&self.title);
+        (start.name, start.source, start.notes) = Default::default();
+        if self.axiom != Given::Shown {
+            start.axiom = if self.axiom == Given::Free { self.first.axiom.clone() } else { String::new() };
+        }
+        if self.angle != Given::Shown {
+            let angle = if self.angle == Given::Free { self.first.angle } else { 0.0 };
+            copy_angles(&mut start, &Definition { angle, ..usual.clone() });
+        }
+        if self.n != Given::Shown {
+            start.iterations = if self.n == Given::Free { self.first.n } else { 0 };
+        }
+        if self.turtle != Given::Shown {
+            copy_turtle(&mut start, &usual);
+        }
+        start
+    }
+
+    /// The whole system of a student: what the student found, with all that is given, shown or hidden.
+    #[must_use]
+    pub fn complete(&self, student: &Definition) -> Definition {
+        let mut whole = Definition { title: self.title.clone(), ..self.target.clone() };
+        (whole.name, whole.source, whole.notes) = Default::default();
+        if self.axiom == Given::Free {
+            whole.axiom.clone_from(&student.axiom);
+        }
+        if self.angle == Given::Free {
+            copy_angles(&mut whole, student);
+        }
+        if self.n == Given::Free {
+            whole.iterations = student.iterations;
+        }
+        if self.turtle == Given::Free {
+            copy_turtle(&mut whole, student);
+        }
+        // The student's rules come first, so that places in them stay where they are.
+        let given = self.lines(Given::Shown).chain(self.lines(Given::Hidden));
+        whole.rules = std::iter::once(student.rules.as_str()).chain(given).collect::<Vec<_>>().join("\n");
+        whole
+    }
+
+    /// The symbols of a student's own rules: all modules of predecessors, contexts and successors.
+    #[must_use]
+    pub fn symbols(student: &Definition) -> u32 {
+        let (grammar, _) = parse(&student.axiom, &student.rules);
+        let productions = grammar.productions.iter().chain(&grammar.images);
+        let symbols = productions.map(|rule| rule.left.len() + 1 + rule.right.len() + rule.successor.len());
+        u32::try_from(symbols.sum::<usize>()).unwrap_or(u32::MAX)
+    }
+}
+
+fn copy_angles(to: &mut Definition, from: &Definition) {
+    to.angle = from.angle;
+    to.right_angle = from.right_angle;
+    (to.pitch_down, to.pitch_up) = (from.pitch_down, from.pitch_up);
+    (to.roll_left, to.roll_right) = (from.roll_left, from.roll_right);
+}
+
+fn copy_turtle(to: &mut Definition, from: &Definition) {
+    to.dialect = from.dialect;
+    to.overrides.clone_from(&from.overrides);
+    to.heading = from.heading;
+    (to.step, to.start, to.length_factor) = (from.step, from.start, from.length_factor);
+    (to.tropism, to.elasticity) = (from.tropism, from.elasticity);
+    (to.angle_variation, to.length_variation) = (from.angle_variation, from.length_variation);
+}
+
+/// Cuts a text to at most `most` UTF-16 units.
+fn cut(text: &mut String, most: usize) {
+    let mut units = 0;
+    let end = text.char_indices().find(|(_, c)| {
+        units += c.len_utf16();
+        units > most
+    });
+    if let Some((at, _)) = end {
+        text.truncate(at);
+    }
+}
+
+fn veiled(mut bytes: Vec<u8>) -> Vec<u8> {
+    bytes.iter_mut().zip(VEIL.iter().cycle()).for_each(|(byte, veil)| *byte ^= veil);
+    bytes
+}
+
+/// Writes the fields that differ from their defaults.
+fn differing<S: serde::Serializer>(definition: &Definition, serializer: S) -> Result<S::Ok, S::Error> {
+    use lsystem_syntax::FIELDS;
+    let usual = Definition::default();
+    let fields = FIELDS.iter().filter_map(|spec| {
+        let value = spec.get(definition)?;
+        (spec.get(&usual).as_ref() != Some(&value)).then_some((spec.name, value))
+    });
+    serializer.collect_map(fields)
+}

@@ -1,0 +1,143 @@
+//! Hints for wrong answers: what is probably wrong, found by trying.
+
+use crate::exercise::{Asks, Exercise, Given};
+use crate::fit::{Fit, Segment};
+use crate::mark::{Marker, counted};
+use crate::sketch::{Sketch, Sketching};
+use lsystem_drawing::{System, why_empty};
+use lsystem_syntax::{Definition, MAX_ITERATIONS};
+
+/// Pictures that agree this much look the same.
+const LOOKS_THE_SAME: f64 = 0.995;
+/// Generations up to this many steps away are tried.
+const STEPS: u32 = 2;
+/// Angles of turns that are tried, in degrees.
+const ANGLES: [f64; 12] = [15.0, 18.0, 20.0, 22.5, 25.0, 30.0, 36.0, 45.0, 60.0, 72.0, 90.0, 120.0];
+/// The part of a usual segment by which ends may differ.
+const NEAR: f64 = 1e-6;
+
+impl Marker {
+    /// What is probably wrong with an answer; `None` if nothing usual is.
+    #[must_use]
+    pub fn hint(&self, student: &Definition) -> Option<String> {
+        let exercise = self.exercise();
+        let whole = exercise.complete(student);
+        let own = sketch(&whole)?;
+        if own.mask.is_empty() && !self.target().mask.is_empty() {
+            let system = System::new(&whole).0?;
+            return Some(why_empty(&system, whole.iterations).unwrap_or_else(|| "Nothing is drawn.".to_owned()));
+        }
+        if exercise.asks != Asks::Picture {
+            return None;
+        }
+        if Exercise::symbols(&whole) == 0 {
+            return Some("There is no rule yet. A rule says what becomes of a letter: F -> F+F.".to_owned());
+        }
+        self.turned(&own)
+            .or_else(|| self.other_size(&own))
+            .or_else(|| self.other_heading(&whole))
+            .or_else(|| self.other_generation(&whole))
+            .or_else(|| self.other_angle(&whole))
+            .or_else(|| self.common_start(&own))
+    }
+
+    fn looks_like(&self, own: &Sketch) -> bool {
+        own.mask.agreement(&self.target().mask) >= LOOKS_THE_SAME
+    }
+
+    fn turned(&self, own: &Sketch) -> Option<String> {
+        if self.looks_like(own) {
+            return None;
+        }
+        // Exchanged turns are more usual than a wrong heading at the start.
+        let mut turns = (0..4).map(|quarters| (quarters, true)).chain((1..4).map(|quarters| (quarters, false)));
+        let (quarters, is_mirrored) = turns.find(|&(quarters, is_mirrored)| {
+            own.mask.turned(quarters, is_mirrored).agreement(&self.target().mask) >= LOOKS_THE_SAME
+        })?;
+        Some(match (quarters, is_mirrored) {
+            (0, _) => "Your drawing is a mirror image: left and right are exchanged.".to_owned(),
+            (2, true) => "Your drawing is a mirror image: it is upside down.".to_owned(),
+            (_, true) => "Your drawing is a mirror image, and turned.".to_owned(),
+            (1, false) => "The shape is right, but turned by 90 degrees to the right.".to_owned(),
+            (2, false) => "The shape is right, but upside down.".to_owned(),
+            (_, false) => "The shape is right, but turned by 90 degrees to the left.".to_owned(),
+        })
+    }
+
+    /// The same outline with another number of segments.
+    fn other_size(&self, own: &Sketch) -> Option<String> {
+        if !self.looks_like(own) {
+            return None;
+        }
+        let [expected, found] = [self.target().shape.segment_count(), own.shape.segment_count()];
+        Some(match found.cmp(&expected) {
+            core::cmp::Ordering::Equal => "It looks right, but details differ. Compare the finest parts.".to_owned(),
+            order => {
+                let much = if order.is_gt() { "too many" } else { "too few" };
+                format!("Right outline, {much} segments: {} instead of {}.", counted(found), counted(expected))
+            }
+        })
+    }
+
+    /// The same picture turned by a multiple of the system's own angle.
+    fn other_heading(&self, whole: &Definition) -> Option<String> {
+        let turns = [30.0, 60.0, 45.0, whole.angle].into_iter().flat_map(|by| [by, -by, 2.0 * by, -2.0 * by]);
+        let by = turns.into_iter().find(|by| {
+            let turned = Definition { heading: whole.heading + by, ..whole.clone() };
+            *by != 0.0 && sketch(&turned).is_some_and(|turned| self.looks_like(&turned))
+        })?;
+        let way = if by > 0.0 { "right" } else { "left" };
+        Some(format!("The shape is right, but turned by {} degrees to the {way}.", by.abs()))
+    }
+
+    fn other_generation(&self, whole: &Definition) -> Option<String> {
+        let near = (1..=STEPS).flat_map(|steps| [(true, steps), (false, steps)]);
+        let (is_more, steps) = near.into_iter().find(|&(is_more, steps)| {
+            let n = if is_more { whole.iterations + steps } else { whole.iterations.wrapping_sub(steps) };
+            n <= MAX_ITERATIONS
+                && sketch(&Definition { iterations: n, ..whole.clone() }).is_some_and(|other| self.looks_like(&other))
+        })?;
+        let (way, count) = (if is_more { "more" } else { "less" }, ["one", "two"][steps as usize - 1]);
+        let s = if steps == 1 { "" } else { "s" };
+        Some(match self.exercise().n {
+            Given::Free => format!("The same after {count} {way} iteration{s}."),
+            _ => format!("It would be the same after {count} {way} iteration{s}: in each step your rules do {}.", {
+                if is_more { "too little" } else { "too much" }
+            }),
+        })
+    }
+
+    fn other_angle(&self, whole: &Definition) -> Option<String> {
+        if self.exercise().angle != Given::Free {
+            return None;
+        }
+        let own = self.exercise().target.angle;
+        let found = ANGLES
+            .into_iter()
+            .chain([own])
+            .any(|angle| sketch(&Definition { angle, ..whole.clone() }).is_some_and(|other| self.looks_like(&other)));
+        found.then(|| "The rules are right, but the angle is not.".to_owned())
+    }
+
+    /// How many of the first segments are right.
+    fn common_start(&self, own: &Sketch) -> Option<String> {
+        let (target, _) = self.target().shape.lists()?;
+        let (own, _) = own.shape.lists()?;
+        let [a, b] = [Fit::first(&target), Fit::first(&own)];
+        let is_near = |a: &Segment, b: &Segment| {
+            a.as_flattened().iter().zip(b.as_flattened()).all(|(a, b)| (a - b).abs() < NEAR * (1.0 + a.abs()))
+        };
+        let same = target.iter().zip(&own).take_while(|(x, y)| is_near(&a.place(x), &b.place(y))).count();
+        match same {
+            0 => Some("The first segment points in another direction.".to_owned()),
+            1 => None,
+            same => {
+                Some(format!("The first {} segments are right. Look at the turn after them.", counted(same as u128)))
+            }
+        }
+    }
+}
+
+fn sketch(definition: &Definition) -> Option<Sketch> {
+    Sketching::new(definition).ok()?.finish().ok()
+}

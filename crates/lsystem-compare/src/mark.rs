@@ -1,0 +1,281 @@
+//! Marks of answers to exercises.
+
+use crate::exercise::{Asks, Exercise};
+use crate::ink::Mask;
+use crate::same::Outline;
+use crate::sample::{Sample, Sampling};
+use crate::sketch::{Sketch, Sketching};
+use lsystem_drawing::{System, expand};
+use lsystem_syntax::message::grouped;
+use lsystem_syntax::{Definition, Diagnostic, Limits};
+
+/// Pictures whose ink agrees less than this are different: equal ones differ by the rounding of pixels only.
+const SURELY_DIFFERENT: f64 = 0.98;
+/// The most symbols of strings that are compared.
+const LIMITS: Limits =
+    Limits { symbols: 4 << 20, modules: 1 << 20, segments: u32::MAX as u64, work: 16 << 20, memory: 48 << 20 };
+/// The first seeds of both samples.
+const SEEDS: [u32; 2] = [0, 1_000];
+
+/// The mark of an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// Whether the exercise is solved.
+    pub is_solved: bool,
+    /// How near the answer is, from 0 to 1. For pictures, the part of the ink that agrees.
+    pub agreement: f64,
+    /// Whether the answer is the same as the target; `None` if that is unknown, because both are too large.
+    pub is_same: Option<bool>,
+    /// The symbols of the student's own rules.
+    pub symbols: u32,
+    /// The segments of the target and of the answer.
+    pub segments: [u128; 2],
+    /// A sentence about the measure: what agrees, or the first difference.
+    pub words: String,
+    /// The errors of the answer.
+    pub errors: Vec<Diagnostic>,
+}
+
+/// Marks answers to one exercise.
+pub struct Marker {
+    exercise: Exercise,
+    target: Sketch,
+    /// The target's ink; empty before it is needed, and if there is too much.
+    outline: Option<Outline>,
+    text: Option<String>,
+    sample: Option<Sample>,
+    /// The mask of the last marked answer.
+    own: Mask,
+}
+
+/// A mark in the making.
+pub struct Marking {
+    whole: Definition,
+    symbols: u32,
+    stage: Stage,
+}
+
+enum Stage {
+    Sketch(Sketching),
+    Sample(Box<Sketch>, Box<Sampling>),
+    Failed(Vec<Diagnostic>),
+}
+
+impl Marker {
+    /// Draws the target.
+    ///
+    /// # Errors
+    /// The errors of the target, or the limit that it exceeds.
+    pub fn new(exercise: Exercise) -> Result<Self, Vec<Diagnostic>> {
+        let one = |limit| vec![limit];
+        let target = Sketching::new(&exercise.target)?.finish().map_err(one)?;
+        let (mut text, mut sample) = (None, None);
+        match exercise.asks {
+            Asks::Picture | Asks::Segments => {}
+            Asks::Text => text = Some(string(&exercise.target)?),
+            Asks::Statistics => {
+                let mut sampling = Sampling::new(&exercise.target, SEEDS[0]);
+                while sample.is_none() {
+                    sample = sampling.step()?;
+                }
+            }
+        }
+        Ok(Self { exercise, target, outline: None, text, sample, own: Mask::default() })
+    }
+
+    /// The exercise.
+    #[must_use]
+    pub fn exercise(&self) -> &Exercise {
+        &self.exercise
+    }
+
+    /// Starts to mark an answer: the student's own rules, and values of what is free.
+    #[must_use]
+    pub fn begin(&self, student: &Definition) -> Marking {
+        let whole = self.exercise.complete(student);
+        let stage = match Sketching::new(&whole) {
+            Ok(sketching) => Stage::Sketch(sketching),
+            Err(errors) => Stage::Failed(errors),
+        };
+        Marking { whole, symbols: Exercise::symbols(student), stage }
+    }
+
+    /// Marks an answer at once.
+    pub fn mark(&mut self, student: &Definition) -> Mark {
+        let mut marking = self.begin(student);
+        loop {
+            if let Some(mark) = self.step(&mut marking, u64::MAX) {
+                return mark;
+            }
+        }
+    }
+
+    /// Works on a mark for about `work` units, or until a longer step is done. Returns the mark after the last step.
+    pub fn step(&mut self, marking: &mut Marking, work: u64) -> Option<Mark> {
+        let stage = core::mem::replace(&mut marking.stage, Stage::Failed(Vec::new()));
+        match stage {
+            Stage::Failed(errors) => Some(self.failed(marking, errors)),
+            Stage::Sketch(sketching) => match sketching.step(work) {
+                Err(limit) => Some(self.failed(marking, vec![limit])),
+                Ok(Err(more)) => {
+                    marking.stage = Stage::Sketch(more);
+                    None
+                }
+                Ok(Ok(sketch)) if self.sample.is_some() => {
+                    let sampling = Box::new(Sampling::new(&marking.whole, SEEDS[1]));
+                    marking.stage = Stage::Sample(Box::new(sketch), sampling);
+                    None
+                }
+                Ok(Ok(sketch)) => Some(self.compared(marking, &sketch)),
+            },
+            Stage::Sample(sketch, mut sampling) => match sampling.step() {
+                Err(errors) => Some(self.failed(marking, errors)),
+                Ok(None) => {
+                    marking.stage = Stage::Sample(sketch, sampling);
+                    None
+                }
+                Ok(Some(sample)) => Some(self.sampled(marking, &sketch, &sample)),
+            },
+        }
+    }
+
+    /// The pixels of the target and of the last marked answer, 512 by 512, row by row from above: 1 for ink of both, 2
+    /// for ink that is missing, 4 for ink that is too much, 0 for none.
+    #[must_use]
+    pub fn overlay(&self) -> Vec<u8> {
+        self.own.compared(&self.target.mask)
+    }
+
+    pub(crate) fn target(&self) -> &Sketch {
+        &self.target
+    }
+
+    fn failed(&mut self, marking: &Marking, errors: Vec<Diagnostic>) -> Mark {
+        self.own = Mask::default();
+        Mark {
+            is_solved: false,
+            agreement: 0.0,
+            is_same: Some(false),
+            symbols: marking.symbols,
+            segments: [self.target.shape.segment_count(), 0],
+            words: String::new(),
+            errors,
+        }
+    }
+
+    fn compared(&mut self, marking: &Marking, own: &Sketch) -> Mark {
+        match self.exercise.asks {
+            Asks::Text => self.compared_texts(marking, own),
+            Asks::Segments => {
+                let [expected, found] = [self.target.shape.segment_count(), own.shape.segment_count()];
+                let agreement = match expected.max(found) {
+                    0 => 1.0,
+                    most => expected.min(found) as f64 / most as f64,
+                };
+                let words = format!("{} of {} segments.", counted(found), counted(expected));
+                self.marked(marking, own, agreement, Some(expected == found), words)
+            }
+            Asks::Picture | Asks::Statistics => {
+                let agreement = own.mask.agreement(&self.target.mask);
+                let is_same = self.is_same(own, agreement);
+                let words = match is_same {
+                    Some(true) => "The picture is the same.".to_owned(),
+                    _ => format!("{} of the ink agrees.", percent(agreement)),
+                };
+                self.marked(marking, own, agreement, is_same, words)
+            }
+        }
+    }
+
+    /// Whether a drawing is the same picture as the target; `None` if unknown.
+    fn is_same(&mut self, own: &Sketch, agreement: f64) -> Option<bool> {
+        let target = &self.target.shape;
+        if agreement < SURELY_DIFFERENT {
+            return Some(false);
+        }
+        if own.shape.has_graph_of(target) {
+            return Some(true);
+        }
+        if self.outline.is_none() {
+            self.outline = target.outline();
+        }
+        // An empty picture has no outline that could tell it from points.
+        if own.mask.is_empty() != self.target.mask.is_empty() {
+            return Some(false);
+        }
+        own.shape.has_outline(self.outline.as_mut()?)
+    }
+
+    fn compared_texts(&mut self, marking: &Marking, own: &Sketch) -> Mark {
+        let text = match string(&marking.whole) {
+            Ok(text) => text,
+            Err(errors) => return self.failed(marking, errors),
+        };
+        let expected = self.text.as_deref().unwrap_or_default();
+        let same = text.chars().zip(expected.chars()).take_while(|(a, b)| a == b).count();
+        let [found, most] = [text.chars().count(), expected.chars().count()];
+        let is_same = text == expected;
+        let agreement = if is_same { 1.0 } else { same as f64 / found.max(most) as f64 };
+        let words = match is_same {
+            true => "The string is the same.".to_owned(),
+            false => {
+                let [same, found, most] = [same, found, most].map(|count| counted(count as u128));
+                format!("The first {same} symbols agree. Your string has {found} symbols, the target {most}.")
+            }
+        };
+        self.marked(marking, own, agreement, Some(is_same), words)
+    }
+
+    fn sampled(&mut self, marking: &Marking, own: &Sketch, sample: &Sample) -> Mark {
+        let distance = self.sample.as_ref().map_or(1.0, |target| target.distance(sample));
+        let is_near = Sample::is_near(distance);
+        let words = match is_near {
+            true => "Over many seeds the numbers of segments and the sizes agree.".to_owned(),
+            false => format!("Over many seeds {} of the drawings are as often as large.", percent(1.0 - distance)),
+        };
+        self.marked(marking, own, 1.0 - distance, Some(is_near), words)
+    }
+
+    fn marked(
+        &mut self,
+        marking: &Marking,
+        own: &Sketch,
+        agreement: f64,
+        is_same: Option<bool>,
+        words: String,
+    ) -> Mark {
+        self.own = own.mask.clone();
+        let is_close = is_same == Some(true) || self.exercise.tolerance.is_some_and(|least| agreement >= least);
+        let is_short = self.exercise.most_symbols.is_none_or(|most| marking.symbols <= most);
+        let words = match (is_close, is_short, self.exercise.most_symbols) {
+            (true, false, Some(most)) => {
+                format!("{words} But your rules have {} symbols; at most {most} are asked for.", marking.symbols)
+            }
+            _ => words,
+        };
+        Mark {
+            is_solved: is_close && is_short,
+            agreement,
+            is_same,
+            symbols: marking.symbols,
+            segments: [self.target.shape.segment_count(), own.shape.segment_count()],
+            words,
+            errors: Vec::new(),
+        }
+    }
+}
+
+fn string(definition: &Definition) -> Result<String, Vec<Diagnostic>> {
+    let (system, diagnostics) = System::new(definition);
+    let Some(system) = system else { return Err(diagnostics.into_iter().filter(Diagnostic::is_error).collect()) };
+    expand(&system, definition.iterations, &LIMITS).map_err(|limit| vec![limit])
+}
+
+/// A part as percent, rounded down: what is not the same is never called 100 %.
+pub(crate) fn percent(part: f64) -> String {
+    format!("{:.1} %", libm::floor(part * 1000.0) / 10.0)
+}
+
+pub(crate) fn counted(count: u128) -> String {
+    grouped(&count.to_string())
+}

@@ -1,0 +1,74 @@
+//! Drawings of one system with many seeds, as statistics.
+
+use lsystem_drawing::{Drawer, System};
+use lsystem_syntax::{Definition, Diagnostic, Limits};
+
+/// The number of seeds.
+const SEEDS: u32 = 400;
+/// The limits of each drawing.
+const LIMITS: Limits = Limits { symbols: 1 << 20, modules: 1 << 18, segments: 50_000, work: 1 << 18, memory: 16 << 20 };
+/// Two samples of the same system are farther apart than this once in a thousand times (Kolmogorov-Smirnov).
+const FAR: f64 = 1.95 * core::f64::consts::SQRT_2 / 20.0;
+
+/// What is measured of each drawing: segments, width and height.
+const MEASURES: usize = 3;
+
+/// Measures of drawings with one seed each, sorted.
+#[derive(Default)]
+pub(crate) struct Sample([Vec<f64>; MEASURES]);
+
+/// A sample in the making.
+pub(crate) struct Sampling {
+    definition: Definition,
+    first: u32,
+    sample: Sample,
+}
+
+impl Sampling {
+    /// `first` is the first of [`SEEDS`] seeds. Samples that are compared must have different seeds.
+    pub(crate) fn new(definition: &Definition, first: u32) -> Self {
+        Self { definition: definition.clone(), first, sample: Sample::default() }
+    }
+
+    /// Draws with one more seed. Returns the sample after the last one.
+    ///
+    /// # Errors
+    /// The errors of the definition, or the limit that a drawing exceeds.
+    pub(crate) fn step(&mut self) -> Result<Option<Sample>, Vec<Diagnostic>> {
+        let done = self.sample.0[0].len() as u32;
+        if done == SEEDS {
+            let mut sample = core::mem::take(&mut self.sample);
+            sample.0.iter_mut().for_each(|measures| measures.sort_by(f64::total_cmp));
+            return Ok(Some(sample));
+        }
+        self.definition.seed = self.first + done;
+        let (system, diagnostics) = System::new(&self.definition);
+        let Some(system) = system else { return Err(diagnostics.into_iter().filter(Diagnostic::is_error).collect()) };
+        let n = self.definition.iterations;
+        let drawing = Drawer::new(&system, n, LIMITS).finish().map_err(|limit| vec![limit])?;
+        let [x0, y0, x1, y1] = drawing.bounds().unwrap_or_default();
+        let measures = [drawing.segment_count() as f64, x1 - x0, y1 - y0];
+        self.sample.0.iter_mut().zip(measures).for_each(|(list, measure)| list.push(measure));
+        Ok(None)
+    }
+}
+
+impl Sample {
+    /// The largest distance of the distributions of a measure, from 0 to 1.
+    pub(crate) fn distance(&self, other: &Self) -> f64 {
+        self.0.iter().zip(&other.0).map(|(a, b)| distance(a, b)).fold(0.0, f64::max)
+    }
+
+    /// Whether a distance is what chance alone may bring.
+    pub(crate) fn is_near(distance: f64) -> bool {
+        distance < FAR
+    }
+}
+
+/// The largest difference of the parts below any value (Kolmogorov-Smirnov), of sorted lists. Values that differ by
+/// rounding are equal.
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let below = |list: &[f64], value: f64| list.partition_point(|other| *other <= value) as f64 / list.len() as f64;
+    let values = a.iter().chain(b).map(|value| value + 1e-6);
+    values.map(|value| (below(a, value) - below(b, value)).abs()).fold(0.0, f64::max)
+}

@@ -1,0 +1,207 @@
+//! Exercises: what students see, how answers are marked, and hints.
+
+mod naive;
+
+use lsystem_compare::{Asks, Exercise, First, Given, Mark, Marker};
+use lsystem_syntax::{Definition, Dialect};
+use naive::is_same;
+use naive::systems::{one_symbol_edits, rewritings, systems};
+
+fn system(axiom: &str, rules: &str, angle: f64, n: u32) -> Definition {
+    Definition { axiom: axiom.into(), rules: rules.into(), angle, iterations: n, heading: 0.0, ..Definition::default() }
+}
+
+fn exercise(target: &Definition) -> Exercise {
+    Exercise { target: target.clone(), ..Exercise::default() }
+}
+
+fn mark(exercise: &Exercise, rules: &str) -> Mark {
+    Marker::new(exercise.clone()).unwrap().mark(&Definition { rules: rules.into(), ..exercise.start() })
+}
+
+fn hint(exercise: &Exercise, rules: &str) -> String {
+    let marker = Marker::new(exercise.clone()).unwrap();
+    marker.hint(&Definition { rules: rules.into(), ..exercise.start() }).unwrap_or_default()
+}
+
+/// Every one-symbol edit is marked as brute force on segments says, and all equivalent rules are accepted.
+#[test]
+fn marks_are_those_of_brute_force() {
+    let (mut wrong, mut right, mut nearest) = (0, 0, 0.0_f64);
+    for system in systems() {
+        let target = system.segments().unwrap();
+        let mut marker =
+            Marker::new(Exercise { axiom: Given::Free, angle: Given::Free, ..exercise(&system.definition()) }).unwrap();
+        let edits = one_symbol_edits(&system.rules[0].1, &system.alphabet());
+        let edited = edits.into_iter().map(|edit| ("edit", system.with_rule(0, edit)));
+        for (kind, other) in edited.chain(rewritings(&system)) {
+            let Some(segments) = other.segments() else { continue };
+            let expected = is_same(&target, &segments);
+            let found = marker.mark(&other.definition());
+            assert_eq!((found.is_solved, found.is_same), (expected, Some(expected)), "{kind}: {other:?}: {found:?}");
+            match expected {
+                true => {
+                    assert!(found.agreement > 0.999, "{kind}: {other:?}: {found:?}");
+                    right += 1;
+                }
+                false => {
+                    nearest = nearest.max(found.agreement);
+                    wrong += 1;
+                }
+            }
+        }
+    }
+    assert!(right >= 300 && wrong >= 800 && nearest < 0.9, "{right} right, {wrong} wrong, nearest {nearest}");
+}
+
+#[test]
+fn too_large_pictures_are_the_same_by_their_graphs() {
+    let koch = exercise(&system("F", "F -> F+F--F+F", 60.0, 14));
+    for (rules, expected) in [
+        ("F -> F+F--F+F", Some(true)),
+        ("F -> F+F--F+F\nX -> F", Some(true)),
+        ("F -> F+F-+--F+F", Some(true)),
+        ("F -> [F]F+F--F+F", None),
+        ("F -> F-F++F-F", Some(false)),
+    ] {
+        let mark = mark(&koch, rules);
+        assert_eq!((mark.is_same, mark.is_solved), (expected, expected == Some(true)), "{rules}: {mark:?}");
+        assert_eq!(mark.agreement > 0.999, expected != Some(false), "{rules}: {mark:?}");
+    }
+    let tolerant = Exercise { tolerance: Some(0.99), ..koch };
+    assert!(mark(&tolerant, "F -> [F]F+F--F+F").is_solved);
+    assert!(!mark(&tolerant, "F -> F-F++F-F").is_solved);
+}
+
+#[test]
+fn filled_shapes_and_drawings_in_space_are_compared() {
+    let leaf = exercise(&system("A", "A -> {.+F.-F.}F[+A][-A]", 25.0, 4));
+    assert!(mark(&leaf, "A -> {.+F.-F.}F[-A][+A]").is_solved);
+    assert!(!mark(&leaf, "A -> F[+A][-A]").is_solved, "without the leaves");
+    let tree = exercise(&system("A", "A -> F[&A]////[&A]", 30.0, 5));
+    assert!(mark(&tree, "A -> F[&A]////[&A]").is_solved);
+    assert!(mark(&tree, "A -> F[&A][////&A]").is_solved);
+    assert!(!mark(&tree, "A -> F[&A]///[&A]").is_solved);
+    assert!(!mark(&tree, "A -> F[+A]--[+A]").is_solved, "in the plane");
+}
+
+/// Parts that are hidden never reach the student, and count all the same.
+#[test]
+fn students_see_what_is_shown() {
+    let target = Definition {
+        overrides: "K: draw".into(),
+        dialect: Dialect::Abop,
+        ..system("X", "X -> F[+X]-X\n\nF -> FF", 25.0, 4)
+    };
+    let mut exercise = Exercise {
+        title: "A weed".into(),
+        axiom: Given::Hidden,
+        n: Given::Free,
+        turtle: Given::Hidden,
+        rules: vec![Given::Free, Given::Shown, Given::Hidden],
+        first: First { n: 2, rules: "X -> F".into(), ..First::default() },
+        ..exercise(&target)
+    };
+    let start = exercise.start();
+    assert_eq!((start.axiom.as_str(), start.rules.as_str(), start.overrides.as_str()), ("", "X -> F", ""));
+    assert_eq!((start.iterations, start.angle, start.title.as_str()), (2, 25.0, "A weed"));
+    assert_eq!(exercise.shown_rules(), "");
+    let answer =
+        Definition { rules: "X -> F[+X]-X".into(), iterations: 4, axiom: "nonsense".into(), angle: 3.0, ..start };
+    let whole = exercise.complete(&answer);
+    assert_eq!((whole.axiom.as_str(), whole.rules.as_str()), ("X", "X -> F[+X]-X\n\nF -> FF"));
+    assert_eq!((whole.angle, whole.overrides.as_str()), (25.0, "K: draw"));
+    assert!(Marker::new(exercise.clone()).unwrap().mark(&answer).is_solved);
+    exercise.rules = vec![Given::Shown];
+    assert_eq!(exercise.shown_rules(), "X -> F[+X]-X");
+    let veiled = exercise.write();
+    assert_eq!(Exercise::read(&veiled).as_ref(), Ok(&exercise));
+    assert!(
+        lsystem_files::packed::unpack(&veiled, 1 << 20)
+            .is_ok_and(|bytes| !bytes.windows(4).any(|part| part == b"X ->"))
+    );
+}
+
+#[test]
+fn damaged_exercises_are_refused() {
+    let text = exercise(&system("F", "F -> F+F", 90.0, 3)).write();
+    for wrong in [&text[..text.len() - 9], "", "AAAA", "%", "\u{1f33f}"] {
+        assert!(Exercise::read(wrong).unwrap_err().contains("damaged"), "{wrong}");
+    }
+    let long = Exercise {
+        title: "🌿".repeat(500),
+        hints: vec![String::new(); 99],
+        tolerance: Some(7.0),
+        ..Exercise::default()
+    };
+    let read = Exercise::read(&long.write()).unwrap();
+    assert_eq!((read.title.chars().count(), read.hints.len(), read.tolerance), (100, 20, None));
+    assert!(Marker::new(exercise(&system("F", "F -> F(", 90.0, 3))).is_err());
+    assert!(Marker::new(exercise(&system("FF", "F < F -> FFFF", 90.0, 999))).is_err_and(|limits| !limits.is_empty()));
+}
+
+#[test]
+fn other_things_can_be_asked() {
+    let doubling = Exercise { asks: Asks::Text, ..exercise(&system("A", "A -> AB\nB -> A", 90.0, 6)) };
+    assert!(mark(&doubling, "B -> A\nA -> AB").is_solved);
+    let wrong = mark(&doubling, "A -> AB\nB -> B");
+    assert!(
+        !wrong.is_solved
+            && wrong.words.contains("The first 2 symbols agree. Your string has 7 symbols, the target 21."),
+        "{wrong:?}"
+    );
+    let many = Exercise { asks: Asks::Segments, ..exercise(&system("F", "F -> F+F--F+F", 60.0, 3)) };
+    assert!(mark(&many, "F -> FF[F]F").is_solved);
+    assert!(mark(&many, "F -> FFF").words.contains("27 of 64 segments"));
+    let short = Exercise { most_symbols: Some(9), ..exercise(&system("F", "F -> F+F--F+F", 60.0, 3)) };
+    assert!(mark(&short, "F -> F+F--F+F").is_solved);
+    let long = mark(&short, "F -> F+F---+F+F");
+    assert!(!long.is_solved && long.is_same == Some(true) && long.symbols == 11, "{long:?}");
+    assert!(long.words.contains("at most 9"), "{long:?}");
+}
+
+#[test]
+fn random_plants_are_marked_by_their_statistics() {
+    let weed = system("F", "F -> F[+F]F[-F]F : 0.5\nF -> F[+F]F : 0.5", 25.7, 3);
+    let exercise = Exercise { asks: Asks::Statistics, ..exercise(&weed) };
+    assert!(mark(&exercise, "F -> F[+F]F : 1\nF -> F[+F]F[-F]F : 1").is_solved);
+    for wrong in
+        ["F -> F[+F]F[-F]F", "F -> F[+F]F[-F]F : 0.7\nF -> F[+F]F : 0.3", "F -> F[+F]F : 0.5\nF -> F[-F]F[-F]F : 0.5"]
+    {
+        let mark = mark(&exercise, wrong);
+        assert!(!mark.is_solved && mark.agreement < 0.9, "{wrong}: {mark:?}");
+    }
+}
+
+#[test]
+fn errors_of_answers_are_told() {
+    let koch = exercise(&system("F", "F -> F+F--F+F", 60.0, 3));
+    let broken = mark(&koch, "F -> F(");
+    assert!(!broken.is_solved && broken.agreement == 0.0 && broken.errors.len() == 1, "{broken:?}");
+    let endless = mark(
+        &koch,
+        "F < F -> FFFFFFFFFFFFFFFFFFFFFFFFF+F\nF -> FFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFF",
+    );
+    assert!(!endless.is_solved, "{endless:?}");
+}
+
+#[test]
+fn hints_name_what_is_wrong() {
+    let koch = exercise(&system("F", "F -> F+F--F+F", 60.0, 3));
+    let bush = Exercise { angle: Given::Free, n: Given::Free, ..exercise(&system("F", "F -> F[+F]F[-F][F]", 20.0, 4)) };
+    let answer = |rules: &str, angle, iterations| {
+        let marker = Marker::new(bush.clone()).unwrap();
+        marker.hint(&Definition { rules: rules.into(), angle, iterations, ..bush.start() }).unwrap_or_default()
+    };
+    for (found, expected) in [
+        (hint(&koch, "F -> F-F++F-F"), "mirror image"),
+        (hint(&koch, "# nothing yet"), "no rule yet"),
+        (hint(&koch, "F -> X"), "rewritten away"),
+        (hint(&koch, "F -> F+F--F+FF-F"), "first"),
+        (answer("F -> F[+F]F[-F][F]", 20.0, 3), "The same after one more iteration."),
+        (answer("F -> F[+F]F[-F][F]", 25.0, 4), "the angle is not"),
+        (answer("F -> F[+F]F[-F][F][F]", 20.0, 4), "Right outline, too many segments"),
+    ] {
+        assert!(found.to_lowercase().contains(&expected.to_lowercase()), "{expected}: {found}");
+    }
+}
