@@ -20,6 +20,8 @@ pub(crate) enum Command {
     Import { files: Vec<PathBuf>, to: PathBuf },
     /// Compare the output of a program with a system.
     Check { file: PathBuf, output: PathBuf, changes: Changes },
+    /// Mark answers to an exercise.
+    Mark { exercise: String, answers: Vec<String>, csv: bool, html: Option<PathBuf> },
     /// Print facts.
     Info { files: Vec<PathBuf>, json: bool, changes: Changes },
 }
@@ -78,6 +80,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             false => Ok(Command::Check { file, output, changes }),
             true => Err(explain("check", "standard input (-) can be read only once".to_owned())),
         },
+        Verb::Mark { exercise, answers, csv, html } => Ok(Command::Mark { exercise, answers, csv, html }),
         Verb::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut cli, "lsys", &mut script);
@@ -228,6 +231,7 @@ mod tests {
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
             Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
+            Ok(Command::Mark { exercise, answers, csv, html }) => format!("mark {exercise} {answers:?} csv {csv} {html:?}"),
             Err(error) => error.split("\n\n").next().unwrap_or_default().to_owned(),
         };
         expected.assert_eq(&text);
@@ -256,6 +260,7 @@ mod tests {
                 r#"draw "x/a.json" to Write("d/x-a", [txt, svg]), "y/a.json" to Write("d/y-a", [txt, svg]) n None seed None"#
             ]],
         );
+        check("mark #x=a b.csv c --csv", &expect![[r##"mark #x=a ["b.csv", "c"] csv true None"##]]);
         check("info a.json b.json --json", &expect![[r#"info ["a.json", "b.json"] json true n None seed None"#]]);
         check("info -- -n", &expect![[r#"info ["-n"] json false n None seed None"#]]);
         check("draw - --format svg", &expect![[r#"draw "-" to Print(svg) n None seed None"#]]);

@@ -93,6 +93,22 @@ pub(crate) enum Verb {
         #[command(flatten)]
         changes: Changes,
     },
+    /// Mark answers to an exercise
+    ///
+    /// EXERCISE is the link of an exercise, or a file with the link. Each of ANSWERS is the link of an
+    /// answer, a file with a system, or a table (CSV) with a link in each row.
+    #[command(verbatim_doc_comment)]
+    Mark {
+        exercise: String,
+        #[arg(required = true, value_hint = ValueHint::AnyPath)]
+        answers: Vec<String>,
+        /// Print the table as CSV
+        #[arg(long)]
+        csv: bool,
+        /// Write the marks as a page with pictures, too
+        #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+        html: Option<PathBuf>,
+    },
     /// Print the script that completes commands and options in a shell
     Completions {
         /// Shell that will read the script

@@ -1,6 +1,7 @@
 //! `lsys`: derives, draws, compares and inspects L-systems from JSON files and from files of other programs. The library
 //! `lsystem` does the work; this program reads arguments and files and writes results and messages.
 
+mod answers;
 mod args;
 mod check;
 mod cli;
@@ -9,6 +10,7 @@ mod draw;
 mod import;
 mod info;
 mod input;
+mod mark;
 mod memory;
 mod output;
 mod pending;
@@ -88,6 +90,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
         Command::Import { files, to } => import::import(&files, &to),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
+        Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
         Command::Info { files, json, changes } => info::info(&files, json, &changes),
     }
 }

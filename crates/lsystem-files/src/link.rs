@@ -56,7 +56,7 @@ impl Link {
 pub fn read_link(text: &str) -> Option<Link> {
     let text = text.trim();
     let hash = text.split_once('#').map_or(text, |(_, hash)| hash);
-    let known = |key: &str| matches!(key, "v" | "z") || FIELDS.iter().any(|spec| spec.link == key);
+    let known = |key: &str| matches!(key, "v" | "x" | "z") || FIELDS.iter().any(|spec| spec.link == key);
     if !fields_of(hash).any(|(key, _)| known(key)) {
         return None;
     }
