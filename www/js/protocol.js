@@ -143,7 +143,31 @@ export {};
 // Tools: workers that few visits need, each with a wasm of its own.
 
 /** The calls of the tool that reads other notations; null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
-/** The calls of the tool for courses. @typedef {{check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string}}}} CourseCalls */
+/**
+ * An exercise (docs/exercises.md). `rules`: how each line of the target's rules is given.
+ * @typedef {'shown' | 'free' | 'hidden'} Given
+ * @typedef {'picture' | 'text' | 'segments' | 'statistics'} Asks
+ * @typedef {{title: string, task: string, hints: string[], target: Definition, axiom: Given, angle: Given, n: Given, turtle: Given, rules: Given[], first: {axiom: string, rules: string, angle: number, n: number}, asks: Asks, mostSymbols: number | null, tolerance: number | null, showsAnswer: boolean}} Exercise
+ */
+/**
+ * What a student sees of an exercise. `fixed` is the system without what the student found; `free` are the fields,
+ * besides the rules, that the student has to find.
+ * @typedef {{title: string, task: string, hints: string[], asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, hidesRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, start: Definition, fixed: Definition, free: (keyof Definition)[]}} AboutExercise
+ */
+/** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown. @typedef {{isSolved: boolean, agreement: number, isSame: boolean | null, symbols: number, words: string, errors: string[]}} Mark */
+/**
+ * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
+ * for missing ink, 4 for ink that is too much.
+ * @typedef {{
+ *     check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string}},
+ *     write: {asked: {exercise: Exercise}, answer: string},
+ *     open: {asked: {text: string}, answer: AboutExercise},
+ *     picture: {asked: {text: string, width: number, height: number, ratio: number}, answer: Uint8Array<ArrayBuffer>},
+ *     hint: {asked: {text: string, student: Definition}, answer: string | null},
+ *     answer: {asked: {text: string}, answer: Definition | null},
+ *     mark: {asked: {text: string, student: Definition}, answer: {mark: Mark, pixels: Uint8Array<ArrayBuffer>}},
+ * }} CourseCalls
+ */
 /** From the page to a tool: calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
 /** From a tool to the page. `fatal`: the tool has crashed. @typedef {{type: 'pong'} | {type: 'answer', id: number, value: unknown} | {type: 'progress', id: number, value: unknown} | {type: 'refused', id: number, reason: unknown} | {type: 'fatal', id: number, reason: unknown}} FromTool */
 

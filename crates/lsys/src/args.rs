@@ -231,7 +231,9 @@ mod tests {
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
             Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
-            Ok(Command::Mark { exercise, answers, csv, html }) => format!("mark {exercise} {answers:?} csv {csv} {html:?}"),
+            Ok(Command::Mark { exercise, answers, csv, html }) => {
+                format!("mark {exercise} {answers:?} csv {csv} {html:?}")
+            }
             Err(error) => error.split("\n\n").next().unwrap_or_default().to_owned(),
         };
         expected.assert_eq(&text);

@@ -48,6 +48,8 @@ fn marked_by(marker: &mut Marker, answer: Answer, with_picture: bool) -> Marked 
     match &answer.student {
         Err(words) => Marked { words: words.clone(), mark: None, picture: Vec::new(), answer },
         Ok(student) => {
+            // A whole system in a file has the given rules, too.
+            let student = &Definition { rules: marker.exercise().own_rules(&student.rules), ..student.clone() };
             let mark = marker.mark(student);
             let picture = if with_picture { page::picture(&marker.overlay()) } else { Vec::new() };
             let words = said(marker, student, &mark);

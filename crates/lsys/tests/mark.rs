@@ -13,8 +13,13 @@ fn lsys(folder: &Path, words: &[&str]) -> (Option<i32>, String) {
 }
 
 fn koch() -> Exercise {
-    let target =
-        Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, iterations: 3, ..Definition::default() };
+    let target = Definition {
+        axiom: "F".into(),
+        rules: "F -> F+F--F+F".into(),
+        angle: 60.0,
+        iterations: 3,
+        ..Definition::default()
+    };
     Exercise { title: "The <first> curve".into(), target, n: Given::Free, ..Exercise::default() }
 }
 
@@ -54,7 +59,9 @@ fn told(words: &[&str], expected: &Expect) {
 
 #[test]
 fn answers_are_marked() {
-    told(&["mark", "exercise.txt", "answers.csv", "own.json", "--html", "page.html"], &expect![[r#"
+    told(
+        &["mark", "exercise.txt", "answers.csv", "own.json", "--html", "page.html"],
+        &expect![[r#"
         Some(0)
         name      solved  agrees  symbols  remark
         Ada       yes    100.0 %        9  The picture is the same.
@@ -65,23 +72,36 @@ fn answers_are_marked() {
         Grace     no                       an answer to another exercise
         own       yes    100.0 %        9  The picture is the same.
         2 of 7 solved.
-    "#]]);
+    "#]],
+    );
     let link = answer(&koch().write(), "Ada, at home", "F -> F+F--F+F", 3);
-    told(&["mark", &link, &link, "--csv"], &expect![[r#"
+    told(
+        &["mark", &link, &link, "--csv"],
+        &expect![[r#"
         Some(0)
         name,solved,agreement_percent,symbols,target_segments,own_segments,remark,link
         "Ada, at home",yes,100.0,9,64,64,The picture is the same.,https://example.org/exercise.html#v=1&x=eNpNj81Og0AAhGFLysJCgUBYu_wYbWpsjDGe9GBCCi3Q7gLVblPrptTE6LGv4KtLL6bHLzOZL_NEiekAmGXFTcmHejsOIlvUAw-5GERBuksAaws2zRwj5GlgfDlzZiuhrphFKdz3-nWkdPltUwmsMr70wPGhXoj6bpmUhx_y63lHicjYGkIfyQDpF_CTWjo4-dbpQJ4Rcu-oCLJtppvR9hB0rGpQOuNryvNeCBWxWPEZTfmkY78PfFy0IGMf-4Ty5DltVBvL3O1V_3td_222WdPjmuULZlixhgHSTn4pP7R2JRSZdn_Ii2TadgizTXHZpNX39ArJ0Gdby9Biw612fBJYeh81Atsxi4L5ahRHYxQRBRVlvtrM949_Q0M5og&n=3&rules=%46%20%2D%3E%20%46%2B%46%2D%2D%46%2B%46&by=%41%64%61%2C%20%61%74%20%68%6F%6D%65
-    "#]]);
-    told(&["mark", "own.json", "answers.csv"], &expect![[r#"
+    "#]],
+    );
+    told(
+        &["mark", "own.json", "answers.csv"],
+        &expect![[r#"
         Some(1)
         error: own.json: there is no link of an exercise (with x=...)
-    "#]]);
-    told(&["mark", "#x=AAAA", "answers.csv"], &expect![[r#"
+    "#]],
+    );
+    told(
+        &["mark", "#x=AAAA", "answers.csv"],
+        &expect![[r#"
         Some(1)
         error: the exercise is damaged or cut off
-    "#]]);
-    told(&["mark", "exercise.txt", "missing.csv"], &expect![[r#"
+    "#]],
+    );
+    told(
+        &["mark", "exercise.txt", "missing.csv"],
+        &expect![[r#"
         Some(1)
         error: missing.csv: No such file or directory (os error 2)
-    "#]]);
+    "#]],
+    );
 }

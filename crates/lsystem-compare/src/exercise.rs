@@ -1,7 +1,7 @@
 //! Exercises: a target, what the student is given, and what counts as solved.
 
 use lsystem_files::packed::{pack, unpack};
-use lsystem_syntax::{Definition, parse};
+use lsystem_syntax::{Definition, FIELDS, parse};
 use serde::{Deserialize, Serialize};
 
 /// The most bytes of an exercise as JSON.
@@ -147,38 +147,49 @@ impl Exercise {
         }
         if self.angle != Given::Shown {
             let angle = if self.angle == Given::Free { self.first.angle } else { 0.0 };
-            copy_angles(&mut start, &Definition { angle, ..usual.clone() });
+            copy(&mut start, &Definition { angle, ..usual.clone() }, &ANGLES);
         }
         if self.n != Given::Shown {
             start.iterations = if self.n == Given::Free { self.first.n } else { 0 };
         }
         if self.turtle != Given::Shown {
-            copy_turtle(&mut start, &usual);
+            copy(&mut start, &usual, &TURTLE);
         }
         start
     }
 
-    /// The whole system of a student: what the student found, with all that is given, shown or hidden.
+    /// The names of the fields, besides the rules, that the student has to find.
+    #[must_use]
+    pub fn free_fields(&self) -> Vec<&'static str> {
+        let parts: [(Given, &[&'static str]); 4] =
+            [(self.axiom, &["axiom"]), (self.n, &["iterations"]), (self.angle, &ANGLES), (self.turtle, &TURTLE)];
+        parts.into_iter().filter(|(given, _)| *given == Given::Free).flat_map(|(_, names)| names).copied().collect()
+    }
+
+    /// The system without anything that the student found: its rules are those that are shown or hidden.
+    #[must_use]
+    pub fn fixed(&self) -> Definition {
+        let mut fixed = Definition { title: self.title.clone(), ..self.target.clone() };
+        (fixed.name, fixed.source, fixed.notes) = Default::default();
+        fixed.rules = self.lines(Given::Shown).chain(self.lines(Given::Hidden)).collect::<Vec<_>>().join("\n");
+        fixed
+    }
+
+    /// The whole system of a student: what the student found, with all that is given, shown or hidden. The student's
+    /// rules come first, so that places in them stay where they are.
     #[must_use]
     pub fn complete(&self, student: &Definition) -> Definition {
-        let mut whole = Definition { title: self.title.clone(), ..self.target.clone() };
-        (whole.name, whole.source, whole.notes) = Default::default();
-        if self.axiom == Given::Free {
-            whole.axiom.clone_from(&student.axiom);
-        }
-        if self.angle == Given::Free {
-            copy_angles(&mut whole, student);
-        }
-        if self.n == Given::Free {
-            whole.iterations = student.iterations;
-        }
-        if self.turtle == Given::Free {
-            copy_turtle(&mut whole, student);
-        }
-        // The student's rules come first, so that places in them stay where they are.
-        let given = self.lines(Given::Shown).chain(self.lines(Given::Hidden));
-        whole.rules = std::iter::once(student.rules.as_str()).chain(given).collect::<Vec<_>>().join("\n");
+        let mut whole = self.fixed();
+        copy(&mut whole, student, &self.free_fields());
+        whole.rules = format!("{}\n{}", student.rules, whole.rules);
         whole
+    }
+
+    /// A student's rules without those that are given.
+    #[must_use]
+    pub fn own_rules(&self, rules: &str) -> String {
+        let given: Vec<&str> = self.lines(Given::Shown).chain(self.lines(Given::Hidden)).map(str::trim).collect();
+        rules.lines().filter(|line| !given.contains(&line.trim())).collect::<Vec<_>>().join("\n")
     }
 
     /// The symbols of a student's own rules: all modules of predecessors, contexts and successors.
@@ -191,20 +202,28 @@ impl Exercise {
     }
 }
 
-fn copy_angles(to: &mut Definition, from: &Definition) {
-    to.angle = from.angle;
-    to.right_angle = from.right_angle;
-    (to.pitch_down, to.pitch_up) = (from.pitch_down, from.pitch_up);
-    (to.roll_left, to.roll_right) = (from.roll_left, from.roll_right);
-}
+/// The fields of the angles of turns.
+const ANGLES: [&str; 6] = ["angle", "rightAngle", "pitchDown", "pitchUp", "rollLeft", "rollRight"];
+/// The fields of the turtle.
+const TURTLE: [&str; 10] = [
+    "dialect",
+    "overrides",
+    "heading",
+    "step",
+    "start",
+    "lengthFactor",
+    "tropism",
+    "elasticity",
+    "angleVariation",
+    "lengthVariation",
+];
 
-fn copy_turtle(to: &mut Definition, from: &Definition) {
-    to.dialect = from.dialect;
-    to.overrides.clone_from(&from.overrides);
-    to.heading = from.heading;
-    (to.step, to.start, to.length_factor) = (from.step, from.start, from.length_factor);
-    (to.tropism, to.elasticity) = (from.tropism, from.elasticity);
-    (to.angle_variation, to.length_variation) = (from.angle_variation, from.length_variation);
+fn copy(to: &mut Definition, from: &Definition, names: &[&str]) {
+    for spec in FIELDS.iter().filter(|spec| names.contains(&spec.name)) {
+        if let Some(value) = spec.get(from) {
+            spec.set(to, &value);
+        }
+    }
 }
 
 /// Cuts a text to at most `most` UTF-16 units.
@@ -226,11 +245,22 @@ fn veiled(mut bytes: Vec<u8>) -> Vec<u8> {
 
 /// Writes the fields that differ from their defaults.
 fn differing<S: serde::Serializer>(definition: &Definition, serializer: S) -> Result<S::Ok, S::Error> {
-    use lsystem_syntax::FIELDS;
     let usual = Definition::default();
     let fields = FIELDS.iter().filter_map(|spec| {
         let value = spec.get(definition)?;
         (spec.get(&usual).as_ref() != Some(&value)).then_some((spec.name, value))
     });
     serializer.collect_map(fields)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_named_field_exists() {
+        for name in ANGLES.iter().chain(&TURTLE).chain(&["axiom", "iterations"]) {
+            assert!(FIELDS.iter().any(|spec| spec.name == *name && spec.is_defined()), "{name}");
+        }
+    }
 }

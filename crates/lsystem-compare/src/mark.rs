@@ -6,8 +6,9 @@ use crate::same::Outline;
 use crate::sample::{Sample, Sampling};
 use crate::sketch::{Sketch, Sketching};
 use lsystem_drawing::{System, expand};
+use lsystem_render::{Renderer, View, Viewport};
 use lsystem_syntax::message::grouped;
-use lsystem_syntax::{Definition, Diagnostic, Limits};
+use lsystem_syntax::{Definition, Diagnostic, Limits, Progress};
 
 /// Pictures whose ink agrees less than this are different: equal ones differ by the rounding of pixels only.
 const SURELY_DIFFERENT: f64 = 0.98;
@@ -144,6 +145,20 @@ impl Marker {
     #[must_use]
     pub fn overlay(&self) -> Vec<u8> {
         self.own.compared(&self.target.mask)
+    }
+
+    /// The target in its own colours, as pixels: RGBA, from the upper left corner row by row.
+    ///
+    /// # Errors
+    /// As [`Marker::new`].
+    pub fn picture(&self, width: u32, height: u32, ratio: f64) -> Result<Vec<u8>, Vec<Diagnostic>> {
+        let target = &self.exercise.target;
+        let sketch = Sketching::with_widths(target)?.finish().map_err(|limit| vec![limit])?;
+        let mut renderer = Renderer::light();
+        renderer.load(sketch.seen);
+        renderer.begin(&target.style, Viewport { width, height, ratio }, View::default());
+        while renderer.step(usize::MAX) == Progress::More {}
+        Ok(renderer.pixels().to_vec())
     }
 
     pub(crate) fn target(&self) -> &Sketch {

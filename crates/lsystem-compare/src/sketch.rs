@@ -23,6 +23,8 @@ pub(crate) enum Shape {
 /// A drawing with its mask.
 pub(crate) struct Sketch {
     pub(crate) shape: Shape,
+    /// The drawing as seen: in the plane, the drawing itself.
+    pub(crate) seen: Arc<Drawing>,
     pub(crate) mask: Mask,
 }
 
@@ -31,7 +33,7 @@ pub(crate) enum Sketching {
     Plane(Box<Drawer>),
     Solid(Box<Drawer<Solid>>),
     Projection(Box<Drawing<Solid>>, Box<Projection>),
-    Tracing(Shape, Box<Tracing>),
+    Tracing(Shape, Arc<Drawing>, Box<Tracing>),
 }
 
 impl Sketching {
@@ -41,13 +43,21 @@ impl Sketching {
         // Lines have one width, whatever the style says.
         let mut thin = definition.clone();
         (thin.style.width, thin.style.width_factor) = (0.0, 1.0);
-        let (system, diagnostics) = System::new(&thin);
+        Self::with_widths(&thin)
+    }
+
+    /// As [`Sketching::new`], with the widths of the style.
+    ///
+    /// # Errors
+    /// The errors of the definition.
+    pub(crate) fn with_widths(definition: &Definition) -> Result<Self, Vec<Diagnostic>> {
+        let (system, diagnostics) = System::new(definition);
         let Some(system) = system else {
             return Err(diagnostics.into_iter().filter(Diagnostic::is_error).collect());
         };
         Ok(match system.is_solid() {
-            true => Self::Solid(Box::new(Drawer::solid(&system, thin.iterations, LIMITS))),
-            false => Self::Plane(Box::new(Drawer::new(&system, thin.iterations, LIMITS))),
+            true => Self::Solid(Box::new(Drawer::solid(&system, definition.iterations, LIMITS))),
+            false => Self::Plane(Box::new(Drawer::new(&system, definition.iterations, LIMITS))),
         })
     }
 
@@ -61,7 +71,7 @@ impl Sketching {
                 Progress::More => Self::Plane(drawer),
                 Progress::Done => {
                     let drawing = Arc::new(drawer.finish()?);
-                    Self::Tracing(Shape::Plane(drawing.clone()), Box::new(Tracing::new(drawing)))
+                    Self::Tracing(Shape::Plane(drawing.clone()), drawing.clone(), Box::new(Tracing::new(drawing)))
                 }
             },
             Self::Solid(mut drawer) => match drawer.step(work) {
@@ -76,12 +86,12 @@ impl Sketching {
                 Progress::More => Self::Projection(drawing, projection),
                 Progress::Done => {
                     let seen = Arc::new(projection.finish(&drawing));
-                    Self::Tracing(Shape::Solid(drawing), Box::new(Tracing::new(seen)))
+                    Self::Tracing(Shape::Solid(drawing), seen.clone(), Box::new(Tracing::new(seen)))
                 }
             },
-            Self::Tracing(shape, mut tracing) => match tracing.step(work) {
-                Progress::More => Self::Tracing(shape, tracing),
-                Progress::Done => return Ok(Ok(Sketch { shape, mask: tracing.finish() })),
+            Self::Tracing(shape, seen, mut tracing) => match tracing.step(work) {
+                Progress::More => Self::Tracing(shape, seen, tracing),
+                Progress::Done => return Ok(Ok(Sketch { shape, seen, mask: tracing.finish() })),
             },
         }))
     }

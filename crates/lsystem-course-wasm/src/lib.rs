@@ -1,8 +1,10 @@
 //! What a course needs, for JavaScript. The page loads this wasm with the first exercise, check or lesson.
 
 mod check;
+mod exercise;
 
 pub use check::check_output;
+pub use exercise::{OpenExercise, write_exercise};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -1,0 +1,170 @@
+//! Exercises: what a student sees, and marks.
+
+use crate::{from_js, to_js};
+use lsystem_compare::{Asks, Exercise, Given, Mark, Marker, Marking};
+use lsystem_syntax::{Definition, Diagnostic};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// The units of work of one step: some milliseconds.
+const WORK: u64 = 300_000;
+/// The most pixels of a picture of the target.
+const MAX_PIXELS: u32 = 4_000_000;
+
+/// What a student sees of an exercise.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct About<'a> {
+    title: &'a str,
+    task: &'a str,
+    hints: &'a [String],
+    asks: Asks,
+    axiom: Given,
+    angle: Given,
+    n: Given,
+    turtle: Given,
+    /// Whether some rules count that the student does not see.
+    hides_rules: bool,
+    shown_rules: String,
+    most_symbols: Option<u32>,
+    tolerance: Option<f64>,
+    /// The system with which the student starts.
+    start: Definition,
+    /// The system without anything that the student found, and the fields, besides the rules, that the student has to
+    /// find. With them and the student's rules before the others, the system is whole.
+    fixed: Definition,
+    free: Vec<&'static str>,
+}
+
+/// A mark, as the page shows it.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct MarkReport {
+    is_solved: bool,
+    agreement: f64,
+    is_same: Option<bool>,
+    symbols: u32,
+    words: String,
+    /// The errors of the answer.
+    errors: Vec<String>,
+}
+
+/// An open exercise with the mark in the making.
+#[wasm_bindgen]
+pub struct OpenExercise {
+    marker: Marker,
+    marking: Option<Marking>,
+    is_solved: bool,
+}
+
+#[wasm_bindgen]
+impl OpenExercise {
+    /// Opens the exercise in the value of `x` in a link.
+    ///
+    /// # Errors
+    /// Throws a sentence if the exercise is damaged or cannot be drawn.
+    #[wasm_bindgen(constructor)]
+    pub fn new(text: &str) -> Result<Self, JsValue> {
+        let exercise = Exercise::read(text).map_err(|wrong| JsValue::from(format!("The exercise {wrong}.")))?;
+        let marker = Marker::new(exercise).map_err(|errors| undrawable(&errors))?;
+        Ok(Self { marker, marking: None, is_solved: false })
+    }
+
+    /// What a student sees of the exercise.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    pub fn about(&self) -> Result<JsValue, JsValue> {
+        let exercise = self.marker.exercise();
+        to_js(&About {
+            title: &exercise.title,
+            task: &exercise.task,
+            hints: &exercise.hints,
+            asks: exercise.asks,
+            axiom: exercise.axiom,
+            angle: exercise.angle,
+            n: exercise.n,
+            turtle: exercise.turtle,
+            hides_rules: exercise.rules.contains(&Given::Hidden),
+            shown_rules: exercise.shown_rules(),
+            most_symbols: exercise.most_symbols,
+            tolerance: exercise.tolerance,
+            start: exercise.start(),
+            fixed: exercise.fixed(),
+            free: exercise.free_fields(),
+        })
+    }
+
+    /// Starts to mark an answer; an unfinished mark is given up.
+    ///
+    /// # Errors
+    /// Throws only if the definition cannot be translated.
+    pub fn begin(&mut self, student: JsValue) -> Result<(), JsValue> {
+        self.marking = Some(self.marker.begin(&from_js(student)?));
+        Ok(())
+    }
+
+    /// Works on the mark for some milliseconds: `{isSolved, agreement, isSame, symbols, words, errors}` after the last
+    /// step, null before.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    pub fn step(&mut self) -> Result<JsValue, JsValue> {
+        let Some(marking) = &mut self.marking else { return Ok(JsValue::NULL) };
+        let Some(mark) = self.marker.step(marking, WORK) else { return Ok(JsValue::NULL) };
+        self.marking = None;
+        self.is_solved |= mark.is_solved;
+        let Mark { is_solved, agreement, is_same, symbols, words, errors, .. } = mark;
+        let errors = errors.iter().map(Diagnostic::message).collect();
+        to_js(&MarkReport { is_solved, agreement, is_same, symbols, words, errors })
+    }
+
+    /// The pixels of the target and of the last marked answer, 512 by 512: 1 for both, 2 for missing, 4 for too much.
+    #[must_use]
+    pub fn overlay(&self) -> Vec<u8> {
+        self.marker.overlay()
+    }
+
+    /// What is probably wrong with an answer; null if nothing usual is.
+    ///
+    /// # Errors
+    /// Throws only if the definition cannot be translated.
+    pub fn hint(&self, student: JsValue) -> Result<Option<String>, JsValue> {
+        Ok(self.marker.hint(&from_js(student)?))
+    }
+
+    /// The target as RGBA pixels.
+    ///
+    /// # Errors
+    /// Throws a sentence if the target cannot be drawn.
+    pub fn picture(&self, width: u32, height: u32, ratio: f64) -> Result<Vec<u8>, JsValue> {
+        let height = height.min(MAX_PIXELS / width.max(1));
+        self.marker.picture(width, height, ratio).map_err(|errors| undrawable(&errors))
+    }
+
+    /// The target's system, once the exercise is solved and if it shows its answer; null otherwise.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    pub fn answer(&self) -> Result<JsValue, JsValue> {
+        let exercise = self.marker.exercise();
+        to_js(&(self.is_solved && exercise.shows_answer).then_some(&exercise.target))
+    }
+}
+
+/// Writes an exercise as the value of `x` in a link.
+///
+/// # Errors
+/// Throws a sentence if the exercise cannot be drawn.
+#[wasm_bindgen(js_name = writeExercise)]
+pub fn write_exercise(exercise: JsValue) -> Result<String, JsValue> {
+    let exercise = from_js::<Exercise>(exercise)?.within_limits();
+    let text = exercise.write();
+    Marker::new(exercise).map_err(|errors| undrawable(&errors))?;
+    Ok(text)
+}
+
+fn undrawable(errors: &[Diagnostic]) -> JsValue {
+    let words: Vec<String> = errors.iter().map(|error| format!("{}.", error.message())).collect();
+    JsValue::from(format!("The exercise cannot be drawn: {}", words.join(" ")))
+}
