@@ -10,7 +10,9 @@ import { ATTRIBUTES } from './js/tables.js';
 
 (() => {
     const script = document.currentScript;
-    const HOME = new URL('embed.html', script instanceof HTMLScriptElement && script.src ? script.src : location.href);
+    /** The page of the drawing, or of the exercise in its link. @param {string} [link] */
+    const home = (link = '') => new URL(/(^|[#&])x=/.test(link) ? 'exercise.html' : 'embed.html', script instanceof HTMLScriptElement && script.src ? script.src : location.href);
+    const HOME = home();
     /** Pages from a disk have no distinct origin. */
     const ORIGIN = HOME.protocol === 'file:' ? null : HOME.origin;
 
@@ -176,7 +178,7 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#theme = this.#themeNow();
             const fields = { ...this.#sent, controls: this.getAttribute('controls') ?? '', theme: this.#theme, host: location.origin === 'null' ? '' : location.origin };
             const own = Object.entries(fields).flatMap(([key, value]) => (value === '' ? [] : [`${key}=${encodeURIComponent(value)}`]));
-            const address = new URL(HOME);
+            const address = home(link);
             address.hash = [link || 'v=1', ...own].join('&');
             // Later addresses replace the former one, to keep the page's history clean.
             if (this.#connected) this.#frame.contentWindow?.location.replace(address.href);
@@ -234,7 +236,7 @@ import { ATTRIBUTES } from './js/tables.js';
             if (kind === 'state') {
                 this.#pending.get(detail.id)?.(detail);
                 this.#pending.delete(detail.id);
-            } else if (kind === 'ready' || kind === 'change' || kind === 'error') {
+            } else if (kind === 'ready' || kind === 'change' || kind === 'mark' || kind === 'error') {
                 if (kind === 'ready') this.#ready = true;
                 this.dispatchEvent(new CustomEvent(kind, { detail }));
             }

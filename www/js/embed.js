@@ -1,4 +1,7 @@
-/** The embedded page: the drawing in the address, with the controls that the address asks for. */
+/**
+ * The embedded page: the drawing in the address, with the controls that the address asks for; or the exercise in the
+ * address, on a page that has a place for it.
+ */
 
 import { announce, toast } from './announce.js';
 import { button, html, input, setText, setWords } from './dom.js';
@@ -11,6 +14,8 @@ import { watchVisibility } from './embed/visibility.js';
 import { createEngine, isWrong } from './engine.js';
 import { createHover } from './hover.js';
 import { isDark } from './colour-schemes.js';
+import { createExercise, openExercise } from './exercise/exercise.js';
+import { exerciseIn } from './exercise/open.js';
 import { writeLink } from './link.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
@@ -28,16 +33,28 @@ import { QUESTION, createTrouble } from './trouble.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
+/** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
 /** @typedef {import('./embed/options.js').Control} Control */
 
 const NOTHING = 'The address of this frame contains no drawing.';
 
 let options = readOptions(location.hash);
 showTheme();
+const isExercise = exerciseIn(location.hash) !== null;
+// Only one page has a place for exercises.
+if (isExercise && !document.getElementById('exercise')) location.replace(new URL(`exercise.html${location.hash}`, location.href));
 const link = await openLink(location.hash);
-const store = createStore(link ? link.state : DEFAULTS);
+/** Why the exercise cannot be opened; empty if it can. */
+let refusal = '';
+const exercise = await openExercise(location.hash, link?.state).catch((error) => {
+    refusal = error instanceof Error ? `The exercise cannot be opened: ${error.message}.` : String(error);
+    return null;
+});
+const store = createStore(exercise ? exercise.start : link ? link.state : DEFAULTS);
+/** The system that is drawn. @param {Readonly<State>} state */
+const drawnOf = (state) => (exercise ? exercise.whole(state) : definitionOf(state));
 /** @type {Control[]} */
-let controls = options.controls;
+let controls = controlsNow();
 /** The last facts about the drawing, for the host page. */
 let facts = { description: '', symbols: /** @type {string | null} */ (null), segments: /** @type {string | null} */ (null) };
 /** The parts that draw, created when the drawing first becomes visible. @type {ReturnType<typeof begin> | null} */
@@ -46,7 +63,7 @@ let seen = false;
 /** Whether the system has changed while the drawing was not visible. */
 let stale = false;
 /** Whether the address contains no system. */
-let blank = link === null;
+let blank = link === null || refusal !== '';
 
 const rules = rulesPanel(store);
 const constants = constantsPanel(store, rules);
@@ -56,9 +73,10 @@ const host = connectHost(store, { host: options.host, offer, theme: setTheme, pl
 offer(controls);
 store.subscribe(show);
 show(store.state, null);
-if (!link) {
-    showProblem(NOTHING);
-    host.error(NOTHING);
+if (exercise) createExercise(store, exercise, { marked: (mark, link) => host.marked(mark, link) });
+if (!link || refusal !== '') {
+    showProblem(refusal || NOTHING);
+    host.error(refusal || NOTHING);
 } else if (link.problems.length > 0) {
     toast(link.problems.slice(0, 3).join(' '));
     host.error(link.problems.join(' '));
@@ -73,6 +91,8 @@ watchVisibility(html('stage'), (now) => {
 addEventListener('beforeprint', draw);
 systemIsDark().addEventListener('change', showTheme);
 addEventListener('hashchange', async () => {
+    // Another exercise is another page.
+    if (isExercise || exerciseIn(location.hash) !== null) return location.reload();
     options = readOptions(location.hash);
     showTheme();
     offer(options.controls);
@@ -96,7 +116,7 @@ button('away-close').addEventListener('click', () => {
 function draw() {
     if (blank) return;
     if (!parts) parts = begin();
-    else if (stale) parts.engine.define(definitionOf(store.state));
+    else if (stale) parts.engine.define(drawnOf(store.state));
     stale = false;
 }
 
@@ -124,16 +144,17 @@ function begin() {
     });
     const trouble = createTrouble({
         back() {
+            if (exercise) return void (store.undo() || store.reset());
             const { definition } = engine.good;
             if (definition && !sameSystem(clean(definition), store.state)) store.change({ ...definition, view: null }, '');
             else store.setView(null);
         },
         again() {
-            engine.define(definitionOf(store.state));
+            engine.define(drawnOf(store.state));
             stage.show(store.state, null);
         },
     });
-    engine.define(definitionOf(store.state));
+    engine.define(drawnOf(store.state));
     followNotation(store, engine, [rules, constants]);
     const canvas = html('drawing');
     const stage = createStage(store, engine, marks, {
@@ -150,6 +171,15 @@ function begin() {
     stage.show(store.state, null);
     reader.show(store.state, null);
     return { engine, stage, playback, reader, legend, hover, drawn: () => ready };
+}
+
+/** The controls that the address asks for, or those of an exercise. @returns {Control[]} */
+function controlsNow() {
+    if (!exercise) return options.controls;
+    const { free, hidesRules } = exercise.about;
+    // The string and its origins would tell what is hidden.
+    const reads = !hidesRules && exercise.about.axiom !== 'hidden';
+    return ['rules', ...(free.includes('iterations') ? ['n'] : []), ...(free.includes('angle') ? ['angle'] : []), ...(reads ? ['string'] : []), 'play'].map((control) => /** @type {Control} */ (control));
 }
 
 /** Shows only these controls. @param {Control[]} asked */
@@ -187,7 +217,7 @@ function show(state, before) {
     if (before && before.camera !== state.camera) parts?.hover.turned();
     const title = state.title || state.name;
     document.title = title ? `${title} – L-system` : 'L-system';
-    setText(html('caption-title'), title);
+    setText(html('caption-title'), exercise ? 'Yours' : title);
     button('reset').disabled = !store.canReset;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     html('stage').style.setProperty('--sheet', state.background);
@@ -201,7 +231,9 @@ function reported(report, past) {
     parts?.stage.report(report);
     if (!past) {
         parts?.legend.report(report);
-        rules.report(report);
+        // Places behind the student's rules are in those that are given.
+        const own = (/** @type {Diagnostic} */ { field, end }) => field !== 'rules' || end <= store.state.rules.length;
+        rules.report(exercise ? { ...report, diagnostics: report.diagnostics.filter(own) } : report);
         dials.report(report);
     }
     parts?.reader.report(report);

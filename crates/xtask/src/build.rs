@@ -23,10 +23,24 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
     files::write(&site.join("gallery.json"), gallery.to_string())?;
     let (index, embed) = ("index.html", site.join("embed.html"));
-    files::write(&embed, include::include(&files::read_text(&embed)?, index, &files::read_text(&site.join(index))?)?)?;
+    let whole = files::read_text(&site.join(index))?;
+    let exercise = site.join("exercise.html");
+    let text = include::include(&files::read_text(&exercise)?, "embed.html", &files::read_text(&embed)?)?;
+    files::write(&exercise, include::include(&text, index, &whole)?)?;
+    files::write(&embed, include::include(&files::read_text(&embed)?, index, &whole)?)?;
     // These pages become single files, with the files that they would fetch inside.
     let all: Vec<_> = wasms::WASMS.iter().flat_map(|wasm| [wasm.script, wasm.file]).chain(["gallery.json"]).collect();
-    for (page, file, carried) in [(index, "playground.html", &*all), ("embed.html", "embed.html", &all[..2])] {
+    let of = |package: &'static str| {
+        wasms::WASMS.iter().filter(move |wasm| wasm.package.contains(package)).flat_map(|wasm| [wasm.script, wasm.file])
+    };
+    let drawing: Vec<_> = of("lsystem-wasm").collect();
+    let marking: Vec<_> = of("lsystem-wasm").chain(of("course")).collect();
+    for (page, file, carried) in [
+        (index, "playground.html", all),
+        ("embed.html", "embed.html", drawing),
+        ("exercise.html", "exercise.html", marking),
+    ] {
+        let carried = &carried;
         let text = one_file::one_file(&site, page, carried, &esbuild)?;
         files::write(&site.join(file), text)?;
     }

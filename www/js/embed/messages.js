@@ -98,6 +98,11 @@ export function connectHost(store, { host, offer, theme: paint, play, facts }) {
             send({ lsystem: 'ready', ...(await state()), ...facts() });
         },
 
+        /** An answer to an exercise was marked. @param {import('../protocol.js').Mark} mark @param {string} link of the answer */
+        marked({ isSolved, agreement, words }, link) {
+            send({ lsystem: 'mark', solved: isSolved, agreement, words, link });
+        },
+
         /** @param {string} message @param {import('../protocol.js').Diagnostic[]} [problems] */
         error(message, problems = []) {
             send({ lsystem: 'error', message, problems });

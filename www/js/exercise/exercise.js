@@ -1,0 +1,169 @@
+/** An exercise on the embedded page: the task, the target, the mark of the own drawing, hints, and handing in. */
+
+import { announce, toast } from '../announce.js';
+import { isDark } from '../colour-schemes.js';
+import { copyKeys, copyText } from '../copy.js';
+import { button, byId, html, input, make, setText } from '../dom.js';
+import { clean, sameSystem } from '../state.js';
+import { Cancelled, createTool } from '../tool.js';
+import { answerLink, exerciseIn, startOf, studentIn, studentOf, wholeOf } from './open.js';
+import { createTarget } from './target.js';
+import { inline, paragraphs } from './words.js';
+
+/** @typedef {import('../state.js').State} State */
+/** @typedef {import('../protocol.js').Mark} Mark */
+
+/** A mark waits for a pause in typing of this length, in milliseconds. */
+const PAUSE = 120;
+
+/**
+ * Opens the exercise in a hash; null if there is none. Throws if it cannot be opened.
+ * @param {string} hash
+ * @param {Readonly<State> | undefined} link the state in the hash
+ */
+export async function openExercise(hash, link) {
+    const text = exerciseIn(hash);
+    if (text === null) return null;
+    /** @type {ReturnType<typeof createTool<import('../protocol.js').CourseCalls>>} */
+    const tool = createTool('course');
+    const about = await tool.call('open', { text });
+    return { text, about, tool, start: startOf(about, link), whole: (/** @type {Readonly<State>} */ state) => wholeOf(about, state) };
+}
+
+/** The number of errors of an answer that are told. */
+const MOST_ERRORS = 1;
+
+/**
+ * @param {import('../store.js').Store} store
+ * @param {NonNullable<Awaited<ReturnType<typeof openExercise>>>} opened
+ * @param {{marked: (mark: Mark, link: string) => void}} page
+ */
+export function createExercise(store, { text, about, tool }, { marked }) {
+    const name = input('student-name');
+    const target = createTarget({
+        picture: async (width, height, ratio) => new Uint8ClampedArray((await tool.call('picture', { text, width, height, ratio })).buffer),
+    });
+    /** Stops the mark in the making. */
+    let marking = new AbortController();
+    let timer = 0;
+    let solved = false;
+    let hints = 0;
+
+    name.value = studentIn(location.hash);
+    document.body.classList.add('exercising');
+    for (const id of ['exercise', 'target', 'mark']) html(id).hidden = false;
+    setText(html('exercise-title'), about.title || 'Exercise');
+    html('exercise-task').replaceChildren(...paragraphs(about.task || DEFAULT_TASKS[about.asks]));
+    showGiven();
+    showHints();
+
+    /** What the student sees and cannot change. */
+    function showGiven() {
+        const values = [
+            about.axiom === 'shown' && ['Axiom', about.fixed.axiom],
+            about.n === 'shown' && ['Iterations', String(about.fixed.iterations)],
+            about.angle === 'shown' && ['Angle', `${about.fixed.angle}°`],
+            about.shownRules.trim() !== '' && ['Rules', about.shownRules],
+            about.turtle === 'shown' && about.fixed.overrides !== '' && ['Symbols', about.fixed.overrides],
+            about.mostSymbols !== null && ['At most', `${about.mostSymbols} symbols in your rules`],
+        ];
+        const shown = values.filter((value) => Array.isArray(value));
+        html('given').replaceChildren(...shown.flatMap(([label, value]) => [make('dt', {}, String(label)), make('dd', {}, String(value))]));
+        const hidden = [about.axiom === 'hidden' && 'the axiom', about.n === 'hidden' && 'the iterations', about.angle === 'hidden' && 'the angle', about.turtle === 'hidden' && 'the meaning of some symbols', about.hidesRules && 'some rules'].filter(Boolean);
+        setText(html('given-hidden'), hidden.length > 0 ? `Hidden, but in force: ${hidden.join(', ')}.` : '');
+        byId('axiom', HTMLTextAreaElement).closest('.field')?.classList.toggle('not-asked', about.axiom !== 'free');
+    }
+
+    function showHints() {
+        html('hints').replaceChildren(...about.hints.slice(0, hints).map((hint) => make('li', {}, ...inline(hint))));
+        html('hints').hidden = hints === 0;
+        button('ask-hint').hidden = hints >= about.hints.length;
+        setText(button('ask-hint'), about.hints.length > 1 ? `Hint ${hints + 1} of ${about.hints.length}` : 'Hint');
+    }
+
+    const link = () => answerLink(text, about, store.state, name.value);
+
+    function follow() {
+        clearTimeout(timer);
+        timer = window.setTimeout(mark, PAUSE);
+    }
+
+    async function mark() {
+        marking.abort();
+        const own = (marking = new AbortController());
+        setText(html('mark-why'), '');
+        try {
+            const { mark, pixels } = await tool.call('mark', { text, student: studentOf(store.state) }, { signal: own.signal });
+            if (own !== marking) return;
+            target.compare(pixels);
+            show(mark);
+        } catch (error) {
+            if (error instanceof Cancelled || own !== marking) return;
+            setText(html('mark-words'), `The drawing could not be compared (${error instanceof Error ? error.message : error}).`);
+        }
+    }
+
+    /** @param {Mark} mark */
+    function show(mark) {
+        const percent = `${(Math.floor(mark.agreement * 1000) / 10).toFixed(1)} %`;
+        byId('mark-measure', HTMLMeterElement).value = mark.agreement;
+        setText(html('mark-percent'), percent);
+        const words = mark.errors.length > 0 ? mark.errors.slice(0, MOST_ERRORS).join(' ') : mark.words;
+        setText(html('mark-words'), mark.isSolved ? `Solved. ${words}` : words);
+        setText(html('mark-symbols'), about.mostSymbols === null ? '' : `${mark.symbols} of at most ${about.mostSymbols} symbols`);
+        html('mark').classList.toggle('solved', mark.isSolved);
+        button('ask-why').hidden = mark.isSolved || mark.errors.length > 0;
+        if (mark.isSolved && !solved) {
+            announce('Solved.');
+            void showAnswer();
+        }
+        solved ||= mark.isSolved;
+        marked(mark, link());
+    }
+
+    async function showAnswer() {
+        const answer = await tool.call('answer', { text }).catch(() => null);
+        if (!answer) return;
+        setText(html('answer-rules'), [answer.axiom, answer.rules].filter(Boolean).join('\n'));
+        html('answer').hidden = false;
+    }
+
+    button('ask-hint').addEventListener('click', () => {
+        hints += 1;
+        showHints();
+    });
+    button('ask-why').addEventListener('click', async () => {
+        const student = studentOf(store.state);
+        setText(html('mark-why'), 'Comparing…');
+        const words = await tool.call('hint', { text, student }).catch(() => null);
+        if (sameSystem(clean(student), store.state)) setText(html('mark-why'), words ?? 'No usual mistake explains the difference. Compare the pictures part by part.');
+    });
+    button('hand-in').addEventListener('click', async () => {
+        const address = new URL(link(), location.href).href;
+        if (await copyText(address)) return toast('Your answer is copied as a link. Paste it where you hand it in.');
+        const field = input('answer-link');
+        field.hidden = false;
+        field.value = address;
+        field.select();
+        toast(`Press ${copyKeys()} to copy the link.`);
+    });
+    button('print').addEventListener('click', () => print());
+    html('mark').querySelector('form')?.addEventListener('submit', (event) => event.preventDefault());
+    store.subscribe((state, before) => {
+        target.setDark(isDark(state.background));
+        if (sameSystem(state, before)) return;
+        follow();
+        // In its own window the address keeps the answer.
+        if (parent === window) history.replaceState(null, '', link());
+    });
+    target.setDark(isDark(store.state.background));
+    void mark();
+}
+
+/** The task where none is given. @type {Record<import('../protocol.js').Asks, string>} */
+const DEFAULT_TASKS = {
+    picture: 'Find rules that draw the target.',
+    text: 'Find rules that derive the same string.',
+    segments: 'Find rules that draw as many segments as the target.',
+    statistics: 'Find rules of chance whose drawings have the same statistics.',
+};
