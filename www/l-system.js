@@ -233,6 +233,11 @@ import { ATTRIBUTES } from './js/tables.js';
                 return;
             }
             if (detail.values) this.#state = { values: detail.values, link: detail.link };
+            if (kind === 'height') {
+                // An exercise is as high as it needs, unless the page says otherwise.
+                if (typeof detail.height === 'number' && !this.style.height) this.#frame.style.height = this.style.minHeight = `${Math.ceil(detail.height)}px`;
+                return;
+            }
             if (kind === 'state') {
                 this.#pending.get(detail.id)?.(detail);
                 this.#pending.delete(detail.id);

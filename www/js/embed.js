@@ -73,7 +73,7 @@ const host = connectHost(store, { host: options.host, offer, theme: setTheme, pl
 offer(controls);
 store.subscribe(show);
 show(store.state, null);
-if (exercise) createExercise(store, exercise, { marked: (mark, link) => host.marked(mark, link) });
+if (exercise) createExercise(store, exercise, { marked: (mark, link) => host.marked(mark, link), needs: (height) => host.needs(height) });
 if (!link || refusal !== '') {
     showProblem(refusal || NOTHING);
     host.error(refusal || NOTHING);

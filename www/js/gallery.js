@@ -1,5 +1,6 @@
 /** The gallery: all systems of the collection with thumbnails, to search and open. */
 
+import { EXERCISES, exerciseCard, exercises, paintExercise } from './course/shelf.js';
 import { button, byId, closes, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
 import { Stopped } from './engine/questions.js';
@@ -9,17 +10,19 @@ import { emptyThumb, paintThumb } from './thumb.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
 /** @typedef {import('./shelves.js').Entry} Entry */
-/** @typedef {{definition: Definition, card: HTMLButtonElement, picture: HTMLCanvasElement, missing: HTMLElement, text: string, filters: string[], painted: string}} Card */
+/** @typedef {{definition: Definition, card: HTMLElement, picture: HTMLCanvasElement, missing: HTMLElement, text: string, filters: string[], painted: string}} SystemCard */
+/** A card with an exercise in place of a system. @typedef {Omit<SystemCard, 'definition'> & {exercise: string}} ExerciseCard */
+/** @typedef {SystemCard | ExerciseCard} Card */
 
 /** The side of a thumbnail, in CSS pixels. */
 const SIDE = 168;
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{pick: (definition: Definition) => void, restyle: (definition: Definition) => Definition, theme: () => string}} page
+ * @param {{pick: (definition: Definition) => void, restyle: (definition: Definition) => Definition, theme: () => string, tool: import('./course/maker.js').CourseTool}} page
  *   `restyle` gives a system with default colours the theme's colours; `theme` names the theme
  */
-export function createGallery(engine, { pick, restyle, theme }) {
+export function createGallery(engine, { pick, restyle, theme, tool }) {
     const dialog = byId('gallery', HTMLDialogElement);
     const shelves = html('shelves');
     const search = input('search');
@@ -31,7 +34,7 @@ export function createGallery(engine, { pick, restyle, theme }) {
     let filled = null;
     /** @type {Set<string>} */
     let chosen = new Set();
-    const chips = new Map(NAMES.map((filter) => [filter, newChip(filter)]));
+    const chips = new Map([...NAMES, EXERCISES].map((filter) => [filter, newChip(filter)]));
 
     const seen = new IntersectionObserver(
         (entries) => {
@@ -49,6 +52,8 @@ export function createGallery(engine, { pick, restyle, theme }) {
             const shelf = make('div', { class: 'cards' }, ...inside.map(newCard));
             shelves.append(make('section', { class: 'shelf' }, make('h3', {}, name), shelf));
         }
+        const course = make('div', { class: 'cards' }, ...(await exercises()).map(newExercise));
+        shelves.append(make('section', { class: 'shelf' }, make('h3', {}, EXERCISES), course));
     }
 
     /** @param {string} filter */
@@ -85,8 +90,21 @@ export function createGallery(engine, { pick, restyle, theme }) {
         return card;
     }
 
+    /** @param {import('./course/shelf.js').Entry} entry */
+    function newExercise(entry) {
+        const made = exerciseCard(entry);
+        cards.set(made.card, { ...made, exercise: entry.x, painted: '', text: `${EXERCISES} ${entry.title}`.toLowerCase(), filters: [EXERCISES] });
+        seen.observe(made.card);
+        return made.card;
+    }
+
     /** @param {Card} card */
     async function paint(card) {
+        if ('exercise' in card) {
+            if (card.painted !== '' || !card.missing.hidden) return;
+            card.painted = 'once';
+            return paintExercise(tool, card.picture, card.exercise, SIDE).catch(() => void (card.painted = ''));
+        }
         const wanted = theme();
         if (card.painted === wanted) return;
         card.painted = wanted;

@@ -5,6 +5,7 @@ import { announce, toast } from './announce.js';
 import { dialRows } from './controls/dial-rows.js';
 import { button, html, setText, setWords } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
+import { createCourse } from './course/course.js';
 import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
 import { createImporting } from './importing.js';
@@ -81,6 +82,7 @@ const showAddress = followAddress(store, { open: opened });
 
 const share = createShare(store, engine);
 const favourites = favouritesPanel(store, engine, { storage, session });
+const courseTool = createCourse(store, engine);
 const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 savePanel(store, engine, {
     offer: importing.offer,
@@ -89,7 +91,7 @@ savePanel(store, engine, {
     favourites: favourites.take,
     canvas: stage.resolution,
 });
-createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme });
+createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme, tool: courseTool });
 createSeeds(store, engine);
 createShortcuts();
 engine.share(createMates(matesOn(navigator)));

@@ -150,9 +150,9 @@ export {};
  * @typedef {{title: string, task: string, hints: string[], target: Definition, axiom: Given, angle: Given, n: Given, turtle: Given, rules: Given[], first: {axiom: string, rules: string, angle: number, n: number}, asks: Asks, mostSymbols: number | null, tolerance: number | null, showsAnswer: boolean}} Exercise
  */
 /**
- * What a student sees of an exercise. `fixed` is the system without what the student found; `free` are the fields,
+ * What a student sees of an exercise. `text` is the beginning of the string to derive, if that is asked; `fixed` is the system without what the student found; `free` are the fields,
  * besides the rules, that the student has to find.
- * @typedef {{title: string, task: string, hints: string[], asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, hidesRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, start: Definition, fixed: Definition, free: (keyof Definition)[]}} AboutExercise
+ * @typedef {{title: string, task: string, hints: string[], asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, hidesRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, text: string | null, start: Definition, fixed: Definition, free: (keyof Definition)[]}} AboutExercise
  */
 /** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown. @typedef {{isSolved: boolean, agreement: number, isSame: boolean | null, symbols: number, words: string, errors: string[]}} Mark */
 /**

@@ -90,6 +90,13 @@ impl Marker {
         &self.exercise
     }
 
+    /// The beginning of the string to derive, at most `most` bytes; `None` if something else is asked for.
+    #[must_use]
+    pub fn text(&self, most: usize) -> Option<&str> {
+        let text = self.text.as_deref()?;
+        Some(&text[..text.floor_char_boundary(most)])
+    }
+
     /// Starts to mark an answer: the student's own rules, and values of what is free.
     #[must_use]
     pub fn begin(&self, student: &Definition) -> Marking {

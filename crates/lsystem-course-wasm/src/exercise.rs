@@ -8,6 +8,8 @@ use wasm_bindgen::prelude::*;
 
 /// The units of work of one step: some milliseconds.
 const WORK: u64 = 300_000;
+/// The most bytes of a string to derive that are shown.
+const MAX_SYMBOLS: usize = 5_000;
 /// The most pixels of a picture of the target.
 const MAX_PIXELS: u32 = 4_000_000;
 
@@ -28,6 +30,8 @@ struct About<'a> {
     shown_rules: String,
     most_symbols: Option<u32>,
     tolerance: Option<f64>,
+    /// The beginning of the string to derive, if the string is asked for.
+    text: Option<&'a str>,
     /// The system with which the student starts.
     start: Definition,
     /// The system without anything that the student found, and the fields, besides the rules, that the student has to
@@ -89,6 +93,7 @@ impl OpenExercise {
             shown_rules: exercise.shown_rules(),
             most_symbols: exercise.most_symbols,
             tolerance: exercise.tolerance,
+            text: self.marker.text(MAX_SYMBOLS),
             start: exercise.start(),
             fixed: exercise.fixed(),
             free: exercise.free_fields(),

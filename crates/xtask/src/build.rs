@@ -2,7 +2,7 @@
 
 use crate::esbuild::Esbuild;
 use crate::workspace::Workspace;
-use crate::{docs, files, gallery, include, joined, offline, one_file, wasms};
+use crate::{docs, exercises, files, gallery, include, joined, offline, one_file, wasms};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::Path;
@@ -22,6 +22,10 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     wasms::write(workspace, &esbuild, &site)?;
     let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
     files::write(&site.join("gallery.json"), gallery.to_string())?;
+    let exercises = exercises::exercises(&www.join("exercises.json"), &gallery)?;
+    files::write(&site.join("exercises.json"), serde_json::to_string(&exercises)?)?;
+    let lesson = site.join("course.html");
+    files::write(&lesson, exercises::named(&files::read_text(&lesson)?, &exercises)?)?;
     let (index, embed) = ("index.html", site.join("embed.html"));
     let whole = files::read_text(&site.join(index))?;
     let exercise = site.join("exercise.html");
@@ -29,7 +33,11 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     files::write(&exercise, include::include(&text, index, &whole)?)?;
     files::write(&embed, include::include(&files::read_text(&embed)?, index, &whole)?)?;
     // These pages become single files, with the files that they would fetch inside.
-    let all: Vec<_> = wasms::WASMS.iter().flat_map(|wasm| [wasm.script, wasm.file]).chain(["gallery.json"]).collect();
+    let all: Vec<_> = wasms::WASMS
+        .iter()
+        .flat_map(|wasm| [wasm.script, wasm.file])
+        .chain(["gallery.json", "exercises.json"])
+        .collect();
     let of = |package: &'static str| {
         wasms::WASMS.iter().filter(move |wasm| wasm.package.contains(package)).flat_map(|wasm| [wasm.script, wasm.file])
     };

@@ -5,6 +5,7 @@ mod bindgen;
 mod build;
 mod docs;
 mod esbuild;
+mod exercises;
 mod files;
 mod fuzz;
 mod gallery;

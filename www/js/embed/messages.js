@@ -103,6 +103,11 @@ export function connectHost(store, { host, offer, theme: paint, play, facts }) {
             send({ lsystem: 'mark', solved: isSolved, agreement, words, link });
         },
 
+        /** The height that the page needs, in CSS pixels. @param {number} height */
+        needs(height) {
+            send({ lsystem: 'height', height });
+        },
+
         /** @param {string} message @param {import('../protocol.js').Diagnostic[]} [problems] */
         error(message, problems = []) {
             send({ lsystem: 'error', message, problems });

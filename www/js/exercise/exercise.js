@@ -36,9 +36,9 @@ const MOST_ERRORS = 1;
 /**
  * @param {import('../store.js').Store} store
  * @param {NonNullable<Awaited<ReturnType<typeof openExercise>>>} opened
- * @param {{marked: (mark: Mark, link: string) => void}} page
+ * @param {{marked: (mark: Mark, link: string) => void, needs: (height: number) => void}} page
  */
-export function createExercise(store, { text, about, tool }, { marked }) {
+export function createExercise(store, { text, about, tool }, { marked, needs }) {
     const name = input('student-name');
     const target = createTarget({
         picture: async (width, height, ratio) => new Uint8ClampedArray((await tool.call('picture', { text, width, height, ratio })).buffer),
@@ -51,11 +51,18 @@ export function createExercise(store, { text, about, tool }, { marked }) {
 
     name.value = studentIn(location.hash);
     document.body.classList.add('exercising');
+    if (parent !== window) {
+        document.body.classList.add('framed');
+        new ResizeObserver(() => needs(html('app').offsetHeight)).observe(html('app'));
+    }
     for (const id of ['exercise', 'target', 'mark']) html(id).hidden = false;
     setText(html('exercise-title'), about.title || 'Exercise');
     html('exercise-task').replaceChildren(...paragraphs(about.task || DEFAULT_TASKS[about.asks]));
     showGiven();
     showHints();
+    html('target-text').hidden = about.text === null;
+    setText(html('target-text'), about.text ?? '');
+    html('handing').hidden = /(^|[#&])hand=0(&|$)/.test(location.hash);
 
     /** What the student sees and cannot change. */
     function showGiven() {

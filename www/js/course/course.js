@@ -1,0 +1,18 @@
+/** What the playground has for courses: making exercises, and checking programs. */
+
+import { createTool } from '../tool.js';
+import { createCheck } from './check.js';
+import { createMaker } from './maker.js';
+
+/**
+ * @param {import('../store.js').Store} store
+ * @param {import('../engine.js').Engine} engine
+ * @returns {import('./maker.js').CourseTool}
+ */
+export function createCourse(store, engine) {
+    /** @type {ReturnType<typeof createTool<import('../protocol.js').CourseCalls>>} */
+    const tool = createTool('course');
+    createMaker(store, engine, tool);
+    createCheck(store, tool);
+    return tool;
+}

@@ -1,0 +1,144 @@
+/** The dialog that makes an exercise of the shown system: what is given, what counts, and its link. */
+
+import { copyField, copyKeys } from '../copy.js';
+import { button, byId, closes, html, input, make, setText, setValue } from '../dom.js';
+import { qrPicture } from '../qr.js';
+import { frameCode } from '../share-code.js';
+import { definitionOf } from '../state.js';
+
+/** @typedef {import('../protocol.js').Exercise} Exercise */
+/** @typedef {import('../protocol.js').Given} Given */
+/** @typedef {{call: ReturnType<typeof import('../tool.js').createTool<import('../protocol.js').CourseCalls>>['call']}} CourseTool */
+
+/** A change waits for a pause of this length before the link is made anew, in milliseconds. */
+const PAUSE = 200;
+/** How long a button shows “Copied”, in milliseconds. */
+const COPIED_MS = 2500;
+/** The size of an embedded exercise, in CSS pixels. */
+const SIZE = { width: 800, height: 640 };
+/** The most lines of rules with a choice of their own; further ones are to be found. */
+const MOST_LINES = 60;
+
+/** @type {[Given, string][]} */
+const CHOICES = [
+    ['shown', 'given'],
+    ['free', 'to be found'],
+    ['hidden', 'hidden'],
+];
+
+/**
+ * @param {import('../store.js').Store} store
+ * @param {{qr: (text: string) => Promise<Uint8Array | null>}} engine
+ * @param {CourseTool} tool
+ */
+export function createMaker(store, engine, tool) {
+    const dialog = byId('exercise-maker', HTMLDialogElement);
+    const rows = html('maker-given');
+    const link = input('maker-link');
+    const code = byId('maker-code', HTMLTextAreaElement);
+    const qr = byId('maker-qr', SVGSVGElement);
+    let turn = 0;
+    let timer = 0;
+
+    /** @param {string} name @param {Node | string} label @param {Given} chosen */
+    function row(name, label, chosen) {
+        const select = make('select', { name }, ...CHOICES.map(([value, words]) => make('option', value === chosen ? { value, selected: '' } : { value }, words)));
+        return make('label', { class: 'maker-row' }, make('span', {}, label), select);
+    }
+
+    /** @param {string} name @returns {Given} */
+    const given = (name) => /** @type {Given} */ (rows.querySelector(`select[name="${name}"]`) instanceof HTMLSelectElement ? /** @type {HTMLSelectElement} */ (rows.querySelector(`select[name="${name}"]`)).value : 'free');
+
+    function begin() {
+        const { axiom, rules, angle, iterations, title, name } = store.state;
+        setValue(input('maker-title'), title || name);
+        const lines = rules.split('\n').slice(0, MOST_LINES);
+        rows.replaceChildren(
+            row('axiom', make('span', {}, 'Axiom ', make('code', {}, axiom.slice(0, 40))), 'shown'),
+            row('n', `Iterations: ${iterations}`, 'shown'),
+            row('angle', `Angle: ${angle}°`, 'shown'),
+            row('turtle', 'Meaning of the symbols', 'shown'),
+            ...lines.flatMap((line, at) => (line.trim() === '' ? [] : [row(`line-${at}`, make('code', {}, line.slice(0, 80)), 'free')])),
+        );
+    }
+
+    /** A whole number in a field, or null. @param {string} id */
+    function numberIn(id) {
+        const number = Number(input(id).value.trim());
+        return input(id).value.trim() !== '' && Number.isFinite(number) ? number : null;
+    }
+
+    /** @returns {Exercise} */
+    function exercise() {
+        const state = store.state;
+        const text = (/** @type {string} */ id) => byId(id, HTMLTextAreaElement).value;
+        const symbols = numberIn('maker-symbols');
+        const percent = numberIn('maker-percent');
+        return {
+            title: input('maker-title').value.trim(),
+            task: text('maker-task').trim(),
+            hints: text('maker-hints').split('\n').map((hint) => hint.trim()).filter(Boolean),
+            target: { ...definitionOf(state), notes: '' },
+            axiom: given('axiom'),
+            angle: given('angle'),
+            n: given('n'),
+            turtle: given('turtle'),
+            rules: state.rules.split('\n').slice(0, MOST_LINES).map((line, at) => (line.trim() === '' ? 'shown' : given(`line-${at}`))),
+            first: { axiom: state.axiom.slice(0, 1), rules: text('maker-first').trim(), angle: 90, n: Math.min(state.iterations, 1) },
+            asks: /** @type {import('../protocol.js').Asks} */ (byId('maker-asks', HTMLSelectElement).value),
+            mostSymbols: symbols === null ? null : Math.max(0, Math.round(symbols)),
+            tolerance: percent === null || percent <= 0 || percent >= 100 ? null : percent / 100,
+            showsAnswer: input('maker-answer').checked,
+        };
+    }
+
+    async function refresh() {
+        const own = ++turn;
+        const made = await tool.call('write', { exercise: exercise() }).catch((error) => error);
+        if (own !== turn) return;
+        const fine = typeof made === 'string' && /^[\w-]+$/.test(made);
+        html('maker-made').hidden = !fine;
+        setText(html('maker-problem'), fine ? '' : String(made instanceof Error ? made.message : made));
+        if (!fine) return;
+        const address = new URL(`exercise.html#v=1&x=${made}`, location.href).href;
+        link.value = address;
+        html('maker-try').setAttribute('href', address);
+        code.value = frameCode({ ...store.state, title: input('maker-title').value.trim() || 'Exercise' }, `#v=1&x=${made}`, new URL('exercise.html', location.href).href, { controls: [], theme: '', ...SIZE });
+        const modules = await engine.qr(address).catch(() => null);
+        if (own !== turn) return;
+        qr.toggleAttribute('hidden', modules === null);
+        if (!modules) return;
+        const { path, side } = qrPicture(modules);
+        qr.setAttribute('viewBox', `0 0 ${side} ${side}`);
+        qr.querySelector('path')?.setAttribute('d', path);
+    }
+
+    /** @param {HTMLButtonElement} copier @param {HTMLInputElement | HTMLTextAreaElement} field @param {string} what */
+    function copies(copier, field, what) {
+        const words = String(copier.textContent);
+        copier.addEventListener('click', async () => {
+            const copied = await copyField(field);
+            setText(html('maker-status'), copied ? `${what} copied` : `The text is selected: press ${copyKeys()} to copy.`);
+            if (!copied) return;
+            setText(copier, 'Copied');
+            setTimeout(() => setText(copier, words), COPIED_MS);
+        });
+        field.addEventListener('focus', () => field.select());
+    }
+
+    copies(button('maker-copy'), link, 'Link');
+    copies(button('maker-copy-code'), code, 'Code');
+    dialog.addEventListener('input', () => {
+        clearTimeout(timer);
+        timer = window.setTimeout(refresh, PAUSE);
+    });
+    dialog.querySelector('form')?.addEventListener('submit', (event) => event.preventDefault());
+    closes(dialog, 'close-maker');
+    button('make-exercise').addEventListener('click', () => {
+        byId('share-dialog', HTMLDialogElement).close();
+        begin();
+        setText(html('maker-status'), '');
+        dialog.showModal();
+        void refresh();
+    });
+}

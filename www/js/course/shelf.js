@@ -1,0 +1,49 @@
+/** The exercises of the gallery: cards that open an exercise in a window of its own. */
+
+import { jsonOf } from '../files.js';
+import { make } from '../dom.js';
+import { emptyThumb } from '../thumb.js';
+
+/** @typedef {{id: string, shelf: string, title: string, text: string | null, x: string}} Entry */
+/** @typedef {import('./maker.js').CourseTool} CourseTool */
+
+/** The shelf's name, and its filter. */
+export const EXERCISES = 'Exercises';
+
+/** The groups of exercises on the shelf, with their words on the cards. @type {Readonly<Record<string, string>>} */
+const GROUPS = { assignment: 'From the assignment', rising: 'Rising difficulty' };
+
+/** The exercises of the shelf, in their order. @returns {Promise<Entry[]>} */
+export async function exercises() {
+    const all = /** @type {Entry[]} */ (await jsonOf('exercises.json'));
+    return all.filter(({ shelf }) => shelf in GROUPS);
+}
+
+/** @param {Entry} entry */
+export function exerciseCard({ title, shelf, text, x }) {
+    const picture = emptyThumb();
+    const missing = make('code', { class: 'card-missing', hidden: text === null }, text ?? '');
+    const card = make(
+        'a',
+        { class: 'card', href: `exercise.html#v=1&x=${x}`, target: '_blank', rel: 'noopener' },
+        make('span', { class: 'card-picture' }, picture, missing),
+        make('span', { class: 'card-title' }, title),
+        make('span', { class: 'card-kind' }, GROUPS[shelf] ?? ''),
+    );
+    return { card, picture, missing };
+}
+
+/**
+ * Draws the target of an exercise.
+ * @param {CourseTool} tool
+ * @param {HTMLCanvasElement} picture
+ * @param {string} x
+ * @param {number} side in CSS pixels
+ */
+export async function paintExercise(tool, picture, x, side) {
+    const pixels = Math.round(side * Math.min(2, devicePixelRatio || 1));
+    const made = await tool.call('picture', { text: x, width: pixels, height: pixels, ratio: pixels / side });
+    [picture.width, picture.height] = [pixels, pixels];
+    picture.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(made.buffer), pixels, pixels), 0, 0);
+    picture.classList.add('inked');
+}
