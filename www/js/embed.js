@@ -42,7 +42,10 @@ let options = readOptions(location.hash);
 showTheme();
 const isExercise = exerciseIn(location.hash) !== null;
 // Only one page has a place for exercises.
-if (isExercise && !document.getElementById('exercise')) location.replace(new URL(`exercise.html${location.hash}`, location.href));
+if (isExercise && !document.getElementById('exercise')) {
+    location.replace(new URL(`exercise.html${location.hash}`, location.href));
+    await new Promise(() => {});
+}
 const link = await openLink(location.hash);
 /** Why the exercise cannot be opened; empty if it can. */
 let refusal = '';

@@ -130,7 +130,7 @@ impl Marker {
         let same = target.iter().zip(&own).take_while(|(x, y)| is_near(&a.place(x), &b.place(y))).count();
         match same {
             0 => Some("The first segment points in another direction.".to_owned()),
-            1 => None,
+            1 => Some("The first segment is right. Look at the turn after it.".to_owned()),
             same => {
                 Some(format!("The first {} segments are right. Look at the turn after them.", counted(same as u128)))
             }

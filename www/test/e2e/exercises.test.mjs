@@ -1,0 +1,200 @@
+/** Exercises: made, done, handed in; the lesson; programs checked. */
+
+import assert from 'node:assert/strict';
+import { mkdtemp, copyFile, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { ADDRESS, DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
+
+/** @typedef {import('playwright-core').Page} Page */
+/** @typedef {import('playwright-core').Frame} Frame */
+
+after(close);
+
+const DIST = new URL('../../../dist/', import.meta.url);
+/** @type {{id: string, shelf: string, title: string, x: string}[]} */
+const EXERCISES = JSON.parse(await readFile(new URL('exercises.json', DIST), 'utf8'));
+
+/** @param {string} id */
+const codeOf = (id) => EXERCISES.find((exercise) => exercise.id === id)?.x ?? assert.fail(id);
+/** @param {string} id */
+const linkOf = (id) => `exercise.html#v=1&x=${codeOf(id)}`;
+
+/** @param {Page | Frame} page @param {RegExp} words */
+const marked = (page, words) => until(async () => words.test((await page.textContent('#mark-words')) ?? ''), `the mark says ${words}`);
+
+/** The answers of a student to the exercises of the gallery: the rules, and other fields. @type {Record<string, {rules: string, iterations?: string}>} */
+const ANSWERS = {
+    'left-plant': { rules: 'F -> F[+F]F' },
+    crossout: { rules: 'F -> F-FF+F+FF-F' },
+    hexerode: { rules: 'F -> F-F++F-F' },
+    'flower-plant': { rules: 'T -> F[-T][+T]\nF -> FF' },
+    algae: { rules: 'B -> A\nA -> AB' },
+    koch: { rules: 'F -> F+F--F+F' },
+    thousand: { rules: 'F -> FFFFF[FFFFF]' },
+    weed: { rules: 'F -> F[+F]F[-F]F' },
+    dragon: { rules: 'F -> F+G\nG -> F-G' },
+    twigs: { rules: 'X -> F[+X]F[-X]+X' },
+    islands: { rules: 'F -> F+F-f-F+F' },
+    hilbert: { rules: 'L -> +RF-LFL-FR+\nR -> -LF+RFR+FL-', iterations: '5' },
+    'late-fern': { rules: 'A -> F[+B][-B]A\nB -> C\nC -> A' },
+    'random-weed': { rules: 'F -> F[+F]F : 1\nF -> F[+F]F[-F]F : 1' },
+    signal: { rules: 'B < A -> B\nB -> A' },
+};
+
+for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a phone', PHONE]])) {
+    test(`every exercise of the gallery can be solved on ${name}`, () =>
+        withPage({ address: ADDRESS, hash: linkOf('left-plant'), options }, async (page) => {
+            const listed = EXERCISES.filter(({ shelf }) => shelf !== 'lesson');
+            assert.equal(listed.length, 15);
+            for (const { id, title } of name === 'a phone' ? listed.slice(0, 4) : listed) {
+                const answer = ANSWERS[id] ?? assert.fail(id);
+                await page.goto('about:blank');
+                await page.goto(ADDRESS + linkOf(id));
+                await page.waitForSelector('#mark:visible');
+                assert.equal(await page.textContent('#exercise-title'), title);
+                await marked(page, /\S/);
+                assert.equal(await page.locator('#mark.solved').count(), 0, id);
+                await page.fill('#rules', answer.rules);
+                if (answer.iterations) await page.fill('#iterations', answer.iterations);
+                await page.waitForSelector('#mark.solved');
+                assert.equal(await page.textContent('#mark-percent'), id === 'random-weed' ? await page.textContent('#mark-percent') : '100.0 %');
+            }
+        }));
+}
+
+test('a wrong answer gets a hint, the differences, and a link that keeps it', () =>
+    withPage({ address: ADDRESS, hash: linkOf('hexerode'), options: { ...DESKTOP, permissions: ['clipboard-read', 'clipboard-write'] } }, async (page) => {
+        await page.fill('#rules', 'F -> F+F--F+F');
+        await marked(page, /of the ink agrees/);
+        await page.click('#ask-why');
+        await until(async () => /The first segment is right/.test((await page.textContent('#mark-why')) ?? ''), 'a hint');
+        await page.check('#show-differences', { force: true });
+        const colours = await page.evaluate(() => {
+            const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('target-differences'));
+            const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, 512, 512);
+            return new Set(new Uint32Array(data.buffer)).size;
+        });
+        assert.ok(colours >= 3, 'nothing, missing, too much');
+        assert.match((await page.textContent('#ask-hint')) ?? '', /Hint 1 of 3/);
+        await page.click('#ask-hint');
+        assert.equal(await page.locator('#hints li').count(), 1);
+        await page.fill('#student-name', 'Ada & Co');
+        await page.click('#hand-in');
+        const link = await page.evaluate(() => navigator.clipboard.readText());
+        assert.match(link, /rules=F%20-%3E%20F%2BF--F%2BF&by=Ada%20%26%20Co$/);
+        await page.reload();
+        await page.waitForSelector('#mark:visible');
+        assert.equal(await page.inputValue('#rules'), 'F -> F+F--F+F');
+        await page.goto('about:blank');
+        await page.goto(link);
+        await page.waitForSelector('#mark:visible');
+        assert.deepEqual([await page.inputValue('#rules'), await page.inputValue('#student-name')], ['F -> F+F--F+F', 'Ada & Co']);
+    }));
+
+test('an exercise is made in the share dialog, and hides what is to be found', () =>
+    withPage({ hash: '#v=1&title=Weed&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D-X%0AF%20-%3E%20FF&n=4&angle=25' }, async (page) => {
+        await page.click('#share');
+        await page.click('#make-exercise');
+        await page.fill('#maker-task', 'Find **one** rule. <img src=x onerror=alert(1)> [More](https://example.org/)');
+        await page.fill('#maker-hints', 'Look at the tips.\nTwo `X` at most.');
+        await page.selectOption('select[name=line-1]', 'hidden');
+        await page.selectOption('select[name=n]', 'hidden');
+        await page.fill('#maker-symbols', '8');
+        await page.check('#maker-answer');
+        await page.waitForSelector('#maker-made:visible');
+        const before = await page.inputValue('#maker-link');
+        await page.fill('#maker-title', 'A weed to find');
+        const link = await until(async () => { const now = await page.inputValue('#maker-link'); return now !== before ? now : ''; }, 'a new link');
+        assert.ok(!/FF|%5B|X%20/.test(link));
+        await page.waitForSelector('#maker-qr:visible');
+        assert.match(await page.inputValue('#maker-code'), /^<iframe src="[^"]*exercise\.html#v=1&amp;x=/);
+        await page.goto(link);
+        await page.waitForSelector('#mark:visible');
+        assert.deepEqual(await page.locator('#exercise-task').evaluate((task) => [task.querySelectorAll('strong').length, task.querySelectorAll('img').length, task.querySelector('a')?.href]), [1, 0, 'https://example.org/']);
+        assert.match((await page.textContent('#given-hidden')) ?? '', /the iterations, some rules/);
+        assert.ok(!(await page.isVisible('#open-reader')), 'the string would tell');
+        assert.equal(await page.inputValue('#rules'), '');
+        assert.ok(!((await page.getAttribute('#open', 'href')) ?? '').includes('FF'));
+        await page.fill('#rules', 'X -> F[+X]-X+-');
+        await marked(page, /10 symbols; at most 8/);
+        assert.ok(!(await page.isVisible('#answer')));
+        await page.fill('#rules', 'X -> F[+X]-X');
+        await marked(page, /Solved/);
+        await page.waitForSelector('#answer:visible');
+        assert.match((await page.textContent('#answer-rules')) ?? '', /F -> FF/);
+    }));
+
+test('what a program printed is compared with the system', () =>
+    withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20AB%0AB%20-%3E%20A&n=4' }, async (page) => {
+        await page.click('#share');
+        await page.click('#check-program');
+        await page.fill('#check-output', 'ABAABABA');
+        await page.waitForSelector('#check-result.agrees');
+        await page.fill('#check-output', 'ABAABBBA');
+        await page.waitForSelector('#check-result.differs');
+        assert.match((await page.textContent('#check-result')) ?? '', /symbol 6/i);
+        await page.setInputFiles('#check-file', { name: 'out.txt', mimeType: 'text/plain', buffer: Buffer.from('ABAABABA\n') });
+        await page.waitForSelector('#check-result.agrees');
+    }));
+
+test('damaged exercises are refused in words', () =>
+    withPage({ address: ADDRESS, hash: `exercise.html#v=1&x=${codeOf('koch').slice(0, -9)}`, drawing: null }, async (page) => {
+        await page.waitForSelector('#mistake:visible');
+        assert.match((await page.textContent('#mistake')) ?? '', /The exercise is damaged or cut off/);
+    }));
+
+test('links of exercises open on their page, whatever page they name', () =>
+    withPage({ address: ADDRESS, hash: `embed.html#v=1&x=${codeOf('koch')}`, drawing: null }, async (page) => {
+        await page.waitForURL(/exercise\.html/);
+        await page.waitForSelector('#mark:visible');
+    }));
+
+test('exercises work from a disk', async () => {
+    const folder = await mkdtemp(join(tmpdir(), 'on a stick ü '));
+    try {
+        await copyFile(new URL('exercise.html', DIST), join(folder, 'exercise.html'));
+        const address = pathToFileURL(join(folder, 'exercise.html')).href;
+        await withPage({ address, hash: `#v=1&x=${codeOf('koch')}` }, async (page) => {
+            await page.fill('#rules', 'F -> F+F--F+F');
+            await page.waitForSelector('#mark.solved');
+        });
+    } finally {
+        await rm(folder, { recursive: true });
+    }
+});
+
+for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a phone', PHONE]])) {
+    test(`the lesson is walked through on ${name}, and keeps its place`, () =>
+        withPage({ address: ADDRESS, hash: 'course.html', drawing: null, options }, async (page) => {
+            /** @type {[string, string][]} */
+            const fills = [
+                ['#rules', 'F -> FF'],
+                ['#rules', 'F -> F+F--F+F'],
+                ['#rules', 'F -> F[+F]F[-F]F'],
+                ['#rules', 'X -> F[+X][-X]FX'],
+                ['#angle', '36'],
+                ['#iterations', '4'],
+                ['#rules', 'F -> F[+F]F : 0.5\nF -> F[-F]F : 0.5'],
+                ['#rules', 'B < A -> B'],
+                ['#rules', 'A(x) -> F(x)[+A(x*0.65)][-A(x*0.65)]'],
+                ['#rules', 'A -> F[&A]////[&A]////[&A]'],
+                ['#rules', "F -> F['!+F]F['!-F]F"],
+                ['#rules', 'X -> F[+X]F[-X]X\nF -> FF'],
+            ];
+            for (const [at, [field, text]] of fills.entries()) {
+                assert.match(await page.textContent('.step.now h2') ?? '', new RegExp(`^${at + 1}\\. `));
+                const frame = page.frameLocator('.step.now iframe');
+                await frame.locator(field).fill(text, { timeout: 15_000 });
+                await frame.locator(field).press('Tab');
+                await until(async () => /Done/.test((await page.textContent('#told')) ?? ''), `step ${at + 1} is done`, 15_000);
+                if (at < fills.length - 1) await page.click('#onward');
+            }
+            assert.equal(await page.locator('.places .done').count(), 12);
+            await page.goto('about:blank');
+            await page.goto(`${ADDRESS}course.html`);
+            assert.match((await page.textContent('.step.now h2')) ?? '', /^12\. /);
+        }));
+}
