@@ -10,13 +10,14 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 7] = ["lesson", "notation", "links", "embedding", "about", "security", "imports"];
+const PAGES: [&str; 8] = ["lesson", "notation", "links", "embedding", "exercises", "about", "security", "imports"];
 /// The pages in the navigation line, with their names there.
-const NAVIGATION: [(&str, &str); 5] = [
+const NAVIGATION: [(&str, &str); 6] = [
     ("lesson", "Lesson"),
     ("notation", "Notation"),
     ("links", "Links"),
     ("embedding", "Embedding"),
+    ("exercises", "Exercises"),
     ("about", "About"),
 ];
 /// The styles that the pages share with the playground, then their own.

@@ -449,14 +449,3 @@ test('a frame accepts messages only from its host, and answers only a known orig
         await new Promise((resolve) => setTimeout(resolve, 300));
         assert.match((await open.textContent('#caption-text')) ?? '', /^n = 2/);
     }, { expected: /does not match the recipient window's origin/ }));
-
-test('the course page draws its ten drawings', () =>
-    withPage({ address: `${ADDRESS}course.html`, also: ADDRESS, drawing: null }, async (page) => {
-        const show = (/** @type {number} */ at) => page.evaluate((index) => { const all = document.querySelectorAll('l-system, iframe'); all[index]?.scrollIntoView(); return all.length; }, at);
-        assert.equal(await show(0), 10);
-        for (let at = 0; at < 10; at++) {
-            await show(at);
-            await until(async () => (await Promise.all(embedded(page).map((frame) => frame.locator('#stage.inked').count()))).filter(Boolean).length > at, `drawing ${at + 1}`);
-        }
-        for (const frame of embedded(page)) assert.equal(await frame.locator('#mistake:visible').count(), 0);
-    }));

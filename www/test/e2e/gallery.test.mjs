@@ -22,7 +22,7 @@ const chip = (page, name) => page.locator('.chip', { hasText: name });
 test('shelves say what one sees, the simple systems first', () =>
     withPage({}, async (page) => {
         await open(page);
-        const names = ['Start here', 'Trees', 'Flowers and leaves', 'Curves', 'Tilings', 'In space', 'By chance', 'Signals', 'Books and courses'];
+        const names = ['Start here', 'Trees', 'Flowers and leaves', 'Curves', 'Tilings', 'In space', 'By chance', 'Signals', 'Books and courses', 'Exercises'];
         assert.deepEqual(await page.locator('#shelves h3').allTextContents(), names);
         assert.deepEqual(await page.locator('.chip').evaluateAll((chips) => chips.map((each) => each.firstChild?.textContent)), names);
         const first = page.locator('.shelf').first().locator('.card');
@@ -33,8 +33,10 @@ test('shelves say what one sees, the simple systems first', () =>
         assert.equal(await page.textContent('#about-title'), 'Koch snowflake');
         assert.match((await page.textContent('#about-source')) ?? '', /^Helge von Koch, Sur une courbe/);
         const entries = await page.evaluate(async () => (await fetch('gallery.json')).json());
-        assert.equal(await page.locator('#gallery .card').count(), entries.length);
-        assert.equal(await page.textContent('#found'), `${entries.length} systems`);
+        assert.equal(await page.locator('#gallery .card[data-path]').count(), entries.length);
+        const all = await page.locator('#gallery .card').count();
+        assert.equal(await page.locator('#gallery a.card[href^="exercise.html#"]').count(), all - entries.length);
+        assert.equal(await page.textContent('#found'), `${all} systems`);
     }));
 
 test('filters are combined, and replaced where they would find nothing', () =>
@@ -93,8 +95,11 @@ test('every card has a picture or says why it has none', () =>
         const states = () => cards.evaluateAll((all) => all.map((card) => ({ path: card.getAttribute('data-path'), inked: card.querySelector('.thumb.inked') !== null, why: card.querySelector('.card-missing:not([hidden])')?.textContent ?? '' })));
         await until(async () => (await states()).every(({ inked, why }) => inked !== (why !== '')), 'all cards are done', 30_000);
         const without = (await states()).filter(({ inked }) => !inked);
-        assert.deepEqual(without.map(({ path }) => path), ['focs-lsystems/readme-s-to-ss.json', 'turtle-blog/lri-prose-rule.json']);
-        for (const { why } of without) assert.equal(why, 'No symbol of this system draws.');
+        const systems = without.filter(({ path }) => path !== null);
+        assert.deepEqual(systems.map(({ path }) => path), ['focs-lsystems/readme-s-to-ss.json', 'turtle-blog/lri-prose-rule.json']);
+        for (const { why } of systems) assert.equal(why, 'No symbol of this system draws.');
+        // Exercises that ask for a string show it.
+        for (const { path, why } of without) if (path === null) assert.match(why, /^[AB]+$/);
     }));
 
 test('on a phone the first shelf is in sight and a tap opens a system', () =>

@@ -111,7 +111,7 @@ test('after one visit, the page, gallery, exports, embedded drawings, course pag
             await page.goto(`${origin}course.html`);
             // Drawings out of view wait.
             await until(async () => {
-                const frames = page.frames().filter((frame) => frame.url().includes('embed.html'));
+                const frames = page.frames().filter((frame) => frame.url().includes('exercise.html'));
                 return (await Promise.all(frames.map((frame) => frame.locator('#stage.inked').count()))).some((count) => count > 0);
             }, 'a drawing of the course page is there', 15_000);
             await page.goto(`${origin}docs/lesson.html`);
