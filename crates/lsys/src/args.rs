@@ -1,6 +1,6 @@
 //! The command line as a value.
 
-use crate::cli::{Changes, Cli, Look, Verb};
+use crate::cli::{Changes, Cli, GrowthFormat, Look, Verb};
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use lsystem::files::Format;
@@ -23,7 +23,7 @@ pub(crate) enum Command {
     /// Mark answers to an exercise.
     Mark { exercise: String, answers: Vec<String>, csv: bool, html: Option<PathBuf> },
     /// Print facts.
-    Info { files: Vec<PathBuf>, json: bool, changes: Changes },
+    Info { files: Vec<PathBuf>, json: bool, growth: Option<GrowthFormat>, changes: Changes },
 }
 
 /// One file to draw.
@@ -71,10 +71,12 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             Ok(jobs) => Ok(Command::Draw { jobs, look, changes }),
             Err(words) => Err(explain("draw", words)),
         },
-        Verb::Info { files, json, changes } => match files.iter().filter(|file| file.as_os_str() == "-").count() {
-            0 | 1 => Ok(Command::Info { files, json, changes }),
-            _ => Err(explain("info", "standard input (-) can be read only once".to_owned())),
-        },
+        Verb::Info { files, json, growth, changes } => {
+            match files.iter().filter(|file| file.as_os_str() == "-").count() {
+                0 | 1 => Ok(Command::Info { files, json, growth, changes }),
+                _ => Err(explain("info", "standard input (-) can be read only once".to_owned())),
+            }
+        }
         Verb::Import { files, to } => Ok(Command::Import { files, to }),
         Verb::Check { file, output, changes } => match file == output && file.as_os_str() == "-" {
             false => Ok(Command::Check { file, output, changes }),
@@ -221,7 +223,7 @@ mod tests {
         };
         let text = match parse(line.split_whitespace().map(OsString::from)) {
             Ok(Command::Expand { file, changes }) => format!("expand {file:?} {}", with(changes)),
-            Ok(Command::Info { files, json, changes }) => format!("info {files:?} json {json} {}", with(changes)),
+            Ok(Command::Info { files, json, changes, .. }) => format!("info {files:?} json {json} {}", with(changes)),
             Ok(Command::Draw { jobs, look: Look { size, compact, .. }, changes }) => {
                 let jobs: Vec<String> = jobs.iter().map(|job| format!("{:?} to {:?}", job.file, job.target)).collect();
                 let size = size.map_or_else(String::new, |size| format!(" {} by {}", size.width, size.height));

@@ -62,8 +62,11 @@ pub(crate) enum Verb {
         #[arg(help = FILE, value_name = "FILE", value_hint = ValueHint::FilePath, required = true)]
         files: Vec<PathBuf>,
         /// Print JSON: an object for one FILE, an array for several
-        #[arg(long)]
+        #[arg(long, conflicts_with = "growth")]
         json: bool,
+        /// Print how the generations grow: counts, recurrence, growth factor, dimension [default: text]
+        #[arg(long, value_name = "FORMAT", num_args = 0..=1, require_equals = true, default_missing_value = "text")]
+        growth: Option<GrowthFormat>,
         #[command(flatten)]
         changes: Changes,
     },
@@ -114,6 +117,15 @@ pub(crate) enum Verb {
         /// Shell that will read the script
         shell: Shell,
     },
+}
+
+/// The formats of `lsys info --growth`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum GrowthFormat {
+    Text,
+    Csv,
+    Latex,
+    Json,
 }
 
 /// The options that change a file's system or the memory limit.

@@ -7,6 +7,7 @@ mod check;
 mod cli;
 mod cores;
 mod draw;
+mod growth;
 mod import;
 mod info;
 mod input;
@@ -91,7 +92,8 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Import { files, to } => import::import(&files, &to),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
-        Command::Info { files, json, changes } => info::info(&files, json, &changes),
+        Command::Info { files, growth: Some(format), changes, .. } => growth::print_growth(&files, format, &changes),
+        Command::Info { files, json, growth: None, changes } => info::info(&files, json, &changes),
     }
 }
 

@@ -6,7 +6,7 @@ use lsystem_syntax::Action;
 
 /// By letter: the number of segments that the letter, or its image, draws; 0 for a letter that never occurs. `None` if
 /// the number varies for a letter that may occur.
-pub(crate) fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
+pub fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
     marks_by_letter(system, Action::segments)
 }
 

@@ -38,6 +38,7 @@ pub use drawing::{
     Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon, Projection,
     SceneSize, Segment, SegmentArrays, Shape, Space, Stroke, draw, draw_solid, hull,
 };
+pub use drawn::drawn_by_letter;
 pub use mesh::{Mesh, MeshMaker};
 pub use opening::symbol_of_polygon;
 pub use plane::{Directions, Plane};
