@@ -154,12 +154,18 @@ export {};
  * besides the rules, that the student has to find.
  * @typedef {{title: string, task: string, hints: string[], asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, hidesRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, text: string | null, start: Definition, fixed: Definition, free: (keyof Definition)[]}} AboutExercise
  */
+/** A count: exact digits, and the logarithm to base 10 or null for 0. @typedef {{digits: string, log10: number | null}} Count */
+/**
+ * How the generations of a system grow. `matrix`: how many of each letter (column) a letter (row) becomes in a step.
+ * @typedef {{letters: string[], letterCount: number, matrix: number[][], isRandom: boolean, dimension: number | null, table: {n: number, symbols: Count, segments: Count, letters: Count[], spread: number | null, size: [number, number] | null}[], sentences: string[]}} Growth
+ */
 /** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown. @typedef {{isSolved: boolean, agreement: number, isSame: boolean | null, symbols: number, words: string, errors: string[]}} Mark */
 /**
  * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
  * for missing ink, 4 for ink that is too much.
  * @typedef {{
  *     check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string}},
+ *     growth: {asked: {definition: Definition}, answer: {growth: Growth | null, why: string, csv: string, latex: string, shown: number}},
  *     write: {asked: {exercise: Exercise}, answer: string},
  *     open: {asked: {text: string}, answer: AboutExercise},
  *     picture: {asked: {text: string, width: number, height: number, ratio: number}, answer: Uint8Array<ArrayBuffer>},

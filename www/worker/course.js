@@ -17,6 +17,7 @@ function opened(text) {
 
 serve((module) => wasm_bindgen.initSync({ module }), {
     check: ({ definition, output }) => wasm_bindgen.checkOutput(definition, output),
+    growth: ({ definition }) => wasm_bindgen.growth(definition),
     write: ({ exercise }) => wasm_bindgen.writeExercise(exercise),
     open: ({ text }) => opened(text).about(),
     picture: ({ text, width, height, ratio }) => opened(text).picture(width, height, ratio),

@@ -2,9 +2,11 @@
 
 mod check;
 mod exercise;
+mod growth;
 
 pub use check::check_output;
 pub use exercise::{OpenExercise, write_exercise};
+pub use growth::growth;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -1,8 +1,9 @@
-/** What the playground has for courses: making exercises, and checking programs. */
+/** What the playground has for courses: making exercises, checking programs, and how generations grow. */
 
 import { createTool } from '../tool.js';
 import { createCheck } from './check.js';
 import { createMaker } from './maker.js';
+import { createMathematics } from './mathematics.js';
 
 /**
  * @param {import('../store.js').Store} store
@@ -14,5 +15,6 @@ export function createCourse(store, engine) {
     const tool = createTool('course');
     createMaker(store, engine, tool);
     createCheck(store, tool);
+    createMathematics(store, tool);
     return tool;
 }
