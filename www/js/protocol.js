@@ -159,6 +159,12 @@ export {};
  * How the generations of a system grow. `matrix`: how many of each letter (column) a letter (row) becomes in a step.
  * @typedef {{letters: string[], letterCount: number, matrix: number[][], isRandom: boolean, dimension: number | null, table: {n: number, symbols: Count, segments: Count, letters: Count[], spread: number | null, size: [number, number] | null}[], sentences: string[]}} Growth
  */
+/**
+ * Symbols of a generation with what each becomes. `more`: how many symbols are not listed; `first`: the place of the
+ * first one in the next generation.
+ * @typedef {{families: {parent: string, children: string[], more: string, first: string}[], start: string, lengths: [string, string]}} StepRows
+ */
+/** The turtle after a symbol. @typedef {{symbol: string, at: [number, number, number], axes: [number, number, number][], depth: number, stored: [number, number, number][], segment: [[number, number, number], [number, number, number]] | null}} TurtleState */
 /** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown. @typedef {{isSolved: boolean, agreement: number, isSame: boolean | null, symbols: number, words: string, errors: string[]}} Mark */
 /**
  * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
@@ -166,6 +172,9 @@ export {};
  * @typedef {{
  *     check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string}},
  *     growth: {asked: {definition: Definition}, answer: {growth: Growth | null, why: string, csv: string, latex: string, shown: number}},
+ *     rows: {asked: {definition: Definition, n: number, start: string, count: number}, answer: StepRows},
+ *     single: {asked: {definition: Definition, steps: number}, answer: {text: string, length: number, made: [number, number] | null}[]},
+ *     trace: {asked: {definition: Definition, n: number, count: number}, answer: {states: TurtleState[], length: string, isSolid: boolean}},
  *     write: {asked: {exercise: Exercise}, answer: string},
  *     open: {asked: {text: string}, answer: AboutExercise},
  *     picture: {asked: {text: string, width: number, height: number, ratio: number}, answer: Uint8Array<ArrayBuffer>},

@@ -18,6 +18,9 @@ function opened(text) {
 serve((module) => wasm_bindgen.initSync({ module }), {
     check: ({ definition, output }) => wasm_bindgen.checkOutput(definition, output),
     growth: ({ definition }) => wasm_bindgen.growth(definition),
+    rows: ({ definition, n, start, count }) => wasm_bindgen.stepRows(definition, n, start, count),
+    single: ({ definition, steps }) => wasm_bindgen.oneByOne(definition, steps),
+    trace: ({ definition, n, count }) => wasm_bindgen.turtleTrace(definition, n, count),
     write: ({ exercise }) => wasm_bindgen.writeExercise(exercise),
     open: ({ text }) => opened(text).about(),
     picture: ({ text, width, height, ratio }) => opened(text).picture(width, height, ratio),

@@ -3,10 +3,12 @@
 mod check;
 mod exercise;
 mod growth;
+mod steps;
 
 pub use check::check_output;
 pub use exercise::{OpenExercise, write_exercise};
 pub use growth::growth;
+pub use steps::{one_by_one, step_rows, turtle_trace};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -43,6 +43,7 @@ pub use lsystem_drawing as drawing;
 pub use lsystem_files as files;
 pub use lsystem_growth as growth;
 pub use lsystem_render as render;
+pub use lsystem_steps as steps;
 pub use lsystem_syntax as syntax;
 
 // The most used items.

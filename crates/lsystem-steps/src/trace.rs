@@ -1,0 +1,159 @@
+//! The turtle's state at each symbol, as it reads them.
+
+use crate::Why;
+use crate::rows::{Reader, text};
+use lsystem_drawing::System;
+use lsystem_syntax::{Action, Heading};
+use serde::Serialize;
+
+/// The most symbols that are followed.
+const MAX_SYMBOLS: usize = 4_000;
+/// The most stored states that are listed; the depth is always told.
+const MAX_LISTED: usize = 8;
+
+type Vector = [f64; 3];
+
+/// The turtle's state after a symbol.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct State {
+    /// The symbol, with its arguments.
+    pub symbol: String,
+    /// The position, in model units.
+    pub at: Vector,
+    /// The heading, the left and the up of the turtle: unit vectors.
+    pub axes: [Vector; 3],
+    /// The number of stored states.
+    pub depth: usize,
+    /// The last stored positions, the newest first.
+    pub stored: Vec<Vector>,
+    /// The ends of the segment that the symbol draws.
+    pub segment: Option<[Vector; 2]>,
+}
+
+/// The turtle's way through the beginning of a string.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Trace {
+    /// The state at the start: the symbol is empty.
+    pub states: Vec<State>,
+    /// The number of symbols of the whole string.
+    pub length: String,
+    /// Whether the drawing leaves the plane.
+    pub is_solid: bool,
+}
+
+#[derive(Clone, Copy)]
+struct Turtle {
+    at: Vector,
+    axes: [Vector; 3],
+    /// The factor of lengths.
+    scale: f64,
+    swaps: bool,
+}
+
+/// The states of the turtle at the first symbols of generation `n`, at most `count`.
+///
+/// # Errors
+/// A sentence that says why the way is not shown.
+pub fn trace(system: &System, n: u32, count: usize) -> Result<Trace, Why> {
+    let settings = &system.turtle;
+    let is_varied = settings.angle_variation != 0.0 || settings.length_variation != 0.0 || settings.growth != 1.0;
+    if settings.tropism.is_some() || is_varied {
+        return Err("The turtle bends or varies its way here, which is not shown symbol by symbol.");
+    }
+    let reader = Reader::new(system, n)?;
+    let (cos, sin) = settings.heading.cos_sin();
+    let mut turtle = Turtle {
+        at: [settings.start[0], settings.start[1], 0.0],
+        axes: [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]],
+        scale: 1.0,
+        swaps: false,
+    };
+    let mut stack: Vec<Turtle> = Vec::new();
+    let state = |symbol: String, turtle: &Turtle, stack: &[Turtle], segment| State {
+        symbol,
+        at: turtle.at,
+        axes: turtle.axes,
+        depth: stack.len(),
+        stored: stack.iter().rev().take(MAX_LISTED).map(|stored| stored.at).collect(),
+        segment,
+    };
+    let mut states = vec![state(String::new(), &turtle, &stack, None)];
+    reader.modules(false, 0, count.min(MAX_SYMBOLS), &mut |symbol, arguments| {
+        let letter = system.rules.letter(symbol, arguments.len() as u8);
+        let actions = letter.map_or(&[][..], |letter| settings.actions[usize::from(letter)].as_slice());
+        let mut segment = None;
+        for (at, &action) in actions.iter().enumerate() {
+            let action = if at == 0 { arguments.first().map_or(action, |&number| action.with(number)) } else { action };
+            let before = turtle.at;
+            let has_drawn = turtle.act(action, system, &mut stack);
+            segment = has_drawn.then_some([before, turtle.at]).or(segment);
+        }
+        states.push(state(text(symbol, arguments), &turtle, &stack, segment));
+    });
+    Ok(Trace { states, length: reader.lengths()[0].to_string(), is_solid: system.is_solid() })
+}
+
+impl Turtle {
+    /// Does an action. Returns whether it draws a segment.
+    fn act(&mut self, action: Action, system: &System, stack: &mut Vec<Self>) -> bool {
+        let settings = &system.turtle;
+        let turned = |own: Option<f64>, usual: Heading| own.map_or(usual, Heading::from_degrees);
+        match action {
+            Action::Draw(own) | Action::DrawUnmarked(own) | Action::Move(own) | Action::MoveUnmarked(own) => {
+                let length = own.unwrap_or(settings.step) * self.scale;
+                self.at = [0, 1, 2].map(|axis| self.at[axis] + length * self.axes[0][axis]);
+                return action.draws();
+            }
+            Action::TurnLeft(own) if !self.swaps => self.turn([0, 1], turned(own, settings.left)),
+            Action::TurnLeft(own) => self.turn([0, 1], -turned(own, settings.right)),
+            Action::TurnRight(own) if !self.swaps => self.turn([0, 1], -turned(own, settings.right)),
+            Action::TurnRight(own) => self.turn([0, 1], turned(own, settings.left)),
+            Action::TurnRound => self.turn([0, 1], Heading::HALF),
+            // Rotations out of the plane are ignored in drawings in the plane, which have none.
+            Action::PitchUp(own) => self.turn([0, 2], turned(own, settings.pitch_up)),
+            Action::PitchDown(own) => self.turn([0, 2], -turned(own, settings.pitch_down)),
+            Action::RollLeft(own) => self.turn([1, 2], turned(own, settings.roll_left)),
+            Action::RollRight(own) => self.turn([1, 2], -turned(own, settings.roll_right)),
+            Action::RollUpright => self.roll_upright(),
+            Action::Push => {
+                stack.push(*self);
+                self.scale *= settings.length_factor;
+            }
+            Action::Pop => {
+                if let Some(stored) = stack.pop() {
+                    *self = stored;
+                }
+            }
+            Action::ScaleLength(factor) => self.scale *= factor,
+            Action::SwapTurns => self.swaps = !self.swaps,
+            _ => {}
+        }
+        false
+    }
+
+    /// Turns the first axis towards the second one.
+    fn turn(&mut self, [first, second]: [usize; 2], by: Heading) {
+        let (cos, sin) = by.cos_sin();
+        let [a, b] = [self.axes[first], self.axes[second]];
+        self.axes[first] = [0, 1, 2].map(|axis| cos * a[axis] + sin * b[axis]);
+        self.axes[second] = [0, 1, 2].map(|axis| cos * b[axis] - sin * a[axis]);
+    }
+
+    /// Rolls until the left is level and the up does not point below the horizon.
+    fn roll_upright(&mut self) {
+        let heading = self.axes[0];
+        // The vertical (0, 1, 0) times the heading.
+        let left = [heading[2], 0.0, -heading[0]];
+        let size = libm::hypot(left[0], left[2]);
+        if size < 1e-9 {
+            return;
+        }
+        let left = left.map(|value| value / size);
+        let [h, l] = [heading, left];
+        self.axes[1] = left;
+        self.axes[2] = [h[1] * l[2] - h[2] * l[1], h[2] * l[0] - h[0] * l[2], h[0] * l[1] - h[1] * l[0]];
+    }
+}
+

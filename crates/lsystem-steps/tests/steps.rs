@@ -1,0 +1,123 @@
+//! Steps compared with strings, drawings and a naive derivation.
+
+use lsystem_drawing::{System, draw, draw_solid, expand};
+use lsystem_steps::{one_by_one, rows, trace};
+use lsystem_syntax::{Definition, Limits};
+
+fn system(axiom: &str, rules: &str) -> System {
+    let definition =
+        Definition { axiom: axiom.into(), rules: rules.into(), angle: 35.0, seed: 5, length_factor: 0.8, ..Definition::default() };
+    System::new(&definition).0.expect("a system without errors")
+}
+
+/// Systems of all kinds.
+fn systems() -> Vec<System> {
+    [
+        ("X", "X -> F[+X]F[-X]+X\nF -> FF"),
+        ("AB", "A -> AB\nB ->"),
+        ("F", "F -> F[+F]F : 0.4\nF -> F[-F] : 0.6"),
+        ("baaaa", "b < a -> b\nb -> a"),
+        ("A(3)F", "A(x) : x > 0 -> F(x)[+A(x-1)]-(20)A(x-1)\nA(x) : x <= 0 -> F"),
+        ("F1F1F1", "ignore: +-F\n0 < 1 > 0 -> 1\n1 < 1 > 0 -> 1[+F1F1]\n1 -> 0"),
+        ("A", "A -> F[&A]////[^A]$F\\A"),
+    ]
+    .into_iter()
+    .map(|(axiom, rules)| system(axiom, rules))
+    .collect()
+}
+
+#[test]
+fn children_in_order_are_the_next_generation() {
+    for system in systems() {
+        for n in 0..5 {
+            let [now, next] = [n, n + 1].map(|n| expand(&system, n, &Limits::default()).unwrap());
+            let rows = rows(&system, n, 0, 400).unwrap();
+            let is_whole = rows.families.len().to_string() == rows.lengths[0];
+            let parents: String = rows.families.iter().map(|family| family.parent.as_str()).collect();
+            assert!(now.starts_with(&parents) && (!is_whole || now == parents), "{now} {parents}");
+            let mut children = String::new();
+            let mut count = 0;
+            for family in &rows.families {
+                assert_eq!(family.first, count.to_string());
+                count += family.children.len();
+                family.children.iter().for_each(|child| children += child);
+            }
+            assert!(next.starts_with(&children) && (!is_whole || next == children), "{next} {children}");
+        }
+    }
+}
+
+#[test]
+fn any_place_of_any_generation_is_read() {
+    let system = system("X", "X -> F[+X]F[-X]+X\nF -> FF");
+    let whole = rows(&system, 5, 0, 400).unwrap();
+    let part = rows(&system, 5, 137, 20).unwrap();
+    assert_eq!(part.families[..], whole.families[137..157]);
+    let far = rows(&system, 60, 10_u128.pow(20), 5).unwrap();
+    assert_eq!((far.start.as_str(), far.families.len()), ("100000000000000000000", 5));
+    assert!(rows(&system, 1000, 0, 5).is_err());
+    let random = rows(&self::system("F", "F -> FF : 1\nF -> F+F : 1"), 60, 0, 5);
+    assert!(random.unwrap_err().contains("too long"));
+}
+
+#[test]
+fn one_symbol_at_a_time_differs_from_all_at_once() {
+    let lengths = |axiom: &str, rules: &str| -> Vec<usize> {
+        one_by_one(&system(axiom, rules), 4).unwrap().iter().map(|single| single.length).collect()
+    };
+    // The question of the course: 1, 2, 4, 8 all at once.
+    assert_eq!(lengths("S", "S -> SS"), [1, 2, 3, 4, 5]);
+    assert_eq!(lengths("AAA", "A ->"), [3, 2, 1, 0]);
+    let strings = |axiom: &str, rules: &str| -> Vec<String> {
+        one_by_one(&system(axiom, rules), 4).unwrap().into_iter().map(|single| single.text).collect()
+    };
+    assert_eq!(strings("AB", "A -> B\nB -> A"), ["AB", "BB", "AB", "BB", "AB"]);
+    assert_eq!(strings("A", "A -> AB\nB -> A"), ["A", "AB", "ABB", "ABBB", "ABBBB"]);
+    assert_eq!(one_by_one(&system("XA", "A -> BC"), 9).unwrap()[1].made, Some([1, 2]));
+    assert!(one_by_one(&system("AB", "A < B -> A"), 3).is_err());
+}
+
+/// As many replacements as there are symbols, each at most once from left to right, are one step of the derivation.
+#[test]
+fn replacing_each_symbol_once_is_one_step() {
+    let system = system("X", "X -> F[+Y]\nY -> XF\nF -> FF");
+    for n in 0..4 {
+        let rows = rows(&system, n, 0, 400).unwrap();
+        let joined: String = rows.families.iter().flat_map(|family| family.children.clone()).collect();
+        assert_eq!(joined, expand(&system, n + 1, &Limits::default()).unwrap());
+    }
+}
+
+#[test]
+fn the_turtle_draws_what_the_drawing_has() {
+    for system in systems() {
+        for n in 0..4 {
+            let trace = trace(&system, n, 4000).unwrap();
+            let segments: Vec<[[f64; 3]; 2]> = trace.states.iter().filter_map(|state| state.segment).collect();
+            let limits = Limits::default();
+            let expected: Vec<[[f64; 3]; 2]> = match system.is_solid() {
+                true => draw_solid(&system, n, &limits).unwrap().segments().map(|s| [s.from, s.to]).collect(),
+                false => (draw(&system, n, &limits).unwrap().segments())
+                    .map(|s| [s.from, s.to].map(|[x, y]| [x, y, 0.0]))
+                    .collect(),
+            };
+            assert_eq!(segments.len(), expected.len(), "{n} {:?}", system.grammar);
+            let ends = segments.iter().flatten().flatten().zip(expected.iter().flatten().flatten());
+            assert!(ends.into_iter().all(|(a, b)| (a - b).abs() < 1e-9), "{n} {segments:?} {expected:?}");
+            let text = expand(&system, n, &limits).unwrap();
+            let read: String = trace.states.iter().map(|state| state.symbol.as_str()).collect();
+            assert_eq!(read, text);
+        }
+    }
+}
+
+#[test]
+fn the_stack_is_told() {
+    let trace = trace(&system("F[+F[-F]F]F", ""), 0, 100).unwrap();
+    let depths: Vec<usize> = trace.states.iter().map(|state| state.depth).collect();
+    assert_eq!(depths, [0, 0, 1, 1, 1, 2, 2, 2, 1, 1, 0, 0]);
+    assert_eq!(trace.states[5].stored.len(), 2);
+    assert_eq!(trace.states[5].stored[1], [0.0, 1.0, 0.0]);
+    let bent = Definition { axiom: "F".into(), elasticity: 0.2, tropism: [1.0, 0.0, 0.0], ..Definition::default() };
+    assert!(lsystem_steps::trace(&System::new(&bent).0.unwrap(), 0, 9).is_err());
+}
