@@ -10,8 +10,8 @@ import { ATTRIBUTES } from './js/tables.js';
 
 (() => {
     const script = document.currentScript;
-    /** The page of the drawing, or of the exercise in its link. @param {string} [link] */
-    const home = (link = '') => new URL(/(^|[#&])x=/.test(link) ? 'exercise.html' : 'embed.html', script instanceof HTMLScriptElement && script.src ? script.src : location.href);
+    /** The page of the drawing, or the one that also has exercises and steps. @param {string} [link] */
+    const home = (link = '') => new URL(/(^|[#&])x=|&controls=[^&]*steps/.test(link) ? 'exercise.html' : 'embed.html', script instanceof HTMLScriptElement && script.src ? script.src : location.href);
     const HOME = home();
     /** Pages from a disk have no distinct origin. */
     const ORIGIN = HOME.protocol === 'file:' ? null : HOME.origin;
@@ -178,8 +178,9 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#theme = this.#themeNow();
             const fields = { ...this.#sent, controls: this.getAttribute('controls') ?? '', theme: this.#theme, host: location.origin === 'null' ? '' : location.origin };
             const own = Object.entries(fields).flatMap(([key, value]) => (value === '' ? [] : [`${key}=${encodeURIComponent(value)}`]));
-            const address = home(link);
-            address.hash = [link || 'v=1', ...own].join('&');
+            const hash = [link || 'v=1', ...own].join('&');
+            const address = home(hash);
+            address.hash = hash;
             // Later addresses replace the former one, to keep the page's history clean.
             if (this.#connected) this.#frame.contentWindow?.location.replace(address.href);
             else this.#frame.src = address.href;

@@ -27,8 +27,10 @@ import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
 import { showPrintText } from './print-text.js';
 import { createStage } from './stage.js';
+import { createSteps } from './steps/steps.js';
 import { DEFAULTS, clean, definitionOf, sameDrawing, sameSystem } from './state.js';
 import { createStore } from './store.js';
+import { createTool } from './tool.js';
 import { QUESTION, createTrouble } from './trouble.js';
 
 /** @typedef {import('./state.js').State} State */
@@ -41,8 +43,8 @@ const NOTHING = 'The address of this frame contains no drawing.';
 let options = readOptions(location.hash);
 showTheme();
 const isExercise = exerciseIn(location.hash) !== null;
-// Only one page has a place for exercises.
-if (isExercise && !document.getElementById('exercise')) {
+// Only one page has a place for exercises and steps.
+if ((isExercise || options.controls.includes('steps')) && !document.getElementById('exercise')) {
     location.replace(new URL(`exercise.html${location.hash}`, location.href));
     await new Promise(() => {});
 }
@@ -76,6 +78,7 @@ const host = connectHost(store, { host: options.host, offer, theme: setTheme, pl
 offer(controls);
 store.subscribe(show);
 show(store.state, null);
+if (document.getElementById('steps')) createSteps(exercise?.tool ?? createTool('course'), () => drawnOf(store.state));
 if (exercise) createExercise(store, exercise, { marked: (mark, link) => host.marked(mark, link), needs: (height) => host.needs(height) });
 if (!link || refusal !== '') {
     showProblem(refusal || NOTHING);
@@ -182,7 +185,7 @@ function controlsNow() {
     const { free, hidesRules } = exercise.about;
     // The string and its origins would tell what is hidden.
     const reads = !hidesRules && exercise.about.axiom !== 'hidden';
-    return ['rules', ...(free.includes('iterations') ? ['n'] : []), ...(free.includes('angle') ? ['angle'] : []), ...(reads ? ['string'] : []), 'play'].map((control) => /** @type {Control} */ (control));
+    return ['rules', ...(free.includes('iterations') ? ['n'] : []), ...(free.includes('angle') ? ['angle'] : []), ...(reads ? ['string', 'steps'] : []), 'play'].map((control) => /** @type {Control} */ (control));
 }
 
 /** Shows only these controls. @param {Control[]} asked */
@@ -195,6 +198,7 @@ function offer(asked) {
     html('panel').hidden = !(has('n') || has('angle') || has('rules'));
     button('open-reader').hidden = !has('string');
     button('open-playback').hidden = !has('play');
+    button('open-steps').hidden = !has('steps') || !document.getElementById('steps');
     if (!has('string')) parts?.reader.close();
     if (!has('play')) parts?.playback.close();
     button('reset').hidden = html('panel').hidden;

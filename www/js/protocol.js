@@ -174,7 +174,7 @@ export {};
  *     growth: {asked: {definition: Definition}, answer: {growth: Growth | null, why: string, csv: string, latex: string, shown: number}},
  *     rows: {asked: {definition: Definition, n: number, start: string, count: number}, answer: StepRows},
  *     single: {asked: {definition: Definition, steps: number}, answer: {text: string, length: number, made: [number, number] | null}[]},
- *     trace: {asked: {definition: Definition, n: number, count: number}, answer: {states: TurtleState[], length: string, isSolid: boolean}},
+ *     trace: {asked: {definition: Definition, n: number, count: number}, answer: {states: TurtleState[], length: string, isSolid: boolean, legend: [string, string][]}},
  *     write: {asked: {exercise: Exercise}, answer: string},
  *     open: {asked: {text: string}, answer: AboutExercise},
  *     picture: {asked: {text: string, width: number, height: number, ratio: number}, answer: Uint8Array<ArrayBuffer>},

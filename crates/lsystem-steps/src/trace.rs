@@ -2,7 +2,7 @@
 
 use crate::Why;
 use crate::rows::{Reader, text};
-use lsystem_drawing::System;
+use lsystem_drawing::{System, legend};
 use lsystem_syntax::{Action, Heading};
 use serde::Serialize;
 
@@ -41,6 +41,8 @@ pub struct Trace {
     pub length: String,
     /// Whether the drawing leaves the plane.
     pub is_solid: bool,
+    /// The symbols in use, with their parameters, and what they do in words.
+    pub legend: Vec<[String; 2]>,
 }
 
 #[derive(Clone, Copy)]
@@ -92,7 +94,8 @@ pub fn trace(system: &System, n: u32, count: usize) -> Result<Trace, Why> {
         }
         states.push(state(text(symbol, arguments), &turtle, &stack, segment));
     });
-    Ok(Trace { states, length: reader.lengths()[0].to_string(), is_solid: system.is_solid() })
+    let legend = legend(system).into_iter().map(|entry| [entry.module, entry.actions]).collect();
+    Ok(Trace { states, length: reader.lengths()[0].to_string(), is_solid: system.is_solid(), legend })
 }
 
 impl Turtle {

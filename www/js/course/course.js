@@ -1,6 +1,8 @@
 /** What the playground has for courses: making exercises, checking programs, and how generations grow. */
 
 import { createTool } from '../tool.js';
+import { createSteps } from '../steps/steps.js';
+import { definitionOf } from '../state.js';
 import { createCheck } from './check.js';
 import { createMaker } from './maker.js';
 import { createMathematics } from './mathematics.js';
@@ -16,5 +18,6 @@ export function createCourse(store, engine) {
     createMaker(store, engine, tool);
     createCheck(store, tool);
     createMathematics(store, tool);
+    createSteps(tool, () => definitionOf(store.state));
     return tool;
 }

@@ -1,9 +1,9 @@
 /** Options of an embedded drawing: keys in its address beside the keys of the system. Pure functions. */
 
-/** @typedef {'angle' | 'n' | 'rules' | 'string' | 'play'} Control */
+/** @typedef {'angle' | 'n' | 'rules' | 'string' | 'play' | 'steps'} Control */
 
 /** @type {readonly Control[]} */
-export const CONTROLS = ['angle', 'n', 'rules', 'string', 'play'];
+export const CONTROLS = ['angle', 'n', 'rules', 'string', 'play', 'steps'];
 
 /** Longer values are not read, in characters. */
 const LONGEST = 1000;
@@ -24,7 +24,8 @@ export const readTheme = (theme) => (theme === 'light' || theme === 'dark' ? the
 /** The known controls in a list, in the order of CONTROLS. @param {string} list separated by commas or blanks @returns {Control[]} */
 export function readControls(list) {
     const asked = list.toLowerCase().split(/[\s,]+/);
-    return CONTROLS.filter((control) => asked.includes(control) || asked.includes('all'));
+    // Steps need a larger page, so they are asked for by name.
+    return CONTROLS.filter((control) => asked.includes(control) || (control !== 'steps' && asked.includes('all')));
 }
 
 /** The last value of a key. @param {string} hash @param {string} key */

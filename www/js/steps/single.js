@@ -1,0 +1,71 @@
+/** All symbols at once, as in an L-system, beside one symbol at a time, as in a grammar of Chomsky: leftmost first. */
+
+import { html, make } from '../dom.js';
+import { grouped } from '../numerals.js';
+
+/** The most steps in the table. */
+const MOST = 24;
+/** The symbols of a string that are shown. */
+const SHOWN = 48;
+/** A step is shown for this time while playing, in milliseconds. */
+const PAUSE = 900;
+
+/**
+ * @param {import('./steps.js').CourseTool} tool
+ * @returns {import('./steps.js').Part}
+ */
+export function createSingle(tool) {
+    let at = 0;
+    /** @type {{text: string, length: string}[]} */
+    let all = [];
+    /** @type {{text: string, length: number, made: [number, number] | null}[]} */
+    let singles = [];
+
+    function draw() {
+        const rows = Array.from({ length: at + 1 }, (_, step) => {
+            const [together, alone] = [all[step], singles[step]];
+            return make('tr', step === at ? { class: 'now' } : {}, make('th', { scope: 'row' }, String(step)), make('td', {}, together ? grouped(together.length) : ''), make('td', {}, make('code', {}, together ? cut(together.text) : '')), make('td', {}, alone ? grouped(String(alone.length)) : ''), make('td', {}, ...(alone ? marked(alone) : ['no rule fits'])));
+        });
+        const head = make('tr', {}, ...['Step', 'Symbols', 'All at once', 'Symbols', 'One at a time, leftmost first'].map((words) => make('th', { scope: 'col' }, words)));
+        html('steps-table').replaceChildren(head, ...rows);
+        html('steps-both').scrollTop = html('steps-both').scrollHeight;
+    }
+
+    return {
+        get at() {
+            return at;
+        },
+        get end() {
+            return MOST;
+        },
+        pause: PAUSE,
+        words: () => `Step ${at}: ${grouped(all[at]?.length ?? '') || 'too many'} symbols all at once, ${(singles[at] ?? singles.at(-1))?.length ?? 0} one at a time.`,
+        async show(definition) {
+            singles = await tool.call('single', { definition, steps: MOST });
+            all = [];
+            for (let n = 0; n <= MOST; n++) {
+                const rows = await tool.call('rows', { definition, n, start: '0', count: SHOWN + 1 }).catch(() => null);
+                if (!rows) break;
+                all.push({ text: rows.families.map(({ parent }) => parent).join(''), length: rows.lengths[0] });
+            }
+            at = Math.min(4, MOST);
+            draw();
+        },
+        seek(next) {
+            at = next;
+            draw();
+        },
+    };
+}
+
+/** @param {string} text */
+const cut = (text) => (text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text || 'ε');
+
+/** A string with the symbols that the step made. @param {{text: string, made: [number, number] | null}} single */
+function marked({ text, made }) {
+    if (!made) return [make('code', {}, cut(text))];
+    const [from, count] = made;
+    const [before, new_, after] = [text.slice(0, from), text.slice(from, from + count), text.slice(from + count)];
+    if (from + count > SHOWN) return [make('code', {}, cut(text))];
+    return [make('code', {}, before, make('mark', {}, new_ || '·'), cut(after).replace('ε', ''))];
+}
