@@ -1,6 +1,7 @@
 //! The targets: each tries one part of the core with random inputs and checks its properties.
 
 mod answers;
+mod course;
 mod derive;
 mod drawing;
 mod export;
@@ -29,7 +30,7 @@ const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Ga
     Target { name, run, short }
 }
 
-const TARGETS: [Target; 19] = [
+const TARGETS: [Target; 22] = [
     target("notation", 1_500, notation::notation),
     target("overrides", 8_000, notation::overrides),
     target("expressions", 15_000, expressions::expressions),
@@ -39,6 +40,9 @@ const TARGETS: [Target; 19] = [
     target("import", 1_500, import::import_text),
     target("links", 1_500, answers::links),
     target("outputs", 1_500, answers::outputs),
+    target("exercises", 150, course::exercises),
+    target("growth", 600, course::growth),
+    target("steps", 800, course::steps),
     target("derive", 3_000, derive::derive),
     target("access", 1_500, derive::access),
     target("drawing", 3_000, drawing::plane),

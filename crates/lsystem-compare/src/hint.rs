@@ -4,6 +4,7 @@ use crate::exercise::{Asks, Exercise, Given};
 use crate::fit::{Fit, Segment};
 use crate::mark::{Marker, counted};
 use crate::sketch::{Sketch, Sketching};
+use core::cell::Cell;
 use lsystem_drawing::{System, why_empty};
 use lsystem_syntax::{Definition, MAX_ITERATIONS};
 
@@ -22,7 +23,8 @@ impl Marker {
     pub fn hint(&self, student: &Definition) -> Option<String> {
         let exercise = self.exercise();
         let whole = exercise.complete(student);
-        let own = sketch(&whole)?;
+        let tries = Tries { left: Cell::new(MAX_STEPS) };
+        let own = tries.sketch(&whole)?;
         if own.mask.is_empty() && !self.target().mask.is_empty() {
             let system = System::new(&whole).0?;
             return Some(why_empty(&system, whole.iterations).unwrap_or_else(|| "Nothing is drawn.".to_owned()));
@@ -35,9 +37,9 @@ impl Marker {
         }
         self.turned(&own)
             .or_else(|| self.other_size(&own))
-            .or_else(|| self.other_heading(&whole))
-            .or_else(|| self.other_generation(&whole))
-            .or_else(|| self.other_angle(&whole))
+            .or_else(|| self.other_heading(&whole, &tries))
+            .or_else(|| self.other_generation(&whole, &tries))
+            .or_else(|| self.other_angle(&whole, &tries))
             .or_else(|| self.common_start(&own))
     }
 
@@ -80,22 +82,24 @@ impl Marker {
     }
 
     /// The same picture turned by a multiple of the system's own angle.
-    fn other_heading(&self, whole: &Definition) -> Option<String> {
+    fn other_heading(&self, whole: &Definition, tries: &Tries) -> Option<String> {
         let turns = [30.0, 60.0, 45.0, whole.angle].into_iter().flat_map(|by| [by, -by, 2.0 * by, -2.0 * by]);
         let by = turns.into_iter().find(|by| {
             let turned = Definition { heading: whole.heading + by, ..whole.clone() };
-            *by != 0.0 && sketch(&turned).is_some_and(|turned| self.looks_like(&turned))
+            *by != 0.0 && tries.sketch(&turned).is_some_and(|turned| self.looks_like(&turned))
         })?;
         let way = if by > 0.0 { "right" } else { "left" };
         Some(format!("The shape is right, but turned by {} degrees to the {way}.", by.abs()))
     }
 
-    fn other_generation(&self, whole: &Definition) -> Option<String> {
+    fn other_generation(&self, whole: &Definition, tries: &Tries) -> Option<String> {
         let near = (1..=STEPS).flat_map(|steps| [(true, steps), (false, steps)]);
         let (is_more, steps) = near.into_iter().find(|&(is_more, steps)| {
             let n = if is_more { whole.iterations + steps } else { whole.iterations.wrapping_sub(steps) };
             n <= MAX_ITERATIONS
-                && sketch(&Definition { iterations: n, ..whole.clone() }).is_some_and(|other| self.looks_like(&other))
+                && tries
+                    .sketch(&Definition { iterations: n, ..whole.clone() })
+                    .is_some_and(|other| self.looks_like(&other))
         })?;
         let (way, count) = (if is_more { "more" } else { "less" }, ["one", "two"][steps as usize - 1]);
         let s = if steps == 1 { "" } else { "s" };
@@ -107,15 +111,14 @@ impl Marker {
         })
     }
 
-    fn other_angle(&self, whole: &Definition) -> Option<String> {
+    fn other_angle(&self, whole: &Definition, tries: &Tries) -> Option<String> {
         if self.exercise().angle != Given::Free {
             return None;
         }
         let own = self.exercise().target.angle;
-        let found = ANGLES
-            .into_iter()
-            .chain([own])
-            .any(|angle| sketch(&Definition { angle, ..whole.clone() }).is_some_and(|other| self.looks_like(&other)));
+        let found = ANGLES.into_iter().chain([own]).any(|angle| {
+            tries.sketch(&Definition { angle, ..whole.clone() }).is_some_and(|other| self.looks_like(&other))
+        });
         found.then(|| "The rules are right, but the angle is not.".to_owned())
     }
 
@@ -138,6 +141,25 @@ impl Marker {
     }
 }
 
-fn sketch(definition: &Definition) -> Option<Sketch> {
-    Sketching::new(definition).ok()?.finish().ok()
+/// The units of work of one step.
+const WORK: u64 = 1 << 18;
+/// The steps of all tries together: about a second.
+const MAX_STEPS: u32 = 160;
+
+/// Drawings that are tried, with bounded work for all of them.
+struct Tries {
+    left: Cell<u32>,
+}
+
+impl Tries {
+    fn sketch(&self, definition: &Definition) -> Option<Sketch> {
+        let mut sketching = Sketching::new(definition).ok()?;
+        loop {
+            self.left.set(self.left.get().checked_sub(1)?);
+            match sketching.step(WORK).ok()? {
+                Ok(sketch) => return Some(sketch),
+                Err(more) => sketching = more,
+            }
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The pixels that a picture covers, and how much of the ink of two pictures agrees.
 
 use lsystem_drawing::Drawing;
-use lsystem_render::{Renderer, View, Viewport};
+use lsystem_render::{Detail, Renderer, View, Viewport};
 use lsystem_syntax::{Colour, ColourBy, Ink as Blending, Progress, Style};
 use std::sync::Arc;
 
@@ -36,7 +36,7 @@ impl Tracing {
             ..Style::default()
         };
         let viewport = Viewport { width: SIDE as u32, height: SIDE as u32, ratio: 1.0 };
-        renderer.begin(&style, viewport, View::default());
+        renderer.begin_with(&style, viewport, View::default(), Detail::Coarse, None);
         Self { renderer }
     }
 

@@ -75,9 +75,9 @@ impl Marker {
             Asks::Picture | Asks::Segments => {}
             Asks::Text => text = Some(string(&exercise.target)?),
             Asks::Statistics => {
-                let mut sampling = Sampling::new(&exercise.target, SEEDS[0]);
+                let mut sampling = Sampling::new(&exercise.target, SEEDS[0])?;
                 while sample.is_none() {
-                    sample = sampling.step()?;
+                    sample = sampling.step().map_err(one)?;
                 }
             }
         }
@@ -130,14 +130,16 @@ impl Marker {
                     None
                 }
                 Ok(Ok(sketch)) if self.sample.is_some() => {
-                    let sampling = Box::new(Sampling::new(&marking.whole, SEEDS[1]));
-                    marking.stage = Stage::Sample(Box::new(sketch), sampling);
+                    marking.stage = match Sampling::new(&marking.whole, SEEDS[1]) {
+                        Ok(sampling) => Stage::Sample(Box::new(sketch), Box::new(sampling)),
+                        Err(errors) => Stage::Failed(errors),
+                    };
                     None
                 }
                 Ok(Ok(sketch)) => Some(self.compared(marking, &sketch)),
             },
             Stage::Sample(sketch, mut sampling) => match sampling.step() {
-                Err(errors) => Some(self.failed(marking, errors)),
+                Err(limit) => Some(self.failed(marking, vec![limit])),
                 Ok(None) => {
                     marking.stage = Stage::Sample(sketch, sampling);
                     None

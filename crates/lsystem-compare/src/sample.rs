@@ -6,7 +6,7 @@ use lsystem_syntax::{Definition, Diagnostic, Limits};
 /// The number of seeds.
 const SEEDS: u32 = 400;
 /// The limits of each drawing.
-const LIMITS: Limits = Limits { symbols: 1 << 20, modules: 1 << 18, segments: 50_000, work: 1 << 18, memory: 16 << 20 };
+const LIMITS: Limits = Limits { symbols: 1 << 18, modules: 1 << 16, segments: 10_000, work: 1 << 15, memory: 8 << 20 };
 /// Two samples of the same system are farther apart than this once in a thousand times (Kolmogorov-Smirnov).
 const FAR: f64 = 1.95 * core::f64::consts::SQRT_2 / 20.0;
 
@@ -19,33 +19,36 @@ pub(crate) struct Sample([Vec<f64>; MEASURES]);
 
 /// A sample in the making.
 pub(crate) struct Sampling {
-    definition: Definition,
+    system: System,
+    n: u32,
     first: u32,
     sample: Sample,
 }
 
 impl Sampling {
     /// `first` is the first of [`SEEDS`] seeds. Samples that are compared must have different seeds.
-    pub(crate) fn new(definition: &Definition, first: u32) -> Self {
-        Self { definition: definition.clone(), first, sample: Sample::default() }
+    ///
+    /// # Errors
+    /// The errors of the definition.
+    pub(crate) fn new(definition: &Definition, first: u32) -> Result<Self, Vec<Diagnostic>> {
+        let (system, diagnostics) = System::new(definition);
+        let Some(system) = system else { return Err(diagnostics.into_iter().filter(Diagnostic::is_error).collect()) };
+        Ok(Self { system, n: definition.iterations, first, sample: Sample::default() })
     }
 
     /// Draws with one more seed. Returns the sample after the last one.
     ///
     /// # Errors
-    /// The errors of the definition, or the limit that a drawing exceeds.
-    pub(crate) fn step(&mut self) -> Result<Option<Sample>, Vec<Diagnostic>> {
+    /// The limit that a drawing exceeds.
+    pub(crate) fn step(&mut self) -> Result<Option<Sample>, Diagnostic> {
         let done = self.sample.0[0].len() as u32;
         if done == SEEDS {
             let mut sample = core::mem::take(&mut self.sample);
             sample.0.iter_mut().for_each(|measures| measures.sort_by(f64::total_cmp));
             return Ok(Some(sample));
         }
-        self.definition.seed = self.first + done;
-        let (system, diagnostics) = System::new(&self.definition);
-        let Some(system) = system else { return Err(diagnostics.into_iter().filter(Diagnostic::is_error).collect()) };
-        let n = self.definition.iterations;
-        let drawing = Drawer::new(&system, n, LIMITS).finish().map_err(|limit| vec![limit])?;
+        self.system.seed = self.first + done;
+        let drawing = Drawer::new(&self.system, self.n, LIMITS).finish()?;
         let [x0, y0, x1, y1] = drawing.bounds().unwrap_or_default();
         let measures = [drawing.segment_count() as f64, x1 - x0, y1 - y0];
         self.sample.0.iter_mut().zip(measures).for_each(|(list, measure)| list.push(measure));

@@ -31,7 +31,9 @@ pub fn growth(definition: JsValue) -> Result<JsValue, JsValue> {
     let (system, diagnostics) = System::new(&definition);
     let made = match &system {
         Some(system) => growth_of(system, definition.iterations).map_err(str::to_owned),
-        None => Err(diagnostics.iter().filter(|one| one.is_error()).map(Diagnostic::message).collect::<Vec<_>>().join(" ")),
+        None => {
+            Err(diagnostics.iter().filter(|one| one.is_error()).map(Diagnostic::message).collect::<Vec<_>>().join(" "))
+        }
     };
     let (csv, latex) = made.as_ref().map_or_else(|_| Default::default(), |growth| (growth.csv(), growth.latex()));
     let why = made.as_ref().err().cloned().unwrap_or_default();

@@ -12,7 +12,8 @@ const MAX_SYMBOLS: usize = 400;
 /// The most symbols that one symbol is shown to become; further ones are only counted.
 const MAX_CHILDREN: usize = 120;
 /// The limits of a derivation that has to be remembered.
-const LIMITS: Limits = Limits { symbols: 4 << 20, modules: 1 << 20, segments: 1 << 22, work: 1 << 24, memory: 24 << 20 };
+const LIMITS: Limits =
+    Limits { symbols: 4 << 20, modules: 1 << 20, segments: 1 << 22, work: 1 << 24, memory: 24 << 20 };
 
 /// A symbol with what it becomes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -101,7 +102,8 @@ pub fn rows(system: &System, n: u32, start: u128, count: usize) -> Result<Rows, 
     let lengths = reader.lengths();
     let start = start.min(lengths[0].saturating_sub(1));
     let mut parents = Vec::new();
-    reader.modules(false, start, count.min(MAX_SYMBOLS), &mut |symbol, arguments| parents.push(text(symbol, arguments)));
+    reader
+        .modules(false, start, count.min(MAX_SYMBOLS), &mut |symbol, arguments| parents.push(text(symbol, arguments)));
     let families = parents.into_iter().enumerate().map(|(at, parent)| {
         let part = reader.part(start + at as u128).unwrap_or(0..0);
         let length = part.end - part.start;
@@ -110,7 +112,11 @@ pub fn rows(system: &System, n: u32, start: u128, count: usize) -> Result<Rows, 
         reader.modules(true, part.start, listed, &mut |symbol, arguments| children.push(text(symbol, arguments)));
         Family { parent, children, more: (length - listed as u128).to_string(), first: part.start.to_string() }
     });
-    Ok(Rows { families: families.collect(), start: start.to_string(), lengths: lengths.map(|length| length.to_string()) })
+    Ok(Rows {
+        families: families.collect(),
+        start: start.to_string(),
+        lengths: lengths.map(|length| length.to_string()),
+    })
 }
 
 pub(crate) fn text(symbol: char, arguments: &[f64]) -> String {

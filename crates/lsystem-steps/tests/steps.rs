@@ -5,8 +5,14 @@ use lsystem_steps::{one_by_one, rows, trace};
 use lsystem_syntax::{Definition, Limits};
 
 fn system(axiom: &str, rules: &str) -> System {
-    let definition =
-        Definition { axiom: axiom.into(), rules: rules.into(), angle: 35.0, seed: 5, length_factor: 0.8, ..Definition::default() };
+    let definition = Definition {
+        axiom: axiom.into(),
+        rules: rules.into(),
+        angle: 35.0,
+        seed: 5,
+        length_factor: 0.8,
+        ..Definition::default()
+    };
     System::new(&definition).0.expect("a system without errors")
 }
 

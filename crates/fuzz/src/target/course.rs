@@ -1,0 +1,97 @@
+//! What courses use: exercises with their marks, growth, and steps.
+
+use crate::make;
+use crate::{Gauge, Source};
+use lsystem::compare::{Asks, Exercise, Given, Marker};
+use lsystem::growth::growth as growth_of;
+use lsystem::steps::{one_by_one, rows, trace};
+use lsystem::{Definition, Limits, expand};
+
+/// Exercises of random systems: what is written is read again, and the target solves its own exercise.
+pub(super) fn exercises(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let given = [Given::Shown, Given::Free, Given::Hidden];
+    let target = make::definition(source);
+    let asks =
+        source.pick(&[Asks::Picture, Asks::Picture, Asks::Picture, Asks::Text, Asks::Segments, Asks::Statistics]);
+    let exercise = Exercise {
+        title: source.pick(&["", "A weed", "🌿"]).repeat(source.between(0, 300)),
+        target,
+        axiom: source.pick(&given),
+        angle: source.pick(&given),
+        n: source.pick(&given),
+        turtle: source.pick(&given),
+        rules: (0..source.between(0, 4)).map(|_| source.pick(&given)).collect(),
+        asks,
+        tolerance: source.once_in(4).then(|| source.number()),
+        shows_answer: true,
+        ..Exercise::default()
+    }
+    .within_limits();
+    let mut text = exercise.write();
+    if source.once_in(4) {
+        let at = source.below(text.len());
+        text.replace_range(at..=at, source.pick(&["A", "_", "-", "", "%"]));
+        let _ = gauge.call("damaged", || Exercise::read(&text));
+        return;
+    }
+    let read = gauge.call("read", || Exercise::read(&text));
+    if let Ok(read) = &read {
+        assert_eq!(read.shown_rules(), exercise.shown_rules());
+        assert_eq!(read.start().rules, "");
+    }
+    let Ok(mut marker) = gauge.call("target", || Marker::new(exercise.clone())) else { return };
+    let own = Definition { rules: exercise.own_rules(&exercise.target.rules), ..exercise.target.clone() };
+    let mark = gauge.call("mark", || marker.mark(&own));
+    assert!((0.0..=1.0).contains(&mark.agreement), "{mark:?}");
+    // Lines of several rules in another order may be another system, so only whole targets are sure.
+    if exercise.rules.iter().all(|given| *given == Given::Free) && asks != Asks::Statistics && mark.errors.is_empty() {
+        gauge.reach("marked");
+        assert!(mark.is_same != Some(false), "{mark:?}");
+    }
+    let other = make::definition(source);
+    let mark = gauge.call("other", || marker.mark(&other));
+    assert!(!mark.is_solved || mark.errors.is_empty());
+    assert_eq!(marker.overlay().len(), 512 * 512);
+    if source.once_in(8) {
+        let _ = gauge.call("hint", || marker.hint(&other));
+    }
+}
+
+/// Growth: counts are those of the strings.
+pub(super) fn growth(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    let Ok(growth) = gauge.call("growth", || growth_of(&system, definition.iterations)) else { return };
+    gauge.reach("growth");
+    assert!(growth.segments.factor >= 0.0 && growth.symbols.factor.is_finite());
+    assert!(!growth.csv().is_empty() && !growth.latex().is_empty() && !growth.words().is_empty());
+    if growth.is_random {
+        return;
+    }
+    let limits = Limits { symbols: 20_000, work: 100_000, memory: 64 << 20, ..Limits::default() };
+    for row in growth.table.iter().take(6) {
+        let Ok(text) = expand(&system, row.n, &limits) else { break };
+        assert_eq!(row.symbols.digits, text.chars().count().to_string());
+    }
+}
+
+/// Steps: the children of all symbols are the next generation.
+pub(super) fn steps(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let Some((definition, system)) = make::system(source) else { return };
+    let n = definition.iterations;
+    if let Ok(read) = gauge.call("rows", || rows(&system, n, u128::from(source.word()), 60)) {
+        gauge.reach("rows");
+        let mut next: Option<u128> = None;
+        for family in &read.families {
+            let first: u128 = family.first.parse().expect("digits");
+            assert!(next.is_none_or(|next| next == first), "{read:?}");
+            next = Some(first + family.children.len() as u128 + family.more.parse::<u128>().expect("digits"));
+        }
+    }
+    if let Ok(trace) = gauge.call("trace", || trace(&system, n, 1000)) {
+        gauge.reach("trace");
+        assert!(!trace.states.is_empty());
+    }
+    if let Ok(singles) = gauge.call("single", || one_by_one(&system, 50)) {
+        assert!(singles.len() <= 51);
+    }
+}
