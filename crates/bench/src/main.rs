@@ -21,11 +21,16 @@ fn main() {}
 mod native {
     use crate::peers;
     use bench::{Buffers, GROWTHS, Growth, Row, WORKS, Work};
+    use lsystem::Definition;
+    use lsystem::compare::{Exercise, Marker};
     use std::hint::black_box;
     use std::time::{Duration, Instant};
 
     const EXPANSION: &str = "expansion, symbols/s";
     const DRAWING: &str = "drawing, segments/s";
+    const MARKING: &str = "marking, answers/s";
+    /// The generation of the targets of exercises.
+    const MARKED: u32 = 6;
 
     pub(crate) fn measure() -> Vec<Row> {
         let mut rows = vec![];
@@ -40,7 +45,21 @@ mod native {
         for growth in &GROWTHS {
             derivation(growth, &mut rows);
         }
+        for work in &WORKS {
+            marking(&Work { n: MARKED, ..*work }, &mut rows);
+        }
         rows
+    }
+
+    /// Marks of answers: rules with turns that cancel give the same picture, rules with doubled turns another one.
+    fn marking(work: &Work, rows: &mut Vec<Row>) {
+        let target = work.definition();
+        let mut marker = Marker::new(Exercise { target: target.clone(), ..Exercise::default() }).expect("a target");
+        for (who, turn) in [("ours, the same picture", "+-+"), ("ours, another picture", "++")] {
+            let answer = Definition { rules: target.rules.replace('+', turn), ..target.clone() };
+            let mut mark = || u64::from(!marker.mark(&answer).words.is_empty());
+            rows.push(best(MARKING, &name(work.name, work.n), who, &mut mark));
+        }
     }
 
     /// Checks that peers give the same results.

@@ -41,15 +41,20 @@ impl Work {
     /// The system for this library.
     #[must_use]
     pub fn system(&self) -> System {
+        System::new(&self.definition()).0.expect("the measured systems are right")
+    }
+
+    /// The system as text.
+    #[must_use]
+    pub fn definition(&self) -> Definition {
         let rules: Vec<String> = self.rules.iter().map(|(symbol, text)| format!("{symbol} -> {text}")).collect();
-        let definition = Definition {
+        Definition {
             axiom: self.axiom.into(),
             rules: rules.join("\n"),
             angle: self.angle,
             iterations: self.n,
             ..Definition::default()
-        };
-        System::new(&definition).0.expect("the measured systems are right")
+        }
     }
 }
 
