@@ -95,8 +95,8 @@ export {};
  * @property {{asked: {texts: Texts}, answer: Notation}} notation
  * @property {{asked: {texts: Texts, field: 'axiom' | 'rules', offset: number}, answer: {site: Site | null}}} site the module at a UTF-16 offset into a text; null for other text
  * @property {{asked: {file: Blob}, answer: FileRead}} read a file: JSON, or a picture that carries its system
- * @property {{asked: {format: Format}, answer: Exported}} export
- * @property {{asked: {width: number, height: number, definition: Definition}, answer: {blob: Blob | null, reason: string | null}}} png the current view at another size, with the system in the file; `reason` tells why there is no file
+ * @property {{asked: {format: Format, bare?: boolean}, answer: Exported}} export
+ * @property {{asked: {width: number, height: number, definition: Definition | null}, answer: {blob: Blob | null, reason: string | null}}} png the current view at another size, with the system in the file, if given; `reason` tells why there is no file
  * @property {{asked: {definition: Definition, width: number, height: number}, answer: {bitmap: ImageBitmap | null, missing: string | null}}} thumb a small fitted picture of another system; `missing` tells why there is none
  * @property {{asked: {text: string}, answer: {modules: Uint8Array | null}}} qr the QR code of a link, row by row, 1 for dark; null if the text is too long
  * @property {{asked: {}, answer: {seed: number}}} seed a new random seed

@@ -63,8 +63,8 @@ export function createFiles({ playground, guard, wake, tellAt }) {
     }
 
     /** Exports a file; each writeExport piece leaves the wasm memory at once. @param {Question<'export'>} question @returns {Promise<Answer<'export'>>} */
-    async function writeExport({ type, id, format }) {
-        const file = playground.export(format);
+    async function writeExport({ type, id, format, bare }) {
+        const file = playground.export(format, bare === true);
         /** @type {Blob[]} */
         const pieces = [];
         try {
@@ -82,7 +82,7 @@ export function createFiles({ playground, guard, wake, tellAt }) {
         }
     }
 
-    /** Writes a PNG file that stores its system, so that the file can be opened again. @param {Question<'png'>} question @returns {Promise<Answer<'png'>>} */
+    /** Writes a PNG file that stores its system, if there is one, so that the file can be opened again. @param {Question<'png'>} question @returns {Promise<Answer<'png'>>} */
     async function writePng({ type, id, width, height, definition }) {
         const canvas = new OffscreenCanvas(1, 1);
         const picture = playground.snapshot(canvas, width, height);
@@ -95,7 +95,7 @@ export function createFiles({ playground, guard, wake, tellAt }) {
         const plain = await canvas.convertToBlob({ type: 'image/png' });
         const bytes = new Uint8Array(await plain.arrayBuffer());
         tellAt(id);
-        const file = /** @type {Uint8Array<ArrayBuffer>} */ (wasm_bindgen.tag_png(bytes, definition));
+        const file = definition === null ? bytes : /** @type {Uint8Array<ArrayBuffer>} */ (wasm_bindgen.tag_png(bytes, definition));
         return { type, id, blob: new Blob([file], { type: 'image/png' }), reason: null };
     }
 

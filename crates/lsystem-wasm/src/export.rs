@@ -135,11 +135,12 @@ impl core::fmt::Debug for Export {
 
 #[wasm_bindgen]
 impl Playground {
-    /// Begins a file of the system, in one of the formats of [`lsystem::files::FORMATS`] without pixels.
+    /// Begins a file of the system, in one of the formats of [`lsystem::files::FORMATS`] without pixels. A `bare`
+    /// picture does not have the system inside.
     ///
     /// # Errors
     /// Throws if there is no such format.
-    pub fn export(&mut self, format: &str) -> Result<Export, JsValue> {
+    pub fn export(&mut self, format: &str, bare: bool) -> Result<Export, JsValue> {
         let found = Format::named(format).filter(|format| !matches!(format.content, Content::Pixels));
         let content = found.ok_or_else(|| format!("there is no format `{format}`"))?.content;
         self.history = None;
@@ -174,11 +175,11 @@ impl Playground {
             }
             (Content::Paper(write), Some(drawing)) => {
                 let most = if format == "svg-compact" { FEW_SEGMENTS } else { TEXT_SEGMENTS };
-                export.advance(write(drawing, style, &self.svg_options(most)), |writer, _| Stage::Write(writer))
+                export.advance(write(drawing, style, &self.svg_options(most, bare)), |writer, _| Stage::Write(writer))
             }
             (Content::Paper(write), None) => {
                 let Camera { azimuth, elevation, .. } = self.views.solid.camera;
-                let (outlook, options) = (Outlook { azimuth, elevation }, self.svg_options(TEXT_SEGMENTS));
+                let (outlook, options) = (Outlook { azimuth, elevation }, self.svg_options(TEXT_SEGMENTS, bare));
                 let write = move |drawing| write(drawing, style.clone(), &options);
                 self.solid_file(system, Box::new(move |drawing| projected_file(drawing, outlook, write)))
             }
@@ -200,9 +201,10 @@ impl Playground {
         }
     }
 
-    fn svg_options(&self, most: u64) -> SvgOptions {
+    fn svg_options(&self, most: u64, bare: bool) -> SvgOptions {
         let title = self.definition.label().to_owned();
-        let (description, system) = (self.report.description.clone(), write_json(&self.definition));
+        let system = if bare { String::new() } else { write_json(&self.definition) };
+        let description = self.report.description.clone();
         SvgOptions { title, description, system, most, ..SvgOptions::default() }
     }
 }

@@ -82,7 +82,7 @@ fn the_largest_drawings_stay_within_the_limit() {
         }
         within("with a picture for a file");
         for format in ["svg", "csv", "txt", "glb"] {
-            let mut file = shown.export(format).unwrap();
+            let mut file = shown.export(format, false).unwrap();
             while !file.step(50.0) {
                 file.take();
             }

@@ -122,10 +122,10 @@ export function asking(ask) {
         /** @param {Blob} file */
         read: (file) => ask('read', { file }),
 
-        /** @param {import('../protocol.js').Format} format */
-        export: (format) => ask('export', { format }),
+        /** @param {import('../protocol.js').Format} format @param {boolean} bare whether pictures leave the system out */
+        export: (format, bare) => ask('export', { format, bare }),
 
-        /** @param {number} width @param {number} height @param {Definition} definition stored in the file, to open it again */
+        /** @param {number} width @param {number} height @param {Definition | null} definition stored in the file, to open it again */
         async png(width, height, definition) {
             const { blob, reason } = await ask('png', { width, height, definition });
             if (!blob) throw new Error(reason ?? 'the browser could not make the picture');

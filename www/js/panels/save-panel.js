@@ -57,14 +57,15 @@ export function savePanel(store, engine, page) {
     /** @param {import('../protocol.js').Format} format */
     async function saveAs(format) {
         const name = fileName(store.state);
+        const bare = input('save-bare').checked;
         if (format === 'png') {
             const { width, height } = page.canvas();
             const wanted = Number(byId('png-size', HTMLSelectElement).value);
             const factor = wanted === 0 ? 1 : wanted / Math.max(width, height);
-            const blob = await engine.png(Math.round(width * factor), Math.round(height * factor), definitionOf(store.state));
+            const blob = await engine.png(Math.round(width * factor), Math.round(height * factor), bare ? null : definitionOf(store.state));
             return download(blob, `${name}.png`);
         }
-        const { blob, diagnostics } = await engine.export(format);
+        const { blob, diagnostics } = await engine.export(format, bare);
         if (!blob) {
             const first = diagnostics[0];
             return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: the file could not be made.');

@@ -140,6 +140,18 @@ test('what a program printed is compared with the system', () =>
         await page.waitForSelector('#check-result.agrees');
     }));
 
+test('saved pictures can leave the system out', () =>
+    withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F%2BF&n=3&angle=77' }, async (page) => {
+        await page.click('#tab-save');
+        for (const [bare, expected] of [[false, true], [true, false]]) {
+            await page.setChecked('#save-bare', Boolean(bare));
+            for (const format of ['svg', 'png']) {
+                const [saved] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
+                assert.equal((await readFile(await saved.path(), 'latin1')).includes('F+F'), expected, format);
+            }
+        }
+    }));
+
 test('damaged exercises are refused in words', () =>
     withPage({ address: ADDRESS, hash: `exercise.html#v=1&x=${codeOf('koch').slice(0, -9)}`, drawing: null }, async (page) => {
         await page.waitForSelector('#mistake:visible');
