@@ -82,7 +82,7 @@ const showAddress = followAddress(store, { open: opened });
 
 const share = createShare(store, engine);
 const favourites = favouritesPanel(store, engine, { storage, session });
-const courseTool = createCourse(store, engine);
+const courseTool = createCourse(store, engine, reader.readAt);
 const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 savePanel(store, engine, {
     offer: importing.offer,

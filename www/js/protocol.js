@@ -170,7 +170,7 @@ export {};
  * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
  * for missing ink, 4 for ink that is too much.
  * @typedef {{
- *     check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string}},
+ *     check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string, symbol: string | null}},
  *     growth: {asked: {definition: Definition}, answer: {growth: Growth | null, why: string, csv: string, latex: string, shown: number}},
  *     rows: {asked: {definition: Definition, n: number, start: string, count: number}, answer: StepRows},
  *     single: {asked: {definition: Definition, steps: number}, answer: {text: string, length: number, made: [number, number] | null}[]},

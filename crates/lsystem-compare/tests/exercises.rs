@@ -122,6 +122,18 @@ fn students_see_what_is_shown() {
     );
 }
 
+/// An exercise in a link of the first version. Such links are readable forever.
+#[test]
+fn old_exercises_stay_readable() {
+    let text = "eNpNU1uPm1YYPAewuRywjS9gDhd31121W6uK1GZTR2q9AQw2y8UYsDHG4KYPfenWrdTbQ9T89rLbKMrjJ32amW9mvu98LIgEY9urbwPntNx_rdMcESlSj4CErlrFPRHUqxfhCAEZONs8eOxoqK-HQHDUzFKs7fc4QogYloWIHfHBqq48HrIQmwZop-Ku2M947cHpzMysTH7-p5C29x4rDBC5Kb14fcgt_5Leua1XgtmTElMs7dNP3hc9h5uAjpREdVhvrzvWklYVsycmVnYsdrc4ajkYM4bT8pytFHyuIujw4xbnx_zgVzN_RCqQImM0RhKoc-m4YAAtICN81tfgLYSI5JBhSihx7X05nkO0FGndfNp3guX-fhW89gIFIELOBmSI5wAzIMjtOdt27DwPbmh2KSpUm1vVRGye8ys_c38ITBv1DMdSeTz07KPz5auHq_nLd9rbXwbDO3Dt2Kl5P230xVa1YLDAAcO2k1NPV_P9rIXc86naeF4cx7s0mPNBvQiibFz1LKhi_NuJqeIua-9WWyk_dIo_fct18x3xhjKbfEblX_yxFTf8R9J1QZnhH_2QIBlETxp9_TNR_4t4d25tCInVd_a7Df7bJ-AAwQaPMKuTFdxeQQbqm1KQaUdXs-IFwUqcSrbKc0zCM12-54P1SqFaghBjKHeHF4rmvqHZkbhaixMG42uGhKtsE-e5uxyMhv5U0-gnv25lOj3k1fbWoOlJxHd1Z-Gdq3R_xchQtsI7ESRvq7p4uNHbLC-EU42is7VS1I-viRbChrnNfAX28PgrwIoyCp_xdcUtZny0f7pX5tof_BYQwpPOSEqy4iSdF22lJzzzSUkcOePrNuZ5wB2LaSJ0ld_fP1LdLtDDzgjKiRia2xmOGA5wFPLjqsnjzU2bdM-BwUp9jfiYz8f50Pin85xCNv61d3Z4rC5pIAsQd5s-J8td-txnUmOoZk6Lvbm_vLRckp70hdW6HByi7ZRq_umTvlycoIVYSJVnqwNHw_0lrRUv4Pt9KcYD71zONQ2urA0vSe0_1lmWf4aDGqlQaPg31WlZXHONPjAWRv_z-QKtD4C2KSeUkWbL_wCpzrld";
+    let exercise = Exercise::read(text).unwrap();
+    assert_eq!((exercise.title.as_str(), exercise.hints.len()), ("Alternating twigs", 2));
+    assert_eq!(exercise.rules, [Given::Free, Given::Shown]);
+    assert_eq!((exercise.axiom, exercise.asks, exercise.tolerance), (Given::Shown, Asks::Picture, None));
+    let Definition { axiom, rules, angle, iterations, .. } = &exercise.target;
+    assert_eq!((axiom.as_str(), rules.as_str(), *angle, *iterations), ("X", "X -> F[+X]F[-X]+X\nF -> FF", 20.0, 7));
+}
+
 #[test]
 fn damaged_exercises_are_refused() {
     let text = exercise(&system("F", "F -> F+F", 90.0, 3)).write();

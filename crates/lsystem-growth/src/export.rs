@@ -5,17 +5,20 @@ use crate::{Growth, Series};
 use core::fmt::Write as _;
 
 impl Growth {
-    /// The table as CSV: n, symbols, segments, width, height, and each listed letter.
+    /// The table as CSV: n, symbols, segments, width, height, length, turning, and each listed letter.
     #[must_use]
     pub fn csv(&self) -> String {
         let quoted = |letter: &String| format!("\"{}\"", letter.replace('"', "\"\""));
-        let mut csv = String::from("n,symbols,segments,width,height");
+        let mut csv = String::from("n,symbols,segments,width,height,length,turning_degrees");
         csv += if self.is_random { ",segments_deviation" } else { "" };
         self.letters.iter().for_each(|letter| csv += &format!(",{}", quoted(letter)));
         csv.push('\n');
         for row in &self.table {
             let [width, height] = row.size.map_or_else(Default::default, |size| size.map(|side| side.to_string()));
-            let _ = write!(csv, "{},{},{},{width},{height}", row.n, row.symbols.digits, row.segments.digits);
+            let [length, turning] =
+                [row.length, row.turning].map(|value| value.map(|value| value.to_string()).unwrap_or_default());
+            let (n, symbols, segments) = (row.n, &row.symbols.digits, &row.segments.digits);
+            let _ = write!(csv, "{n},{symbols},{segments},{width},{height},{length},{turning}");
             if self.is_random {
                 let _ = write!(csv, ",{}", row.spread.map(|spread| spread.to_string()).unwrap_or_default());
             }

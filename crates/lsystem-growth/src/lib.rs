@@ -9,6 +9,7 @@ mod closed;
 mod curve;
 mod export;
 mod fraction;
+mod path;
 mod process;
 mod rate;
 mod recurrence;
@@ -19,6 +20,7 @@ use closed::{Term, closed, roots};
 use lsystem_derive::Tally;
 use lsystem_drawing::{Drawer, System};
 use lsystem_syntax::{Limits, MAX_ITERATIONS, Progress};
+use path::Path;
 use process::Process;
 use rate::{Rate, rate};
 use recurrence::{Recurrence, recurrence};
@@ -61,6 +63,10 @@ pub struct Generation {
     pub spread: Option<f64>,
     /// The width and height of the drawing in the plane, in model units; null where it is too large.
     pub size: Option<[f64; 2]>,
+    /// The length of all segments, in model units; null where lengths change on the way.
+    pub length: Option<f64>,
+    /// Without branches, the turning of the whole way in the plane: degrees counter-clockwise, from 0 up to 360.
+    pub turning: Option<f64>,
 }
 
 /// How a number grows in the long run.
@@ -136,7 +142,8 @@ pub struct Growth {
 pub fn growth(system: &System, n: u32) -> Result<Growth, &'static str> {
     let process = Process::new(system)?;
     let all = vec![1; process.letters()];
-    let rows = rows(&process, n);
+    let path = Path::new(system, &process);
+    let rows = rows(&process, path.as_ref(), n);
     let listed = process.letters().min(MAX_LISTED);
     let series = |weights: &[u32], of: fn(&Generation) -> &Count| {
         let values: Vec<i128> = rows.iter().map_while(|row| of(row).digits.parse().ok()).collect();
@@ -163,7 +170,7 @@ pub fn growth(system: &System, n: u32) -> Result<Growth, &'static str> {
 }
 
 /// The generations without the sizes of their drawings.
-fn rows(process: &Process, n: u32) -> Vec<Generation> {
+fn rows(process: &Process, path: Option<&Path>, n: u32) -> Vec<Generation> {
     let most = n.clamp(FEWEST_ROWS, MAX_ITERATIONS) as usize;
     let listed = process.letters().min(MAX_LISTED);
     if process.is_random() {
@@ -179,6 +186,8 @@ fn rows(process: &Process, n: u32) -> Vec<Generation> {
                     letters: counts[..listed].iter().map(|&value| expected(value)).collect(),
                     spread: Some(segments[n][1]).filter(|spread| spread.is_finite()),
                     size: None,
+                    length: path.and_then(|path| path.length(counts.iter().copied())),
+                    turning: None,
                 };
                 counts = process.next_expected(&counts);
                 row
@@ -186,6 +195,7 @@ fn rows(process: &Process, n: u32) -> Vec<Generation> {
             .collect();
     }
     let mut counts: Vec<Tally> = process.axiom.iter().map(|&count| Tally::from(u64::from(count))).collect();
+    let mut modulo: Vec<u64> = process.axiom.iter().map(|&count| u64::from(count)).collect();
     let mut rows = Vec::new();
     let mut digits = 0;
     for n in 0..=most {
@@ -201,7 +211,10 @@ fn rows(process: &Process, n: u32) -> Vec<Generation> {
             letters: counts[..listed].iter().map(exact).collect(),
             spread: None,
             size: None,
+            length: path.and_then(|path| path.length(counts.iter().map(float))),
+            turning: path.and_then(|path| path.turning(&modulo)),
         };
+        modulo = process.next_modulo(&modulo, Path::full_turn());
         digits +=
             row.letters.iter().chain([&row.symbols, &row.segments]).map(|count| count.digits.len()).sum::<usize>();
         rows.push(row);
@@ -231,6 +244,11 @@ fn measured(system: &System, mut rows: Vec<Generation>) -> Vec<Generation> {
         row.size = Some(size).filter(|size| size.iter().all(|side| side.is_finite()));
     }
     rows
+}
+
+/// A count, rounded.
+fn float(count: &Tally) -> f64 {
+    count.to_string().parse().unwrap_or(f64::INFINITY)
 }
 
 fn exact(count: &Tally) -> Count {

@@ -120,13 +120,13 @@ impl Process {
         next
     }
 
-    /// The same modulo a prime below 2^63.
-    pub(crate) fn next_modulo(&self, counts: &[u64], prime: u64) -> Vec<u64> {
+    /// The same modulo a number below 2^63.
+    pub(crate) fn next_modulo(&self, counts: &[u64], modulus: u64) -> Vec<u64> {
         let mut next = vec![0_u64; self.letters()];
         for (outcomes, &count) in self.outcomes.iter().zip(counts) {
             for &(to, times) in outcomes.iter().flat_map(|outcome| &outcome.made) {
                 let more = u128::from(count) * u128::from(times) + u128::from(next[to]);
-                next[to] = (more % u128::from(prime)) as u64;
+                next[to] = (more % u128::from(modulus)) as u64;
             }
         }
         next

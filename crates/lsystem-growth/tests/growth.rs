@@ -181,6 +181,12 @@ fn published_values_are_found() {
         assert!((found.stretch.unwrap() - stretch).abs() < 1e-6, "{name}: {:?}", found.stretch);
         assert!((found.dimension.unwrap() - dimension).abs() < 1e-6, "{name}: {:?}", found.dimension);
     }
+    // Lengths and turning: the curve has 4^n segments and ends as it begins.
+    let koch = of("F", "F -> F+F--F+F", 60.0);
+    assert_eq!((koch.table[3].length, koch.table[3].turning), (Some(64.0), Some(0.0)));
+    let curl = of("F", "F -> F+F", 90.0);
+    assert_eq!(curl.table[..4].iter().map(|row| row.turning.unwrap()).collect::<Vec<_>>(), [0.0, 90.0, 270.0, 270.0]);
+    assert_eq!(of("F", "F -> F[+F]F", 30.0).table[2].turning, None);
     // The edge of the Gosper island (Gardner 1976): three sides for one, as far apart as √7.
     let edge = Definition {
         axiom: "F".into(),
@@ -265,7 +271,12 @@ fn large_systems_take_bounded_work() {
 fn exports_have_the_numbers() {
     let koch = of("F", "F -> F+F--F+F", 60.0);
     let csv = koch.csv();
-    assert!(csv.starts_with("n,symbols,segments,width,height,\"F\",\"+\",\"-\"\n0,1,1,1,0,1,0,0\n1,8,4,3,"), "{csv}");
+    assert!(
+        csv.starts_with(
+            "n,symbols,segments,width,height,length,turning_degrees,\"F\",\"+\",\"-\"\n0,1,1,1,0,1,0,1,0,0\n1,8,4,3,"
+        ),
+        "{csv}"
+    );
     assert_eq!(csv.lines().count(), koch.table.len() + 1);
     let tex = koch.latex();
     assert!(tex.contains("\\begin{pmatrix} 4 & 2 & 2 \\\\ 0 & 1 & 0 \\\\ 0 & 0 & 1 \\end{pmatrix}"), "{tex}");

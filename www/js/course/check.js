@@ -11,26 +11,33 @@ const PAUSE = 250;
 /**
  * @param {import('../store.js').Store} store
  * @param {import('./maker.js').CourseTool} tool
+ * @param {(index: bigint) => void} readAt opens the string at a symbol
  */
-export function createCheck(store, tool) {
+export function createCheck(store, tool, readAt) {
     const dialog = byId('program-check', HTMLDialogElement);
     const output = byId('check-output', HTMLTextAreaElement);
     const file = input('check-file');
     let timer = 0;
     let turn = 0;
+    /** The place of the first difference. @type {bigint | null} */
+    let place = null;
 
     /** @param {string} text */
     async function compare(text) {
         const own = ++turn;
         const told = html('check-result');
         told.className = '';
+        place = null;
+        button('check-show').hidden = true;
         if (text.trim() === '') return setText(told, '');
         if (text.length > LONGEST) return setText(told, 'The output has more than 16 MiB.');
         setText(told, 'Comparing…');
-        const result = await tool.call('check', { definition: definitionOf(store.state), output: text }).catch((error) => ({ isRight: false, words: `The comparison failed (${error instanceof Error ? error.message : error}).` }));
+        const result = await tool.call('check', { definition: definitionOf(store.state), output: text }).catch((error) => ({ isRight: false, words: `The comparison failed (${error instanceof Error ? error.message : error}).`, symbol: null }));
         if (own !== turn) return;
         told.classList.add(result.isRight ? 'agrees' : 'differs');
         setText(told, result.words);
+        place = result.symbol === null ? null : BigInt(result.symbol);
+        button('check-show').hidden = place === null;
     }
 
     /** @param {File | undefined} chosen */
@@ -60,6 +67,10 @@ export function createCheck(store, tool) {
         if (dropped) return void read(dropped);
         output.value = event.dataTransfer?.getData('text/plain') ?? '';
         void compare(output.value);
+    });
+    button('check-show').addEventListener('click', () => {
+        dialog.close();
+        if (place !== null) readAt(place);
     });
     closes(dialog, 'close-check');
     button('check-program').addEventListener('click', () => {

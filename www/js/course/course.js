@@ -10,13 +10,14 @@ import { createMathematics } from './mathematics.js';
 /**
  * @param {import('../store.js').Store} store
  * @param {import('../engine.js').Engine} engine
+ * @param {(index: bigint) => void} readAt opens the string at a symbol
  * @returns {import('./maker.js').CourseTool}
  */
-export function createCourse(store, engine) {
+export function createCourse(store, engine, readAt) {
     /** @type {ReturnType<typeof createTool<import('../protocol.js').CourseCalls>>} */
     const tool = createTool('course');
     createMaker(store, engine, tool);
-    createCheck(store, tool);
+    createCheck(store, tool, readAt);
     createMathematics(store, tool);
     createSteps(tool, () => definitionOf(store.state));
     return tool;

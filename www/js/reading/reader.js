@@ -159,6 +159,12 @@ export function createReader(engine, { mark, legend, opened }) {
         /** Selects a symbol in the open string. @param {AncestryLink[]} chain */
         choose: select,
 
+        /** Opens the last generation at a symbol. @param {bigint} index */
+        readAt(index) {
+            frame.set(true);
+            goTo(generations.iterations, index);
+        },
+
         /** Opens the string at a symbol. @param {AncestryLink[]} chain */
         read(chain) {
             if (chain.length === 0) return;

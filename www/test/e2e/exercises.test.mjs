@@ -136,6 +136,12 @@ test('what a program printed is compared with the system', () =>
         await page.fill('#check-output', 'ABAABBBA');
         await page.waitForSelector('#check-result.differs');
         assert.match((await page.textContent('#check-result')) ?? '', /symbol 6/i);
+        await page.click('#check-show');
+        await page.waitForSelector('#reader:visible');
+        await until(async () => /symbol 6\b/i.test((await page.textContent('#reader')) ?? ''), 'the string is open there');
+        await page.click('#close-reader');
+        await page.click('#share');
+        await page.click('#check-program');
         await page.setInputFiles('#check-file', { name: 'out.txt', mimeType: 'text/plain', buffer: Buffer.from('ABAABABA\n') });
         await page.waitForSelector('#check-result.agrees');
     }));

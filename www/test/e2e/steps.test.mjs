@@ -94,7 +94,7 @@ test('the mathematics is told in words, a plot, a matrix, a table and files', ()
         assert.deepEqual(await page.locator('#math-matrix td').allTextContents(), ['', '1', '1', '1', '0']);
         assert.match((await page.textContent('#math-table tr.now')) ?? '', /^62121/);
         const [saved] = await Promise.all([page.waitForEvent('download'), page.click('#math-csv')]);
-        assert.match(await readFile(await saved.path(), 'utf8'), /^n,symbols,segments,width,height,"A","B"\n0,1,1,/);
+        assert.match(await readFile(await saved.path(), 'utf8'), /^n,symbols,segments,width,height,length,turning_degrees,"A","B"\n0,1,1,/);
         await page.click('#tab-rules');
         await page.fill('#rules', 'A -> AA');
         await page.click('#tab-grow');

@@ -1,0 +1,68 @@
+//! The length of what is drawn, and the turning of the whole way.
+
+use crate::process::Process;
+use lsystem_drawing::System;
+use lsystem_syntax::{Action, Heading};
+
+/// What each letter adds to the length and to the turning.
+pub(crate) struct Path {
+    lengths: Vec<f64>,
+    /// In units of [`Heading::units`]; `None` with branches, which turn back, and in space.
+    turns: Option<Vec<u64>>,
+}
+
+impl Path {
+    /// `None` if lengths are scaled on the way, or vary.
+    pub(crate) fn new(system: &System, process: &Process) -> Option<Self> {
+        let turtle = &system.turtle;
+        let is_varied = turtle.length_factor != 1.0 || turtle.length_variation != 0.0;
+        let (mut lengths, mut turns) = (Vec::new(), Some(Vec::new()));
+        for &symbol in &process.symbols {
+            let letter = system.rules.letter(symbol, 0)?;
+            let (mut length, mut turn) = (0.0, Some(Heading::EAST));
+            for action in &turtle.actions[usize::from(letter)] {
+                let turned = |own: Option<f64>, usual: Heading| own.map_or(usual, Heading::from_degrees);
+                let by = match *action {
+                    Action::Draw(own) | Action::DrawUnmarked(own) => {
+                        length += own.unwrap_or(turtle.step).abs();
+                        Some(Heading::EAST)
+                    }
+                    Action::ScaleLength(_) | Action::Circle(_) => return None,
+                    Action::TurnLeft(own) => Some(turned(own, turtle.left)),
+                    Action::TurnRight(own) => Some(-turned(own, turtle.right)),
+                    Action::TurnRound => Some(Heading::HALF),
+                    Action::Push | Action::Pop | Action::SwapTurns => None,
+                    _ => Some(Heading::EAST),
+                };
+                turn = turn.zip(by).map(|(turn, by)| turn + by);
+            }
+            lengths.push(length);
+            turns = turns.zip(turn).map(|(mut turns, turn)| {
+                turns.push(turn.units());
+                turns
+            });
+        }
+        let turns = turns.filter(|_| !system.is_solid() && turtle.angle_variation == 0.0);
+        (!is_varied).then_some(Self { lengths, turns })
+    }
+
+    /// The length that these numbers of letters draw; `None` if it is out of range.
+    pub(crate) fn length(&self, counts: impl Iterator<Item = f64>) -> Option<f64> {
+        let parts = counts.zip(&self.lengths).filter(|(_, length)| **length > 0.0);
+        Some(parts.map(|(count, length)| count * length).sum()).filter(|length: &f64| length.is_finite())
+    }
+
+    /// The units of a full turn.
+    pub(crate) fn full_turn() -> u64 {
+        2 * Heading::HALF.units()
+    }
+
+    /// The turning of the whole way, in degrees from 0 up to 360, counter-clockwise. The counts are modulo
+    /// [`Path::full_turn`].
+    pub(crate) fn turning(&self, counts: &[u64]) -> Option<f64> {
+        let full = u128::from(Self::full_turn());
+        let add = |total: u128, (count, turn): (&u64, &u64)| (total + u128::from(*count) * u128::from(*turn)) % full;
+        let total = counts.iter().zip(self.turns.as_ref()?).fold(0, add);
+        Some(total as f64 / full as f64 * 360.0)
+    }
+}
