@@ -62,17 +62,17 @@ fn answers_are_marked() {
     told(
         &["mark", "exercise.txt", "answers.csv", "own.json", "--html", "page.html"],
         &expect![[r#"
-        Some(0)
-        name      solved  agrees  symbols  remark
-        Ada       yes    100.0 %        9  The picture is the same.
-        Noether   no       3.3 %        9  3.3 % of the ink agrees. Your drawing is a mirror image: left and right are exchanged.
-        =1+1 <b>  no      66.0 %        9  66.0 % of the ink agrees. The same after one more iteration.
-        Emmy      no       0.0 %        1  This `(` is never closed
-        Mary      no                       an answer to another exercise
-        Grace     no                       an answer to another exercise
-        own       yes    100.0 %        9  The picture is the same.
-        2 of 7 solved.
-    "#]],
+            Some(0)
+            name      solved  agrees  symbols  remark
+            Ada       yes    100.0 %        9  The picture is the same.
+            Noether   no       3.5 %        9  3.5 % of the ink agrees. Your drawing is a mirror image: left and right are exchanged.
+            =1+1 <b>  no      63.6 %        9  63.6 % of the ink agrees. The same after one more iteration.
+            Emmy      no       0.0 %        1  This `(` is never closed
+            Mary      no                       an answer to another exercise
+            Grace     no                       an answer to another exercise
+            own       yes    100.0 %        9  The picture is the same.
+            2 of 7 solved.
+        "#]],
     );
     let link = answer(&koch().write(), "Ada, at home", "F -> F+F--F+F", 3);
     told(
