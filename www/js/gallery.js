@@ -19,7 +19,7 @@ const SIDE = 168;
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{pick: (definition: Definition) => void, restyle: (definition: Definition) => Definition, theme: () => string, tool: import('./course/maker.js').CourseTool}} page
+ * @param {{pick: (definition: Definition) => void, restyle: (definition: Definition) => Definition, theme: () => string, tool: import('./course/later.js').LaterTool}} page
  *   `restyle` gives a system with default colours the theme's colours; `theme` names the theme
  */
 export function createGallery(engine, { pick, restyle, theme, tool }) {

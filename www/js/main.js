@@ -5,7 +5,7 @@ import { announce, toast } from './announce.js';
 import { dialRows } from './controls/dial-rows.js';
 import { button, html, setText, setWords } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
-import { createCourse } from './course/course.js';
+import { createLater } from './course/later.js';
 import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
 import { createImporting } from './importing.js';
@@ -82,7 +82,7 @@ const showAddress = followAddress(store, { open: opened });
 
 const share = createShare(store, engine);
 const favourites = favouritesPanel(store, engine, { storage, session });
-const courseTool = createCourse(store, engine, reader.readAt);
+const course = createLater(store, engine, reader.readAt);
 const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 savePanel(store, engine, {
     offer: importing.offer,
@@ -91,7 +91,7 @@ savePanel(store, engine, {
     favourites: favourites.take,
     canvas: stage.resolution,
 });
-createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme, tool: courseTool });
+createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme, tool: course });
 createSeeds(store, engine);
 createShortcuts();
 engine.share(createMates(matesOn(navigator)));

@@ -1,4 +1,4 @@
-//! Steps compared with strings, drawings and a naive derivation.
+//! Steps compared with strings, with drawings, and with replacing text.
 
 use lsystem_drawing::{System, draw, draw_solid, expand};
 use lsystem_steps::{one_by_one, rows, trace};
@@ -83,14 +83,29 @@ fn one_symbol_at_a_time_differs_from_all_at_once() {
     assert!(one_by_one(&system("AB", "A < B -> A"), 3).is_err());
 }
 
-/// As many replacements as there are symbols, each at most once from left to right, are one step of the derivation.
+/// Random systems, rewritten one symbol at a time by replacing text.
 #[test]
-fn replacing_each_symbol_once_is_one_step() {
-    let system = system("X", "X -> F[+Y]\nY -> XF\nF -> FF");
-    for n in 0..4 {
-        let rows = rows(&system, n, 0, 400).unwrap();
-        let joined: String = rows.families.iter().flat_map(|family| family.children.clone()).collect();
-        assert_eq!(joined, expand(&system, n + 1, &Limits::default()).unwrap());
+fn one_symbol_at_a_time_is_replacing_text() {
+    let mut seed = 9_u64;
+    let mut below = |most: u64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) % most
+    };
+    for _ in 0..200 {
+        let mut word = |most| (0..below(most)).map(|_| ["A", "B", "C", "+"][below(4) as usize]).collect::<String>();
+        let rules = [("A", word(4)), ("B", word(3)), ("C", word(2))];
+        let axiom = format!("{}A", word(3));
+        let text: Vec<String> = rules.iter().map(|(from, to)| format!("{from} -> {to}")).collect();
+        let found = one_by_one(&system(&axiom, &text.join("\n")), 30).unwrap();
+        let mut expected = axiom;
+        for single in &found {
+            assert_eq!(single.text, expected, "{text:?}");
+            assert_eq!(single.length, expected.len());
+            let Some(at) = expected.find(['A', 'B', 'C']) else { break };
+            let rule = rules.iter().find(|(from, _)| expected[at..].starts_with(from)).unwrap();
+            expected.replace_range(at..=at, &rule.1);
+        }
+        assert!(found.len() == 31 || !expected.contains(['A', 'B', 'C']), "{text:?}");
     }
 }
 

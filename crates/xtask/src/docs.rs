@@ -87,7 +87,7 @@ mod tests {
     struct NameBundler;
 
     impl Bundler for NameBundler {
-        fn module(&self, entry: &str) -> Result<String> {
+        fn module(&self, entry: &str, _: &[&str]) -> Result<String> {
             Ok(entry.to_owned())
         }
 

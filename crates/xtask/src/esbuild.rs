@@ -11,8 +11,8 @@ const TARGET: &str = "--target=es2022";
 
 /// Bundles and minifies the files of a folder.
 pub(crate) trait Bundler {
-    /// A module bundled with its imports.
-    fn module(&self, entry: &str) -> Result<String>;
+    /// A module bundled with its imports, except those that it imports later, whose names are `apart`.
+    fn module(&self, entry: &str, apart: &[&str]) -> Result<String>;
 
     /// The styles of the files, in order.
     fn styles(&self, names: &[&str]) -> Result<String>;
@@ -53,8 +53,10 @@ impl Esbuild {
 }
 
 impl Bundler for Esbuild {
-    fn module(&self, entry: &str) -> Result<String> {
-        self.run(&self.www.join(entry), &["--bundle", "--format=esm"])
+    fn module(&self, entry: &str, apart: &[&str]) -> Result<String> {
+        let apart: Vec<String> = apart.iter().map(|address| format!("--external:./{address}")).collect();
+        let options = ["--bundle", "--format=esm"].into_iter().chain(apart.iter().map(String::as_str));
+        self.run(&self.www.join(entry), &options.collect::<Vec<_>>())
     }
 
     fn styles(&self, names: &[&str]) -> Result<String> {

@@ -6,6 +6,10 @@ use crate::one_file::Tag;
 use anyhow::{Context, Result};
 use std::path::Path;
 
+/// The modules that the page imports when they are first needed: their names on the site, which are those in the import
+/// (after `./`), and their files.
+const APART: [(&str, &str); 1] = [("dialogs.js", "js/course/dialogs.js")];
+
 /// Writes `page.js` and `page.css` into the folder of the site, and makes the page load them.
 pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()> {
     let file = site.join(page);
@@ -28,7 +32,10 @@ pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()>
         }
     }
     let entry = entry.with_context(|| format!("{page} has no module"))?;
-    files::write(&site.join("page.js"), bundler.module(entry)?)?;
+    files::write(&site.join("page.js"), bundler.module(entry, &APART.map(|(name, _)| name))?)?;
+    for (name, file) in APART {
+        files::write(&site.join(name), bundler.module(file, &[])?)?;
+    }
     files::write(&site.join("page.css"), bundler.styles(&styles)?)?;
     files::write(&file, text)
 }
@@ -40,8 +47,8 @@ mod tests {
     struct NameBundler;
 
     impl Bundler for NameBundler {
-        fn module(&self, entry: &str) -> Result<String> {
-            Ok(format!("module {entry}"))
+        fn module(&self, entry: &str, apart: &[&str]) -> Result<String> {
+            Ok(format!("module {entry} without {}", apart.len()))
         }
 
         fn styles(&self, names: &[&str]) -> Result<String> {
@@ -61,7 +68,7 @@ mod tests {
                         <link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
         assert_eq!(files::read_text(&site.join("index.html")).unwrap(), expected);
         assert_eq!(files::read_text(&site.join("page.css")).unwrap(), "a.css b.css");
-        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js");
+        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js without 1");
         files::write(&site.join("index.html"), "</head>\n").unwrap();
         assert!(join(site, "index.html", &NameBundler).is_err());
     }

@@ -91,7 +91,7 @@ impl Assembly<'_> {
                         page.push_str(&self.carry(name)?);
                     }
                     for module in &modules {
-                        let script = self.bundler.module(module)?;
+                        let script = self.bundler.module(module, &[])?;
                         page.push_str(&self.script(" type=\"module\"", &script)?);
                     }
                     writeln!(page, "{line}")?;
@@ -133,7 +133,7 @@ impl Assembly<'_> {
 fn without_documents(line: &str) -> Result<String> {
     let mut kept = String::new();
     let mut rest = line;
-    while let Some(at) = rest.find(" href=\"docs/") {
+    while let Some(at) = [" href=\"docs/", " href=\"course.html"].into_iter().filter_map(|link| rest.find(link)).min() {
         let start = rest[..at].rfind('<').with_context(|| format!("no tag begins in `{line}`"))?;
         ensure!(rest[start..].starts_with("<a "), "`{line}` loads a document");
         let end = rest[at..].find("</a>").map(|end| at + end);
@@ -177,7 +177,7 @@ mod tests {
     struct Plain<'a>(&'a Path);
 
     impl Bundler for Plain<'_> {
-        fn module(&self, entry: &str) -> Result<String> {
+        fn module(&self, entry: &str, _: &[&str]) -> Result<String> {
             files::read_text(&self.0.join(entry))
         }
 

@@ -106,6 +106,7 @@ export function createMathematics(store, tool) {
         void show();
     });
     store.subscribe(() => void show());
+    void show();
     button('math-csv').addEventListener('click', () => made && download(new Blob([made.csv], { type: 'text/csv' }), `${fileName(store.state)}_growth.csv`));
     button('math-latex').addEventListener('click', async () => {
         if (!made) return;

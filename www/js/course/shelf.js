@@ -5,7 +5,6 @@ import { make } from '../dom.js';
 import { emptyThumb } from '../thumb.js';
 
 /** @typedef {{id: string, shelf: string, title: string, text: string | null, x: string}} Entry */
-/** @typedef {import('./maker.js').CourseTool} CourseTool */
 
 /** The shelf's name, and its filter. */
 export const EXERCISES = 'Exercises';
@@ -35,14 +34,14 @@ export function exerciseCard({ title, shelf, text, x }) {
 
 /**
  * Draws the target of an exercise.
- * @param {CourseTool} tool
+ * @param {import('./later.js').LaterTool} tool
  * @param {HTMLCanvasElement} picture
  * @param {string} x
  * @param {number} side in CSS pixels
  */
 export async function paintExercise(tool, picture, x, side) {
     const pixels = Math.round(side * Math.min(2, devicePixelRatio || 1));
-    const made = await tool.call('picture', { text: x, width: pixels, height: pixels, ratio: pixels / side });
+    const made = await (await tool()).call('picture', { text: x, width: pixels, height: pixels, ratio: pixels / side });
     [picture.width, picture.height] = [pixels, pixels];
     picture.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(made.buffer), pixels, pixels), 0, 0);
     picture.classList.add('inked');

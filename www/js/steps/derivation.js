@@ -29,8 +29,14 @@ export function createDerivation(tool, told) {
     async function read() {
         if (!definition) return;
         const own = ++turn;
-        const made = await tool.call('rows', { definition, n: at, start: String(start), count: COUNT });
-        if (own !== turn) return;
+        const made = await tool.call('rows', { definition, n: at, start: String(start), count: COUNT }).catch((error) => {
+            if (own !== turn) return null;
+            rows = null;
+            list.replaceChildren();
+            for (const id of ['steps-earlier', 'steps-later']) button(id).disabled = true;
+            throw error;
+        });
+        if (own !== turn || !made) return;
         rows = made;
         start = BigInt(made.start);
         list.replaceChildren(...made.families.map(family));
@@ -71,7 +77,7 @@ export function createDerivation(tool, told) {
     /** @param {bigint} next */
     function move(next) {
         start = next < 0n ? 0n : next;
-        void read();
+        void read().catch((error) => told(error instanceof Error ? error.message : String(error)));
     }
 
     list.addEventListener('keydown', (event) => {
@@ -95,7 +101,7 @@ export function createDerivation(tool, told) {
             return end;
         },
         pause: PAUSE,
-        words: () => (rows ? `Generation ${at}: ${grouped(rows.lengths[0])} symbols. Generation ${at + 1}: ${grouped(rows.lengths[1])}.` : ''),
+        words: () => (rows ? `Generation ${at}: ${grouped(rows.lengths[0])} symbols. Generation ${at + 1}: ${grouped(rows.lengths[1])}.` : `Generation ${at} cannot be read.`),
         async show(next, n) {
             definition = next;
             end = n;
@@ -104,7 +110,7 @@ export function createDerivation(tool, told) {
         },
         seek(next) {
             [at, start] = [next, 0n];
-            return read().catch((error) => told(String(error)));
+            return read().catch((error) => told(error instanceof Error ? error.message : String(error)));
         },
     };
 }

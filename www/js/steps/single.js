@@ -65,7 +65,8 @@ const cut = (text) => (text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text
 function marked({ text, made }) {
     if (!made) return [make('code', {}, cut(text))];
     const [from, count] = made;
-    const [before, new_, after] = [text.slice(0, from), text.slice(from, from + count), text.slice(from + count)];
+    const symbols = [...text];
+    const [before, new_, after] = [symbols.slice(0, from), symbols.slice(from, from + count), symbols.slice(from + count)].map((part) => part.join(''));
     if (from + count > SHOWN) return [make('code', {}, cut(text))];
-    return [make('code', {}, before, make('mark', {}, new_ || '·'), cut(after).replace('ε', ''))];
+    return [make('code', {}, before ?? '', make('mark', {}, new_ || '·'), after ? cut(after) : '')];
 }

@@ -14,6 +14,9 @@ const AROUND = 120;
 const PAUSE = 260;
 const SVG = 'http://www.w3.org/2000/svg';
 
+/** A symbol with the number of its arguments. @param {string} module */
+const kindOf = (module) => `${[...module][0] ?? ''}${/\(.+\)$/s.test(module) ? module.split(',').length : 0}`;
+
 /** Right and up of the picture of a drawing in space: a little from the right and from above. */
 const [TURNED, RAISED] = [(25 * Math.PI) / 180, (12 * Math.PI) / 180];
 const RIGHT = [Math.cos(TURNED), 0, -Math.sin(TURNED)];
@@ -84,7 +87,7 @@ export function createWay(tool, told, moved) {
         const place = (/** @type {Vector} */ point) => `(${point.slice(0, isSolid ? 3 : 2).map(number).join(', ')})`;
         const heading = state.axes[0] ?? [0, 0, 0];
         const degrees = ((Math.atan2(heading[1], heading[0]) * 180) / Math.PI + 360) % 360;
-        const words = legend.get([...state.symbol][0] ?? '') ?? '';
+        const words = legend.get(kindOf(state.symbol)) ?? '';
         const facts = {
             Symbol: at === 0 ? 'the start' : state.symbol,
             Does: at === 0 ? '' : words || 'nothing',
@@ -119,7 +122,7 @@ export function createWay(tool, told, moved) {
         async show(definition, n) {
             const made = await tool.call('trace', { definition, n, count: MOST });
             ({ states, isSolid, length } = made);
-            legend = new Map(made.legend.map(([module, words]) => [[...module][0] ?? '', words]));
+            legend = new Map(made.legend.map(([module, words]) => [kindOf(module), words]));
             at = Math.min(1, states.length - 1);
             begin();
             draw();

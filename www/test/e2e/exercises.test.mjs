@@ -138,7 +138,7 @@ test('what a program printed is compared with the system', () =>
         assert.match((await page.textContent('#check-result')) ?? '', /symbol 6/i);
         await page.click('#check-show');
         await page.waitForSelector('#reader:visible');
-        await until(async () => /symbol 6\b/i.test((await page.textContent('#reader')) ?? ''), 'the string is open there');
+        await until(async () => /A at step 4, by rule 1/.test((await page.textContent('#reader')) ?? ''), 'the string is open there');
         await page.click('#close-reader');
         await page.click('#share');
         await page.click('#check-program');

@@ -37,6 +37,7 @@ for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a
 test('rows are read anywhere in a generation that nothing could hold', () =>
     withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F%2BF--F%2BF&n=40&angle=60' }, async (page) => {
         await page.click('#open-steps');
+        await says(page, /Generation 0/);
         await page.fill('#steps-at', '40');
         await says(page, /Generation 40: [\d,]{20,} symbols/);
         await page.click('#steps-later');

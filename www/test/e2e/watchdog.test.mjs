@@ -200,7 +200,7 @@ for (const way of WAYS) {
                 const before = await stillPicture(page);
                 const begun = Date.now();
                 await page.click('#open-gallery');
-                await until(async () => (await page.locator('#gallery .thumb.inked').count()) === 5, 'all but one', 20_000);
+                await until(async () => (await page.locator('#gallery [data-path] .thumb.inked').count()) === 5, 'all but one', 20_000);
                 tell(`${way}, small pictures, the others are there after`, Date.now() - begun);
                 assert.ok(await page.isHidden('#trouble'));
                 await page.keyboard.press('Escape');

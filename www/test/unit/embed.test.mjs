@@ -22,7 +22,8 @@ test('options are read from the address beside the system', () => {
 
 test('controls are read in any order and case', () => {
     assert.deepEqual(readControls('Play  string,N'), ['n', 'string', 'play']);
-    assert.deepEqual(readControls('all'), CONTROLS);
+    assert.deepEqual(readControls('all'), CONTROLS.filter((control) => control !== 'steps'));
+    assert.deepEqual(readControls('all,steps'), CONTROLS);
     assert.deepEqual(readControls('all-of-them'), []);
 });
 
