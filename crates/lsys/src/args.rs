@@ -1,6 +1,7 @@
 //! The command line as a value.
 
 use crate::cli::{Changes, Cli, GrowthFormat, Look, Verb};
+use crate::find::Known;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use lsystem::files::Format;
@@ -20,6 +21,8 @@ pub(crate) enum Command {
     Import { files: Vec<PathBuf>, to: PathBuf },
     /// Compare the output of a program with a system.
     Check { file: PathBuf, output: PathBuf, changes: Changes },
+    /// Find the rules of a string.
+    Find { text: String, known: Known, json: bool },
     /// Mark answers to an exercise.
     Mark { exercise: String, answers: Vec<String>, csv: bool, html: Option<PathBuf> },
     /// Print facts.
@@ -82,6 +85,9 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             false => Ok(Command::Check { file, output, changes }),
             true => Err(explain("check", "standard input (-) can be read only once".to_owned())),
         },
+        Verb::Find { text, axiom, iterations: n, constants, json } => {
+            Ok(Command::Find { text, known: Known { axiom, n, constants }, json })
+        }
         Verb::Mark { exercise, answers, csv, html } => Ok(Command::Mark { exercise, answers, csv, html }),
         Verb::Completions { shell } => {
             let mut script = Vec::new();
@@ -233,6 +239,7 @@ mod tests {
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
             Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
+            Ok(Command::Find { text, known, json }) => format!("find {text} {known:?} json {json}"),
             Ok(Command::Mark { exercise, answers, csv, html }) => {
                 format!("mark {exercise} {answers:?} csv {csv} {html:?}")
             }

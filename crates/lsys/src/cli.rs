@@ -96,6 +96,25 @@ pub(crate) enum Verb {
         #[command(flatten)]
         changes: Changes,
     },
+    /// Find the shortest rules that derive a string
+    ///
+    /// The rules are deterministic and without neighbours or parameters. Without -n, 1 to 8 steps are tried.
+    Find {
+        /// The string, or a file with it; - for standard input
+        #[arg(allow_hyphen_values = true, value_hint = ValueHint::FilePath)]
+        text: String,
+        #[arg(long, allow_hyphen_values = true, help = "What the derivation begins with")]
+        axiom: String,
+        /// Derivation steps, 1 to 30
+        #[arg(short = 'n', long, value_name = "N", value_parser = |text: &str| whole(text, 30))]
+        iterations: Option<u32>,
+        /// Symbols without rules
+        #[arg(long, default_value = "+-[]", allow_hyphen_values = true)]
+        constants: String,
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Mark answers to an exercise
     ///
     /// EXERCISE is the link of an exercise, or a file with the link. Each of ANSWERS is the link of an

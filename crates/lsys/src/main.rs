@@ -7,6 +7,7 @@ mod check;
 mod cli;
 mod cores;
 mod draw;
+mod find;
 mod growth;
 mod import;
 mod info;
@@ -91,6 +92,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
         Command::Import { files, to } => import::import(&files, &to),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
+        Command::Find { text, known, json } => find::find(&text, &known, json),
         Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
         Command::Info { files, growth: Some(format), changes, .. } => growth::print_growth(&files, format, &changes),
         Command::Info { files, json, growth: None, changes } => info::info(&files, json, &changes),

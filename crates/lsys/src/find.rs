@@ -1,0 +1,105 @@
+//! `lsys find`: the rules of a string.
+
+use crate::{CommandFailure, input, print};
+use lsystem::find::{Found, Search, Searched};
+use serde::Serialize;
+use std::path::Path;
+
+/// The most symbols of all successors.
+const MOST: usize = 60;
+/// The symbols of work for each number of steps: some seconds.
+const WORK: usize = 60_000_000;
+/// The steps that are tried where their number is not known.
+const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
+/// The most systems that are listed.
+const MAX_LISTED: usize = 10;
+
+/// What was found, as JSON.
+#[derive(Serialize)]
+struct Answer {
+    candidates: Vec<Candidate>,
+    searched: String,
+}
+
+#[derive(Serialize)]
+struct Candidate {
+    axiom: String,
+    n: u32,
+    rules: Vec<String>,
+    symbols: usize,
+}
+
+/// What is known of the system.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Known {
+    pub(crate) axiom: String,
+    pub(crate) n: Option<u32>,
+    pub(crate) constants: String,
+}
+
+/// Finds rules that derive the string in a file, or the string itself.
+///
+/// # Errors
+/// [`CommandFailure::Said`] if none are found; [`CommandFailure::Words`] if the string cannot be searched.
+pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), CommandFailure> {
+    let path = Path::new(wanted);
+    let text = match wanted == "-" || path.is_file() {
+        true => {
+            let bytes = input::output_of(path).map_err(|error| CommandFailure::io(wanted, &error))?;
+            String::from_utf8(bytes).map_err(|_| CommandFailure::Words(format!("{wanted}: this is no text")))?
+        }
+        false => wanted.to_owned(),
+    };
+    let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
+    let (mut found, mut searched): (Vec<Found>, Vec<String>) = (Vec::new(), Vec::new());
+    for n in steps {
+        let search = Search::new(&known.axiom, text.trim(), n, &known.constants, MOST);
+        let mut search = search.map_err(|why| CommandFailure::Words(why.to_owned()))?;
+        let mut left = WORK;
+        while left > 0 && search.found().is_empty() && search.step(1 << 16) == Searched::More {
+            left = left.saturating_sub(1 << 16);
+        }
+        found.extend_from_slice(search.found());
+        searched.push(searched_words(n, &search.searched()));
+    }
+    found.sort_by_key(Found::symbols);
+    found.truncate(MAX_LISTED);
+    let searched = searched.join("; ");
+    print(|out| match json {
+        true => {
+            let candidates = found.iter().map(|one| Candidate {
+                axiom: known.axiom.clone(),
+                n: one.n,
+                rules: one.text().lines().map(str::to_owned).collect(),
+                symbols: one.symbols(),
+            });
+            let answer = Answer { candidates: candidates.collect(), searched: searched.clone() };
+            writeln!(out, "{}", serde_json::to_string_pretty(&answer)?)
+        }
+        false => {
+            for one in &found {
+                writeln!(
+                    out,
+                    "{}\n  after {} steps from {}; {} symbols\n",
+                    one.text(),
+                    one.n,
+                    known.axiom,
+                    one.symbols()
+                )?;
+            }
+            let none = if found.is_empty() { "Nothing found. " } else { "" };
+            writeln!(out, "{none}Searched: {searched}.")
+        }
+    })?;
+    if found.is_empty() { Err(CommandFailure::Said) } else { Ok(()) }
+}
+
+/// Up to how many symbols everything was searched.
+fn searched_words(n: u32, searched: &[usize]) -> String {
+    let parts = searched.iter().zip(1..).map(|(most, letters)| {
+        let rules = if letters == 1 { "one rule".to_owned() } else { format!("{letters} rules") };
+        format!("{rules} with up to {most} symbols")
+    });
+    let parts: Vec<String> = parts.collect();
+    format!("n = {n}: {}", if parts.is_empty() { "nothing".to_owned() } else { parts.join(", ") })
+}

@@ -1,0 +1,42 @@
+//! Which rules make this? The shortest deterministic rules that derive a given string from an axiom.
+//!
+//! The search reads the string from left to right while it derives from the axiom, leftmost first. Each symbol of the
+//! string decides the next symbol of a rule, or that a rule ends: only there the search has a choice. Rules with fewer
+//! symbols come first.
+
+mod derivation;
+
+pub use derivation::{Search, Searched};
+
+use lsystem_syntax::print_module;
+
+/// Rules that derive the string.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Found {
+    /// The rules: predecessor and successor.
+    pub rules: Vec<(char, String)>,
+    /// The number of derivation steps.
+    pub n: u32,
+}
+
+impl Found {
+    /// The number of symbols of all rules, with their predecessors.
+    #[must_use]
+    pub fn symbols(&self) -> usize {
+        self.rules.iter().map(|(_, successor)| 1 + successor.chars().count()).sum()
+    }
+
+    /// The rules in our notation, one on each line.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let symbol = |symbol: char| {
+            let mut text = String::new();
+            print_module(symbol, &[], &mut text);
+            text
+        };
+        let line = |(from, to): &(char, String)| {
+            format!("{} -> {}", symbol(*from), to.chars().map(symbol).collect::<String>())
+        };
+        self.rules.iter().map(line).collect::<Vec<_>>().join("\n")
+    }
+}
