@@ -163,6 +163,14 @@ fn published_values_are_found() {
         algae.symbols.closed.as_deref(),
         Some("((5 + 3√5)/10) · ((1 + √5)/2)^n + ((5 - 3√5)/10) · ((1 - √5)/2)^n")
     );
+    // The filament of Anabaena catenula (ABOP, figure 1.4): r and l cells in capitals and small letters.
+    let filament = of("A", "A -> aB\na -> bA\nB -> A\nb -> a", 90.0);
+    assert_eq!(symbols(&filament)[..6], counts("1 2 3 5 8 13"));
+    assert_eq!(filament.symbols.recurrence.as_deref(), Some("s(n) = s(n-1) + s(n-2)"));
+    assert_eq!(
+        filament.table[4].letters.iter().map(|count| count.digits.as_str()).collect::<Vec<_>>(),
+        ["5", "0", "0", "3"]
+    );
     // Curves: the factor of segments, the stretch, the dimension.
     let log = libm::log;
     for (name, axiom, rules, angle, factor, stretch, dimension) in [
