@@ -165,7 +165,7 @@ export {};
  * @typedef {{families: {parent: string, children: string[], more: string, first: string}[], start: string, lengths: [string, string]}} StepRows
  */
 /** The turtle after a symbol. @typedef {{symbol: string, at: [number, number, number], axes: [number, number, number][], depth: number, stored: [number, number, number][], segment: [[number, number, number], [number, number, number]] | null}} TurtleState */
-/** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown. @typedef {{isSolved: boolean, agreement: number, isSame: boolean | null, symbols: number, words: string, errors: string[]}} Mark */
+/** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown. @typedef {{isSolved: boolean, agreement: number, percent: string, isSame: boolean | null, symbols: number, words: string, errors: string[]}} Mark */
 /**
  * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
  * for missing ink, 4 for ink that is too much.

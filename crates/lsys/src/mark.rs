@@ -72,9 +72,9 @@ impl Marked {
         self.mark.as_ref().is_some_and(|mark| mark.is_solved)
     }
 
-    /// The agreement in percent, rounded down.
+    /// The agreement in percent.
     fn percent(&self) -> String {
-        self.mark.as_ref().map(|mark| format!("{:.1}", (mark.agreement * 1000.0).floor() / 10.0)).unwrap_or_default()
+        self.mark.as_ref().map(Mark::percent).unwrap_or_default()
     }
 
     fn symbols(&self) -> String {
@@ -87,7 +87,7 @@ fn write_table(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
     writeln!(out, "{:widest$}  solved  agrees  symbols  remark", "name")?;
     for one in marked {
         let solved = if one.is_solved() { "yes" } else { "no" };
-        let percent = if one.mark.is_some() { format!("{} %", one.percent()) } else { String::new() };
+        let percent = one.percent();
         let name = visible(&one.answer.name);
         writeln!(out, "{name:widest$}  {solved:6} {percent:>7} {:>8}  {}", one.symbols(), visible(&one.words))?;
     }
@@ -101,8 +101,10 @@ fn write_csv(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
         let segments = one.mark.as_ref().map(|mark| mark.segments.map(|count| count.to_string()));
         let [target, own] = segments.unwrap_or_default();
         let solved = if one.is_solved() { "yes" } else { "no" };
+        let percent = one.percent();
         let link = one.answer.link.as_deref().unwrap_or_default();
-        let row = [&one.answer.name, solved, &one.percent(), &one.symbols(), &target, &own, &one.words, link];
+        let row =
+            [&one.answer.name, solved, percent.trim_end_matches(" %"), &one.symbols(), &target, &own, &one.words, link];
         writeln!(out, "{}", row.map(quoted).join(","))?;
     }
     Ok(())

@@ -7,8 +7,8 @@ mod segments;
 mod string;
 mod words;
 
+use crate::compiled::compiled;
 use lsystem_derive::Tally;
-use lsystem_drawing::System;
 use lsystem_files::read_segments;
 use lsystem_syntax::{Definition, Diagnostic, Limits, MAX_ITERATIONS};
 
@@ -127,10 +127,9 @@ pub fn check(definition: &Definition, output: &str) -> Check {
         let reason = format!("the output has more than {} MiB", MAX_OUTPUT >> 20);
         return refused(Output::Text, Verdict::Unreadable(reason));
     }
-    let (system, diagnostics) = System::new(definition);
-    let Some(system) = system else {
-        let errors = diagnostics.into_iter().filter(Diagnostic::is_error).collect();
-        return refused(Output::Text, Verdict::Failed(errors));
+    let system = match compiled(definition) {
+        Ok(system) => system,
+        Err(errors) => return refused(Output::Text, Verdict::Failed(errors)),
     };
     // A string may begin with `<`, which is a symbol.
     let is_xml = output.trim_start_matches('\u{feff}').trim_start().starts_with('<');

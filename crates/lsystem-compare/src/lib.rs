@@ -1,6 +1,7 @@
 //! Whether two drawings are the same and how much they agree; exercises and their marks.
 
 mod check;
+mod compiled;
 mod exercise;
 mod fit;
 mod graph;

@@ -1,11 +1,12 @@
 //! Marks of answers to exercises.
 
+use crate::compiled::compiled;
 use crate::exercise::{Asks, Exercise};
 use crate::ink::Mask;
 use crate::same::Outline;
 use crate::sample::{Sample, Sampling};
 use crate::sketch::{Sketch, Sketching};
-use lsystem_drawing::{System, expand};
+use lsystem_drawing::expand;
 use lsystem_render::{Renderer, View, Viewport};
 use lsystem_syntax::message::grouped;
 use lsystem_syntax::{Definition, Diagnostic, Limits, Progress};
@@ -60,6 +61,14 @@ enum Stage {
     Sketch(Sketching),
     Sample(Box<Sketch>, Box<Sampling>),
     Failed(Vec<Diagnostic>),
+}
+
+impl Mark {
+    /// The agreement in percent, rounded down: what is not the same is never called 100 %.
+    #[must_use]
+    pub fn percent(&self) -> String {
+        percent(self.agreement)
+    }
 }
 
 impl Marker {
@@ -255,7 +264,10 @@ impl Marker {
         let is_near = Sample::is_near(distance);
         let words = match is_near {
             true => "Over many seeds the numbers of segments and the sizes agree.".to_owned(),
-            false => format!("Over many seeds {} of the drawings are as often as large.", percent(1.0 - distance)),
+            false => format!(
+                "Over many seeds the numbers of segments or the sizes differ; they agree to {}.",
+                percent(1.0 - distance)
+            ),
         };
         self.marked(marking, own, 1.0 - distance, Some(is_near), words)
     }
@@ -290,13 +302,12 @@ impl Marker {
 }
 
 fn string(definition: &Definition) -> Result<String, Vec<Diagnostic>> {
-    let (system, diagnostics) = System::new(definition);
-    let Some(system) = system else { return Err(diagnostics.into_iter().filter(Diagnostic::is_error).collect()) };
+    let system = compiled(definition)?;
     expand(&system, definition.iterations, &LIMITS).map_err(|limit| vec![limit])
 }
 
-/// A part as percent, rounded down: what is not the same is never called 100 %.
-pub(crate) fn percent(part: f64) -> String {
+/// A part in percent, rounded down.
+fn percent(part: f64) -> String {
     format!("{:.1} %", libm::floor(part * 1000.0) / 10.0)
 }
 

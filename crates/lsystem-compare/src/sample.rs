@@ -1,5 +1,6 @@
 //! Drawings of one system with many seeds, as statistics.
 
+use crate::compiled::compiled;
 use lsystem_drawing::{Drawer, System};
 use lsystem_syntax::{Definition, Diagnostic, Limits};
 
@@ -31,8 +32,7 @@ impl Sampling {
     /// # Errors
     /// The errors of the definition.
     pub(crate) fn new(definition: &Definition, first: u32) -> Result<Self, Vec<Diagnostic>> {
-        let (system, diagnostics) = System::new(definition);
-        let Some(system) = system else { return Err(diagnostics.into_iter().filter(Diagnostic::is_error).collect()) };
+        let system = compiled(definition)?;
         Ok(Self { system, n: definition.iterations, first, sample: Sample::default() })
     }
 

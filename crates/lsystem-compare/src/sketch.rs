@@ -1,10 +1,11 @@
 //! A system's drawing with its mask, made in steps.
 
-use crate::fit::Segment;
+use crate::compiled::compiled;
+use crate::fit::{Segment, in_space};
 use crate::graph::is_same_graph;
 use crate::ink::{Mask, Tracing};
 use crate::same::Outline;
-use lsystem_drawing::{Drawer, Drawing, Outlook, Projection, Solid, Space, System};
+use lsystem_drawing::{Drawer, Drawing, Outlook, Projection, Solid, Space};
 use lsystem_syntax::{Definition, Diagnostic, Limits, Progress};
 use std::sync::Arc;
 
@@ -51,10 +52,7 @@ impl Sketching {
     /// # Errors
     /// The errors of the definition.
     pub(crate) fn with_widths(definition: &Definition) -> Result<Self, Vec<Diagnostic>> {
-        let (system, diagnostics) = System::new(definition);
-        let Some(system) = system else {
-            return Err(diagnostics.into_iter().filter(Diagnostic::is_error).collect());
-        };
+        let system = compiled(definition)?;
         Ok(match system.is_solid() {
             true => Self::Solid(Box::new(Drawer::solid(&system, definition.iterations, LIMITS))),
             false => Self::Plane(Box::new(Drawer::new(&system, definition.iterations, LIMITS))),
@@ -165,11 +163,4 @@ fn lists<S: Space>(drawing: &Drawing<S>) -> Option<(Vec<Segment>, Vec<Segment>)>
         sides.extend(corners.iter().zip(corners.iter().cycle().skip(1)).map(|(&from, &to)| [from, to]));
     }
     Some((segments, sides))
-}
-
-/// A point with three coordinates.
-fn in_space(point: impl AsRef<[f64]>) -> [f64; 3] {
-    let mut all = [0.0; 3];
-    all.iter_mut().zip(point.as_ref()).for_each(|(to, from)| *to = *from);
-    all
 }

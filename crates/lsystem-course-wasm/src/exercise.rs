@@ -46,6 +46,7 @@ struct About<'a> {
 struct MarkReport {
     is_solved: bool,
     agreement: f64,
+    percent: String,
     is_same: Option<bool>,
     symbols: u32,
     words: String,
@@ -109,7 +110,7 @@ impl OpenExercise {
         Ok(())
     }
 
-    /// Works on the mark for some milliseconds: `{isSolved, agreement, isSame, symbols, words, errors}` after the last
+    /// Works on the mark for some milliseconds: `{isSolved, agreement, percent, isSame, symbols, words, errors}` after the last
     /// step, null before.
     ///
     /// # Errors
@@ -119,9 +120,10 @@ impl OpenExercise {
         let Some(mark) = self.marker.step(marking, WORK) else { return Ok(JsValue::NULL) };
         self.marking = None;
         self.is_solved |= mark.is_solved;
+        let percent = mark.percent();
         let Mark { is_solved, agreement, is_same, symbols, words, errors, .. } = mark;
         let errors = errors.iter().map(Diagnostic::message).collect();
-        to_js(&MarkReport { is_solved, agreement, is_same, symbols, words, errors })
+        to_js(&MarkReport { is_solved, agreement, percent, is_same, symbols, words, errors })
     }
 
     /// The pixels of the target and of the last marked answer, 512 by 512: 1 for both, 2 for missing, 4 for too much.

@@ -97,10 +97,9 @@ fn divided(polynomial: &[i128], root: i128) -> Option<Vec<i128>> {
 
 /// The closed form of a sequence with these first values, from the generation where the recurrence begins to hold
 /// without its roots 0. `None` if its roots are of other kinds.
-pub(crate) fn closed(recurrence: &Recurrence, values: &[i128]) -> Option<(Vec<Term>, usize)> {
+pub(crate) fn closed(recurrence: &Recurrence, roots: &Roots, values: &[i128]) -> Option<(Vec<Term>, usize)> {
     let order = recurrence.coefficients.len();
     let from = recurrence.from - order;
-    let roots = roots(recurrence);
     if !roots.are_all || order > MAX_ORDER || values.len() < from + order + 2 {
         return None;
     }

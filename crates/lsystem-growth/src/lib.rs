@@ -272,9 +272,9 @@ fn series(process: &Process, weights: &[u32], values: &[i128]) -> Series {
         () => Kind::Bounded,
     };
     let found = recurrence(process, weights);
-    let closed = found.as_ref().and_then(|found| closed(found, values));
-    let exact_factor = found.as_ref().and_then(|found| {
-        let roots = roots(found);
+    let roots = found.as_ref().map(roots);
+    let closed = found.as_ref().zip(roots.as_ref()).and_then(|(found, roots)| closed(found, roots, values));
+    let exact_factor = roots.and_then(|roots| {
         let is_factor = |value: f64| (value - factor).abs() < 1e-9 * factor.max(1.0);
         let whole = roots.whole.iter().find(|(root, _)| is_factor(*root as f64)).map(|(root, _)| root.to_string());
         whole

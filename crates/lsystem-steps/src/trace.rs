@@ -2,7 +2,8 @@
 
 use crate::Why;
 use crate::rows::{Reader, text};
-use lsystem_drawing::{System, legend};
+use lsystem_drawing::rotation::Axis;
+use lsystem_drawing::{Geometry, Solid, System, legend};
 use lsystem_syntax::{Action, Heading};
 use serde::Serialize;
 
@@ -48,7 +49,7 @@ pub struct Trace {
 #[derive(Clone, Copy)]
 struct Turtle {
     at: Vector,
-    axes: [Vector; 3],
+    turn: <Solid as Geometry>::Turn,
     /// The factor of lengths.
     scale: f64,
     swaps: bool,
@@ -65,10 +66,9 @@ pub fn trace(system: &System, n: u32, count: usize) -> Result<Trace, Why> {
         return Err("The turtle bends or varies its way here, which is not shown symbol by symbol.");
     }
     let reader = Reader::new(system, n)?;
-    let (cos, sin) = settings.heading.cos_sin();
     let mut turtle = Turtle {
         at: [settings.start[0], settings.start[1], 0.0],
-        axes: [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]],
+        turn: Solid::turn(Axis::Up, settings.heading),
         scale: 1.0,
         swaps: false,
     };
@@ -76,7 +76,7 @@ pub fn trace(system: &System, n: u32, count: usize) -> Result<Trace, Why> {
     let state = |symbol: String, turtle: &Turtle, stack: &[Turtle], segment| State {
         symbol,
         at: turtle.at,
-        axes: turtle.axes,
+        axes: turtle.axes(),
         depth: stack.len(),
         stored: stack.iter().rev().take(MAX_LISTED).map(|stored| stored.at).collect(),
         segment,
@@ -106,20 +106,20 @@ impl Turtle {
         match action {
             Action::Draw(own) | Action::DrawUnmarked(own) | Action::Move(own) | Action::MoveUnmarked(own) => {
                 let length = own.unwrap_or(settings.step) * self.scale;
-                self.at = [0, 1, 2].map(|axis| self.at[axis] + length * self.axes[0][axis]);
+                let axes = Solid::axes(&mut Solid::directions(), self.turn);
+                self.at = Solid::ahead(&axes, self.at, length);
                 return action.draws();
             }
-            Action::TurnLeft(own) if !self.swaps => self.turn([0, 1], turned(own, settings.left)),
-            Action::TurnLeft(own) => self.turn([0, 1], -turned(own, settings.right)),
-            Action::TurnRight(own) if !self.swaps => self.turn([0, 1], -turned(own, settings.right)),
-            Action::TurnRight(own) => self.turn([0, 1], turned(own, settings.left)),
-            Action::TurnRound => self.turn([0, 1], Heading::HALF),
-            // Rotations out of the plane are ignored in drawings in the plane, which have none.
-            Action::PitchUp(own) => self.turn([0, 2], turned(own, settings.pitch_up)),
-            Action::PitchDown(own) => self.turn([0, 2], -turned(own, settings.pitch_down)),
-            Action::RollLeft(own) => self.turn([1, 2], turned(own, settings.roll_left)),
-            Action::RollRight(own) => self.turn([1, 2], -turned(own, settings.roll_right)),
-            Action::RollUpright => self.roll_upright(),
+            Action::TurnLeft(own) if !self.swaps => self.turn(Axis::Up, turned(own, settings.left)),
+            Action::TurnLeft(own) => self.turn(Axis::Up, -turned(own, settings.right)),
+            Action::TurnRight(own) if !self.swaps => self.turn(Axis::Up, -turned(own, settings.right)),
+            Action::TurnRight(own) => self.turn(Axis::Up, turned(own, settings.left)),
+            Action::TurnRound => self.turn(Axis::Up, Heading::HALF),
+            Action::PitchDown(own) => self.turn(Axis::Left, turned(own, settings.pitch_down)),
+            Action::PitchUp(own) => self.turn(Axis::Left, -turned(own, settings.pitch_up)),
+            Action::RollLeft(own) => self.turn(Axis::Ahead, turned(own, settings.roll_left)),
+            Action::RollRight(own) => self.turn(Axis::Ahead, -turned(own, settings.roll_right)),
+            Action::RollUpright => self.turn = Solid::upright(self.turn, &Solid::UPWARDS),
             Action::Push => {
                 stack.push(*self);
                 self.scale *= settings.length_factor;
@@ -136,26 +136,13 @@ impl Turtle {
         false
     }
 
-    /// Turns the first axis towards the second one.
-    fn turn(&mut self, [first, second]: [usize; 2], by: Heading) {
-        let (cos, sin) = by.cos_sin();
-        let [a, b] = [self.axes[first], self.axes[second]];
-        self.axes[first] = [0, 1, 2].map(|axis| cos * a[axis] + sin * b[axis]);
-        self.axes[second] = [0, 1, 2].map(|axis| cos * b[axis] - sin * a[axis]);
+    fn turn(&mut self, about: Axis, by: Heading) {
+        self.turn = Solid::then(self.turn, Solid::turn(about, by));
     }
 
-    /// Rolls until the left is level and the up does not point below the horizon.
-    fn roll_upright(&mut self) {
-        let heading = self.axes[0];
-        // The vertical (0, 1, 0) times the heading.
-        let left = [heading[2], 0.0, -heading[0]];
-        let size = libm::hypot(left[0], left[2]);
-        if size < 1e-9 {
-            return;
-        }
-        let left = left.map(|value| value / size);
-        let [h, l] = [heading, left];
-        self.axes[1] = left;
-        self.axes[2] = [h[1] * l[2] - h[2] * l[1], h[2] * l[0] - h[0] * l[2], h[0] * l[1] - h[1] * l[0]];
+    /// The heading, the left and the up.
+    fn axes(&self) -> [Vector; 3] {
+        let axes = Solid::axes(&mut Solid::directions(), self.turn);
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| Solid::transform(&axes, [0.0; 3], axis))
     }
 }

@@ -47,7 +47,10 @@ export function createMaker(store, engine, tool) {
     }
 
     /** @param {string} name @returns {Given} */
-    const given = (name) => /** @type {Given} */ (rows.querySelector(`select[name="${name}"]`) instanceof HTMLSelectElement ? /** @type {HTMLSelectElement} */ (rows.querySelector(`select[name="${name}"]`)).value : 'free');
+    function given(name) {
+        const select = rows.querySelector(`select[name="${name}"]`);
+        return /** @type {Given} */ (select instanceof HTMLSelectElement ? select.value : 'free');
+    }
 
     function begin() {
         const { axiom, rules, angle, iterations, title, name } = store.state;

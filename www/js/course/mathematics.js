@@ -3,7 +3,7 @@
 import { button, html, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { copyText } from '../copy.js';
-import { shortText } from '../numerals.js';
+import { raised, shortText } from '../numerals.js';
 import { definitionOf, sameSystem } from '../state.js';
 
 /** @typedef {import('../protocol.js').Growth} Growth */
@@ -59,27 +59,22 @@ export function createMathematics(store, tool) {
         };
         /** @param {'symbols' | 'segments'} what */
         const line = (what) => svg('polyline', { class: what, points: rows.flatMap((row) => (row[what].log10 === null ? [] : [`${x(row.n).toFixed(1)},${y(row[what].log10 ?? 0).toFixed(1)}`])).join(' ') });
-        const step = most > 8 ? Math.ceil(most / 4) : Math.max(1, Math.ceil(most / 4));
+        const step = Math.max(1, Math.ceil(most / 4));
         const marks = Array.from({ length: Math.floor(most / step) + 1 }, (_, at) => at * step);
         const now = rows.find((row) => row.n === n);
-        html('math-plot').replaceChildren();
-        html('math-plot').append(
-            (() => {
-                const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img' });
-                picture.append(
-                    svg('title', {}, `Symbols and segments by generation, on a logarithmic scale. ${growth.sentences[0] ?? ''}`),
-                    ...marks.flatMap((log) => [svg('line', { class: 'grid', x1: LEFT, x2: WIDTH - 8, y1: y(log), y2: y(log) }), svg('text', { x: LEFT - 4, y: y(log) + 3, 'text-anchor': 'end' }, log === 0 ? '1' : log === 1 ? '10' : `10${superscript(log)}`)]),
-                    svg('line', { class: 'now', x1: x(n), x2: x(n), y1: TOP, y2: HEIGHT - BOTTOM }),
-                    line('symbols'),
-                    line('segments'),
-                    ...(now?.segments.log10 == null ? [] : [svg('circle', { cx: x(n), cy: y(now.segments.log10), r: 3 })]),
-                    svg('text', { x: LEFT, y: HEIGHT - 6 }, '0'),
-                    svg('text', { x: WIDTH - 8, y: HEIGHT - 6, 'text-anchor': 'end' }, String(last)),
-                    svg('text', { x: x(n), y: HEIGHT - 6, 'text-anchor': 'middle', class: n > 0 && n < last ? '' : 'unseen-text' }, n > 0 && n < last ? `n = ${n}` : ''),
-                );
-                return picture;
-            })(),
+        const picture = svg('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img' });
+        picture.append(
+            svg('title', {}, `Symbols and segments by generation, on a logarithmic scale. ${growth.sentences[0] ?? ''}`),
+            ...marks.flatMap((log) => [svg('line', { class: 'grid', x1: LEFT, x2: WIDTH - 8, y1: y(log), y2: y(log) }), svg('text', { x: LEFT - 4, y: y(log) + 3, 'text-anchor': 'end' }, log === 0 ? '1' : log === 1 ? '10' : `10${raised(log)}`)]),
+            svg('line', { class: 'now', x1: x(n), x2: x(n), y1: TOP, y2: HEIGHT - BOTTOM }),
+            line('symbols'),
+            line('segments'),
+            ...(now?.segments.log10 == null ? [] : [svg('circle', { cx: x(n), cy: y(now.segments.log10), r: 3 })]),
+            svg('text', { x: LEFT, y: HEIGHT - 6 }, '0'),
+            svg('text', { x: WIDTH - 8, y: HEIGHT - 6, 'text-anchor': 'end' }, String(last)),
+            svg('text', { x: x(n), y: HEIGHT - 6, 'text-anchor': 'middle', class: n > 0 && n < last ? '' : 'unseen-text' }, n > 0 && n < last ? `n = ${n}` : ''),
         );
+        html('math-plot').replaceChildren(picture);
     }
 
     /** @param {Growth} growth @param {number} most */
@@ -114,9 +109,6 @@ export function createMathematics(store, tool) {
         else download(new Blob([made.latex], { type: 'text/x-tex' }), `${fileName(store.state)}_growth.tex`);
     });
 }
-
-/** @param {number} value */
-const superscript = (value) => String(value).replace(/\d/g, (digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)] ?? '');
 
 /** @param {string} digits */
 const short = (digits) => (/^\d+$/.test(digits) ? shortText(digits) : digits);

@@ -4,9 +4,9 @@ import { announce, toast } from '../announce.js';
 import { isDark } from '../colour-schemes.js';
 import { copyKeys, copyText } from '../copy.js';
 import { button, byId, html, input, make, setText } from '../dom.js';
-import { clean, sameSystem } from '../state.js';
+import { clean, definitionOf, sameSystem } from '../state.js';
 import { Cancelled, createTool } from '../tool.js';
-import { answerLink, exerciseIn, startOf, studentIn, studentOf, wholeOf } from './open.js';
+import { answerLink, exerciseIn, startOf, studentIn, wholeOf } from './open.js';
 import { createTarget } from './target.js';
 import { inline, paragraphs } from './words.js';
 
@@ -100,7 +100,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         const own = (marking = new AbortController());
         setText(html('mark-why'), '');
         try {
-            const { mark, pixels } = await tool.call('mark', { text, student: studentOf(store.state) }, { signal: own.signal });
+            const { mark, pixels } = await tool.call('mark', { text, student: definitionOf(store.state) }, { signal: own.signal });
             if (own !== marking) return;
             target.compare(pixels);
             show(mark);
@@ -112,9 +112,8 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
 
     /** @param {Mark} mark */
     function show(mark) {
-        const percent = `${(Math.floor(mark.agreement * 1000) / 10).toFixed(1)} %`;
         byId('mark-measure', HTMLMeterElement).value = mark.agreement;
-        setText(html('mark-percent'), percent);
+        setText(html('mark-percent'), mark.percent);
         const words = mark.errors.length > 0 ? mark.errors.slice(0, MOST_ERRORS).join(' ') : mark.words;
         setText(html('mark-words'), mark.isSolved ? `Solved. ${words}` : words);
         setText(html('mark-symbols'), about.mostSymbols === null ? '' : `${mark.symbols} of at most ${about.mostSymbols} symbols`);
@@ -140,7 +139,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         showHints();
     });
     button('ask-why').addEventListener('click', async () => {
-        const student = studentOf(store.state);
+        const student = definitionOf(store.state);
         setText(html('mark-why'), 'Comparing…');
         const words = await tool.call('hint', { text, student }).catch(() => null);
         if (sameSystem(clean(student), store.state)) setText(html('mark-why'), words ?? 'No usual mistake explains the difference. Compare the pictures part by part.');

@@ -1,7 +1,7 @@
 /** Exercises in links: `#v=1&x=...` and what the student found (docs/exercises.md). */
 
-import { writeFields } from '../link.js';
-import { DEFAULTS, clean, definitionOf, same } from '../state.js';
+import { escape, writeFields } from '../link.js';
+import { DEFAULTS, clean, same } from '../state.js';
 
 /** @typedef {import('../state.js').State} State */
 /** @typedef {import('../state.js').Definition} Definition */
@@ -35,9 +35,6 @@ export function startOf(about, link) {
     return clean({ ...about.start, ...Object.fromEntries(found.map((field) => [field, link?.[field]])) });
 }
 
-/** The student's part of a state as a definition. @param {Readonly<State>} state */
-export const studentOf = (state) => definitionOf(state);
-
 /**
  * The whole system of a student: what was found, and all that is given. The student's rules come first, so that places
  * in them stay where they are.
@@ -63,6 +60,3 @@ export function answerLink(text, about, state, by) {
     const name = by.trim().slice(0, LONGEST_NAME);
     return ['#v=1', `x=${text}`, ...fields, ...(name === '' ? [] : [`by=${escape(name)}`])].join('&');
 }
-
-/** @param {string} value */
-const escape = (value) => encodeURIComponent(value).replace(/[()]/g, (character) => (character === '(' ? '%28' : '%29'));

@@ -40,7 +40,7 @@ fn row(one: &Marked) -> String {
         None => name,
     };
     let solved = if one.is_solved() { "<td class=\"yes\">yes" } else { "<td>no" };
-    let percent = if one.mark.is_some() { format!("{} %", one.percent()) } else { String::new() };
+    let percent = one.percent();
     let picture = match one.picture.is_empty() {
         true => String::new(),
         false => format!("<img alt=\"\" src=\"data:image/png;base64,{}\">", BASE64_STANDARD.encode(&one.picture)),

@@ -1,7 +1,7 @@
 //! Segments, compared up to place and size, within the rounding of the output.
 
 use super::{Check, LIMITS, MAX_SEGMENTS, Output, Verdict, candidates};
-use crate::fit::{Fit, Segment, extent, length};
+use crate::fit::{Fit, Segment, extent, in_space, length};
 use lsystem_drawing::{Drawing, Space, System, count_segments, draw, draw_solid};
 use lsystem_files::{SegmentFile, SegmentForm};
 use lsystem_syntax::{Diagnostic, LimitName};
@@ -67,12 +67,7 @@ fn segments_of(system: &System, n: u32) -> Result<Vec<Segment>, Diagnostic> {
         if drawing.segment_count() > u128::from(most) {
             return Err(Diagnostic::limit(LimitName::Segments, most, None));
         }
-        let point = |point: S::Point| {
-            let mut all = [0.0; 3];
-            all.iter_mut().zip(point.as_ref()).for_each(|(to, from)| *to = *from);
-            all
-        };
-        Ok(drawing.segments().map(|segment| [point(segment.from), point(segment.to)]).collect())
+        Ok(drawing.segments().map(|segment| [in_space(segment.from), in_space(segment.to)]).collect())
     }
     match system.is_solid() {
         true => read(&draw_solid(system, n, &LIMITS)?),
