@@ -1,5 +1,10 @@
 /** Copying to the clipboard. */
 
+import { setText } from './dom.js';
+
+/** How long a button shows “Copied”, in milliseconds. */
+const COPIED_MS = 2500;
+
 /**
  * Copies the text of a field. If the browser refuses, the text stays selected, so that a key can copy it.
  * @param {HTMLInputElement | HTMLTextAreaElement} field
@@ -29,3 +34,26 @@ export async function copyText(text) {
 
 /** The keys that copy a selection on this system. */
 export const copyKeys = () => (/Mac|iPhone|iPad/.test(navigator.userAgent) ? '⌘C' : 'Ctrl+C');
+
+/**
+ * Makes a button copy the text of a field, and tell so in its label.
+ * @param {HTMLButtonElement} copier with its label in a span
+ * @param {HTMLInputElement | HTMLTextAreaElement} field
+ * @param {string} what
+ * @param {(words: string, isAlert: boolean) => void} tell
+ */
+export function copies(copier, field, what, tell) {
+    const label = /** @type {Element} */ (copier.querySelector('span'));
+    const before = String(label.textContent);
+    let timer = 0;
+    copier.addEventListener('click', async () => {
+        const copied = await copyField(field);
+        tell(copied ? `${what} copied` : `The browser refuses clipboard access. The text is selected: press ${copyKeys()} to copy.`, !copied);
+        if (!copied) return;
+        copier.focus();
+        setText(label, 'Copied');
+        clearTimeout(timer);
+        timer = window.setTimeout(() => setText(label, before), COPIED_MS);
+    });
+    field.addEventListener('focus', () => field.select());
+}

@@ -143,8 +143,8 @@ export function readLink(hash, unpacked = null) {
     return { state, problems };
 }
 
-/** A value for a link. @param {string} value */
-export function escape(value) {
+/** @param {string} value */
+function escape(value) {
     // encodeURIComponent leaves A-Za-z0-9 - _ . ! ~ * ' ( ) as they are; chat programs cut links at a parenthesis.
     return encodeURIComponent(value)
         .replace(/[()]/g, (character) => (character === '(' ? '%28' : '%29'))

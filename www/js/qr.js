@@ -1,4 +1,4 @@
-/** QR codes as pictures. Pure functions. */
+/** QR codes as pictures. */
 
 /** The width of the light border that QR readers need, in modules. */
 const QUIET = 4;
@@ -24,4 +24,11 @@ export function qrPicture(modules) {
 export function qrFile(modules) {
     const { path, side } = qrPicture(modules);
     return `<svg xmlns="http://www.w3.org/2000/svg" width="${side * 8}" height="${side * 8}" viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path fill="#fff" d="M0 0h${side}v${side}H0z"/><path d="${path}"/></svg>\n`;
+}
+
+/** Shows a QR code in an SVG element with a path. @param {SVGSVGElement} picture @param {Uint8Array} modules */
+export function showQrPicture(picture, modules) {
+    const { path, side } = qrPicture(modules);
+    picture.setAttribute('viewBox', `0 0 ${side} ${side}`);
+    picture.querySelector('path')?.setAttribute('d', path);
 }

@@ -1,17 +1,15 @@
 /** The share dialog: the link, its QR code, and embed code for other pages. */
 
-import { copyField, copyKeys } from './copy.js';
+import { copies, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
 import { button, byId, closes, html, input, setChoice, setText, setValue } from './dom.js';
 import { bestLink, shortestLink } from './packed.js';
-import { qrFile, qrPicture } from './qr.js';
+import { qrFile, showQrPicture } from './qr.js';
 import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from './share-code.js';
 import { createPreview } from './share-preview.js';
 
 /** Some programs cut longer links, in characters. */
 const LONG = 2000;
-/** How long a button shows “Copied”, in milliseconds. */
-const COPIED_MS = 2500;
 
 /**
  * @param {import('./store.js').Store} store
@@ -116,33 +114,17 @@ export function createShare(store, engine) {
         button('save-qr').hidden = made === null;
         setText(html('qr-note'), words);
         if (!made) return;
-        const { path, side } = qrPicture(made);
-        for (const picture of pictures) {
-            picture.setAttribute('viewBox', `0 0 ${side} ${side}`);
-            picture.querySelector('path')?.setAttribute('d', path);
-        }
+        for (const picture of pictures) showQrPicture(picture, made);
     }
 
-    /** @param {HTMLButtonElement} copier @param {HTMLInputElement | HTMLTextAreaElement} field @param {string} what */
-    function copies(copier, field, what) {
-        const label = /** @type {Element} */ (copier.querySelector('span'));
-        const before = String(label.textContent);
-        let timer = 0;
-        copier.addEventListener('click', async () => {
-            const copied = await copyField(field);
-            setText(status, copied ? `${what} copied` : `The browser refuses clipboard access. The text is selected: press ${copyKeys()} to copy.`);
-            status.classList.toggle('alert', !copied);
-            if (!copied) return;
-            copier.focus();
-            setText(label, 'Copied');
-            clearTimeout(timer);
-            timer = window.setTimeout(() => setText(label, before), COPIED_MS);
-        });
-        field.addEventListener('focus', () => field.select());
+    /** @param {string} words @param {boolean} isAlert */
+    function tell(words, isAlert) {
+        setText(status, words);
+        status.classList.toggle('alert', isAlert);
     }
 
-    copies(button('copy-share'), link, 'Link');
-    copies(button('copy-code'), code, 'Code');
+    copies(button('copy-share'), link, 'Link', tell);
+    copies(button('copy-code'), code, 'Code', tell);
     for (const choice of [withView, theme, ...choices]) choice.addEventListener('change', refresh);
     size.addEventListener('change', () => {
         sides.forEach((field, at) => setValue(field, String(SIZES[size.value]?.[at] ?? field.value)));

@@ -1,8 +1,8 @@
 /** The dialog that makes an exercise of the shown system: what is given, what counts, and its link. */
 
-import { copyField, copyKeys } from '../copy.js';
+import { copies } from '../copy.js';
 import { button, byId, closes, html, input, make, setText, setValue } from '../dom.js';
-import { qrPicture } from '../qr.js';
+import { showQrPicture } from '../qr.js';
 import { frameCode } from '../share-code.js';
 import { definitionOf } from '../state.js';
 
@@ -12,8 +12,6 @@ import { definitionOf } from '../state.js';
 
 /** A change waits for a pause of this length before the link is made anew, in milliseconds. */
 const PAUSE = 200;
-/** How long a button shows “Copied”, in milliseconds. */
-const COPIED_MS = 2500;
 /** The size of an embedded exercise, in CSS pixels. */
 const SIZE = { width: 800, height: 640 };
 /** The most lines of rules with a choice of their own; further ones are to be found. */
@@ -110,27 +108,12 @@ export function createMaker(store, engine, tool) {
         const modules = await engine.qr(address).catch(() => null);
         if (own !== turn) return;
         qr.toggleAttribute('hidden', modules === null);
-        if (!modules) return;
-        const { path, side } = qrPicture(modules);
-        qr.setAttribute('viewBox', `0 0 ${side} ${side}`);
-        qr.querySelector('path')?.setAttribute('d', path);
+        if (modules) showQrPicture(qr, modules);
     }
 
-    /** @param {HTMLButtonElement} copier @param {HTMLInputElement | HTMLTextAreaElement} field @param {string} what */
-    function copies(copier, field, what) {
-        const words = String(copier.textContent);
-        copier.addEventListener('click', async () => {
-            const copied = await copyField(field);
-            setText(html('maker-status'), copied ? `${what} copied` : `The text is selected: press ${copyKeys()} to copy.`);
-            if (!copied) return;
-            setText(copier, 'Copied');
-            setTimeout(() => setText(copier, words), COPIED_MS);
-        });
-        field.addEventListener('focus', () => field.select());
-    }
-
-    copies(button('maker-copy'), link, 'Link');
-    copies(button('maker-copy-code'), code, 'Code');
+    const tell = (/** @type {string} */ words) => setText(html('maker-status'), words);
+    copies(button('maker-copy'), link, 'Link', tell);
+    copies(button('maker-copy-code'), code, 'Code', tell);
     dialog.addEventListener('input', () => {
         clearTimeout(timer);
         timer = window.setTimeout(refresh, PAUSE);

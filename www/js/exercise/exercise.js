@@ -91,6 +91,8 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     const link = () => answerLink(text, about, store.state, name.value);
 
     function follow() {
+        // What was wrong with the answer before says nothing about this one.
+        setText(html('mark-why'), '');
         clearTimeout(timer);
         timer = window.setTimeout(mark, PAUSE);
     }
@@ -98,7 +100,6 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     async function mark() {
         marking.abort();
         const own = (marking = new AbortController());
-        setText(html('mark-why'), '');
         try {
             const { mark, pixels } = await tool.call('mark', { text, student: definitionOf(store.state) }, { signal: own.signal });
             if (own !== marking) return;
