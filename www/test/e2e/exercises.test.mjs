@@ -110,6 +110,8 @@ test('an exercise is made in the share dialog, and hides what is to be found', (
         const link = await until(async () => { const now = await page.inputValue('#maker-link'); return now !== before ? now : ''; }, 'a new link');
         assert.ok(!/FF|%5B|X%20/.test(link));
         await page.waitForSelector('#maker-qr:visible');
+        // A stroke around the modules would fill the gaps between them.
+        assert.equal(await page.locator('#maker-qr path').evaluate((path) => getComputedStyle(path).stroke), 'none');
         assert.match(await page.inputValue('#maker-code'), /^<iframe src="[^"]*exercise\.html#v=1&amp;x=/);
         await page.goto(link);
         await page.waitForSelector('#mark:visible');
