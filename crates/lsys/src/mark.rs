@@ -15,7 +15,7 @@ struct Marked {
     answer: Answer,
     /// `None` if there is nothing to mark.
     mark: Option<Mark>,
-    /// What is said about the answer.
+    /// The remark in the table.
     words: String,
     /// The differences from the target, for pages: a PNG.
     picture: Vec<u8>,

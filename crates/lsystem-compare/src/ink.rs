@@ -76,8 +76,8 @@ impl Mask {
         if a + b == 0.0 { 0.0 } else { 2.0 * a * b / (a + b) }
     }
 
-    /// For each pixel, row by row from above: bit 0 where the target has ink that the picture does not miss by more
-    /// than a pixel, bit 1 where ink of the target is missing, bit 2 where ink is too much.
+    /// A code for each pixel, row by row from above: 1 for ink of both within one pixel, 2 for ink of the target only, 4
+    /// for ink of this picture only, 0 for none.
     pub(crate) fn compared(&self, target: &Self) -> Vec<u8> {
         let (near_target, near_own) = (target.grown(), self.grown());
         let mut pixels = vec![0; SIDE * SIDE];

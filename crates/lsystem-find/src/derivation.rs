@@ -171,7 +171,7 @@ impl Search {
     pub fn step(&mut self, work: usize) -> Searched {
         let mut left = work as u64;
         while left > 0 {
-            // The task with the least cost so far: a letter more makes the same work dearer.
+            // The cheapest task so far. Each further letter multiplies the cost of a step by 4.
             let open = self.tasks.iter_mut().filter(|task| task.round <= task.problem.most);
             let Some(task) = open.min_by_key(|task| task.spent << (2 * task.size)) else { return Searched::All };
             let share = left.min(SHARE);
@@ -221,7 +221,7 @@ impl Task {
     fn advance(&mut self) -> Advance {
         let Some(&Level { of, at, depth }) = self.state.stack.last() else {
             let is_whole = self.state.read == self.problem.text.len();
-            // Every round takes exactly its number of symbols, so nothing is found twice.
+            // A round uses exactly `round` symbols, so no rules are found twice.
             let found = (is_whole && self.state.used == self.round && self.uses_all()).then(|| self.rules());
             let next = self.back();
             let is_over = matches!(next, Advance::Done);

@@ -5,7 +5,7 @@ use crate::process::Process;
 /// The expected number and its standard deviation in each generation.
 pub(crate) fn moments(process: &Process, weights: &[u32], most: usize) -> Vec<[f64; 2]> {
     let axiom = || process.axiom.iter().map(|&count| f64::from(count));
-    // Of what one letter becomes.
+    // By letter: the mean and the variance of what one letter becomes.
     let mut mean: Vec<f64> = weights.iter().map(|&weight| f64::from(weight)).collect();
     let mut variance = vec![0.0; process.letters()];
     let mut all = Vec::with_capacity(most + 1);

@@ -1,6 +1,6 @@
 /**
- * What the playground has for courses, loaded when it is first needed: its buttons wait for the first click, and the
- * part on growth until it is opened.
+ * Loads what the playground has for courses when it is first needed: at the first click on one of its buttons, or when
+ * the part on growth is opened.
  */
 
 import { toast } from '../announce.js';
