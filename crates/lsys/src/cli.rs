@@ -96,11 +96,12 @@ pub(crate) enum Verb {
         #[command(flatten)]
         changes: Changes,
     },
-    /// Find the shortest rules that derive a string
+    /// Find the shortest rules that derive a string or draw a picture
     ///
     /// The rules are deterministic and without neighbours or parameters. Without -n, 1 to 8 steps are tried.
+    /// Pictures are PNG files of lines. Their angle and heading may be left out: the usual angles are tried, all upwards.
     Find {
-        /// The string, or a file with it; - for standard input
+        /// The string, or a file with it, or a picture; - for standard input
         #[arg(allow_hyphen_values = true, value_hint = ValueHint::FilePath)]
         text: String,
         #[arg(long, allow_hyphen_values = true, help = "What the derivation begins with")]
@@ -108,9 +109,18 @@ pub(crate) enum Verb {
         /// Derivation steps, 1 to 30
         #[arg(short = 'n', long, value_name = "N", value_parser = |text: &str| whole(text, 30))]
         iterations: Option<u32>,
-        /// Symbols without rules
+        /// Symbols without rules, for strings
         #[arg(long, default_value = "+-[]", allow_hyphen_values = true)]
         constants: String,
+        /// Degrees of a turn, for pictures
+        #[arg(long, value_name = "DEGREES")]
+        angle: Option<f64>,
+        /// First heading in degrees, counter-clockwise from the right, for pictures
+        #[arg(long, value_name = "DEGREES", default_value = "90", allow_hyphen_values = true)]
+        heading: f64,
+        /// Seconds to search a picture
+        #[arg(long, value_name = "S", default_value = "20")]
+        seconds: u32,
         /// Print JSON
         #[arg(long)]
         json: bool,

@@ -1,4 +1,6 @@
-//! `lsys find`: the rules of a string.
+//! `lsys find`: the rules of a string or a picture.
+
+mod picture;
 
 use crate::{CommandFailure, input, print};
 use lsystem::find::{Found, Search, Searched};
@@ -35,9 +37,13 @@ pub(crate) struct Known {
     pub(crate) axiom: String,
     pub(crate) n: Option<u32>,
     pub(crate) constants: String,
+    /// In degrees.
+    pub(crate) angle: Option<f64>,
+    pub(crate) heading: f64,
+    pub(crate) seconds: u32,
 }
 
-/// Finds rules that derive the string in a file, or the string itself.
+/// Finds rules that derive the string in a file, or the string itself, or that draw the picture in a file.
 ///
 /// # Errors
 /// [`CommandFailure::Said`] if none are found; [`CommandFailure::Words`] if the string cannot be searched.
@@ -46,6 +52,9 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
     let text = match wanted == "-" || path.is_file() {
         true => {
             let bytes = input::output_of(path).map_err(|error| CommandFailure::io(wanted, &error))?;
+            if picture::is_picture(&bytes) {
+                return picture::find(wanted, &bytes, known, json);
+            }
             String::from_utf8(bytes).map_err(|_| CommandFailure::Words(format!("{wanted}: this is no text")))?
         }
         false => wanted.to_owned(),

@@ -13,8 +13,8 @@ const ROW: usize = SIDE / 64;
 const LIGHT: u8 = 180;
 
 /// Which pixels have ink, row by row from above. Bit `x % 64` of word `x / 64` is the pixel at `x`.
-#[derive(Clone, PartialEq)]
-pub(crate) struct Mask(Box<[[u64; ROW]; SIDE]>);
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mask(Box<[[u64; ROW]; SIDE]>);
 
 /// A picture in the making, as a mask.
 pub(crate) struct Tracing {
@@ -49,7 +49,7 @@ impl Tracing {
         let mut mask = Mask::default();
         for (at, pixel) in self.renderer.pixels().chunks_exact(4).take(SIDE * SIDE).enumerate() {
             if pixel[0] < LIGHT {
-                mask.0[at / SIDE][at % SIDE / 64] |= 1 << (at % 64);
+                mask.put(at % SIDE, at / SIDE);
             }
         }
         mask
@@ -65,7 +65,8 @@ impl Default for Mask {
 impl Mask {
     /// The part of the ink of both that has ink of the other within one pixel in each direction: the harmonic mean of
     /// both parts, from 0 to 1. 1 if both are empty.
-    pub(crate) fn agreement(&self, other: &Self) -> f64 {
+    #[must_use]
+    pub fn agreement(&self, other: &Self) -> f64 {
         let (own, others) = (self.count(), other.count());
         if own + others == 0 {
             return 1.0;
@@ -83,11 +84,10 @@ impl Mask {
         let mut pixels = vec![0; SIDE * SIDE];
         for (at, pixel) in pixels.iter_mut().enumerate() {
             let (y, x) = (at / SIDE, at % SIDE);
-            let has = |mask: &Self| mask.0[y][x / 64] >> (x % 64) & 1 == 1;
-            *pixel = match (has(target), has(self)) {
-                (true, _) if has(&near_own) => 1,
+            *pixel = match (target.has(x, y), self.has(x, y)) {
+                (true, _) if near_own.has(x, y) => 1,
                 (true, _) => 2,
-                (false, true) if has(&near_target) => 1,
+                (false, true) if near_target.has(x, y) => 1,
                 (false, true) => 4,
                 (false, false) => 0,
             };
@@ -101,14 +101,14 @@ impl Mask {
         for y in 0..SIDE {
             for x in 0..SIDE {
                 let from = if is_mirrored { SIDE - 1 - x } else { x };
-                if self.0[y][from / 64] >> (from % 64) & 1 == 1 {
+                if self.has(from, y) {
                     let (x, y) = match quarters % 4 {
                         0 => (x, y),
                         1 => (y, SIDE - 1 - x),
                         2 => (SIDE - 1 - x, SIDE - 1 - y),
                         _ => (SIDE - 1 - y, x),
                     };
-                    turned.0[y][x / 64] |= 1 << (x % 64);
+                    turned.put(x, y);
                 }
             }
         }
@@ -119,7 +119,20 @@ impl Mask {
         self.count() == 0
     }
 
-    fn count(&self) -> u64 {
+    /// Gives the pixel ink. `x` and `y` are less than [`SIDE`], from the upper left corner.
+    pub fn put(&mut self, x: usize, y: usize) {
+        self.0[y][x / 64] |= 1 << (x % 64);
+    }
+
+    /// Whether the pixel has ink. `x` and `y` are less than [`SIDE`], from the upper left corner.
+    #[must_use]
+    pub fn has(&self, x: usize, y: usize) -> bool {
+        self.0[y][x / 64] >> (x % 64) & 1 == 1
+    }
+
+    /// The number of pixels with ink.
+    #[must_use]
+    pub fn count(&self) -> u64 {
         self.0.as_flattened().iter().map(|word| u64::from(word.count_ones())).sum()
     }
 
@@ -130,7 +143,8 @@ impl Mask {
     }
 
     /// The pixels with ink and their eight neighbours.
-    fn grown(&self) -> Self {
+    #[must_use]
+    pub fn grown(&self) -> Self {
         let mut wide = self.clone();
         for (row, from) in wide.0.iter_mut().zip(self.0.iter()) {
             for at in 0..ROW {
@@ -157,7 +171,7 @@ mod tests {
 
     fn dots(places: &[(usize, usize)]) -> Mask {
         let mut mask = Mask::default();
-        places.iter().for_each(|&(x, y)| mask.0[y][x / 64] |= 1 << (x % 64));
+        places.iter().for_each(|&(x, y)| mask.put(x, y));
         mask
     }
 

@@ -3,10 +3,20 @@
 //! The search reads the string from left to right while it derives from the axiom, leftmost first. Each symbol of the
 //! string decides the next symbol of a rule, or that a rule ends: only there the search has a choice. Rules with fewer
 //! symbols come first.
+//!
+//! The rules of a picture are found by trying: all systems of some families, the shortest first. The convex hull of a
+//! system's drawing is found without drawing it; only where it is that of the picture, the strokes are laid on the ink.
 
 mod derivation;
+mod drawn;
+mod hull;
+mod picture;
+mod strokes;
+mod words;
 
 pub use derivation::{Search, Searched};
+pub use drawn::{Drawn, FOUND, Known, PictureSearch, keep};
+pub use picture::Picture;
 
 use lsystem_syntax::print_module;
 

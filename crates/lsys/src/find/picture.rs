@@ -1,0 +1,166 @@
+//! The rules of a picture, searched with all cores.
+
+use super::{Known, MAX_LISTED, STEPS};
+use crate::{CommandFailure, print};
+use lsystem::find::{Drawn, FOUND, Known as PictureKnown, Picture, PictureSearch, Searched, keep};
+use serde::Serialize;
+use std::io::Cursor;
+use std::sync::Arc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// The angles that are tried where none is known: those of the field's books.
+const ANGLES: [f64; 14] = [90.0, 60.0, 120.0, 45.0, 30.0, 36.0, 72.0, 22.5, 25.0, 20.0, 25.7, 15.0, 18.0, 85.0];
+/// The systems that are tried between two looks at the clock.
+const SHARE: u64 = 4096;
+/// The most pixels of a picture.
+const MAX_PIXELS: usize = 100 << 20;
+/// After the first find the search goes on for so many times as long, for other systems as short.
+const LONGER: u32 = 1;
+/// And at least so long.
+const AT_LEAST: Duration = Duration::from_millis(300);
+
+/// What was found, as JSON.
+#[derive(Serialize)]
+struct Answer {
+    candidates: Vec<Candidate>,
+    searched: String,
+}
+
+#[derive(Serialize)]
+struct Candidate {
+    axiom: String,
+    n: u32,
+    angle: f64,
+    rules: Vec<String>,
+    draws: String,
+    symbols: usize,
+    agreement: f64,
+}
+
+pub(super) fn is_picture(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\x89PNG\r\n\x1a\n")
+}
+
+/// Finds the rules that draw a picture.
+///
+/// # Errors
+/// [`CommandFailure::Said`] if none are found; [`CommandFailure::Words`] if the picture cannot be searched.
+pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Result<(), CommandFailure> {
+    let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
+    let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
+    let picture = Arc::new(Picture::new(&grey, width, height).map_err(said)?);
+    let angles = known.angle.map_or(ANGLES.to_vec(), |angle| vec![angle]);
+    let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
+    let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get) as u64;
+    let mut parts = Vec::new();
+    for part in 0..cores {
+        let search = |&angle: &f64| {
+            let (axiom, steps) = (known.axiom.clone(), steps.clone());
+            let known = PictureKnown { axiom, angle, heading: known.heading, steps };
+            PictureSearch::new(picture.clone(), known, (part, cores))
+        };
+        parts.push(angles.iter().map(search).collect::<Result<Vec<_>, _>>().map_err(said)?);
+    }
+    let limit = Duration::from_secs(known.seconds.into());
+    let parts: Vec<Vec<PictureSearch>> = thread::scope(|scope| {
+        let running: Vec<_> = parts.into_iter().map(|part| scope.spawn(move || searched(part, limit))).collect();
+        running.into_iter().filter_map(|part| part.join().ok()).collect()
+    });
+    let mut kept = Vec::new();
+    parts.iter().flatten().flat_map(PictureSearch::found).for_each(|drawn| keep(&mut kept, drawn.clone()));
+    let is_found = kept.first().is_some_and(|drawn: &Drawn| drawn.agreement >= FOUND);
+    kept.retain(|drawn| !is_found || drawn.agreement >= FOUND);
+    kept.truncate(MAX_LISTED);
+    let searched = searched_words(&angles, &steps, &parts);
+    print(|out| match json {
+        true => {
+            let candidates = kept.iter().map(|one| Candidate {
+                axiom: known.axiom.clone(),
+                n: one.found.n,
+                angle: one.angle,
+                rules: one.found.text().lines().map(str::to_owned).collect(),
+                draws: one.draws.clone(),
+                symbols: one.found.symbols(),
+                agreement: (one.agreement * 1e4).round() / 1e4,
+            });
+            let answer = Answer { candidates: candidates.collect(), searched: searched.clone() };
+            writeln!(out, "{}", serde_json::to_string_pretty(&answer)?)
+        }
+        false => {
+            if !is_found && !kept.is_empty() {
+                writeln!(out, "None draws this picture. The closest:\n")?;
+            }
+            for one in &kept {
+                let Drawn { found, draws, angle, agreement } = one;
+                let (text, n, symbols, axiom) = (found.text(), found.n, found.symbols(), &known.axiom);
+                let steps = if n == 1 { "step" } else { "steps" };
+                writeln!(
+                    out,
+                    "{text}\n  after {n} {steps} from {axiom} with {angle}°; {draws} draws; {symbols} symbols; {:.1} % of the ink agrees\n",
+                    agreement * 100.0
+                )?;
+            }
+            let none = if kept.is_empty() { "Nothing found. " } else { "" };
+            writeln!(out, "{none}Searched: {searched}.")
+        }
+    })?;
+    if is_found { Ok(()) } else { Err(CommandFailure::Said) }
+}
+
+/// Searches all angles in turn until one is found, and a while longer.
+fn searched(mut searches: Vec<PictureSearch>, limit: Duration) -> Vec<PictureSearch> {
+    let begin = Instant::now();
+    let mut end = limit;
+    loop {
+        let mut is_all = true;
+        for search in &mut searches {
+            is_all &= search.step(SHARE) == Searched::All;
+            let is_found = search.found().first().is_some_and(|drawn| drawn.agreement >= FOUND);
+            if is_found && end == limit {
+                end = limit.min(begin.elapsed() * (1 + LONGER) + AT_LEAST);
+            }
+            if begin.elapsed() >= end {
+                return searches;
+            }
+        }
+        if is_all {
+            return searches;
+        }
+    }
+}
+
+/// Up to how many symbols everything was searched.
+fn searched_words(angles: &[f64], steps: &[u32], parts: &[Vec<PictureSearch>]) -> String {
+    let list = |values: Vec<String>| values.join(", ");
+    let mut least = parts.first().and_then(|part| part.first()).map_or(Vec::new(), PictureSearch::searched);
+    for search in parts.iter().flatten() {
+        least.iter_mut().zip(search.searched()).for_each(|(least, (_, most))| least.1 = least.1.min(most));
+    }
+    let families = least.iter().map(|(name, most)| format!("{name} up to {most} symbols")).collect::<Vec<_>>().join("; ");
+    let angles = list(angles.iter().map(|angle| format!("{angle}°")).collect());
+    let steps = list(steps.iter().map(u32::to_string).collect());
+    format!("angle {angles}; n = {steps}: {families}")
+}
+
+/// The levels of grey of a PNG on white, with its width and height.
+fn grey(bytes: &[u8]) -> Result<(Vec<u8>, usize, usize), String> {
+    let mut decoder = png::Decoder::new(Cursor::new(bytes));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
+    let size = reader.output_buffer_size().filter(|&size| size <= 4 * MAX_PIXELS);
+    let mut pixels = vec![0; size.ok_or("the picture has too many pixels")?];
+    let frame = reader.next_frame(&mut pixels).map_err(|error| error.to_string())?;
+    let channels = frame.color_type.samples();
+    let grey = pixels[..frame.buffer_size()].chunks_exact(channels).map(|pixel| {
+        let [red, green, blue, alpha] = match *pixel {
+            [grey] => [grey, grey, grey, 255],
+            [grey, alpha] => [grey, grey, grey, alpha],
+            [red, green, blue] => [red, green, blue, 255],
+            _ => [pixel[0], pixel[1], pixel[2], pixel[3]],
+        };
+        let light = (u32::from(red) * 299 + u32::from(green) * 587 + u32::from(blue) * 114) / 1000;
+        ((light * u32::from(alpha) + 255 * (255 - u32::from(alpha))) / 255) as u8
+    });
+    Ok((grey.collect(), frame.width as usize, frame.height as usize))
+}

@@ -1,0 +1,338 @@
+//! The search for the rules of a picture.
+
+use crate::Found;
+use crate::Searched;
+use crate::hull::{Hulls, System, Target};
+use crate::picture::Picture;
+use crate::strokes::Strokes;
+use crate::words::{Alphabet, Symbol, Words};
+use std::sync::Arc;
+
+/// From this agreement on a system is told as found.
+pub const FOUND: f64 = 0.985;
+/// A system that agrees less is not kept.
+const NEAR: f64 = 0.8;
+/// The most systems that are kept.
+const MAX_KEPT: usize = 20;
+/// The most symbols of the successors.
+const MAX_SYMBOLS: usize = 24;
+/// The most symbols of the axiom, and the most derivation steps.
+const MAX_AXIOM: usize = 200;
+const MAX_STEPS: u32 = 12;
+/// A family tries so many systems before another one is looked at.
+const SHARE: u64 = 256;
+/// Other letters that draw, and letters that do not.
+const DRAWN: [char; 2] = ['F', 'G'];
+const UNDRAWN: [char; 2] = ['X', 'Y'];
+
+/// What is known of a picture's system.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    /// Letters, turns and branches.
+    pub axiom: String,
+    /// In degrees.
+    pub angle: f64,
+    /// The first heading, in degrees counter-clockwise from the right.
+    pub heading: f64,
+    /// The numbers of derivation steps to try, in ascending order.
+    pub steps: Vec<u32>,
+}
+
+/// A system that draws the picture, or nearly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// Its rules and the number of derivation steps.
+    pub found: Found,
+    /// The letters that draw.
+    pub draws: String,
+    /// In degrees.
+    pub angle: f64,
+    /// How much of the ink agrees, from 0 to 1.
+    pub agreement: f64,
+}
+
+/// A search for the rules of a picture, in steps. It can be dropped at any time.
+///
+/// Each family of systems is searched by itself, with one symbol more in each round, so its shortest systems are found
+/// first.
+#[derive(Clone, Debug)]
+pub struct PictureSearch {
+    picture: Arc<Picture>,
+    target: Target,
+    known: Known,
+    families: Vec<Family>,
+    hulls: Hulls,
+    kept: Vec<Drawn>,
+    /// Which of how many searches beside each other this one is.
+    part: (u64, u64),
+}
+
+/// How the rule of a letter is found.
+#[derive(Clone, Debug, PartialEq)]
+enum Rule {
+    /// All successors are tried.
+    Free,
+    Fixed(Vec<Symbol>),
+    /// The successor of the first letter with both letters exchanged, as a mirror shows it; also from its end.
+    Mirrored { is_reversed: bool },
+}
+
+/// Systems with the same letters.
+#[derive(Clone, Debug)]
+struct Family {
+    name: String,
+    letters: Vec<(char, bool, Rule)>,
+    axiom: Vec<Symbol>,
+    alphabet: Alphabet,
+    /// The symbols of all free successors in this round.
+    round: usize,
+    /// The successors of the free letters.
+    words: Vec<Words>,
+    tried: u64,
+}
+
+impl PictureSearch {
+    /// `part` is which of how many searches beside each other this one is, such as (0, 1).
+    ///
+    /// # Errors
+    /// Why this cannot be searched.
+    pub fn new(picture: Arc<Picture>, known: Known, part: (u64, u64)) -> Result<Self, &'static str> {
+        if !(known.angle >= 0.01 && known.angle <= 360.0 && known.heading.is_finite()) {
+            return Err("an angle from 0.01 to 360 degrees is expected");
+        }
+        if known.steps.is_empty() || known.steps.iter().any(|&n| n == 0 || n > MAX_STEPS) {
+            return Err("1 to 12 derivation steps are expected");
+        }
+        let target = Target::new(&picture, known.angle, known.heading);
+        let families = families(&known.axiom, target.headings.order())?;
+        Ok(Self { picture, target, known, families, hulls: Hulls::default(), kept: Vec::new(), part })
+    }
+
+    /// Tries about `systems` systems.
+    pub fn step(&mut self, systems: u64) -> Searched {
+        for _ in 0..systems.div_ceil(SHARE) {
+            let open = self.families.iter().enumerate().filter(|(_, family)| family.round <= MAX_SYMBOLS);
+            let Some((at, _)) = open.min_by_key(|(_, family)| family.tried) else { return Searched::All };
+            for _ in 0..SHARE {
+                if self.families[at].round > MAX_SYMBOLS {
+                    break;
+                }
+                self.families[at].advance();
+                if self.families[at].tried % self.part.1 == self.part.0 {
+                    self.test(at);
+                }
+            }
+        }
+        Searched::More
+    }
+
+    /// The systems that draw the picture or nearly do, best first.
+    #[must_use]
+    pub fn found(&self) -> &[Drawn] {
+        &self.kept
+    }
+
+    /// What was searched: each family, and up to how many symbols of its successors.
+    #[must_use]
+    pub fn searched(&self) -> Vec<(String, usize)> {
+        self.families.iter().map(|family| (family.name.clone(), family.round - 1)).collect()
+    }
+
+    /// Compares the present system of a family with the picture.
+    fn test(&mut self, at: usize) {
+        let family = &self.families[at];
+        let Some(words) = family.successors() else { return };
+        let draws: Vec<bool> = family.letters.iter().map(|(_, draws, _)| *draws).collect();
+        let system = System { alphabet: family.alphabet, axiom: &family.axiom, words: &words, draws: &draws };
+        let (target, picture) = (&self.target, &self.picture);
+        let mut best: Option<(f64, u32)> = None;
+        self.hulls.search(target, system, &self.known.steps, |hulls, n, fit| {
+            let Some(strokes) = Strokes::on_ink(system, &hulls.levels, n, target, picture, fit) else { return };
+            let agreement = strokes.agreement(target, picture, fit);
+            if agreement >= NEAR && best.is_none_or(|(most, _)| agreement > most) {
+                best = Some((agreement, n));
+            }
+        });
+        let Some((agreement, n)) = best else { return };
+        let text = |word: &[Symbol]| word.iter().map(|&symbol| family.character(symbol)).collect::<String>();
+        let is_constant = |at: usize| words[at] == [at as Symbol];
+        let rules = (0..words.len()).filter(|&at| !is_constant(at)).map(|at| (family.letters[at].0, text(&words[at]))).collect();
+        let draws = family.letters.iter().filter(|(_, draws, _)| *draws).map(|(letter, ..)| *letter).collect();
+        keep(&mut self.kept, Drawn { found: Found { rules, n }, draws, angle: self.known.angle, agreement });
+    }
+}
+
+/// Adds a system to those that are kept, best first.
+pub fn keep(kept: &mut Vec<Drawn>, drawn: Drawn) {
+    if kept.iter().any(|other| other.found == drawn.found && other.draws == drawn.draws && other.angle == drawn.angle) {
+        return;
+    }
+    kept.push(drawn);
+    kept.sort_by(|a, b| {
+        let found = |drawn: &Drawn| drawn.agreement >= FOUND;
+        let by_size = a.found.symbols().cmp(&b.found.symbols());
+        let by_agreement = b.agreement.total_cmp(&a.agreement);
+        let order = if found(a) { by_size.then(by_agreement) } else { by_agreement.then(by_size) };
+        found(b).cmp(&found(a)).then(order).then_with(|| a.found.text().cmp(&b.found.text()))
+    });
+    kept.truncate(MAX_KEPT);
+}
+
+impl Family {
+    fn character(&self, symbol: Symbol) -> char {
+        match self.letters.get(usize::from(symbol)) {
+            Some((letter, ..)) => *letter,
+            None => ['+', '-', '[', ']'][usize::from(symbol - self.alphabet.letters)],
+        }
+    }
+
+    /// Goes to the next system. The last word changes first, as the last digit of a number does.
+    fn advance(&mut self) {
+        self.tried += 1;
+        while self.round <= MAX_SYMBOLS {
+            let last = self.words.len() - 1;
+            if self.words[last].advance() {
+                return;
+            }
+            if last > 0 && self.words[0].advance() {
+                self.words[last] = self.words[last].again();
+            } else {
+                self.share();
+            }
+        }
+    }
+
+    /// Moves one symbol from the second word to the first one, or begins the next round.
+    fn share(&mut self) {
+        let first = match &self.words[..] {
+            [first, second] if second.length() > 1 => first.length() + 1,
+            _ => {
+                self.round += 1;
+                1
+            }
+        };
+        self.words = match self.letters.iter().filter(|(_, _, rule)| *rule == Rule::Free).count() {
+            1 => vec![Words::new(self.alphabet, self.round)],
+            _ => vec![Words::new(self.alphabet, first), Words::new(self.alphabet, self.round.saturating_sub(first))],
+        };
+        if let [first, _] = &mut self.words[..] {
+            first.advance();
+        }
+    }
+
+    /// The successors of all letters, if the system is worth a try: all letters with rules that are searched are used.
+    fn successors(&self) -> Option<Vec<Vec<Symbol>>> {
+        let mut free = self.words.iter();
+        let first = self.words.first()?.word();
+        let abc = self.alphabet;
+        let mut all = Vec::new();
+        for (at, (_, _, rule)) in self.letters.iter().enumerate() {
+            all.push(match rule {
+                Rule::Free => free.next()?.word().to_vec(),
+                Rule::Fixed(word) => word.clone(),
+                Rule::Mirrored { is_reversed } => {
+                    let swap = |&symbol: &Symbol| match symbol {
+                        0 => 1,
+                        1 => 0,
+                        turn if turn == abc.left() => abc.right(),
+                        turn if turn == abc.right() => abc.left(),
+                        other => other,
+                    };
+                    match is_reversed {
+                        true => first.iter().rev().map(swap).collect(),
+                        false => first.iter().map(swap).collect(),
+                    }
+                }
+            });
+            let is_used = self.axiom.contains(&(at as Symbol)) || first.contains(&(at as Symbol));
+            if !is_used {
+                return None;
+            }
+        }
+        // A letter that becomes itself is no rule, and another family has it.
+        let is_idle = |at: usize| all[at].len() == 1 && self.letters[at].2 == Rule::Free;
+        (!(0..all.len()).any(is_idle)).then_some(all)
+    }
+}
+
+/// The families of systems with an axiom.
+fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
+    let mut letters: Vec<char> = Vec::new();
+    for symbol in axiom.chars().filter(|symbol| !symbol.is_whitespace()) {
+        match symbol {
+            '+' | '-' | '[' | ']' => {}
+            _ if symbol.is_ascii_alphabetic() && !letters.contains(&symbol) => letters.push(symbol),
+            _ if symbol.is_ascii_alphabetic() => {}
+            _ => return Err("an axiom of letters, turns + and -, and branches [ ] is expected"),
+        }
+    }
+    let depths = axiom.chars().scan(0, |depth, at| {
+        *depth += i32::from(at == '[') - i32::from(at == ']');
+        Some(*depth)
+    });
+    if depths.clone().any(|depth| depth < 0) || depths.last() != Some(0) || axiom.len() > MAX_AXIOM {
+        return Err("an axiom of at most 200 symbols whose branches are closed is expected");
+    }
+    let other = |names: [char; 2]| names.into_iter().find(|name| !letters.contains(name)).unwrap_or('Z');
+    let (drawn, undrawn) = (other(DRAWN), other(UNDRAWN));
+    let mut families = Vec::new();
+    let mut add = |name: String, letters: Vec<(char, bool, Rule)>, has_branches: bool| {
+        let alphabet = Alphabet { letters: letters.len() as u8, has_branches, order };
+        let symbol = |at: char| match letters.iter().position(|(letter, ..)| *letter == at) {
+            Some(letter) => letter as Symbol,
+            None => alphabet.letters + "+-[]".find(at).unwrap_or(0) as Symbol,
+        };
+        let axiom = axiom.chars().filter(|at| !at.is_whitespace()).map(symbol).collect();
+        families.push(Family { name, letters, axiom, alphabet, round: 1, words: vec![Words::new(alphabet, 0)], tried: 0 });
+    };
+    let (constant, doubled) = (|at| Rule::Fixed(vec![at]), |at| Rule::Fixed(vec![at, at]));
+    match letters[..] {
+        [a] => {
+            if DRAWN.contains(&a) || !UNDRAWN.contains(&a) {
+                add(format!("one rule for {a}"), vec![(a, true, Rule::Free)], true);
+                for is_reversed in [false, true] {
+                    let from = if is_reversed { " from its end" } else { "" };
+                    let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Mirrored { is_reversed })];
+                    add(format!("a rule for {a} and its mirror image{from} for {drawn}"), pair, false);
+                }
+                let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Free)];
+                add(format!("rules for {a} and {drawn}"), pair, true);
+            }
+            if !DRAWN.contains(&a) {
+                for draws in [false, true] {
+                    let kind = if draws { ", which draws" } else { "" };
+                    let pair = vec![(a, draws, Rule::Free), (drawn, true, doubled(1))];
+                    add(format!("{drawn} -> {drawn}{drawn} and a rule for {a}{kind}"), pair, true);
+                    let pair = vec![(a, draws, Rule::Free), (drawn, true, constant(1))];
+                    add(format!("a rule for {a}{kind}, with {drawn}"), pair, true);
+                }
+                let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Free)];
+                add(format!("rules for {a} and {drawn}, {a} without drawing"), pair, true);
+                for is_reversed in [false, true] {
+                    let from = if is_reversed { " from its end" } else { "" };
+                    let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
+                    let three = vec![(a, false, Rule::Free), mirrored, (drawn, true, constant(2))];
+                    add(format!("a rule for {a} and its mirror image{from} for {undrawn}, with {drawn}"), three, false);
+                }
+            }
+        }
+        [a, b] => {
+            let (f, x) = if DRAWN.contains(&b) { (b, a) } else { (a, b) };
+            let draws = DRAWN.contains(&x);
+            let pair = |rule: Rule| vec![(x, draws, Rule::Free), (f, true, rule)];
+            add(format!("a rule for {x}, with {f}"), pair(constant(1)), true);
+            add(format!("{f} -> {f}{f} and a rule for {x}"), pair(doubled(1)), true);
+            add(format!("rules for {f} and {x}"), pair(Rule::Free), true);
+            if !draws {
+                for is_reversed in [false, true] {
+                    let from = if is_reversed { " from its end" } else { "" };
+                    let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
+                    let three = vec![(x, false, Rule::Free), mirrored, (f, true, constant(2))];
+                    add(format!("a rule for {x} and its mirror image{from} for {undrawn}, with {f}"), three, false);
+                }
+            }
+        }
+        _ => return Err("an axiom with one or two letters is expected"),
+    }
+    Ok(families)
+}

@@ -1,0 +1,144 @@
+//! A picture as ink: which pixels are drawn on, and how far the ink reaches in each direction.
+
+use lsystem_compare::{Mask, SIDE};
+
+/// The pixels around the ink.
+const MARGIN: usize = 4;
+/// A picture whose ink covers more than this part of its hull shows no lines.
+const MOST_COVERED: f64 = 0.85;
+/// The directions of the hull whose area is measured.
+const DIRECTIONS: usize = 360;
+
+/// A picture of lines.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    pub(crate) mask: Mask,
+    /// The ink and the pixels within two of it.
+    pub(crate) near: Mask,
+    /// The places of the ink at the outline of each row, with the y axis upwards.
+    outline: Vec<[f64; 2]>,
+}
+
+impl Picture {
+    /// A picture of `width` times `height` levels of grey, row by row from above; 0 is black. The lines are what there is
+    /// less of, dark or light.
+    ///
+    /// # Errors
+    /// Why no lines are seen.
+    pub fn new(grey: &[u8], width: usize, height: usize) -> Result<Self, &'static str> {
+        if width == 0 || height == 0 || grey.len() != width * height {
+            return Err("the picture is empty");
+        }
+        let level = threshold(grey);
+        let dark = grey.iter().filter(|&&at| at <= level).count();
+        let is_dark = dark * 2 <= grey.len();
+        let is_ink = |x: usize, y: usize| (grey[y * width + x] <= level) == is_dark;
+        let all = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).filter(|&(x, y)| is_ink(x, y));
+        let [mut left, mut top, mut right, mut bottom] = [usize::MAX, usize::MAX, 0, 0];
+        for (x, y) in all() {
+            (left, right) = (left.min(x), right.max(x));
+            (top, bottom) = (top.min(y), bottom.max(y));
+        }
+        if left == usize::MAX || grey.iter().all(|&at| at == grey[0]) {
+            return Err("the picture has one shade of grey only");
+        }
+        let longest = (right - left + 1).max(bottom - top + 1);
+        let side = SIDE - 2 * MARGIN;
+        let scale = (longest as f64 / side as f64).max(1.0);
+        let mut mask = Mask::default();
+        for (x, y) in all() {
+            let at = |value: usize, first: usize| ((value - first) as f64 / scale) as usize + MARGIN;
+            mask.put(at(x, left).min(SIDE - 1), at(y, top).min(SIDE - 1));
+        }
+        let picture = Self::of(mask);
+        if picture.mask.count() as f64 > picture.hull_area() * MOST_COVERED {
+            return Err("the picture is filled: no lines are seen in it");
+        }
+        Ok(picture)
+    }
+
+    fn of(mask: Mask) -> Self {
+        let mut outline = Vec::new();
+        for y in 0..SIDE {
+            let inked = |x: &usize| mask.has(*x, y);
+            if let (Some(first), Some(last)) = ((0..SIDE).find(inked), (0..SIDE).rfind(inked)) {
+                // The corners of the pixels, less a quarter for corners that stick out.
+                for x in [first, last] {
+                    outline.push([x as f64 + 0.5, -(y as f64 + 0.5)]);
+                }
+            }
+        }
+        let near = mask.grown().grown();
+        Self { mask, near, outline }
+    }
+
+    /// How far the ink reaches in a direction in radians, counter-clockwise from the right, from the upper left corner.
+    pub(crate) fn reach(&self, direction: f64) -> f64 {
+        let (sin, cos) = direction.sin_cos();
+        let reach = self.outline.iter().map(|[x, y]| x * cos + y * sin).fold(f64::NEG_INFINITY, f64::max);
+        // Places are centres of pixels.
+        reach + 0.5
+    }
+
+    /// The area of the hull, by Cauchy's formula.
+    fn hull_area(&self) -> f64 {
+        let step = std::f64::consts::TAU / DIRECTIONS as f64;
+        let reach: Vec<f64> = (0..DIRECTIONS).map(|at| self.reach(at as f64 * step)).collect();
+        let slope = |at: usize| (reach[(at + 1) % DIRECTIONS] - reach[at]) / step;
+        (0..DIRECTIONS).map(|at| (reach[at] * reach[at] - slope(at) * slope(at)) * step / 2.0).sum()
+    }
+}
+
+/// The level of grey that tells dark from light best (Otsu, "A threshold selection method from gray-level histograms",
+/// 1979): the darker ones are at most this.
+fn threshold(grey: &[u8]) -> u8 {
+    let mut counts = [0_u64; 256];
+    grey.iter().for_each(|&at| counts[usize::from(at)] += 1);
+    let total = |counts: &[u64], from: u64| counts.iter().zip(from..).map(|(count, at)| count * at).sum::<u64>() as f64;
+    let (all, sum) = (grey.len() as f64, total(&counts, 0));
+    let between = |level: usize| {
+        let dark = counts[..=level].iter().sum::<u64>() as f64;
+        let light = all - dark;
+        if dark == 0.0 || light == 0.0 {
+            return 0.0;
+        }
+        let below = total(&counts[..=level], 0);
+        let apart = below / dark - (sum - below) / light;
+        dark * light * apart * apart
+    };
+    // Between two shades any level is as good; the middle of the best ones leaves soft edges on both sides.
+    let values: Vec<f64> = (0..255).map(between).collect();
+    let most = values.iter().copied().fold(0.0, f64::max);
+    let best: Vec<usize> = (0..255).filter(|&at| values[at] >= most * (1.0 - 1e-9)).collect();
+    best[best.len() / 2] as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_what_there_is_less_of() {
+        for (ink, paper) in [(0, 255), (255, 0), (90, 130)] {
+            let mut grey = vec![paper; 100 * 60];
+            for x in 10..90 {
+                (grey[20 * 100 + x], grey[21 * 100 + x]) = (ink, ink);
+                grey[(20 + x / 4) * 100 + x] = ink;
+            }
+            let picture = Picture::new(&grey, 100, 60).expect("lines");
+            assert!(picture.mask.count() > 200 && picture.mask.count() < 250, "{}", picture.mask.count());
+            assert!((picture.reach(0.0) - 84.0).abs() < 0.01, "{}", picture.reach(0.0));
+            assert!((picture.reach(std::f64::consts::FRAC_PI_2) + 4.0).abs() < 0.01);
+        }
+    }
+
+    #[test]
+    fn pictures_without_lines_are_told() {
+        let mut square = vec![255; 100 * 100];
+        (30..60).for_each(|y| square[y * 100 + 30..y * 100 + 60].fill(0));
+        for (grey, width, said) in [(vec![], 0, "empty"), (vec![7; 100], 10, "one shade"), (square, 100, "filled")] {
+            let told = Picture::new(&grey, width, if width == 0 { 0 } else { grey.len() / width });
+            assert!(told.is_err_and(|why| why.contains(said)), "{said}");
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! The strokes of a system, and how much of their ink agrees with a picture.
+
+use crate::hull::{Block, Fit, Headings, Place, System, Target};
+use crate::picture::Picture;
+use lsystem_compare::{Mask, SIDE};
+
+/// The most strokes of one system.
+const MAX_STROKES: usize = 400_000;
+/// Blocks that are smaller than this many pixels are one dot.
+const DOT: f64 = 0.7;
+/// The pixels from one test of a stroke to the next.
+const APART: f64 = 2.0;
+/// A system is given up where more than this part of its strokes lies beside the ink, and some tests more.
+const BESIDE: f64 = 0.03;
+const SOME: f64 = 8.0;
+/// The changes of a fit, in pixels, that are tried one after the other.
+const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
+
+/// Strokes from place to place, in steps.
+pub(crate) struct Strokes(Vec<[f64; 4]>);
+
+/// What follows the blocks of a system down to its strokes.
+struct Tracer<'a> {
+    system: System<'a>,
+    levels: &'a [Vec<Block>],
+    radii: Vec<Vec<f64>>,
+    target: &'a Target,
+    picture: &'a Picture,
+    fit: Fit,
+    strokes: Vec<[f64; 4]>,
+    tested: f64,
+    beside: f64,
+}
+
+impl Strokes {
+    /// The strokes after `n` steps, if they lie on the ink.
+    pub(crate) fn on_ink(system: System, levels: &[Vec<Block>], n: u32, target: &Target, picture: &Picture, fit: Fit) -> Option<Self> {
+        let radii = levels.iter().map(|blocks| blocks.iter().map(Block::radius).collect()).collect();
+        let (strokes, tested, beside) = (Vec::new(), 0.0, 0.0);
+        let mut tracer = Tracer { system, levels, radii, target, picture, fit, strokes, tested, beside };
+        tracer.word(system.axiom, n as usize, Place { x: 0.0, y: 0.0, turns: 0 })?;
+        Some(Self(tracer.strokes))
+    }
+
+    /// The part of the ink that agrees, with the best of the fits near this one.
+    pub(crate) fn agreement(&self, target: &Target, picture: &Picture, fit: Fit) -> f64 {
+        let agreement = |fit: Fit| self.mask(target, fit).agreement(&picture.mask);
+        let size = SIDE as f64 / fit.unit;
+        let (mut best, mut most) = (fit, agreement(fit));
+        for change in CHANGES {
+            for by in [change, -change] {
+                let near = [
+                    Fit { x: best.x + by, ..best },
+                    Fit { y: best.y + by, ..best },
+                    Fit { stroke: (best.stroke + by).max(0.5), ..best },
+                    Fit { unit: best.unit + by / size, ..best },
+                ];
+                for fit in near {
+                    let value = agreement(fit);
+                    if value > most {
+                        (best, most) = (fit, value);
+                    }
+                }
+            }
+        }
+        most
+    }
+
+    /// The pixels of the strokes.
+    fn mask(&self, target: &Target, fit: Fit) -> Mask {
+        let mut mask = Mask::default();
+        let last = (SIDE - 1) as f64;
+        for [x1, y1, x2, y2] in &self.0 {
+            let ([x1, y1], [x2, y2]) = (pixel(target, fit, *x1, *y1), pixel(target, fit, *x2, *y2));
+            let (dx, dy) = (x2 - x1, y2 - y1);
+            let length = (dx * dx + dy * dy).max(1e-12);
+            let rows = |low: f64, high: f64| (low - fit.stroke).clamp(0.0, last) as usize..=(high + fit.stroke).clamp(0.0, last) as usize;
+            for y in rows(y1.min(y2), y1.max(y2)) {
+                for x in rows(x1.min(x2), x1.max(x2)) {
+                    let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
+                    let along = ((px * dx + py * dy) / length).clamp(0.0, 1.0);
+                    let (px, py) = (px - along * dx, py - along * dy);
+                    if px * px + py * py <= fit.stroke * fit.stroke {
+                        mask.put(x, y);
+                    }
+                }
+            }
+        }
+        mask
+    }
+}
+
+/// A place of the turtle in the picture, from the upper left corner.
+fn pixel(target: &Target, fit: Fit, x: f64, y: f64) -> [f64; 2] {
+    let (cos, sin) = target.first;
+    // The fit is given in the frame of the first heading.
+    let (x, y) = (fit.unit * x + fit.x, fit.unit * y + fit.y);
+    [x * cos - y * sin, -(x * sin + y * cos)]
+}
+
+impl Tracer<'_> {
+    /// Follows the word, whose letters are `n` steps deep, and gives where the turtle is then.
+    fn word(&mut self, word: &[u8], n: usize, mut place: Place) -> Option<Place> {
+        let abc = self.system.alphabet;
+        let headings: &Headings = &self.target.headings;
+        let order = headings.order();
+        let mut stack = Vec::new();
+        for &symbol in word {
+            if symbol < abc.letters {
+                self.letter(symbol, n, place)?;
+                let block = &self.levels[n][usize::from(symbol)];
+                let (cos, sin, ..) = headings.all[place.turns];
+                place.x += block.end.0 * cos - block.end.1 * sin;
+                place.y += block.end.0 * sin + block.end.1 * cos;
+                place.turns = (place.turns + block.turns) % order;
+            } else if symbol == abc.left() {
+                place.turns = (place.turns + 1) % order;
+            } else if symbol == abc.right() {
+                place.turns = (place.turns + order - 1) % order;
+            } else if symbol == abc.open() {
+                stack.push(place);
+            } else {
+                place = stack.pop()?;
+            }
+        }
+        Some(place)
+    }
+
+    fn letter(&mut self, letter: u8, n: usize, place: Place) -> Option<()> {
+        let radius = self.radii[n][usize::from(letter)];
+        let (cos, sin, ..) = self.target.headings.all[place.turns];
+        if n > 0 && radius * self.fit.unit >= DOT {
+            let word = &self.system.words[usize::from(letter)];
+            return self.word(word, n - 1, place).map(|_| ());
+        }
+        match (n, self.system.draws[usize::from(letter)]) {
+            (0, true) => self.stroke([place.x, place.y, place.x + cos, place.y + sin]),
+            (0, false) => Some(()),
+            _ if radius > 0.0 => self.stroke([place.x, place.y, place.x, place.y]),
+            _ => Some(()),
+        }
+    }
+
+    fn stroke(&mut self, stroke: [f64; 4]) -> Option<()> {
+        let [x1, y1, x2, y2] = stroke;
+        let length = (x2 - x1).hypot(y2 - y1) * self.fit.unit;
+        let tests = (length / APART).ceil().max(1.0);
+        for test in 0..=tests as usize {
+            let along = test as f64 / tests;
+            let [x, y] = pixel(self.target, self.fit, x1 + (x2 - x1) * along, y1 + (y2 - y1) * along);
+            let is_inside = x >= 0.0 && y >= 0.0 && x < SIDE as f64 && y < SIDE as f64;
+            self.tested += 1.0;
+            self.beside += f64::from(u8::from(!is_inside || !self.picture.near.has(x as usize, y as usize)));
+        }
+        if self.beside > SOME + BESIDE * self.tested || self.strokes.len() >= MAX_STROKES {
+            return None;
+        }
+        self.strokes.push(stroke);
+        Some(())
+    }
+}
