@@ -161,9 +161,12 @@ pub(crate) struct Target {
     /// The first heading: its cosine and sine.
     pub(crate) first: (f64, f64),
     reach: Vec<f64>,
-    /// The reach without its mean and without its place.
+    moments: (f64, f64, f64),
+    /// The reach without its mean and without its place, and the sum of its squares.
     shape: Vec<f64>,
-    size: f64,
+    square: f64,
+    /// Half the usual width of a line.
+    stroke: f64,
 }
 
 impl Target {
@@ -173,36 +176,44 @@ impl Target {
         let first = heading.to_radians();
         let count = headings.directions.len();
         let reach: Vec<f64> = (0..count).map(|at| picture.reach(at as f64 / count as f64 * TAU + first)).collect();
-        let (mean, x, y) = moments(&reach, &headings.directions);
+        let moments = moments(&reach, &headings.directions);
+        let (mean, x, y) = moments;
         let rest = |(reach, &(u, v)): (&f64, &(f64, f64))| reach - mean - x * u - y * v;
-        let shape = reach.iter().zip(&headings.directions).map(rest).collect();
-        Self { headings, first: (first.cos(), first.sin()), reach, shape, size: 2.0 * mean }
+        let shape: Vec<f64> = reach.iter().zip(&headings.directions).map(rest).collect();
+        let square = shape.iter().map(|at| at * at).sum();
+        Self { headings, first: (first.cos(), first.sin()), reach, moments, shape, square, stroke: picture.stroke }
     }
 
-    /// How the hull lies best on that of the picture, by least squares, if it does.
-    fn fit(&self, block: &Block) -> Option<Fit> {
-        let count = self.shape.len();
-        let reach = &block.reach[..count];
+    /// How the hull lies best on that of the picture, by least squares, if it does. Where the picture is nearly round, its
+    /// hull alone does not tell a larger drawing from thicker strokes; so the first fit expects the usual width of the
+    /// lines, and the second one any.
+    fn fits(&self, block: &Block) -> [Option<Fit>; 2] {
+        let count = self.shape.len() as f64;
+        let reach = &block.reach[..self.shape.len()];
         if reach[0] <= NOWHERE / 2.0 {
-            return None;
+            return [None, None];
         }
         let (mean, x, y) = moments(reach, &self.headings.directions);
         let square: f64 = reach.iter().map(|at| at * at).sum();
-        let own = square - count as f64 * (mean * mean + (x * x + y * y) / 2.0);
+        let own = square - count * (mean * mean + (x * x + y * y) / 2.0);
         let both: f64 = reach.iter().zip(&self.shape).map(|(a, b)| a * b).sum();
-        let wanted: f64 = self.shape.iter().map(|at| at * at).sum();
-        if own < square * 1e-9 || both <= 0.0 || wanted - both * both / own > USUAL * USUAL * count as f64 {
-            return None;
+        let least = self.square - both * both / own;
+        if own < square * 1e-9 || both <= 0.0 || least > USUAL * USUAL * count {
+            return [None, None];
         }
-        let unit = both / own;
-        let (target_mean, target_x, target_y) = moments(&self.reach, &self.headings.directions);
-        let fit = Fit { unit, x: target_x - unit * x, y: target_y - unit * y, stroke: target_mean - unit * mean };
-        let furthest = reach.iter().zip(&self.reach).zip(&self.headings.directions);
-        let furthest = furthest
-            .map(|((own, wanted), (u, v))| (own * unit + fit.x * u + fit.y * v + fit.stroke - wanted).abs())
-            .fold(0.0, f64::max);
-        let is_thin = (-0.6..=self.size * THICKEST + 1.0).contains(&fit.stroke);
-        (is_thin && furthest < FURTHEST).then_some(Fit { stroke: fit.stroke.max(0.5), ..fit })
+        let (wanted, wanted_x, wanted_y) = self.moments;
+        let fit = |unit: f64| {
+            let fit = Fit { unit, x: wanted_x - unit * x, y: wanted_y - unit * y, stroke: wanted - unit * mean };
+            let lines = reach.iter().zip(&self.reach).zip(&self.headings.directions);
+            let lines = lines.map(|((own, wanted), (u, v))| own * unit + fit.x * u + fit.y * v + fit.stroke - wanted);
+            let (square, furthest) = lines.fold((0.0, 0.0_f64), |(sum, most), off| (sum + off * off, most.max(off.abs())));
+            let is_thin = (-0.6..=2.0 * wanted * THICKEST + 1.0).contains(&fit.stroke);
+            let is_near = square <= USUAL * USUAL * count && furthest < FURTHEST;
+            (is_thin && is_near).then_some(Fit { stroke: fit.stroke.max(0.5), ..fit })
+        };
+        let weight = count / 2.0 * mean;
+        let usual = (both + weight * (wanted - self.stroke)) / (own + weight * mean);
+        [fit(usual), fit(both / own)]
     }
 }
 
@@ -242,9 +253,7 @@ impl Hulls {
             if steps.contains(&n) {
                 let blocks = &self.levels[n as usize];
                 let axiom = follow(&target.headings, system.alphabet, system.axiom, blocks, &mut self.stack);
-                if let Some(fit) = target.fit(&axiom) {
-                    found(self, n, fit);
-                }
+                target.fits(&axiom).into_iter().flatten().for_each(|fit| found(self, n, fit));
             }
             if steps.last().is_some_and(|&last| n < last) {
                 let blocks = &self.levels[n as usize];

@@ -6,6 +6,8 @@ use lsystem_compare::{Mask, SIDE};
 const MARGIN: usize = 4;
 /// A picture whose ink covers more than this part of its hull shows no lines.
 const MOST_COVERED: f64 = 0.85;
+/// One of so many pixels lies on a line of the usual width or a thinner one.
+const USUAL: usize = 3;
 /// The directions of the hull whose area is measured.
 const DIRECTIONS: usize = 360;
 
@@ -15,6 +17,8 @@ pub struct Picture {
     pub(crate) mask: Mask,
     /// The ink and the pixels within two of it.
     pub(crate) near: Mask,
+    /// Half the usual width of a line, in pixels.
+    pub(crate) stroke: f64,
     /// The places of the ink at the outline of each row, with the y axis upwards.
     outline: Vec<[f64; 2]>,
 }
@@ -62,14 +66,14 @@ impl Picture {
         for y in 0..SIDE {
             let inked = |x: &usize| mask.has(*x, y);
             if let (Some(first), Some(last)) = ((0..SIDE).find(inked), (0..SIDE).rfind(inked)) {
-                // The corners of the pixels, less a quarter for corners that stick out.
                 for x in [first, last] {
                     outline.push([x as f64 + 0.5, -(y as f64 + 0.5)]);
                 }
             }
         }
         let near = mask.grown().grown();
-        Self { mask, near, outline }
+        let stroke = half_width(&mask);
+        Self { mask, near, stroke, outline }
     }
 
     /// How far the ink reaches in a direction in radians, counter-clockwise from the right, from the upper left corner.
@@ -87,6 +91,23 @@ impl Picture {
         let slope = |at: usize| (reach[(at + 1) % DIRECTIONS] - reach[at]) / step;
         (0..DIRECTIONS).map(|at| (reach[at] * reach[at] - slope(at) * slope(at)) * step / 2.0).sum()
     }
+}
+
+/// Half the usual width of a line: where lines are apart, the shorter run of ink through a pixel is the line's width.
+fn half_width(mask: &Mask) -> f64 {
+    let run = |x: usize, y: usize, across: bool| {
+        let inked = |at: &usize| if across { mask.has(*at, y) } else { mask.has(x, *at) };
+        let at = if across { x } else { y };
+        (at..SIDE).take_while(inked).count() + (0..at).rev().take_while(inked).count()
+    };
+    let mut widths: Vec<usize> = Vec::new();
+    for y in 0..SIDE {
+        for x in (0..SIDE).filter(|&x| mask.has(x, y)) {
+            widths.push(run(x, y, true).min(run(x, y, false)));
+        }
+    }
+    widths.sort_unstable();
+    widths.get(widths.len() / USUAL).map_or(0.5, |&width| width as f64 / 2.0)
 }
 
 /// The level of grey that tells dark from light best (Otsu, "A threshold selection method from gray-level histograms",
