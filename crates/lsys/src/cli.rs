@@ -99,7 +99,7 @@ pub(crate) enum Verb {
     /// Find the shortest rules that derive a string or draw a picture
     ///
     /// The rules are deterministic and without neighbours or parameters. Without -n, 1 to 8 steps are tried.
-    /// Pictures are PNG files of lines. Their angle and heading may be left out: the usual angles are tried, all upwards.
+    /// Pictures are PNG files of lines. Their angle and heading may be left out: the usual ones are tried.
     Find {
         /// The string, or a file with it, or a picture; - for standard input
         #[arg(allow_hyphen_values = true, value_hint = ValueHint::FilePath)]
@@ -116,8 +116,8 @@ pub(crate) enum Verb {
         #[arg(long, value_name = "DEGREES")]
         angle: Option<f64>,
         /// First heading in degrees, counter-clockwise from the right, for pictures
-        #[arg(long, value_name = "DEGREES", default_value = "90", allow_hyphen_values = true)]
-        heading: f64,
+        #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+        heading: Option<f64>,
         /// Seconds to search a picture
         #[arg(long, value_name = "S", default_value = "20")]
         seconds: u32,

@@ -39,7 +39,8 @@ pub(crate) struct Known {
     pub(crate) constants: String,
     /// In degrees.
     pub(crate) angle: Option<f64>,
-    pub(crate) heading: f64,
+    /// In degrees, counter-clockwise from the right.
+    pub(crate) heading: Option<f64>,
     pub(crate) seconds: u32,
 }
 

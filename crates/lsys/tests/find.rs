@@ -64,3 +64,35 @@ fn rules_are_found() {
     "#]],
     );
 }
+
+/// Runs `lsys` and gives its exit code and what it printed.
+fn output(words: &[&str]) -> (Option<i32>, Vec<u8>) {
+    let output = Command::new(env!("CARGO_BIN_EXE_lsys")).args(words).output().expect("lsys runs");
+    (output.status.code(), [output.stdout, output.stderr].concat())
+}
+
+#[test]
+fn rules_of_pictures_are_found() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let system = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data_in/assignment-8/left_plant.json");
+    let (_, picture) = output(&["draw", system, "--format", "png", "--size", "400x400", "-n", "4"]);
+    let file = folder.path().join("plant.png");
+    std::fs::write(&file, &picture).expect("a file");
+    let name = file.to_str().expect("UTF-8");
+    for known in [&["--angle", "60", "-n", "4"][..], &["--angle", "60"], &["--heading", "90", "-n", "4"]] {
+        let (code, told) = output(&[&["find", name, "--axiom", "F", "--json"], known].concat());
+        let told: serde_json::Value = serde_json::from_slice(&told).expect("JSON");
+        let best = &told["candidates"][0];
+        assert_eq!(code, Some(0), "{told}");
+        assert_eq!((best["rules"][0].as_str(), best["n"].as_u64()), (Some("F -> F[+F]F"), Some(4)), "{told}");
+        assert!(best["agreement"].as_f64().is_some_and(|agreement| agreement >= 0.985), "{told}");
+        assert!(told["searched"].as_str().is_some_and(|words| words.contains("one rule for F up to")), "{told}");
+    }
+    let (code, told) = output(&["find", name, "--axiom", "F+F", "--angle", "90", "-n", "4", "--seconds", "1"]);
+    let told = String::from_utf8(told).expect("UTF-8");
+    assert!(code == Some(1) && told.contains("Searched: angle 90°; n = 4: one rule for F up to"), "{told}");
+    std::fs::write(&file, &picture[..picture.len() / 2]).expect("a file");
+    let (code, told) = output(&["find", name, "--axiom", "F"]);
+    let told = String::from_utf8(told).expect("UTF-8");
+    assert!(code == Some(1) && told.starts_with(&format!("error: {name}: ")), "{told}");
+}

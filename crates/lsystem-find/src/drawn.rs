@@ -32,8 +32,8 @@ pub struct Known {
     pub axiom: String,
     /// In degrees.
     pub angle: f64,
-    /// The first heading, in degrees counter-clockwise from the right.
-    pub heading: f64,
+    /// The first headings to try, in degrees counter-clockwise from the right.
+    pub headings: Vec<f64>,
     /// The numbers of derivation steps to try, in ascending order.
     pub steps: Vec<u32>,
 }
@@ -47,6 +47,8 @@ pub struct Drawn {
     pub draws: String,
     /// In degrees.
     pub angle: f64,
+    /// The first heading, in degrees counter-clockwise from the right.
+    pub heading: f64,
     /// How much of the ink agrees, from 0 to 1.
     pub agreement: f64,
 }
@@ -58,7 +60,8 @@ pub struct Drawn {
 #[derive(Clone, Debug)]
 pub struct PictureSearch {
     picture: Arc<Picture>,
-    target: Target,
+    /// The picture as seen with each heading.
+    targets: Vec<Target>,
     known: Known,
     families: Vec<Family>,
     hulls: Hulls,
@@ -74,7 +77,9 @@ enum Rule {
     Free,
     Fixed(Vec<Symbol>),
     /// The successor of the first letter with both letters exchanged, as a mirror shows it; also from its end.
-    Mirrored { is_reversed: bool },
+    Mirrored {
+        is_reversed: bool,
+    },
 }
 
 /// Systems with the same letters.
@@ -97,15 +102,17 @@ impl PictureSearch {
     /// # Errors
     /// Why this cannot be searched.
     pub fn new(picture: Arc<Picture>, known: Known, part: (u64, u64)) -> Result<Self, &'static str> {
-        if !(known.angle >= 0.01 && known.angle <= 360.0 && known.heading.is_finite()) {
+        if !(known.angle >= 0.01 && known.angle <= 360.0 && known.headings.iter().all(|heading| heading.is_finite())) {
             return Err("an angle from 0.01 to 360 degrees is expected");
         }
         if known.steps.is_empty() || known.steps.iter().any(|&n| n == 0 || n > MAX_STEPS) {
             return Err("1 to 12 derivation steps are expected");
         }
-        let target = Target::new(&picture, known.angle, known.heading);
-        let families = families(&known.axiom, target.headings.order())?;
-        Ok(Self { picture, target, known, families, hulls: Hulls::default(), kept: Vec::new(), part })
+        let targets =
+            known.headings.iter().map(|&heading| Target::new(&picture, known.angle, heading)).collect::<Vec<_>>();
+        let Some(first) = targets.first() else { return Err("a first heading is expected") };
+        let families = families(&known.axiom, first.headings.order())?;
+        Ok(Self { picture, targets, known, families, hulls: Hulls::default(), kept: Vec::new(), part })
     }
 
     /// Tries about `systems` systems.
@@ -144,21 +151,34 @@ impl PictureSearch {
         let Some(words) = family.successors() else { return };
         let draws: Vec<bool> = family.letters.iter().map(|(_, draws, _)| *draws).collect();
         let system = System { alphabet: family.alphabet, axiom: &family.axiom, words: &words, draws: &draws };
-        let (target, picture) = (&self.target, &self.picture);
-        let mut best: Option<(f64, u32)> = None;
-        self.hulls.search(target, system, &self.known.steps, |hulls, n, fit| {
+        let (targets, picture) = (&self.targets, &self.picture);
+        let mut best: Option<(f64, u32, usize)> = None;
+        self.hulls.search(targets, system, &self.known.steps, |hulls, n, at, fit| {
+            let target = &targets[at];
             let Some(strokes) = Strokes::on_ink(system, &hulls.levels, n, target, picture, fit) else { return };
             let agreement = strokes.agreement(target, picture, fit);
-            if agreement >= NEAR && best.is_none_or(|(most, _)| agreement > most) {
-                best = Some((agreement, n));
+            if agreement >= NEAR && best.is_none_or(|(most, ..)| agreement > most) {
+                best = Some((agreement, n, at));
             }
         });
-        let Some((agreement, n)) = best else { return };
+        let Some((agreement, n, heading)) = best else { return };
         let text = |word: &[Symbol]| word.iter().map(|&symbol| family.character(symbol)).collect::<String>();
         let is_constant = |at: usize| words[at] == [at as Symbol];
-        let rules = (0..words.len()).filter(|&at| !is_constant(at)).map(|at| (family.letters[at].0, text(&words[at]))).collect();
+        let rules = (0..words.len())
+            .filter(|&at| !is_constant(at))
+            .map(|at| (family.letters[at].0, text(&words[at])))
+            .collect();
         let draws = family.letters.iter().filter(|(_, draws, _)| *draws).map(|(letter, ..)| *letter).collect();
-        keep(&mut self.kept, Drawn { found: Found { rules, n }, draws, angle: self.known.angle, agreement });
+        keep(
+            &mut self.kept,
+            Drawn {
+                found: Found { rules, n },
+                draws,
+                angle: self.known.angle,
+                heading: self.known.headings[heading],
+                agreement,
+            },
+        );
     }
 }
 
@@ -270,7 +290,8 @@ fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
         *depth += i32::from(at == '[') - i32::from(at == ']');
         Some(*depth)
     });
-    if depths.clone().any(|depth| depth < 0) || depths.last() != Some(0) || axiom.len() > MAX_AXIOM {
+    if depths.clone().any(|depth| depth < 0) || depths.last().is_some_and(|depth| depth != 0) || axiom.len() > MAX_AXIOM
+    {
         return Err("an axiom of at most 200 symbols whose branches are closed is expected");
     }
     let other = |names: [char; 2]| names.into_iter().find(|name| !letters.contains(name)).unwrap_or('Z');
@@ -283,7 +304,15 @@ fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
             None => alphabet.letters + "+-[]".find(at).unwrap_or(0) as Symbol,
         };
         let axiom = axiom.chars().filter(|at| !at.is_whitespace()).map(symbol).collect();
-        families.push(Family { name, letters, axiom, alphabet, round: 1, words: vec![Words::new(alphabet, 0)], tried: 0 });
+        families.push(Family {
+            name,
+            letters,
+            axiom,
+            alphabet,
+            round: 1,
+            words: vec![Words::new(alphabet, 0)],
+            tried: 0,
+        });
     };
     let (constant, doubled) = (|at| Rule::Fixed(vec![at]), |at| Rule::Fixed(vec![at, at]));
     match letters[..] {

@@ -36,12 +36,12 @@ impl Headings {
         let count = if order <= MOST { FEWEST.div_ceil(order) * order } else { MOST };
         let heading = |at: usize| {
             let turn = f64::from(hundredths) / 36_000.0 * at as f64;
-            let (turn, (sin, cos)) = (turn.fract() * count as f64, (turn * TAU).sin_cos());
+            let (turn, (sin, cos)) = (turn.fract() * count as f64, libm::sincos(turn * TAU));
             let whole = (turn + 1e-9).floor();
             (cos, sin, whole as usize % count, if turn - whole < 1e-6 { 0.0 } else { turn - whole })
         };
         let direction = |at: usize| {
-            let (sin, cos) = (at as f64 / count as f64 * TAU).sin_cos();
+            let (sin, cos) = libm::sincos(at as f64 / count as f64 * TAU);
             (cos, sin)
         };
         Self { all: (0..order).map(heading).collect(), directions: (0..count).map(direction).collect() }
@@ -174,6 +174,7 @@ impl Target {
     pub(crate) fn new(picture: &Picture, angle: f64, heading: f64) -> Self {
         let headings = Headings::new(angle);
         let first = heading.to_radians();
+        let (sin, cos) = libm::sincos(first);
         let count = headings.directions.len();
         let reach: Vec<f64> = (0..count).map(|at| picture.reach(at as f64 / count as f64 * TAU + first)).collect();
         let moments = moments(&reach, &headings.directions);
@@ -181,7 +182,7 @@ impl Target {
         let rest = |(reach, &(u, v)): (&f64, &(f64, f64))| reach - mean - x * u - y * v;
         let shape: Vec<f64> = reach.iter().zip(&headings.directions).map(rest).collect();
         let square = shape.iter().map(|at| at * at).sum();
-        Self { headings, first: (first.cos(), first.sin()), reach, moments, shape, square, stroke: picture.stroke }
+        Self { headings, first: (cos, sin), reach, moments, shape, square, stroke: picture.stroke }
     }
 
     /// How the hull lies best on that of the picture, by least squares, if it does. Where the picture is nearly round, its
@@ -206,7 +207,8 @@ impl Target {
             let fit = Fit { unit, x: wanted_x - unit * x, y: wanted_y - unit * y, stroke: wanted - unit * mean };
             let lines = reach.iter().zip(&self.reach).zip(&self.headings.directions);
             let lines = lines.map(|((own, wanted), (u, v))| own * unit + fit.x * u + fit.y * v + fit.stroke - wanted);
-            let (square, furthest) = lines.fold((0.0, 0.0_f64), |(sum, most), off| (sum + off * off, most.max(off.abs())));
+            let (square, furthest) =
+                lines.fold((0.0, 0.0_f64), |(sum, most), off| (sum + off * off, most.max(off.abs())));
             let is_thin = (-0.6..=2.0 * wanted * THICKEST + 1.0).contains(&fit.stroke);
             let is_near = square <= USUAL * USUAL * count && furthest < FURTHEST;
             (is_thin && is_near).then_some(Fit { stroke: fit.stroke.max(0.5), ..fit })
@@ -245,21 +247,31 @@ pub(crate) struct Hulls {
 }
 
 impl Hulls {
-    /// Gives each number of steps in `steps`, in ascending order, after which the system has the hull of the picture.
-    pub(crate) fn search(&mut self, target: &Target, system: System, steps: &[u32], mut found: impl FnMut(&Self, u32, Fit)) {
+    /// Gives each number of steps in `steps`, in ascending order, after which the system has the hull of the picture, and
+    /// for which of the `targets`, all of the same angle.
+    pub(crate) fn search(
+        &mut self,
+        targets: &[Target],
+        system: System,
+        steps: &[u32],
+        mut found: impl FnMut(&Self, u32, usize, Fit),
+    ) {
+        let Some(Target { headings, .. }) = targets.first() else { return };
         self.levels.clear();
-        self.levels.push(system.draws.iter().map(|&draws| letter(&target.headings, draws)).collect());
+        self.levels.push(system.draws.iter().map(|&draws| letter(headings, draws)).collect());
         for n in 0..=steps.last().copied().unwrap_or(0) {
             if steps.contains(&n) {
                 let blocks = &self.levels[n as usize];
-                let axiom = follow(&target.headings, system.alphabet, system.axiom, blocks, &mut self.stack);
-                target.fits(&axiom).into_iter().flatten().for_each(|fit| found(self, n, fit));
+                let axiom = follow(headings, system.alphabet, system.axiom, blocks, &mut self.stack);
+                for (at, target) in targets.iter().enumerate() {
+                    target.fits(&axiom).into_iter().flatten().for_each(|fit| found(self, n, at, fit));
+                }
             }
             if steps.last().is_some_and(|&last| n < last) {
                 let blocks = &self.levels[n as usize];
                 let stack = &mut self.stack;
                 let next = system.words.iter();
-                let next = next.map(|word| follow(&target.headings, system.alphabet, word, blocks, stack)).collect();
+                let next = next.map(|word| follow(headings, system.alphabet, word, blocks, stack)).collect();
                 self.levels.push(next);
             }
         }

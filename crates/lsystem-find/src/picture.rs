@@ -61,6 +61,12 @@ impl Picture {
         Ok(picture)
     }
 
+    /// How much of the ink of both agrees, from 0 to 1.
+    #[must_use]
+    pub fn agreement(&self, other: &Self) -> f64 {
+        self.mask.agreement(&other.mask)
+    }
+
     fn of(mask: Mask) -> Self {
         let mut outline = Vec::new();
         for y in 0..SIDE {
@@ -78,7 +84,7 @@ impl Picture {
 
     /// How far the ink reaches in a direction in radians, counter-clockwise from the right, from the upper left corner.
     pub(crate) fn reach(&self, direction: f64) -> f64 {
-        let (sin, cos) = direction.sin_cos();
+        let (sin, cos) = libm::sincos(direction);
         let reach = self.outline.iter().map(|[x, y]| x * cos + y * sin).fold(f64::NEG_INFINITY, f64::max);
         // Places are centres of pixels.
         reach + 0.5

@@ -34,7 +34,14 @@ struct Tracer<'a> {
 
 impl Strokes {
     /// The strokes after `n` steps, if they lie on the ink.
-    pub(crate) fn on_ink(system: System, levels: &[Vec<Block>], n: u32, target: &Target, picture: &Picture, fit: Fit) -> Option<Self> {
+    pub(crate) fn on_ink(
+        system: System,
+        levels: &[Vec<Block>],
+        n: u32,
+        target: &Target,
+        picture: &Picture,
+        fit: Fit,
+    ) -> Option<Self> {
         let radii = levels.iter().map(|blocks| blocks.iter().map(Block::radius).collect()).collect();
         let (strokes, tested, beside) = (Vec::new(), 0.0, 0.0);
         let mut tracer = Tracer { system, levels, radii, target, picture, fit, strokes, tested, beside };
@@ -74,7 +81,9 @@ impl Strokes {
             let ([x1, y1], [x2, y2]) = (pixel(target, fit, *x1, *y1), pixel(target, fit, *x2, *y2));
             let (dx, dy) = (x2 - x1, y2 - y1);
             let length = (dx * dx + dy * dy).max(1e-12);
-            let rows = |low: f64, high: f64| (low - fit.stroke).clamp(0.0, last) as usize..=(high + fit.stroke).clamp(0.0, last) as usize;
+            let rows = |low: f64, high: f64| {
+                (low - fit.stroke).clamp(0.0, last) as usize..=(high + fit.stroke).clamp(0.0, last) as usize
+            };
             for y in rows(y1.min(y2), y1.max(y2)) {
                 for x in rows(x1.min(x2), x1.max(x2)) {
                     let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
@@ -143,7 +152,7 @@ impl Tracer<'_> {
 
     fn stroke(&mut self, stroke: [f64; 4]) -> Option<()> {
         let [x1, y1, x2, y2] = stroke;
-        let length = (x2 - x1).hypot(y2 - y1) * self.fit.unit;
+        let length = libm::hypot(x2 - x1, y2 - y1) * self.fit.unit;
         let tests = (length / APART).ceil().max(1.0);
         for test in 0..=tests as usize {
             let along = test as f64 / tests;

@@ -100,7 +100,8 @@ impl Words {
     fn allows(&self, next: Symbol) -> bool {
         let (abc, word) = (self.alphabet, &self.word);
         let last = word.last().copied();
-        let depth = word.iter().map(|&at| i32::from(at == abc.open()) - i32::from(at == abc.close())).sum::<i32>() as usize;
+        let depth =
+            word.iter().map(|&at| i32::from(at == abc.open()) - i32::from(at == abc.close())).sum::<i32>() as usize;
         // How many symbols a branch needs after this one, and whether it still needs a letter.
         let left = self.length - word.len() - 1;
         let run = || word.iter().rev().take_while(|&&at| at == next).count() + 1;

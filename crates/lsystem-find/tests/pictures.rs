@@ -1,7 +1,159 @@
-//! The rules of pictures that this project draws itself, at their own scale and stroke.
+//! The rules of pictures that are drawn here, naively, with strokes of any width.
 
-use lsystem_drawing::{Drawer, compile};
-use lsystem_find::{FOUND, Known, Picture, PictureSearch, Searched};
-use lsystem_render::{Detail, Renderer, View, Viewport};
-use lsystem_syntax::{Definition, Limits, Progress};
+use lsystem_find::{Drawn, FOUND, Known, Picture, PictureSearch, Searched};
 use std::sync::Arc;
+
+/// Systems that are tried at most.
+const MOST: u64 = 4_000_000;
+
+/// Replaces every symbol in each step.
+fn derive(axiom: &str, rules: &[(char, &str)], n: u32) -> String {
+    (0..n).fold(axiom.to_owned(), |word, _| {
+        let successor =
+            |c: char| rules.iter().find(|rule| rule.0 == c).map_or_else(|| c.to_string(), |rule| rule.1.into());
+        word.chars().map(successor).collect()
+    })
+}
+
+/// The segments of a word; `draws` are the letters that draw.
+fn walk(word: &str, draws: &str, angle: f64, heading: f64) -> Vec<[f64; 4]> {
+    let (mut at, mut stack, mut found) = ((0.0, 0.0, heading), vec![], vec![]);
+    for c in word.chars() {
+        let (x, y, degrees): (f64, f64, f64) = at;
+        match c {
+            '+' => at.2 += angle,
+            '-' => at.2 -= angle,
+            '[' => stack.push(at),
+            ']' => at = stack.pop().unwrap(),
+            _ if draws.contains(c) => {
+                let (sin, cos) = libm::sincos(degrees.to_radians());
+                found.push([x, y, x + cos, y + sin]);
+                (at.0, at.1) = (x + cos, y + sin);
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// A picture with sides of 600 pixels whose longer side is filled up to a margin, with strokes of a width.
+fn drawn(segments: &[[f64; 4]], width: f64) -> Picture {
+    const SIDE: usize = 600;
+    let places = || segments.iter().flat_map(|&[a, b, c, d]| [[a, b], [c, d]]);
+    let range = |axis: usize| {
+        let low = places().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
+        (low, places().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max) - low)
+    };
+    let [(left, wide), (low, high)] = [range(0), range(1)];
+    let unit = 500.0 / wide.max(high);
+    let mut grey = vec![255; SIDE * SIDE];
+    for [a, b, c, d] in segments {
+        let pixel = |x: f64, y: f64| ((x - left) * unit + 40.3, 560.6 - (y - low) * unit);
+        let ((x1, y1), (x2, y2)) = (pixel(*a, *b), pixel(*c, *d));
+        let reach = width / 2.0;
+        let (dx, dy) = (x2 - x1, y2 - y1);
+        for y in (y1.min(y2) - reach) as usize..=(y1.max(y2) + reach) as usize {
+            for x in (x1.min(x2) - reach) as usize..=(x1.max(x2) + reach) as usize {
+                let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
+                let along = ((px * dx + py * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+                if libm::hypot(px - along * dx, py - along * dy) <= reach {
+                    grey[y * SIDE + x] = 0;
+                }
+            }
+        }
+    }
+    Picture::new(&grey, SIDE, SIDE).expect("lines")
+}
+
+/// The best system after at most [`MOST`] systems.
+fn best(picture: Picture, axiom: &str, angle: f64, steps: &[u32]) -> (Option<Drawn>, Vec<(String, usize)>) {
+    let known = Known { axiom: axiom.to_owned(), angle, headings: vec![90.0], steps: steps.to_vec() };
+    let mut search = PictureSearch::new(Arc::new(picture), known, (0, 1)).expect("a search");
+    let mut left = MOST;
+    let is_found = |search: &PictureSearch| search.found().first().is_some_and(|drawn| drawn.agreement >= FOUND);
+    while left > 0 && !is_found(&search) && search.step(10_000) == Searched::More {
+        left -= 10_000;
+    }
+    (search.found().first().cloned(), search.searched())
+}
+
+/// An axiom, its rules, the letters that draw, the angle and the number of steps.
+type Case = (&'static str, &'static [(char, &'static str)], &'static str, f64, u32);
+
+const CASES: [Case; 9] = [
+    // The four pictures of the assignment.
+    ("F", &[('F', "F[+F]F")], "F", 60.0, 6),
+    ("F+F+F+F", &[('F', "F-FF+F+FF-F")], "F", 90.0, 3),
+    ("-F+F+F+F+F+F", &[('F', "F-F++F-F")], "F", 60.0, 4),
+    ("T", &[('T', "F[+T][-T]"), ('F', "FF")], "TF", 120.0, 6),
+    // Curves of The Algorithmic Beauty of Plants, chapter 1.
+    ("-F", &[('F', "F+F-F-F+F")], "F", 90.0, 4),
+    ("F", &[('F', "F+G"), ('G', "F-G")], "FG", 90.0, 8),
+    ("F", &[('F', "G+F+G"), ('G', "F-G-F")], "FG", 60.0, 6),
+    ("X", &[('X', "F[+X][-X]X"), ('F', "FF")], "F", 25.0, 5),
+    // An angle that leads to many headings.
+    ("F", &[('F', "F[+F]F[-F]")], "F", 25.7, 4),
+];
+
+#[test]
+fn rules_of_pictures_are_found() {
+    for (axiom, rules, draws, angle, n) in CASES {
+        for width in [1.5, 3.0] {
+            let segments =
+                |rules: &[(char, &str)], draws: &str, n: u32| walk(&derive(axiom, rules, n), draws, angle, 90.0);
+            let picture = drawn(&segments(rules, draws, n), width);
+            let (best, searched) = best(picture.clone(), axiom, angle, &[n]);
+            let best = best.unwrap_or_else(|| panic!("{axiom} {rules:?} {width}: {searched:?}"));
+            assert!(best.agreement >= FOUND, "{axiom} {rules:?} {width}: {best:?}");
+            // The rules may be others, if they draw the same: the naive picture says so.
+            let rules: Vec<(char, &str)> = best.found.rules.iter().map(|(from, to)| (*from, to.as_str())).collect();
+            let again = drawn(&segments(&rules, &best.draws, best.found.n), width);
+            assert!(picture.agreement(&again) > FOUND, "{axiom} {rules:?} {width}");
+        }
+    }
+}
+
+#[test]
+fn the_number_of_steps_is_found() {
+    let picture = drawn(&walk(&derive("F", &[('F', "F[+F]F")], 5), "F", 60.0, 90.0), 2.0);
+    let best = best(picture, "F", 60.0, &[1, 2, 3, 4, 5, 6, 7, 8]).0.expect("a system");
+    assert_eq!((best.found.text().as_str(), best.found.n), ("F -> F[+F]F", 5));
+}
+
+#[test]
+fn pictures_of_other_systems_are_not_told_as_found() {
+    let three: [(char, &str); 3] = [('F', "F[+G]-F"), ('G', "H+F[-H]"), ('H', "G[+F]+FH")];
+    let mut state = 7_u32;
+    let mut random = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 24) * 30.0
+    };
+    let scribbles: Vec<Vec<[f64; 4]>> =
+        (0..3).map(|_| (0..40).map(|_| [random(), random(), random(), random()]).collect()).collect();
+    let grown = walk(&derive("F", &three, 5), "FGH", 40.0, 90.0);
+    for segments in scribbles.iter().chain([&grown]) {
+        let known = Known { axiom: "F".to_owned(), angle: 40.0, headings: vec![90.0], steps: vec![3, 4, 5] };
+        let mut search = PictureSearch::new(Arc::new(drawn(segments, 2.0)), known, (0, 1)).expect("a search");
+        search.step(200_000);
+        assert!(search.found().iter().all(|drawn| drawn.agreement < FOUND), "{:?}", search.found());
+    }
+}
+
+#[test]
+fn what_cannot_be_searched_is_told() {
+    let picture = Arc::new(drawn(&[[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]], 2.0));
+    let known = Known { axiom: "F".to_owned(), angle: 90.0, headings: vec![90.0], steps: vec![3] };
+    for (wrong, said) in [
+        (Known { axiom: "F(1)".to_owned(), ..known.clone() }, "letters, turns"),
+        (Known { axiom: "F]".to_owned(), ..known.clone() }, "closed"),
+        (Known { axiom: "FGH".to_owned(), ..known.clone() }, "one or two letters"),
+        (Known { axiom: String::new(), ..known.clone() }, "one or two letters"),
+        (Known { angle: 0.0, ..known.clone() }, "angle"),
+        (Known { angle: f64::NAN, ..known.clone() }, "angle"),
+        (Known { steps: vec![13], ..known.clone() }, "1 to 12"),
+        (Known { headings: vec![], ..known }, "heading"),
+    ] {
+        let told = PictureSearch::new(picture.clone(), wrong.clone(), (0, 1));
+        assert!(told.as_ref().is_err_and(|why| why.contains(said)), "{wrong:?} {:?}", told.err());
+    }
+}

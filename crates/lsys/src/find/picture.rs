@@ -11,6 +11,8 @@ use std::time::{Duration, Instant};
 
 /// The angles that are tried where none is known: those of the field's books.
 const ANGLES: [f64; 14] = [90.0, 60.0, 120.0, 45.0, 30.0, 36.0, 72.0, 22.5, 25.0, 20.0, 25.7, 15.0, 18.0, 85.0];
+/// The first headings that are tried where none is known.
+const HEADINGS: [f64; 5] = [90.0, 0.0, 60.0, 45.0, 30.0];
 /// The systems that are tried between two looks at the clock.
 const SHARE: u64 = 4096;
 /// The most pixels of a picture.
@@ -32,6 +34,7 @@ struct Candidate {
     axiom: String,
     n: u32,
     angle: f64,
+    heading: f64,
     rules: Vec<String>,
     draws: String,
     symbols: usize,
@@ -51,13 +54,14 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
     let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
     let picture = Arc::new(Picture::new(&grey, width, height).map_err(said)?);
     let angles = known.angle.map_or(ANGLES.to_vec(), |angle| vec![angle]);
+    let headings = known.heading.map_or(HEADINGS.to_vec(), |heading| vec![heading]);
     let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
     let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get) as u64;
     let mut parts = Vec::new();
     for part in 0..cores {
         let search = |&angle: &f64| {
-            let (axiom, steps) = (known.axiom.clone(), steps.clone());
-            let known = PictureKnown { axiom, angle, heading: known.heading, steps };
+            let (axiom, headings, steps) = (known.axiom.clone(), headings.clone(), steps.clone());
+            let known = PictureKnown { axiom, angle, headings, steps };
             PictureSearch::new(picture.clone(), known, (part, cores))
         };
         parts.push(angles.iter().map(search).collect::<Result<Vec<_>, _>>().map_err(said)?);
@@ -79,6 +83,7 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
                 axiom: known.axiom.clone(),
                 n: one.found.n,
                 angle: one.angle,
+                heading: one.heading,
                 rules: one.found.text().lines().map(str::to_owned).collect(),
                 draws: one.draws.clone(),
                 symbols: one.found.symbols(),
@@ -92,12 +97,12 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
                 writeln!(out, "None draws this picture. The closest:\n")?;
             }
             for one in &kept {
-                let Drawn { found, draws, angle, agreement } = one;
+                let Drawn { found, draws, angle, heading, agreement } = one;
                 let (text, n, symbols, axiom) = (found.text(), found.n, found.symbols(), &known.axiom);
                 let steps = if n == 1 { "step" } else { "steps" };
                 writeln!(
                     out,
-                    "{text}\n  after {n} {steps} from {axiom} with {angle}°; {draws} draws; {symbols} symbols; {:.1} % of the ink agrees\n",
+                    "{text}\n  after {n} {steps} from {axiom} with {angle}°, heading {heading}°; {draws} draws; {symbols} symbols; {:.1} % of the ink agrees\n",
                     agreement * 100.0
                 )?;
             }
@@ -137,7 +142,8 @@ fn searched_words(angles: &[f64], steps: &[u32], parts: &[Vec<PictureSearch>]) -
     for search in parts.iter().flatten() {
         least.iter_mut().zip(search.searched()).for_each(|(least, (_, most))| least.1 = least.1.min(most));
     }
-    let families = least.iter().map(|(name, most)| format!("{name} up to {most} symbols")).collect::<Vec<_>>().join("; ");
+    let families =
+        least.iter().map(|(name, most)| format!("{name} up to {most} symbols")).collect::<Vec<_>>().join("; ");
     let angles = list(angles.iter().map(|angle| format!("{angle}°")).collect());
     let steps = list(steps.iter().map(u32::to_string).collect());
     format!("angle {angles}; n = {steps}: {families}")
