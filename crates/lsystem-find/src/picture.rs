@@ -163,8 +163,9 @@ mod tests {
     fn pictures_without_lines_are_told() {
         let mut square = vec![255; 100 * 100];
         (30..60).for_each(|y| square[y * 100 + 30..y * 100 + 60].fill(0));
-        for (grey, width, said) in [(vec![], 0, "empty"), (vec![7; 100], 10, "one shade"), (square, 100, "filled")] {
-            let told = Picture::new(&grey, width, if width == 0 { 0 } else { grey.len() / width });
+        let cases = [(vec![], 0, 0, "empty"), (vec![7; 100], 10, 10, "one shade"), (square, 100, 100, "filled")];
+        for (grey, width, height, said) in cases {
+            let told = Picture::new(&grey, width, height);
             assert!(told.is_err_and(|why| why.contains(said)), "{said}");
         }
     }
