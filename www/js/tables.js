@@ -115,12 +115,12 @@ export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n:
 
 /** Formats of exported files by name: ending and media type of the file, what the page calls it, and what it is. */
 export const FORMATS = /* @__PURE__ */ Object.freeze({
-    'svg': { ending: 'svg', mime: 'image/svg+xml', label: 'SVG', help: 'Picture of strokes', picture: true },
-    'svg-compact': { ending: 'svg', mime: 'image/svg+xml', label: 'Compact SVG', help: 'Picture of strokes with each reusable part written once: a small file at any number of iterations', picture: true },
-    'png': { ending: 'png', mime: 'image/png', label: 'PNG', help: 'Picture of pixels', picture: true },
-    'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false },
-    'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false },
-    'csv': { ending: 'csv', mime: 'text/csv', label: 'CSV', help: 'Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour', picture: false },
-    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false },
-    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines', picture: false },
+    'svg': { ending: 'svg', mime: 'image/svg+xml', label: 'SVG', help: 'Picture of strokes', picture: true, purpose: 'screen' },
+    'svg-compact': { ending: 'svg', mime: 'image/svg+xml', label: 'Compact SVG', help: 'Picture of strokes with each reusable part written once: a small file at any number of iterations', picture: true, purpose: 'screen' },
+    'png': { ending: 'png', mime: 'image/png', label: 'PNG', help: 'Picture of pixels', picture: true, purpose: 'screen' },
+    'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false, purpose: 'data' },
+    'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false, purpose: 'data' },
+    'csv': { ending: 'csv', mime: 'text/csv', label: 'CSV', help: 'Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour', picture: false, purpose: 'data' },
+    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false, purpose: 'mesh' },
+    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines', picture: false, purpose: 'mesh' },
 });

@@ -7,9 +7,9 @@ use crate::input::{self, InputSystem};
 use crate::pending::{Pending, with_extension};
 use crate::{CommandFailure, cores, picture, print};
 use lsystem::drawing::{Outlook, why_empty};
-use lsystem::files::{Content, Format, write_all};
+use lsystem::files::{Content, FileOptions, Format, write_all};
 use lsystem::syntax::visible;
-use lsystem::{Mesh, SvgOptions, write_json};
+use lsystem::{Mesh, write_json};
 use std::io::IsTerminal;
 use std::sync::Arc;
 
@@ -109,7 +109,7 @@ fn bytes_in(
         },
         Content::Paper(write) => {
             let (title, definition) = (name.to_owned(), write_json(&input.definition));
-            let options = SvgOptions { title, system: definition, most: limits.segments, ..SvgOptions::default() };
+            let options = FileOptions { title, system: definition, most: limits.segments, ..FileOptions::default() };
             write(Arc::new(paper()?), style.clone(), &options).map_err(wrong)?
         }
     };

@@ -2,7 +2,7 @@
 //!
 //! A new format needs a writer in its own file and a row here.
 
-use super::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter};
+use super::{CsvWriter, FileOptions, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter};
 use lsystem_drawing::{Drawing, Mesh, Solid, Space};
 use lsystem_syntax::{Diagnostic, Progress, Style};
 use std::sync::Arc;
@@ -19,8 +19,49 @@ pub struct Format {
     pub label: &'static str,
     /// A description, as a noun phrase.
     pub help: &'static str,
+    /// The purpose of the format's files.
+    pub purpose: Purpose,
     /// The input of the format's writer.
     pub content: Content,
+}
+
+/// The purpose of a file: the groups of the page's save dialog.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Pictures for screens.
+    Screen,
+    /// Films of growth and of moving views.
+    Film,
+    /// Strokes for pen plotters.
+    Plotter,
+    /// Figures and formulas for papers.
+    Paper,
+    /// Large pictures for printers.
+    Print,
+    /// Meshes for viewers and for printers in space.
+    Mesh,
+    /// Systems, strings and tables, to open again or to compute with.
+    Data,
+}
+
+impl Purpose {
+    /// All purposes, in the order of the page's dialog.
+    pub const ALL: [Self; 7] =
+        [Self::Screen, Self::Film, Self::Plotter, Self::Paper, Self::Print, Self::Mesh, Self::Data];
+
+    /// The purpose's name in scripts.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Screen => "screen",
+            Self::Film => "film",
+            Self::Plotter => "plotter",
+            Self::Paper => "paper",
+            Self::Print => "print",
+            Self::Mesh => "mesh",
+            Self::Data => "data",
+        }
+    }
 }
 
 /// The writer of a file, or the diagnostic for an exceeded limit.
@@ -36,7 +77,7 @@ pub enum Content {
     /// Pixels, made by a renderer.
     Pixels,
     /// Strokes in the plane. A drawing in space is projected first.
-    Paper(fn(Arc<Drawing>, Style, &SvgOptions) -> WriterResult),
+    Paper(fn(Arc<Drawing>, Style, &FileOptions) -> WriterResult),
     /// Segments in the plane or in space. The number is the most segments and vertices of polygons.
     Segments {
         /// The writer for a drawing in the plane.
@@ -70,6 +111,7 @@ pub static FORMATS: [Format; 8] = [
         mime: "image/svg+xml",
         label: "SVG",
         help: "Picture of strokes",
+        purpose: Purpose::Screen,
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Flat)),
     },
     Format {
@@ -78,6 +120,7 @@ pub static FORMATS: [Format; 8] = [
         mime: "image/svg+xml",
         label: "Compact SVG",
         help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
+        purpose: Purpose::Screen,
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Compact)),
     },
     Format {
@@ -86,6 +129,7 @@ pub static FORMATS: [Format; 8] = [
         mime: "image/png",
         label: "PNG",
         help: "Picture of pixels",
+        purpose: Purpose::Screen,
         content: Content::Pixels,
     },
     Format {
@@ -94,6 +138,7 @@ pub static FORMATS: [Format; 8] = [
         mime: "application/json",
         label: "JSON",
         help: "System, to open again",
+        purpose: Purpose::Data,
         content: Content::System,
     },
     Format {
@@ -102,6 +147,7 @@ pub static FORMATS: [Format; 8] = [
         mime: "text/plain",
         label: "Text",
         help: "Derived string",
+        purpose: Purpose::Data,
         content: Content::String,
     },
     Format {
@@ -110,6 +156,7 @@ pub static FORMATS: [Format; 8] = [
         mime: "text/csv",
         label: "CSV",
         help: "Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour",
+        purpose: Purpose::Data,
         content: Content::Segments { plane: csv, space: csv },
     },
     Format {
@@ -118,6 +165,7 @@ pub static FORMATS: [Format; 8] = [
         mime: "model/obj",
         label: "OBJ",
         help: "Mesh of coloured tubes, as text",
+        purpose: Purpose::Mesh,
         content: Content::Mesh(|mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh })),
     },
     Format {
@@ -126,6 +174,7 @@ pub static FORMATS: [Format; 8] = [
         mime: "model/gltf-binary",
         label: "glTF",
         help: "Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines",
+        purpose: Purpose::Mesh,
         content: Content::Mesh(|mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh })),
     },
 ];
@@ -188,8 +237,9 @@ struct SvgFile {
     style: Style,
 }
 
-fn svg(drawing: Arc<Drawing>, style: Style, options: &SvgOptions, form: SvgForm) -> WriterResult {
-    let options = SvgOptions { form, ..options.clone() };
+fn svg(drawing: Arc<Drawing>, style: Style, options: &FileOptions, form: SvgForm) -> WriterResult {
+    let FileOptions { title, description, system, most, .. } = options.clone();
+    let options = SvgOptions { title, description, system, most, form, ..SvgOptions::default() };
     Ok(Box::new(SvgFile { writer: SvgWriter::new(&drawing, &style, &options)?, drawing, style }))
 }
 

@@ -7,11 +7,10 @@ use crate::report::{Problem, problems};
 use crate::to_js;
 use crate::viewer::WORK;
 use lsystem::drawing::{MeshMaker, Outlook, Projection};
-use lsystem::files::{Content, Format, Writer};
+use lsystem::files::{Content, FileOptions, Format, Writer};
 use lsystem::syntax::{Field, Kind, LimitName};
 use lsystem::{
-    Camera, Definition, Diagnostic, Drawer, Drawing, Limits, Mesh, Progress, Solid, Style, SvgOptions, System,
-    write_json,
+    Camera, Definition, Diagnostic, Drawer, Drawing, Limits, Mesh, Progress, Solid, Style, System, write_json,
 };
 use serde::Serialize;
 use std::rc::Rc;
@@ -175,11 +174,11 @@ impl Playground {
             }
             (Content::Paper(write), Some(drawing)) => {
                 let most = if format == "svg-compact" { FEW_SEGMENTS } else { TEXT_SEGMENTS };
-                export.advance(write(drawing, style, &self.svg_options(most, bare)), |writer, _| Stage::Write(writer))
+                export.advance(write(drawing, style, &self.options(most, bare)), |writer, _| Stage::Write(writer))
             }
             (Content::Paper(write), None) => {
                 let Camera { azimuth, elevation, .. } = self.views.solid.camera;
-                let (outlook, options) = (Outlook { azimuth, elevation }, self.svg_options(TEXT_SEGMENTS, bare));
+                let (outlook, options) = (Outlook { azimuth, elevation }, self.options(TEXT_SEGMENTS, bare));
                 let write = move |drawing| write(drawing, style.clone(), &options);
                 self.solid_file(system, Box::new(move |drawing| projected_file(drawing, outlook, write)))
             }
@@ -201,11 +200,11 @@ impl Playground {
         }
     }
 
-    fn svg_options(&self, most: u64, bare: bool) -> SvgOptions {
+    fn options(&self, most: u64, bare: bool) -> FileOptions {
         let title = self.definition.label().to_owned();
         let system = if bare { String::new() } else { write_json(&self.definition) };
         let description = self.report.description.clone();
-        SvgOptions { title, description, system, most, ..SvgOptions::default() }
+        FileOptions { title, description, system, most, ..FileOptions::default() }
     }
 }
 

@@ -145,10 +145,10 @@ fn tables() -> String {
     for format in &FORMATS {
         let [name, ending, mime, label, help] =
             [format.name, format.ending, format.mime, format.label, format.help].map(quoted);
-        let picture = format.is_picture();
+        let (picture, purpose) = (format.is_picture(), quoted(format.purpose.name()));
         writeln!(
             script_text,
-            "    {name}: {{ ending: {ending}, mime: {mime}, label: {label}, help: {help}, picture: {picture} }},"
+            "    {name}: {{ ending: {ending}, mime: {mime}, label: {label}, help: {help}, picture: {picture}, purpose: {purpose} }},"
         )
         .unwrap();
     }
