@@ -4,8 +4,8 @@ mod naive;
 
 use lsystem_compare::{Asks, Exercise, First, Given, Mark, Marker};
 use lsystem_syntax::{Definition, Dialect};
-use naive::is_same;
 use naive::systems::{one_symbol_edits, rewritings, systems};
+use naive::{System, is_same};
 
 fn system(axiom: &str, rules: &str, angle: f64, n: u32) -> Definition {
     Definition { axiom: axiom.into(), rules: rules.into(), angle, iterations: n, heading: 0.0, ..Definition::default() }
@@ -29,6 +29,7 @@ fn hint(exercise: &Exercise, rules: &str) -> String {
 fn marks_are_those_of_brute_force() {
     let (mut wrong, mut right, mut nearest) = (0, 0, 0.0_f64);
     for system in systems() {
+        let mut table = [0; 4];
         let target = system.segments().unwrap();
         let mut marker =
             Marker::new(Exercise { axiom: Given::Free, angle: Given::Free, ..exercise(&system.definition()) }).unwrap();
@@ -39,6 +40,7 @@ fn marks_are_those_of_brute_force() {
             let expected = is_same(&target, &segments);
             let found = marker.mark(&other.definition());
             assert_eq!((found.is_solved, found.is_same), (expected, Some(expected)), "{kind}: {other:?}: {found:?}");
+            table[usize::from(kind != "edit") * 2 + usize::from(expected)] += 1;
             match expected {
                 true => {
                     assert!(found.agreement > 0.999, "{kind}: {other:?}: {found:?}");
@@ -50,6 +52,11 @@ fn marks_are_those_of_brute_force() {
                 }
             }
         }
+        let [edits_wrong, edits_right, _, rewritten] = table;
+        println!(
+            "{:14} {edits_wrong:4} wrong edits, {edits_right:3} right ones, {rewritten:3} rewritings",
+            system.name
+        );
     }
     assert!(right >= 300 && wrong >= 800 && nearest < 0.9, "{right} right, {wrong} wrong, nearest {nearest}");
 }
@@ -61,16 +68,49 @@ fn too_large_pictures_are_the_same_by_their_graphs() {
         ("F -> F+F--F+F", Some(true)),
         ("F -> F+F--F+F\nX -> F", Some(true)),
         ("F -> F+F-+--F+F", Some(true)),
-        ("F -> [F]F+F--F+F", None),
+        ("F -> [F]F+F--F+F", Some(true)),
+        ("F -> F[]+F--F+F", Some(true)),
         ("F -> F-F++F-F", Some(false)),
     ] {
         let mark = mark(&koch, rules);
         assert_eq!((mark.is_same, mark.is_solved), (expected, expected == Some(true)), "{rules}: {mark:?}");
-        assert_eq!(mark.agreement > 0.999, expected != Some(false), "{rules}: {mark:?}");
+        assert_eq!(mark.agreement > 0.98, expected != Some(false), "{rules}: {mark:?}");
     }
-    let tolerant = Exercise { tolerance: Some(0.99), ..koch };
-    assert!(mark(&tolerant, "F -> [F]F+F--F+F").is_solved);
-    assert!(!mark(&tolerant, "F -> F-F++F-F").is_solved);
+    // Subdivision changes the graph, so that nothing proves it.
+    let hilbert = exercise(&system("X", "X -> -YF+XFX+FY-\nY -> +XF-YFY-FX+", 90.0, 12));
+    let halves = "X -> -YFF+XFFX+FFY-\nY -> +XFF-YFFY-FFX+";
+    let unknown = mark(&hilbert, halves);
+    assert!(unknown.is_same.is_none() && !unknown.is_solved && unknown.agreement > 0.98, "{unknown:?}");
+    assert!(mark(&Exercise { tolerance: Some(0.98), ..hilbert }, halves).is_solved);
+    assert!(!mark(&Exercise { tolerance: Some(0.98), ..koch }, "F -> F-F++F-F").is_solved);
+}
+
+/// Rules that give the same picture are accepted where nothing can compare all segments, too; wrong ones never are.
+#[test]
+fn rewritings_of_too_large_pictures_are_accepted() {
+    let (mut right, mut unknown) = (0, Vec::new());
+    for system in systems() {
+        let large = System { n: system.n + 12, ..system.clone() };
+        let mut marker =
+            Marker::new(Exercise { axiom: Given::Free, angle: Given::Free, ..exercise(&large.definition()) }).unwrap();
+        for (kind, other) in rewritings(&large).into_iter().step_by(3) {
+            let found = marker.mark(&other.definition());
+            match found.is_same {
+                Some(true) => right += 1,
+                Some(false) => panic!("{kind}: {other:?}: {found:?}"),
+                None => unknown.push((system.name, kind)),
+            }
+        }
+        let target = system.segments().unwrap();
+        for edit in one_symbol_edits(&system.rules[0].1, &system.alphabet()).into_iter().step_by(11) {
+            let small = system.with_rule(0, edit.clone()).segments();
+            if small.is_some_and(|segments| !is_same(&target, &segments)) {
+                let found = marker.mark(&large.with_rule(0, edit).definition());
+                assert!(found.is_same != Some(true), "{}: {found:?}", system.name);
+            }
+        }
+    }
+    assert!(right >= 115 && unknown.iter().all(|(_, kind)| *kind == "shorter segments"), "{right} right, {unknown:?}");
 }
 
 #[test]
