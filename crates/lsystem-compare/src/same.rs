@@ -25,30 +25,46 @@ pub(crate) struct Outline {
 }
 
 /// Whether two pictures have the same ink after the centre of each is moved to the origin and its longest side is made
-/// 1. Pictures without ink are equal.
+/// 1. Pictures without ink are equal. A picture with a coordinate that is not finite is equal to none.
 ///
 /// The work grows as m log m in the number of segments.
 #[must_use]
 pub fn is_same_picture(a: &[Segment], b: &[Segment]) -> bool {
-    Outline::new(a, &[]).is_of(b, &[])
+    Outline::new(a, &[]).is_some_and(|mut outline| outline.is_of(b, &[]) == Some(true))
 }
 
 impl Outline {
-    /// The ink of segments and of the sides of filled shapes.
-    pub(crate) fn new(segments: &[Segment], sides: &[Segment]) -> Self {
+    /// The ink of segments and of the sides of filled shapes; `None` if a coordinate is not finite.
+    pub(crate) fn new(segments: &[Segment], sides: &[Segment]) -> Option<Self> {
+        let fit = fit(segments, sides)?;
         let mut lines = Lines::default();
-        let stretches = lines.stretches(segments, sides, true).unwrap_or_default();
-        Self { lines, stretches }
+        let stretches = lines.stretches(&fit, segments, sides, true)?;
+        Some(Self { lines, stretches })
     }
 
-    /// Whether another picture has the same ink.
-    pub(crate) fn is_of(&mut self, segments: &[Segment], sides: &[Segment]) -> bool {
-        let Some(others) = self.lines.stretches(segments, sides, false) else { return false };
+    /// Whether another picture has the same ink; `None` if a coordinate of the other is not finite.
+    pub(crate) fn is_of(&mut self, segments: &[Segment], sides: &[Segment]) -> Option<bool> {
+        let fit = fit(segments, sides)?;
+        let Some(others) = self.lines.stretches(&fit, segments, sides, false) else { return Some(false) };
         let near = |a: f64, b: f64| (a - b).abs() < 2.0 * NEAR;
-        self.stretches.len() == others.len()
+        let is_same = self.stretches.len() == others.len()
             && (self.stretches.iter().zip(&others))
-                .all(|(a, b)| a.line == b.line && near(a.start, b.start) && near(a.end, b.end))
+                .all(|(a, b)| a.line == b.line && near(a.start, b.start) && near(a.end, b.end));
+        Some(is_same)
     }
+}
+
+/// How a picture is moved and scaled; `None` if a coordinate or the size is not finite.
+fn fit(segments: &[Segment], sides: &[Segment]) -> Option<Fit> {
+    let is_finite = |segment: &Segment| segment.as_flattened().iter().all(|value| value.is_finite());
+    if !segments.iter().chain(sides).all(is_finite) {
+        return None;
+    }
+    let [a, b] = [extent(segments), extent(sides)];
+    let low = [0, 1, 2].map(|axis| a[0][axis].min(b[0][axis]));
+    let high = [0, 1, 2].map(|axis| a[1][axis].max(b[1][axis]));
+    let is_too_large = (0..3).any(|axis| high[axis] - low[axis] == f64::INFINITY);
+    (!is_too_large).then(|| Fit::of([low, high]))
 }
 
 /// The cell of a line. Lines of sides of filled shapes are other lines.
@@ -63,15 +79,8 @@ struct Lines {
 impl Lines {
     /// The ink as disjoint stretches in order, after the picture is moved and scaled. `None` if a line is not known and
     /// `learns` is false.
-    fn stretches(&mut self, segments: &[Segment], sides: &[Segment], learns: bool) -> Option<Vec<Stretch>> {
+    fn stretches(&mut self, fit: &Fit, segments: &[Segment], sides: &[Segment], learns: bool) -> Option<Vec<Stretch>> {
         let mut stretches = Vec::with_capacity(segments.len() + sides.len());
-        let [a, b] = [extent(segments), extent(sides)];
-        let range =
-            [[0, 1, 2].map(|axis| a[0][axis].min(b[0][axis])), [0, 1, 2].map(|axis| a[1][axis].max(b[1][axis]))];
-        if !range.as_flattened().iter().all(|value| value.is_finite()) {
-            return Some(stretches);
-        }
-        let fit = Fit::of(range);
         for (list, is_side) in [(segments, false), (sides, true)] {
             for segment in list {
                 let placed = fit.place(segment);
@@ -160,4 +169,51 @@ fn merged(mut stretches: Vec<Stretch>) -> Vec<Stretch> {
         touches
     });
     stretches
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The edges of a box of the given size, with its lowest corner at `at`.
+    fn edges(at: [f64; 3], size: [f64; 3]) -> Vec<Segment> {
+        let corner = |bits: usize| [0, 1, 2].map(|axis| at[axis] + size[axis] * (bits >> axis & 1) as f64);
+        let pairs = (0..8).flat_map(|bits| (0..3).map(move |axis| (bits, bits | 1 << axis)));
+        pairs.filter(|(from, to)| from != to).map(|(from, to)| [corner(from), corner(to)]).collect()
+    }
+
+    #[test]
+    fn pictures_in_space_are_compared() {
+        let cube = edges([0.0; 3], [1.0; 3]);
+        let moved: Vec<Segment> = edges([5.0, -7.0, 0.1], [0.3; 3]).iter().rev().map(|&[a, b]| [b, a]).collect();
+        assert_eq!((cube.len(), moved.len()), (12, 12));
+        assert!(is_same_picture(&cube, &moved), "moved, smaller, the other way round");
+        let halves = cube.iter().flat_map(|&[a, b]| {
+            let middle = [0, 1, 2].map(|axis| f64::midpoint(a[axis], b[axis]));
+            [[a, middle], [middle, b], [b, a]]
+        });
+        assert!(is_same_picture(&cube, &halves.collect::<Vec<_>>()), "subdivided and repeated");
+        assert!(!is_same_picture(&cube, &cube[1..]), "an edge is missing");
+        assert!(!is_same_picture(&cube, &edges([0.0; 3], [1.0, 1.0, 0.999])), "not as deep");
+        let diagonal = [&cube[..], &[[[0.0; 3], [1.0; 3]]]].concat();
+        assert!(!is_same_picture(&cube, &diagonal), "a diagonal more");
+        let flat: Vec<Segment> = cube.iter().map(|edge| edge.map(|[x, y, _]| [x, y, 0.0])).collect();
+        assert!(!is_same_picture(&cube, &flat), "seen from above");
+    }
+
+    #[test]
+    fn pictures_that_are_not_finite_are_equal_to_none() {
+        let plain = [[[0.0; 3], [1.0, 0.0, 0.0]]];
+        for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let broken = [plain[0], [[0.0; 3], [0.0, wrong, 0.0]]];
+            for other in [&broken[..], &plain[..], &[]] {
+                assert!(!is_same_picture(&broken, other) && !is_same_picture(other, &broken), "{wrong} {other:?}");
+            }
+        }
+        // A size beyond the largest number is not finite, either.
+        let huge = [[[-f64::MAX; 3], [f64::MAX; 3]]];
+        assert!(!is_same_picture(&huge, &huge) && !is_same_picture(&plain, &huge));
+        assert!(is_same_picture(&[], &[]));
+        assert!(is_same_picture(&[], &[[[3.0; 3]; 2]]), "a point has no ink");
+    }
 }

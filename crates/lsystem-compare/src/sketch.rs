@@ -125,16 +125,16 @@ impl Shape {
         }
     }
 
-    /// The ink; `None` if there is too much to compare its segments one by one.
+    /// The ink; `None` if there is too much to compare its segments one by one, or if they exceed the range of numbers.
     pub(crate) fn outline(&self) -> Option<Outline> {
         let (segments, sides) = self.lists()?;
-        Some(Outline::new(&segments, &sides))
+        Outline::new(&segments, &sides)
     }
 
     /// Whether the ink is that of an outline; `None` as in [`Shape::outline`].
     pub(crate) fn has_outline(&self, outline: &mut Outline) -> Option<bool> {
         let (segments, sides) = self.lists()?;
-        Some(outline.is_of(&segments, &sides))
+        outline.is_of(&segments, &sides)
     }
 
     /// The segments, and the sides of all polygons.
