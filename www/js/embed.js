@@ -23,6 +23,7 @@ import { bestLink, openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { captionOf } from './panels/growth-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
+import { symbolsFields } from './panels/symbols-fields.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
 import { showPrintText } from './print-text.js';
@@ -73,6 +74,8 @@ let blank = link === null || refusal !== '';
 const rules = rulesPanel(store);
 const constants = constantsPanel(store, rules);
 const dials = createDials(store);
+/** What the symbols mean, where an exercise asks for that. */
+const symbols = exercise?.about.free.includes('dialect') ? symbolsFields(store) : null;
 const host = connectHost(store, { host: options.host, offer, theme: setTheme, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
 
 offer(controls);
@@ -161,7 +164,7 @@ function begin() {
         },
     });
     engine.define(drawnOf(store.state));
-    followNotation(store, engine, [rules, constants]);
+    followNotation(store, engine, [rules, constants, ...(symbols ? [symbols] : [])]);
     const canvas = html('drawing');
     const stage = createStage(store, engine, marks, {
         // Until the drawing has the focus, wheel and touch scroll the host page.
@@ -182,10 +185,11 @@ function begin() {
 /** The controls that the address asks for, or those of an exercise. @returns {Control[]} */
 function controlsNow() {
     if (!exercise) return options.controls;
-    const { free, hidesRules } = exercise.about;
+    const { free, hidesRules, asksForRules } = exercise.about;
+    const writes = asksForRules || free.includes('axiom');
     // The string and its origins would tell what is hidden.
     const reads = !hidesRules && exercise.about.axiom !== 'hidden';
-    return ['rules', ...(free.includes('iterations') ? ['n'] : []), ...(free.includes('angle') ? ['angle'] : []), ...(reads ? ['string', 'steps'] : []), 'play'].map((control) => /** @type {Control} */ (control));
+    return [...(writes ? ['rules'] : []), ...(free.includes('iterations') ? ['n'] : []), ...(free.includes('angle') ? ['angle'] : []), ...(reads ? ['string', 'steps'] : []), 'play'].map((control) => /** @type {Control} */ (control));
 }
 
 /** Shows only these controls. @param {Control[]} asked */
@@ -195,6 +199,7 @@ function offer(asked) {
     const has = (/** @type {Control} */ control) => controls.includes(control);
     html('writing').hidden = !has('rules');
     html('constants-row').hidden = !has('rules');
+    if (symbols) html('meaning').hidden = false;
     html('panel').hidden = !(has('n') || has('angle') || has('rules'));
     button('open-reader').hidden = !has('string');
     button('open-playback').hidden = !has('play');
@@ -210,6 +215,7 @@ function offer(asked) {
 function show(state, before) {
     rules.show(state);
     dials.show(state);
+    symbols?.show(state);
     parts?.stage.show(state, before);
     parts?.reader.show(state, before);
     if (before && !sameSystem(state, before)) {
@@ -242,6 +248,7 @@ function reported(report, past) {
         const own = (/** @type {Diagnostic} */ { field, end }) => field !== 'rules' || end <= store.state.rules.length;
         rules.report(exercise ? { ...report, diagnostics: report.diagnostics.filter(own) } : report);
         dials.report(report);
+        symbols?.report(report);
     }
     parts?.reader.report(report);
     parts?.playback.report(report);

@@ -152,7 +152,7 @@ export {};
 /**
  * What a student sees of an exercise. `text` is the beginning of the string to derive, if that is asked; `fixed` is the system without what the student found; `free` are the fields,
  * besides the rules, that the student has to find.
- * @typedef {{title: string, task: string, hints: string[], asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, hidesRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, text: string | null, start: Definition, fixed: Definition, free: (keyof Definition)[]}} AboutExercise
+ * @typedef {{title: string, task: string, hints: string[], asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, hidesRules: boolean, asksForRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, text: string | null, start: Definition, fixed: Definition, free: (keyof Definition)[]}} AboutExercise
  */
 /** A count: exact digits, and the logarithm to base 10 or null for 0. @typedef {{digits: string, log10: number | null}} Count */
 /**
@@ -165,7 +165,7 @@ export {};
  * @typedef {{families: {parent: string, children: string[], more: string, first: string}[], start: string, lengths: [string, string]}} StepRows
  */
 /** The turtle after a symbol. @typedef {{symbol: string, at: [number, number, number], axes: [number, number, number][], depth: number, stored: [number, number, number][], segment: [[number, number, number], [number, number, number]] | null}} TurtleState */
-/** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown. @typedef {{isSolved: boolean, agreement: number, percent: string, isSame: boolean | null, symbols: number, words: string, errors: string[]}} Mark */
+/** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown; `text` is the beginning of the answer's string where the string is asked for. @typedef {{isSolved: boolean, agreement: number, percent: string, isSame: boolean | null, symbols: number, words: string, text: string | null, errors: string[]}} Mark */
 /**
  * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
  * for missing ink, 4 for ink that is too much.

@@ -75,7 +75,8 @@ pub struct Exercise {
     pub angle: Given,
     /// The derivation steps.
     pub n: Given,
-    /// The turtle: what symbols mean, the heading at the start, lengths, bending.
+    /// The turtle: what symbols mean, and the heading at the start. Lengths and bending are given, unless the turtle is
+    /// hidden.
     pub turtle: Given,
     /// Each line of the target's rules. Further lines are free.
     pub rules: Vec<Given>,
@@ -153,7 +154,7 @@ impl Exercise {
             start.iterations = if self.n == Given::Free { self.first.n } else { 0 };
         }
         if self.turtle != Given::Shown {
-            copy(&mut start, &usual, &TURTLE);
+            copy(&mut start, &usual, if self.turtle == Given::Free { &SYMBOLS } else { &TURTLE });
         }
         start
     }
@@ -162,8 +163,14 @@ impl Exercise {
     #[must_use]
     pub fn free_fields(&self) -> Vec<&'static str> {
         let parts: [(Given, &[&'static str]); 4] =
-            [(self.axiom, &["axiom"]), (self.n, &["iterations"]), (self.angle, &ANGLES), (self.turtle, &TURTLE)];
+            [(self.axiom, &["axiom"]), (self.n, &["iterations"]), (self.angle, &ANGLES), (self.turtle, &SYMBOLS)];
         parts.into_iter().filter(|(given, _)| *given == Given::Free).flat_map(|(_, names)| names).copied().collect()
+    }
+
+    /// Whether the student has to find rules.
+    #[must_use]
+    pub fn asks_for_rules(&self) -> bool {
+        self.lines(Given::Free).any(|line| !line.trim().is_empty())
     }
 
     /// The system without anything that the student found: its rules are those that are shown or hidden.
@@ -204,7 +211,9 @@ impl Exercise {
 
 /// The fields of the angles of turns.
 const ANGLES: [&str; 6] = ["angle", "rightAngle", "pitchDown", "pitchUp", "rollLeft", "rollRight"];
-/// The fields of the turtle.
+/// The fields of the turtle that a student may have to find.
+const SYMBOLS: [&str; 3] = ["dialect", "overrides", "heading"];
+/// All fields of the turtle.
 const TURTLE: [&str; 10] = [
     "dialect",
     "overrides",

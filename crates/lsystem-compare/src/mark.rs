@@ -45,6 +45,8 @@ pub struct Marker {
     /// The target's ink; empty before it is needed, and if there is too much.
     outline: Option<Outline>,
     text: Option<String>,
+    /// The string of the last marked answer, if the string is asked for.
+    own_text: Option<String>,
     sample: Option<Sample>,
     /// The mask of the last marked answer.
     own: Mask,
@@ -90,7 +92,7 @@ impl Marker {
                 }
             }
         }
-        Ok(Self { exercise, target, outline: None, text, sample, own: Mask::default() })
+        Ok(Self { exercise, target, outline: None, text, own_text: None, sample, own: Mask::default() })
     }
 
     /// The exercise.
@@ -103,6 +105,14 @@ impl Marker {
     #[must_use]
     pub fn text(&self, most: usize) -> Option<&str> {
         let text = self.text.as_deref()?;
+        Some(&text[..text.floor_char_boundary(most)])
+    }
+
+    /// The beginning of the string of the last marked answer, at most `most` bytes; `None` if something else is asked for,
+    /// or if the answer has errors.
+    #[must_use]
+    pub fn own_text(&self, most: usize) -> Option<&str> {
+        let text = self.own_text.as_deref()?;
         Some(&text[..text.floor_char_boundary(most)])
     }
 
@@ -185,6 +195,7 @@ impl Marker {
 
     fn failed(&mut self, marking: &Marking, errors: Vec<Diagnostic>) -> Mark {
         self.own = Mask::default();
+        self.own_text = None;
         Mark {
             is_solved: false,
             agreement: 0.0,
@@ -256,6 +267,7 @@ impl Marker {
                 format!("The first {same} symbols agree. Your string has {found} symbols, the target {most}.")
             }
         };
+        self.own_text = Some(text);
         self.marked(marking, own, agreement, Some(is_same), words)
     }
 

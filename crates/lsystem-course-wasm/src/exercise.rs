@@ -27,6 +27,7 @@ struct About<'a> {
     turtle: Given,
     /// Whether some rules count that the student does not see.
     hides_rules: bool,
+    asks_for_rules: bool,
     shown_rules: String,
     most_symbols: Option<u32>,
     tolerance: Option<f64>,
@@ -50,6 +51,8 @@ struct MarkReport {
     is_same: Option<bool>,
     symbols: u32,
     words: String,
+    /// The beginning of the answer's string, if the string is asked for and nothing that makes it is hidden.
+    text: Option<String>,
     /// The errors of the answer.
     errors: Vec<String>,
 }
@@ -91,6 +94,7 @@ impl OpenExercise {
             n: exercise.n,
             turtle: exercise.turtle,
             hides_rules: exercise.rules.contains(&Given::Hidden),
+            asks_for_rules: exercise.asks_for_rules(),
             shown_rules: exercise.shown_rules(),
             most_symbols: exercise.most_symbols,
             tolerance: exercise.tolerance,
@@ -110,8 +114,8 @@ impl OpenExercise {
         Ok(())
     }
 
-    /// Works on the mark for some milliseconds: `{isSolved, agreement, percent, isSame, symbols, words, errors}` after the last
-    /// step, null before.
+    /// Works on the mark for some milliseconds: `{isSolved, agreement, percent, isSame, symbols, words, text, errors}` after the
+    /// last step, null before.
     ///
     /// # Errors
     /// Throws only if the result cannot be translated.
@@ -123,7 +127,10 @@ impl OpenExercise {
         let percent = mark.percent();
         let Mark { is_solved, agreement, is_same, symbols, words, errors, .. } = mark;
         let errors = errors.iter().map(Diagnostic::message).collect();
-        to_js(&MarkReport { is_solved, agreement, percent, is_same, symbols, words, errors })
+        let exercise = self.marker.exercise();
+        let is_open = exercise.axiom != Given::Hidden && !exercise.rules.contains(&Given::Hidden);
+        let text = self.marker.own_text(MAX_SYMBOLS).filter(|_| is_open).map(str::to_owned);
+        to_js(&MarkReport { is_solved, agreement, percent, is_same, symbols, words, text, errors })
     }
 
     /// The pixels of the target and of the last marked answer, 512 by 512: 1 for both, 2 for missing, 4 for too much.

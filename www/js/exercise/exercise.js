@@ -4,7 +4,8 @@ import { announce, toast } from '../announce.js';
 import { isDark } from '../colour-schemes.js';
 import { copyKeys, copyText } from '../copy.js';
 import { button, byId, html, input, make, setText } from '../dom.js';
-import { clean, definitionOf, sameSystem } from '../state.js';
+import { DEFAULTS, clean, definitionOf, sameSystem } from '../state.js';
+import { DIALECTS } from '../tables.js';
 import { Cancelled, createTool } from '../tool.js';
 import { answerLink, exerciseIn, startOf, studentIn, wholeOf } from './open.js';
 import { createTarget } from './target.js';
@@ -30,6 +31,9 @@ export async function openExercise(hash, link) {
     return { text, about, tool, start: startOf(about, link), whole: (/** @type {Readonly<State>} */ state) => wholeOf(about, state) };
 }
 
+/** Pictures that agree less than this are never the same. */
+const NEARLY = 0.98;
+
 /** The number of errors of an answer that are told. */
 const MOST_ERRORS = 1;
 
@@ -50,6 +54,8 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     let hints = 0;
 
     name.value = studentIn(location.hash);
+    // The usual example is the answer to some exercises.
+    byId('rules', HTMLTextAreaElement).placeholder = EXAMPLE;
     document.body.classList.add('exercising');
     if (parent !== window) {
         document.body.classList.add('framed');
@@ -60,7 +66,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     html('exercise-task').replaceChildren(...paragraphs(about.task || DEFAULT_TASKS[about.asks]));
     showGiven();
     showHints();
-    html('target-text').hidden = about.text === null;
+    html('texts').hidden = about.text === null;
     setText(html('target-text'), about.text ?? '');
     html('handing').hidden = /(^|[#&])hand=0(&|$)/.test(location.hash);
 
@@ -71,6 +77,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
             about.n === 'shown' && ['Iterations', String(about.fixed.iterations)],
             about.angle === 'shown' && ['Angle', `${about.fixed.angle}°`],
             about.shownRules.trim() !== '' && ['Rules', about.shownRules],
+            about.turtle === 'shown' && about.fixed.dialect !== DEFAULTS.dialect && ['Dialect', DIALECTS[about.fixed.dialect].label],
             about.turtle === 'shown' && about.fixed.overrides !== '' && ['Symbols', about.fixed.overrides],
             about.mostSymbols !== null && ['At most', `${about.mostSymbols} symbols in your rules`],
         ];
@@ -118,6 +125,9 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         const words = mark.errors.length > 0 ? mark.errors.slice(0, MOST_ERRORS).join(' ') : mark.words;
         setText(html('mark-words'), mark.isSolved ? `Solved. ${words}` : words);
         setText(html('mark-symbols'), about.mostSymbols === null ? '' : `${mark.symbols} of at most ${about.mostSymbols} symbols`);
+        // Statistics that agree as far as chance allows are as good as equal ones.
+        byId('mark-measure', HTMLMeterElement).high = mark.isSolved ? 0.5 : NEARLY;
+        showText(mark.text);
         html('mark').classList.toggle('solved', mark.isSolved);
         button('ask-why').hidden = mark.isSolved || mark.errors.length > 0;
         if (mark.isSolved && !solved) {
@@ -126,6 +136,15 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         }
         solved ||= mark.isSolved;
         marked(mark, link());
+    }
+
+    /** Shows the answer's string, with what differs from the target marked. @param {string | null} text */
+    function showText(text) {
+        if (about.text === null) return;
+        let same = 0;
+        while (same < (text ?? '').length && text?.[same] === about.text[same]) same += 1;
+        const rest = (text ?? '').slice(same);
+        html('own-text').replaceChildren((text ?? '').slice(0, same), ...(rest === '' ? [] : [make('mark', {}, rest)]));
     }
 
     async function showAnswer() {
@@ -166,6 +185,9 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     target.setDark(isDark(store.state.background));
     void mark();
 }
+
+/** What stands in the empty field for rules. */
+const EXAMPLE = 'F -> …';
 
 /** The task where none is given. @type {Record<import('../protocol.js').Asks, string>} */
 const DEFAULT_TASKS = {

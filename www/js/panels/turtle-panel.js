@@ -1,11 +1,10 @@
 /** The Turtle section: actions of symbols, and the start of the turtle. */
 
-import { byId, html, input, make, setChoice, setText } from '../dom.js';
-import { applyFix } from '../fix.js';
-import { editor } from '../controls/editor.js';
+import { html, input, make } from '../dom.js';
 import { numberField, optionalField } from '../controls/number-field.js';
 import { rangeOf } from '../state.js';
-import { DIALECTS, FIELDS } from '../tables.js';
+import { FIELDS } from '../tables.js';
+import { symbolsFields } from './symbols-fields.js';
 
 /** @typedef {import('../engine.js').Report} Report */
 /** @typedef {import('../state.js').FieldName} FieldName */
@@ -13,17 +12,7 @@ import { DIALECTS, FIELDS } from '../tables.js';
 /** @param {import('../store.js').Store} store */
 export function turtlePanel(store) {
     const settle = () => store.settle();
-    const dialect = byId('dialect', HTMLSelectElement);
-    dialect.replaceChildren(...Object.entries(DIALECTS).map(([name, { label }]) => make('option', { value: name }, label)));
-    dialect.addEventListener('change', () => {
-        store.change({ dialect: /** @type {import('../state.js').Dialect} */ (dialect.value) }, '');
-    });
-    const overrides = editor(byId('overrides', HTMLTextAreaElement), html('overrides-problems'), 'overrides', {
-        change: (text) => store.change({ overrides: text }, 'overrides'),
-        settle,
-        fix: (diagnostic) => applyFix(store, diagnostic),
-    });
-    const showHeading = plainField('heading', 'heading', 5);
+    const symbols = symbolsFields(store);
     const showStep = plainField('step', 'step', 1);
     const showStart = listFields('start', ['start-x', 'start-y'], 1);
 
@@ -80,10 +69,7 @@ export function turtlePanel(store) {
     return {
         /** @param {import('../state.js').State} state */
         show(state) {
-            setChoice(dialect, state.dialect);
-            setText(html('dialect-note'), DIALECTS[state.dialect].help);
-            overrides.show(state.overrides);
-            showHeading(state.heading);
+            symbols.show(state);
             showStep(state.step);
             showStart(state.start);
             showSpace(state);
@@ -93,14 +79,11 @@ export function turtlePanel(store) {
             if (state.elasticity !== 0 && !bent) bends.setAttribute('open', '');
             bent = state.elasticity !== 0;
         },
-        /** @param {import('../engine.js').Notation} notation @param {import('../notation.js').Texts} texts */
-        read(notation, texts) {
-            overrides.tint(notation.overrides, texts.overrides);
-        },
+        read: symbols.read,
         /** @param {Report} report */
         report(report) {
-            const { ok, legend, diagnostics } = report;
-            overrides.mark(diagnostics.filter(({ field }) => field === 'overrides'));
+            const { ok, legend } = report;
+            symbols.report(report);
             if (!ok) return;
             space = report.space;
             showSpace(store.state);
