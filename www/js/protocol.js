@@ -173,7 +173,7 @@ export {};
  *     check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string, symbol: string | null}},
  *     growth: {asked: {definition: Definition}, answer: {growth: Growth | null, why: string, csv: string, latex: string, shown: number}},
  *     rows: {asked: {definition: Definition, n: number, start: string, count: number}, answer: StepRows},
- *     single: {asked: {definition: Definition, steps: number}, answer: {text: string, length: number, made: [number, number] | null}[]},
+ *     single: {asked: {definition: Definition, steps: number, rightmost: boolean}, answer: {text: string, length: number, made: [number, number] | null}[]},
  *     trace: {asked: {definition: Definition, n: number, count: number}, answer: {states: TurtleState[], length: string, isSolid: boolean, legend: [string, string][]}},
  *     write: {asked: {exercise: Exercise}, answer: string},
  *     open: {asked: {text: string}, answer: AboutExercise},

@@ -2,7 +2,7 @@
 
 use crate::{from_js, to_js};
 use lsystem_drawing::System;
-use lsystem_steps::{Why, one_by_one as singles, rows, trace};
+use lsystem_steps::{Order, Why, one_by_one as singles, rows, trace};
 use lsystem_syntax::Diagnostic;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -18,13 +18,14 @@ pub fn step_rows(definition: JsValue, n: u32, start: &str, count: usize) -> Resu
     with_system(definition, |system| rows(system, n, start, count))
 }
 
-/// The strings of `steps` steps that replace one symbol each: `[{text, length, made}]`.
+/// The strings of `steps` steps that replace one symbol each, the first or the last one: `[{text, length, made}]`.
 ///
 /// # Errors
 /// Throws a sentence if symbols cannot be replaced alone.
 #[wasm_bindgen(js_name = oneByOne)]
-pub fn one_by_one(definition: JsValue, steps: u32) -> Result<JsValue, JsValue> {
-    with_system(definition, |system| singles(system, steps))
+pub fn one_by_one(definition: JsValue, steps: u32, is_rightmost: bool) -> Result<JsValue, JsValue> {
+    let order = if is_rightmost { Order::Rightmost } else { Order::Leftmost };
+    with_system(definition, |system| singles(system, steps, order))
 }
 
 /// The turtle at each of the first symbols of generation `n`:

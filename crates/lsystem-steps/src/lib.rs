@@ -5,7 +5,7 @@ mod one_by_one;
 mod rows;
 mod trace;
 
-pub use one_by_one::{Single, one_by_one};
+pub use one_by_one::{Order, Single, one_by_one};
 pub use rows::{Family, Rows, rows};
 pub use trace::{State, Trace, trace};
 

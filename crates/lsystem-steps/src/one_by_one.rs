@@ -24,12 +24,20 @@ pub struct Single {
     pub made: Option<[usize; 2]>,
 }
 
-/// The strings of `steps` steps that replace one symbol each: the leftmost one with a production. The list ends where
-/// there is none. Where chance chooses, the first production applies.
+/// Which of the symbols with a production is replaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// The first one.
+    Leftmost,
+    /// The last one.
+    Rightmost,
+}
+
+/// The strings of `steps` steps that replace one symbol each. The list ends where no symbol has a production. Where chance chooses, the first production applies.
 ///
 /// # Errors
 /// A sentence that says why the symbols cannot be replaced alone.
-pub fn one_by_one(system: &System, steps: u32) -> Result<Vec<Single>, Why> {
+pub fn one_by_one(system: &System, steps: u32, order: Order) -> Result<Vec<Single>, Why> {
     let rules = &system.rules;
     if !rules.is_plain() || rules.is_cutting() {
         return Err("Rules with neighbours, conditions, parameters or cut branches need all symbols at once.");
@@ -47,7 +55,11 @@ pub fn one_by_one(system: &System, steps: u32) -> Result<Vec<Single>, Why> {
             Rewrite::Always(successor) => Some(successor.as_slice()),
             Rewrite::Choose(alternatives) => alternatives.first().map(|first| first.successor.as_slice()),
         };
-        let found = word.iter().enumerate().find_map(|(at, &letter)| Some((at, successor(letter)?)));
+        let mut found = word.iter().enumerate().filter_map(|(at, &letter)| Some((at, successor(letter)?)));
+        let found = match order {
+            Order::Leftmost => found.next(),
+            Order::Rightmost => found.next_back(),
+        };
         let Some((at, successor)) = found else { break };
         let made = [at, successor.len()];
         if word.len() + successor.len() > MAX_SYMBOLS {

@@ -1,7 +1,7 @@
 //! Steps compared with strings, with drawings, and with replacing text.
 
 use lsystem_drawing::{System, draw, draw_solid, expand};
-use lsystem_steps::{one_by_one, rows, trace};
+use lsystem_steps::{Order, one_by_one, rows, trace};
 use lsystem_syntax::{Definition, Limits};
 
 fn system(axiom: &str, rules: &str) -> System {
@@ -69,18 +69,31 @@ fn any_place_of_any_generation_is_read() {
 #[test]
 fn one_symbol_at_a_time_differs_from_all_at_once() {
     let lengths = |axiom: &str, rules: &str| -> Vec<usize> {
-        one_by_one(&system(axiom, rules), 4).unwrap().iter().map(|single| single.length).collect()
+        one_by_one(&system(axiom, rules), 4, Order::Leftmost).unwrap().iter().map(|single| single.length).collect()
     };
     // The question of the course: 1, 2, 4, 8 all at once.
     assert_eq!(lengths("S", "S -> SS"), [1, 2, 3, 4, 5]);
     assert_eq!(lengths("AAA", "A ->"), [3, 2, 1, 0]);
     let strings = |axiom: &str, rules: &str| -> Vec<String> {
-        one_by_one(&system(axiom, rules), 4).unwrap().into_iter().map(|single| single.text).collect()
+        one_by_one(&system(axiom, rules), 4, Order::Leftmost).unwrap().into_iter().map(|single| single.text).collect()
     };
     assert_eq!(strings("AB", "A -> B\nB -> A"), ["AB", "BB", "AB", "BB", "AB"]);
     assert_eq!(strings("A", "A -> AB\nB -> A"), ["A", "AB", "ABB", "ABBB", "ABBBB"]);
-    assert_eq!(one_by_one(&system("XA", "A -> BC"), 9).unwrap()[1].made, Some([1, 2]));
-    assert!(one_by_one(&system("AB", "A < B -> A"), 3).is_err());
+    assert_eq!(one_by_one(&system("XA", "A -> BC"), 9, Order::Leftmost).unwrap()[1].made, Some([1, 2]));
+    assert!(one_by_one(&system("AB", "A < B -> A"), 3, Order::Leftmost).is_err());
+}
+
+/// In another order the strings differ, but not their number of symbols where all rules are alike.
+#[test]
+fn the_order_matters() {
+    let strings = |rules: &str, order| -> Vec<String> {
+        one_by_one(&system("A", rules), 4, order).unwrap().into_iter().map(|single| single.text).collect()
+    };
+    let algae = "A -> AB\nB -> A";
+    assert_eq!(strings(algae, Order::Leftmost), ["A", "AB", "ABB", "ABBB", "ABBBB"]);
+    assert_eq!(strings(algae, Order::Rightmost), ["A", "AB", "AA", "AAB", "AAA"]);
+    let last = one_by_one(&system("AXA", "A -> BC\nB ->"), 2, Order::Rightmost).unwrap();
+    assert_eq!((last[1].made, last[2].text.as_str(), last[2].made), (Some([2, 2]), "AXC", Some([2, 0])));
 }
 
 /// Random systems, rewritten one symbol at a time by replacing text.
@@ -96,7 +109,7 @@ fn one_symbol_at_a_time_is_replacing_text() {
         let rules = [("A", word(4)), ("B", word(3)), ("C", word(2))];
         let axiom = format!("{}A", word(3));
         let text: Vec<String> = rules.iter().map(|(from, to)| format!("{from} -> {to}")).collect();
-        let found = one_by_one(&system(&axiom, &text.join("\n")), 30).unwrap();
+        let found = one_by_one(&system(&axiom, &text.join("\n")), 30, Order::Leftmost).unwrap();
         let mut expected = axiom;
         for single in &found {
             assert_eq!(single.text, expected, "{text:?}");

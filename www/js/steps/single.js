@@ -1,6 +1,6 @@
-/** All symbols at once, as in an L-system, beside one symbol at a time, as in a grammar of Chomsky: leftmost first. */
+/** All symbols at once, as in an L-system, beside one symbol at a time, as in a grammar of Chomsky. */
 
-import { html, make } from '../dom.js';
+import { byId, html, make } from '../dom.js';
 import { grouped } from '../numerals.js';
 
 /** The most steps in the table. */
@@ -20,13 +20,27 @@ export function createSingle(tool) {
     let all = [];
     /** @type {{text: string, length: number, made: [number, number] | null}[]} */
     let singles = [];
+    const order = byId('steps-order', HTMLSelectElement);
+    /** The shown system. @type {import('../protocol.js').Definition | null} */
+    let system = null;
+
+    const askSingles = (/** @type {import('../protocol.js').Definition} */ definition) => tool.call('single', { definition, steps: MOST, rightmost: order.value === 'rightmost' });
+
+    order.addEventListener('change', async () => {
+        if (!system) return;
+        const asked = system;
+        const answer = await askSingles(asked).catch(() => null);
+        if (!answer || asked !== system) return;
+        singles = answer;
+        draw();
+    });
 
     function draw() {
         const rows = Array.from({ length: at + 1 }, (_, step) => {
             const [together, alone] = [all[step], singles[step]];
             return make('tr', step === at ? { class: 'now' } : {}, make('th', { scope: 'row' }, String(step)), make('td', {}, together ? grouped(together.length) : ''), make('td', {}, make('code', {}, together ? cut(together.text) : '')), make('td', {}, alone ? grouped(String(alone.length)) : ''), make('td', {}, ...(alone ? marked(alone) : ['no rule fits'])));
         });
-        const head = make('tr', {}, ...['Step', 'Symbols', 'All at once', 'Symbols', 'One at a time, leftmost first'].map((words) => make('th', { scope: 'col' }, words)));
+        const head = make('tr', {}, ...['Step', 'Symbols', 'All at once', 'Symbols', 'One at a time'].map((words) => make('th', { scope: 'col' }, words)));
         html('steps-table').replaceChildren(head, ...rows);
         html('steps-both').scrollTop = html('steps-both').scrollHeight;
     }
@@ -41,7 +55,8 @@ export function createSingle(tool) {
         pause: PAUSE,
         words: () => `Step ${at}: ${grouped(all[at]?.length ?? '') || 'too many'} symbols all at once, ${(singles[at] ?? singles.at(-1))?.length ?? 0} one at a time.`,
         async show(definition) {
-            singles = await tool.call('single', { definition, steps: MOST });
+            singles = await askSingles(definition);
+            system = definition;
             all = [];
             for (let n = 0; n <= MOST; n++) {
                 const rows = await tool.call('rows', { definition, n, start: '0', count: SHOWN + 1 }).catch(() => null);

@@ -94,39 +94,78 @@ test('a wrong answer gets a hint, the differences, and a link that keeps it', ()
         assert.deepEqual([await page.inputValue('#rules'), await page.inputValue('#student-name')], ['F -> F+F--F+F', 'Ada & Co']);
     }));
 
-test('an exercise is made in the share dialog, and hides what is to be found', () =>
-    withPage({ hash: '#v=1&title=Weed&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D-X%0AF%20-%3E%20FF&n=4&angle=25' }, async (page) => {
+for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a phone', PHONE]])) {
+    test(`an exercise is made in the share dialog on ${name}, and hides what is to be found`, () =>
+        withPage({ hash: '#v=1&title=Weed&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D-X%0AF%20-%3E%20FF&n=4&angle=25', options }, async (page) => {
+            await page.click('#share');
+            await page.click('#make-exercise');
+            await page.fill('#maker-task', 'Find **one** rule. <img src=x onerror=alert(1)> [More](https://example.org/)');
+            await page.fill('#maker-hints', 'Look at the tips.\nTwo `X` at most.');
+            await page.selectOption('select[name=line-1]', 'hidden');
+            await page.selectOption('select[name=n]', 'hidden');
+            await page.fill('#maker-symbols', '8');
+            await page.check('#maker-answer');
+            await page.waitForSelector('#maker-made:visible');
+            const before = await page.inputValue('#maker-link');
+            await page.fill('#maker-title', 'A weed to find');
+            const link = await until(async () => { const now = await page.inputValue('#maker-link'); return now !== before ? now : ''; }, 'a new link');
+            assert.ok(!/FF|%5B|X%20/.test(link));
+            await page.waitForSelector('#maker-qr:visible');
+            // A stroke around the modules would fill the gaps between them.
+            assert.equal(await page.locator('#maker-qr path').evaluate((path) => getComputedStyle(path).stroke), 'none');
+            assert.match(await page.inputValue('#maker-code'), /^<iframe src="[^"]*exercise\.html#v=1&amp;x=/);
+            await page.goto(link);
+            await page.waitForSelector('#mark:visible');
+            assert.deepEqual(await page.locator('#exercise-task').evaluate((task) => [task.querySelectorAll('strong').length, task.querySelectorAll('img').length, task.querySelector('a')?.href]), [1, 0, 'https://example.org/']);
+            assert.match((await page.textContent('#given-hidden')) ?? '', /the iterations, some rules/);
+            assert.ok(!(await page.isVisible('#open-reader')), 'the string would tell');
+            assert.equal(await page.inputValue('#rules'), '');
+            assert.ok(!((await page.getAttribute('#open', 'href')) ?? '').includes('FF'));
+            await page.fill('#rules', 'X -> F[+X]-X+-');
+            await marked(page, /10 symbols; at most 8/);
+            assert.ok(!(await page.isVisible('#answer')));
+            await page.fill('#rules', 'X -> F[+X]-X');
+            await marked(page, /Solved/);
+            await page.waitForSelector('#answer:visible');
+            assert.match((await page.textContent('#answer-rules')) ?? '', /F -> FF/);
+        }));
+}
+
+test('the meaning of the symbols can be asked for', () =>
+    withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20A%2BA&n=3&angle=60&turtle=every-letter' }, async (page) => {
         await page.click('#share');
         await page.click('#make-exercise');
-        await page.fill('#maker-task', 'Find **one** rule. <img src=x onerror=alert(1)> [More](https://example.org/)');
-        await page.fill('#maker-hints', 'Look at the tips.\nTwo `X` at most.');
-        await page.selectOption('select[name=line-1]', 'hidden');
-        await page.selectOption('select[name=n]', 'hidden');
-        await page.fill('#maker-symbols', '8');
-        await page.check('#maker-answer');
         await page.waitForSelector('#maker-made:visible');
         const before = await page.inputValue('#maker-link');
-        await page.fill('#maker-title', 'A weed to find');
-        const link = await until(async () => { const now = await page.inputValue('#maker-link'); return now !== before ? now : ''; }, 'a new link');
-        assert.ok(!/FF|%5B|X%20/.test(link));
-        await page.waitForSelector('#maker-qr:visible');
-        // A stroke around the modules would fill the gaps between them.
-        assert.equal(await page.locator('#maker-qr path').evaluate((path) => getComputedStyle(path).stroke), 'none');
-        assert.match(await page.inputValue('#maker-code'), /^<iframe src="[^"]*exercise\.html#v=1&amp;x=/);
-        await page.goto(link);
-        await page.waitForSelector('#mark:visible');
-        assert.deepEqual(await page.locator('#exercise-task').evaluate((task) => [task.querySelectorAll('strong').length, task.querySelectorAll('img').length, task.querySelector('a')?.href]), [1, 0, 'https://example.org/']);
-        assert.match((await page.textContent('#given-hidden')) ?? '', /the iterations, some rules/);
-        assert.ok(!(await page.isVisible('#open-reader')), 'the string would tell');
-        assert.equal(await page.inputValue('#rules'), '');
-        assert.ok(!((await page.getAttribute('#open', 'href')) ?? '').includes('FF'));
-        await page.fill('#rules', 'X -> F[+X]-X+-');
-        await marked(page, /10 symbols; at most 8/);
-        assert.ok(!(await page.isVisible('#answer')));
-        await page.fill('#rules', 'X -> F[+X]-X');
+        await page.selectOption('select[name=line-0]', 'shown');
+        await page.selectOption('select[name=turtle]', 'free');
+        await page.goto(await until(async () => { const now = await page.inputValue('#maker-link'); return now !== before ? now : ''; }, 'a new link'));
+        await page.waitForSelector('#meaning:visible');
+        assert.ok(!(await page.isVisible('#rules')), 'no rule is to be found');
+        assert.equal(await page.locator('#mark.solved').count(), 0);
+        await page.selectOption('#dialect', 'every-letter');
         await marked(page, /Solved/);
-        await page.waitForSelector('#answer:visible');
-        assert.match((await page.textContent('#answer-rules')) ?? '', /F -> FF/);
+        assert.match(page.url(), /turtle=every-letter/);
+        await page.selectOption('#dialect', 'abop');
+        await page.fill('#overrides', 'A: draw');
+        await marked(page, /Solved/);
+    }));
+
+test('strings stand beside each other, with what differs', () =>
+    withPage({ address: ADDRESS, hash: linkOf('algae') }, async (page) => {
+        await page.fill('#rules', 'A -> AB\nB -> B');
+        await until(async () => (await page.textContent('#own-text')) === 'ABBBBBBB', 'the own string');
+        assert.match((await page.textContent('#target-text')) ?? '', /^ABAABABA/);
+        assert.equal(await page.textContent('#own-text mark'), 'BBBBBB');
+        await page.fill('#rules', 'A -> AB\nB -> A');
+        await marked(page, /Solved/);
+        assert.equal(await page.locator('#own-text mark').count(), 0);
+    }));
+
+test('the lesson works from a disk', () =>
+    withPage({ address: new URL('course.html', DIST).href, also: DIST.href, drawing: null }, async (page) => {
+        await page.frameLocator('.step.now iframe').locator('#rules').fill('F -> FF', { timeout: 15_000 });
+        await until(async () => /Done/.test((await page.textContent('#told')) ?? ''), 'the first step is done', 15_000);
     }));
 
 test('what a program printed is compared with the system', () =>

@@ -53,6 +53,8 @@ test('one symbol at a time is another way of rewriting', () =>
         await says(page, /16 symbols all at once, 5 one at a time/);
         assert.deepEqual(await page.locator('#steps-table td:nth-child(2)').allTextContents(), ['1', '2', '4', '8', '16']);
         assert.deepEqual(await page.locator('#steps-table td:nth-child(4)').allTextContents(), ['1', '2', '3', '4', '5']);
+        await page.selectOption('#steps-order', 'rightmost');
+        await until(async () => (await page.textContent('#steps-table tr.now mark')) === 'SS' && /^SSSSS$/.test((await page.textContent('#steps-table tr.now td:nth-child(5)')) ?? ''), 'the last one is replaced');
     }));
 
 test('the turtle is followed symbol by symbol', () =>

@@ -4,7 +4,7 @@ use crate::make;
 use crate::{Gauge, Source};
 use lsystem::compare::{Asks, Exercise, Given, Marker};
 use lsystem::growth::growth as growth_of;
-use lsystem::steps::{one_by_one, rows, trace};
+use lsystem::steps::{Order, one_by_one, rows, trace};
 use lsystem::{Definition, Limits, expand};
 
 /// Exercises of random systems: what is written is read again, and the target solves its own exercise.
@@ -91,7 +91,9 @@ pub(super) fn steps(source: &mut Source<'_>, gauge: &mut Gauge) {
         gauge.reach("trace");
         assert!(!trace.states.is_empty());
     }
-    if let Ok(singles) = gauge.call("single", || one_by_one(&system, 50)) {
+    if let Ok(singles) =
+        gauge.call("single", || one_by_one(&system, 50, source.pick(&[Order::Leftmost, Order::Rightmost])))
+    {
         assert!(singles.len() <= 51);
     }
 }
