@@ -268,12 +268,14 @@ function reported(report, past) {
     }
     showProblem('');
     facts = { description: report.description, symbols: report.symbols, segments: report.segments };
-    setWords(html('empty'), report.empty ?? '');
-    html('empty').hidden = report.empty === null;
+    // Where an exercise asks for the string, it need not draw.
+    const empty = report.empty !== null && exercise?.about.asks === 'text' ? 'Nothing is drawn. Here the string counts.' : report.empty;
+    setWords(html('empty'), empty ?? '');
+    html('empty').hidden = empty === null;
     setText(html('description'), report.description);
     setText(html('caption-text'), captionOf(store.state, report));
     html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'L-system'}`);
-    announce(report.empty ?? report.description);
+    announce(empty ?? report.description);
 }
 
 function showTheme() {

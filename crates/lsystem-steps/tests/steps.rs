@@ -83,7 +83,7 @@ fn one_symbol_at_a_time_differs_from_all_at_once() {
     assert!(one_by_one(&system("AB", "A < B -> A"), 3, Order::Leftmost).is_err());
 }
 
-/// In another order the strings differ, but not their number of symbols where all rules are alike.
+/// In another order the strings differ.
 #[test]
 fn the_order_matters() {
     let strings = |rules: &str, order| -> Vec<String> {
