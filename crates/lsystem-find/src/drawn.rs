@@ -6,6 +6,8 @@ use crate::hull::{Hulls, System, Target};
 use crate::picture::Picture;
 use crate::strokes::Strokes;
 use crate::words::{Alphabet, Symbol, Words};
+use lsystem_syntax::{Definition, Dialect};
+use std::iter::once;
 use std::sync::Arc;
 
 /// From this agreement on a system is told as found.
@@ -36,11 +38,15 @@ pub struct Known {
     pub headings: Vec<f64>,
     /// The numbers of derivation steps to try, in ascending order.
     pub steps: Vec<u32>,
+    /// The letters that draw, if they are known.
+    pub draws: Option<String>,
 }
 
 /// A system that draws the picture, or nearly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
+    /// What its derivation begins with.
+    pub axiom: String,
     /// Its rules and the number of derivation steps.
     pub found: Found,
     /// The letters that draw.
@@ -51,6 +57,33 @@ pub struct Drawn {
     pub heading: f64,
     /// How much of the ink agrees, from 0 to 1.
     pub agreement: f64,
+}
+
+impl Drawn {
+    /// The system as a definition that draws the picture.
+    #[must_use]
+    pub fn definition(&self) -> Definition {
+        let usual = |letter: char| !Dialect::default().actions(letter).is_empty();
+        let letters =
+            self.axiom.chars().chain(self.found.rules.iter().flat_map(|(from, to)| once(*from).chain(to.chars())));
+        let mut letters: Vec<char> = letters.filter(char::is_ascii_alphabetic).collect();
+        letters.sort_unstable();
+        letters.dedup();
+        let line = |&letter: &char| match (self.draws.contains(letter), usual(letter)) {
+            (true, _) if !['F', 'G'].contains(&letter) => Some(format!("{letter}: draw")),
+            (false, true) => Some(format!("{letter}: nothing")),
+            _ => None,
+        };
+        Definition {
+            axiom: self.axiom.clone(),
+            rules: self.found.text(),
+            iterations: self.found.n,
+            angle: self.angle,
+            heading: self.heading,
+            overrides: letters.iter().filter_map(line).collect::<Vec<_>>().join("\n"),
+            ..Definition::default()
+        }
+    }
 }
 
 /// A search for the rules of a picture, in steps. It can be dropped at any time.
@@ -111,7 +144,13 @@ impl PictureSearch {
         let targets =
             known.headings.iter().map(|&heading| Target::new(&picture, known.angle, heading)).collect::<Vec<_>>();
         let Some(first) = targets.first() else { return Err("a first heading is expected") };
-        let families = families(&known.axiom, first.headings.order())?;
+        let mut families = families(&known.axiom, first.headings.order())?;
+        if let Some(draws) = &known.draws {
+            families.retain(|family| family.letters.iter().all(|(letter, drawn, _)| *drawn == draws.contains(*letter)));
+            if families.is_empty() {
+                return Err("the letters that draw are expected to be in the axiom, or F or G");
+            }
+        }
         Ok(Self { picture, targets, known, families, hulls: Hulls::default(), kept: Vec::new(), part })
     }
 
@@ -172,6 +211,7 @@ impl PictureSearch {
         keep(
             &mut self.kept,
             Drawn {
+                axiom: self.known.axiom.clone(),
                 found: Found { rules, n },
                 draws,
                 angle: self.known.angle,
@@ -183,8 +223,12 @@ impl PictureSearch {
 }
 
 /// Adds a system to those that are kept, best first.
-pub fn keep(kept: &mut Vec<Drawn>, drawn: Drawn) {
-    if kept.iter().any(|other| other.found == drawn.found && other.draws == drawn.draws && other.angle == drawn.angle) {
+pub(crate) fn keep(kept: &mut Vec<Drawn>, drawn: Drawn) {
+    let is_same = |other: &Drawn| {
+        let names = |drawn: &Drawn| (drawn.axiom.clone(), drawn.found.clone(), drawn.draws.clone());
+        names(other) == names(&drawn) && other.angle == drawn.angle
+    };
+    if kept.iter().any(is_same) {
         return;
     }
     kept.push(drawn);

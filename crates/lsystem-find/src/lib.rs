@@ -9,13 +9,15 @@
 
 mod derivation;
 mod drawn;
+mod finder;
 mod hull;
 mod picture;
 mod strokes;
 mod words;
 
 pub use derivation::{Search, Searched};
-pub use drawn::{Drawn, FOUND, Known, PictureSearch, keep};
+pub use drawn::{Drawn, FOUND, Known, PictureSearch};
+pub use finder::{Finder, Question, merged};
 pub use picture::Picture;
 
 use lsystem_syntax::print_module;
