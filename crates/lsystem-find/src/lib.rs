@@ -12,6 +12,7 @@ mod drawn;
 mod finder;
 mod hull;
 mod picture;
+mod strings;
 mod strokes;
 mod words;
 
@@ -19,6 +20,7 @@ pub use derivation::{Search, Searched};
 pub use drawn::{Drawn, FOUND, Known, PictureSearch};
 pub use finder::{Finder, Question, merged};
 pub use picture::Picture;
+pub use strings::StringFinder;
 
 use lsystem_syntax::print_module;
 
