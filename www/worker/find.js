@@ -11,7 +11,7 @@ const SHARE = { picture: 2048, string: 65_536 };
 /** Reports are at least this far apart, in milliseconds. */
 const BEAT = 250;
 
-/** The present search; `work` is what it did so far. @type {{finder: InstanceType<typeof wasm_bindgen.RuleFinder>, share: number, work: number, isMore: boolean} | null} */
+/** The present search; `work` is what it did so far. @type {{finder: wasm_bindgen.RuleFinder, share: number, work: number, isMore: boolean} | null} */
 let search = null;
 
 /** @returns {FindReport} */

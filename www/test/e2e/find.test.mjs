@@ -67,6 +67,12 @@ async function ask(page, known) {
     for (const [name, value] of Object.entries(known)) await page.fill(`#find-${name}`, value);
 }
 
+/** Opens the dialog. @param {Page} page */
+async function begin(page) {
+    await page.click('#section-rules [data-find]');
+    await page.waitForSelector('#find[open]');
+}
+
 /** @param {Page} page */
 const found = (page) => until(async () => /draws? (this|the same) picture\./.test(await text(page, '#find-verdict.found')), 'a system is found', PATIENCE);
 
@@ -106,13 +112,13 @@ for (const [type, ink, paper] of /** @type {const} */ ([['image/jpeg', '#fff', '
 
 test('a frame is cropped away by keys and by dragging', () =>
     withPage({}, async (page) => {
-        await page.click('#section-rules [data-find]');
+        await begin(page);
         await page.setInputFiles('#find-file', { name: 'slide.png', mimeType: 'image/png', buffer: await koch(page, { frame: true }) });
         await page.waitForSelector('#find-picture:visible');
         const corner = page.locator('.find-corner.top.left');
         await corner.focus();
         for (const key of ['Shift+ArrowRight', 'Shift+ArrowDown']) await page.keyboard.press(key);
-        assert.match((await corner.getAttribute('aria-label')) ?? '', /5 % from the left, 11 % from the top/);
+        await until(async () => /5 % from the left, 11 % from the top/.test((await corner.getAttribute('aria-label')) ?? ''), 'the corner has moved');
         const frame = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#find-preview').boundingBox());
         const handle = /** @type {typeof frame} */ (await page.locator('.find-corner.bottom.right').boundingBox());
         await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2);
@@ -140,8 +146,8 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
 
 test('the page answers while the search runs, and the search stops at once', () =>
     withPage({}, async (page) => {
-        // Of a frame alone nothing is found, so the search goes on.
-        await page.click('#section-rules [data-find]');
+        // With its frame nothing is found, so the search goes on.
+        await begin(page);
         await page.setInputFiles('#find-file', { name: 'two.png', mimeType: 'image/png', buffer: await koch(page, { frame: true }) });
         await page.waitForSelector('#find-picture:visible');
         await page.click('#find-start');
@@ -193,7 +199,7 @@ test('a string is searched for the shortest rules', () =>
 
 test('what cannot be searched is told where it stands', () =>
     withPage({}, async (page) => {
-        await page.click('#section-rules [data-find]');
+        await begin(page);
         await page.setInputFiles('#find-file', { name: 'curve.png', mimeType: 'image/png', buffer: await koch(page) });
         await page.waitForSelector('#find-picture:visible');
         for (const [field, value, said] of [['angle', 'wide', /angle is expected/], ['n', '2.5', /whole number/], ['n', '99', /1 to 12/], ['axiom', 'F(1)', /letters, turns/], ['axiom', 'F]', /closed/]]) {
@@ -227,7 +233,7 @@ const USES = Array.from({ length: 30 }, (_, at) => `<g id="g${at + 1}"><use href
 
 test('hostile pictures get a clear answer, and nothing of them runs or loads', () =>
     withPage({}, async (page) => {
-        await page.click('#section-rules [data-find]');
+        await begin(page);
         const cases = /** @type {const} */ ([
             ['text.png', Buffer.from('no picture at all'), /no PNG, JPEG, WebP or SVG/],
             ['empty.png', Buffer.from(''), /no PNG, JPEG, WebP or SVG/],
@@ -240,6 +246,7 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
             ['deep.svg', svg('<g>'.repeat(2000) + '</g>'.repeat(2000)), /more than 200,000 shapes|damaged/],
             ['laughs.svg', Buffer.from('<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;">]><svg xmlns="http://www.w3.org/2000/svg">&b;</svg>'), /entities/],
             ['white.svg', svg(''), /one shade of grey/],
+            ['hidden.svg', svg('<path id="&#97;" d="M0 0H9"/><use href="#a"/>'), /names with & or %/],
         ]);
         for (const [name, buffer, said] of cases) {
             await page.evaluate(() => document.getElementById('find-problem')?.replaceChildren());
@@ -256,7 +263,7 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
 test('a search that does not load is told, and tried again', () =>
     withPage({ expected: /find\.wasm|Failed to load/ }, async (page) => {
         await page.route(/find\.wasm$/, (route) => route.abort());
-        await page.click('#section-rules [data-find]');
+        await begin(page);
         await page.setInputFiles('#find-file', { name: 'curve.png', mimeType: 'image/png', buffer: await koch(page) });
         await page.waitForSelector('#find-picture:visible');
         await ask(page, { axiom: 'F', angle: '60', n: '3' });

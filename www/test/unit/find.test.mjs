@@ -7,6 +7,7 @@ import { isPicture } from '../../js/find/files.js';
 import { LEAST, darkIsLess, greyOf, inkMap, inkShare, inked, isPlain, levelOf, withCorner } from '../../js/find/ink.js';
 import { merged, percent, systems, verdict } from '../../js/find/merge.js';
 import { workersOn } from '../../js/find/search.js';
+import { drawableSvg } from '../../js/find/svg.js';
 import { DEFAULTS, definitionOf } from '../../js/state.js';
 
 /** A picture of `size` pixels each way with a frame of ink, one pixel wide, at a distance of two. @param {number} size @param {number} ink @param {number} paper */
@@ -100,4 +101,35 @@ test('an exercise asks for what its students do not know', () => {
     assert.equal(drawsOf({ dialect: 'lowercase', overrides: '' }).length, 26);
     const answer = answerOf({ ...target, rules: 'X -> F[-X]X\nF -> F', iterations: 3 }, { fixed: { ...target, rules: 'F -> FF' }, free: ['iterations'] });
     assert.deepEqual([answer.rules, answer.iterations], ['X -> F[-X]X\nF->FF', 3]);
+});
+
+test('an SVG gets a size, and loses what may take any time', () => {
+    const start = '<?xml version="1.0"?><!-- <a> --><svg xmlns="http://www.w3.org/2000/svg"';
+    for (const [given, expected] of [
+        [`${start} viewBox="0 0 200 100" width="100%"><path d="M0 0"/></svg>`, `${start} viewBox="0 0 200 100" width="1024" height="512"><path d="M0 0"/></svg>`],
+        [`${start} width='30mm' height="60mm"/>`, `${start} width="512" height="1024" viewBox="0 0 30 60"/>`],
+        [`${start} viewBox="0 0 0 9"><g/></svg>`, `${start} viewBox="0 0 0 9" width="1024" height="1024"><g/></svg>`],
+        [`${start} viewBox="0 0 1 1"><filter id="f"><filter/><feBlend/></filter><s:image/><g title=">"/></svg>`, `${start} viewBox="0 0 1 1" width="1024" height="1024"><g title=">"/></svg>`],
+    ]) assert.equal(drawableSvg(given ?? ''), expected);
+    assert.match(drawableSvg('<!DOCTYPE svg [<!ENTITY ns "http://ns.example/">]><svg xmlns:a="&ns;"></svg>'), /^<!DOCTYPE.*width="1024"/);
+});
+
+test('an SVG that would stall the page is refused, in a moment', () => {
+    const uses = Array.from({ length: 40 }, (_, at) => `<g id="g${at + 1}"><use href="#g${at}"/><use xlink:href='#g${at}'/></g>`).join('');
+    for (const [inside, said] of /** @type {[string, RegExp][]} */ ([
+        [`<path id="g0"/>${uses}<use href="#g40"/>`, /more than 200,000/],
+        ['<g id="a"><use href="#a"/></g>', /more than 200,000/],
+        ['<g>'.repeat(1000), /more than 200,000/],
+        ['<i/>'.repeat(250_000), /more than 200,000/],
+        ['<use href="#%61"/>', /names with/],
+        ['<!--'.repeat(1_000_000), /damaged/],
+        ['<a "'.repeat(1_000_001), /damaged/],
+        ['</svg></svg>', /damaged/],
+        ['<![CDATA['.repeat(500_000), /damaged/],
+    ])) {
+        const start = performance.now();
+        assert.throws(() => drawableSvg(`<svg>${inside}</svg>`), said, inside.slice(0, 20));
+        assert.ok(performance.now() - start < 3000, inside.slice(0, 20));
+    }
+    for (const text of ['', '<html></html>', '<svg>', '<svg/><svg/>', '<!DOCTYPE svg [<!ENTITY a "&b;">]><svg/>', "<!DOCTYPE svg [<!ENTITY a '<g/>'>]><svg/>", '<!DOCTYPE svg [']) assert.throws(() => drawableSvg(text), /damaged|entities/, text);
 });
