@@ -94,7 +94,7 @@ export function createFinding(engine, { open, restyle }) {
         results.show(next, { isString: isString(), isRunning: running !== null });
         setText(html('find-work'), workWords(next, isString()));
         // On a phone the results stand below the fields.
-        if (isNew) section.scrollIntoView({ block: 'nearest' });
+        if (isNew) section.scrollIntoView({ block: 'start' });
     }
 
     /** Runs a search, or goes on with one. @param {(signal: AbortSignal) => Promise<FindReport>} work */

@@ -3,7 +3,7 @@
 /** @typedef {import('../protocol.js').Candidate} Candidate */
 /** @typedef {import('../protocol.js').FindReport} FindReport */
 
-/** The most systems that are shown. */
+/** The most systems that are shown; the engine keeps as many. */
 const MOST = 20;
 
 /** What makes a candidate another system. @param {Candidate} candidate */
@@ -43,7 +43,7 @@ export const percent = (agreement) => `${(Math.floor(agreement * 1000 + 1e-9) / 
 const WORDS = ['No', 'One', 'Two', 'Three', 'Four', 'Five', 'Six', 'Seven', 'Eight', 'Nine', 'Ten', 'Eleven', 'Twelve'];
 
 /** A number of systems at the beginning of a sentence. @param {number} count */
-export const systems = (count) => `${WORDS[count] ?? count} ${count === 1 ? 'system' : 'systems'}`;
+export const systems = (count) => `${WORDS[count] ?? (count < MOST ? count : `At least ${count}`)} ${count === 1 ? 'system' : 'systems'}`;
 
 /**
  * The result in a sentence.

@@ -14,6 +14,8 @@ import { merged } from './merge.js';
 const MOST_WORKERS = 4;
 /** The work of the first round, and of a search before it asks whether to go on: systems of a picture, symbols of a string. */
 const WORK = { picture: { first: 65_536, most: 1 << 23 }, string: { first: 1 << 20, most: 1 << 28 } };
+/** A thorough search of a picture tries so many systems, whatever it finds. */
+const THOROUGH = 1 << 21;
 /** "Search longer" does so many times the work so far. */
 const LONGER = 4;
 
@@ -97,6 +99,7 @@ export function createSearch() {
                 parts = isString ? 1 : workersOn(navigator);
                 while (tools.length < parts) tools.push(createTool('find'));
                 ({ first, most } = isString ? WORK.string : WORK.picture);
+                if (thorough) most = Math.min(most, THOROUGH);
                 done = 0;
                 await Promise.all(tools.slice(0, parts).map((tool, part) => tool.call('begin', { source, question, part, parts }, { signal })));
                 return goOn(signal, progress);

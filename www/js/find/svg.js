@@ -79,7 +79,7 @@ export function drawableSvg(text) {
 
 /** The end of a comment, an instruction, a text or a declaration. @param {string} text @param {number} start */
 function endOfOther(text, start) {
-    const [, close] = [['<!--', '-->'], ['<![CDATA[', ']]>'], ['<?', '?>']].find(([begin = '']) => text.startsWith(begin, start)) ?? ['', ''];
+    const [, close] = [['!--', '-->'], ['![CDATA[', ']]>'], ['?', '?>']].find(([begin = '']) => text.startsWith(begin, start + 1)) ?? ['', ''];
     if (close) {
         const end = text.indexOf(close, start);
         if (end < 0) throw new Error(DAMAGED);

@@ -80,7 +80,7 @@ test('what several workers found is one list: the shortest that are found, or th
 
 test('percents are rounded down, and numbers begin sentences as words', () => {
     assert.deepEqual([0.98499, 0.985, 1, 0.9999].map(percent), ['98.4 %', '98.5 %', '100.0 %', '99.9 %']);
-    assert.deepEqual([1, 6, 20].map(systems), ['One system', 'Six systems', '20 systems']);
+    assert.deepEqual([1, 6, 19, 20].map(systems), ['One system', 'Six systems', '19 systems', 'At least 20 systems']);
 });
 
 test('one core is left to the page, and at most four workers search', () => {
