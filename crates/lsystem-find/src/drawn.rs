@@ -2,6 +2,7 @@
 
 use crate::Found;
 use crate::Searched;
+use crate::collage::{Collage, Collected, Step};
 use crate::hull::{Hulls, System, Target};
 use crate::picture::Picture;
 use crate::strokes::Strokes;
@@ -23,6 +24,8 @@ const MAX_AXIOM: usize = 200;
 const MAX_STEPS: u32 = 12;
 /// A family tries so many systems before another one is looked at.
 const SHARE: u64 = 256;
+/// The sizes of the copies in collages.
+const RATIOS: [f64; 4] = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0];
 /// Other letters that draw, and letters that do not.
 const DRAWN: [char; 2] = ['F', 'G'];
 const UNDRAWN: [char; 2] = ['X', 'Y'];
@@ -97,7 +100,11 @@ pub struct PictureSearch {
     targets: Vec<Target>,
     known: Known,
     families: Vec<Family>,
+    /// Successors that the picture itself tells, each with its family.
+    collages: Vec<(usize, Collage)>,
     hulls: Hulls,
+    /// The successors of the present system.
+    words: Vec<Vec<Symbol>>,
     kept: Vec<Drawn>,
     /// Which of how many searches beside each other this one is.
     part: (u64, u64),
@@ -120,6 +127,7 @@ enum Rule {
 struct Family {
     name: String,
     letters: Vec<(char, bool, Rule)>,
+    draws: Vec<bool>,
     axiom: Vec<Symbol>,
     alphabet: Alphabet,
     /// The symbols of all free successors in this round.
@@ -151,14 +159,31 @@ impl PictureSearch {
                 return Err("the letters that draw are expected to be in the axiom, or F or G");
             }
         }
-        Ok(Self { picture, targets, known, families, hulls: Hulls::default(), kept: Vec::new(), part })
+        let collages = collages(&picture, &known, &families, part);
+        Ok(Self {
+            picture,
+            targets,
+            known,
+            families,
+            collages,
+            hulls: Hulls::default(),
+            words: Vec::new(),
+            kept: Vec::new(),
+            part,
+        })
     }
 
     /// Tries about `systems` systems.
     pub fn step(&mut self, systems: u64) -> Searched {
+        let is_collected = self.collages.iter().all(|(_, collage)| collage.is_done());
+        if !is_collected {
+            self.collect();
+        }
         for _ in 0..systems.div_ceil(SHARE) {
             let open = self.families.iter().enumerate().filter(|(_, family)| family.round <= MAX_SYMBOLS);
-            let Some((at, _)) = open.min_by_key(|(_, family)| family.tried) else { return Searched::All };
+            let Some((at, _)) = open.min_by_key(|(_, family)| family.tried) else {
+                return if is_collected { Searched::All } else { Searched::More };
+            };
             for _ in 0..SHARE {
                 if self.families[at].round > MAX_SYMBOLS {
                     break;
@@ -170,6 +195,23 @@ impl PictureSearch {
             }
         }
         Searched::More
+    }
+
+    /// Goes on with the collages, one after the other.
+    fn collect(&mut self) {
+        let mut collages = std::mem::take(&mut self.collages);
+        if let Some((family, collage)) = collages.iter_mut().find(|(_, collage)| !collage.is_done())
+            && let Collected::Word(word) = collage.advance()
+        {
+            let rules = self.families[*family].letters.iter().enumerate().map(|(at, (_, _, rule))| match rule {
+                Rule::Fixed(word) => word.clone(),
+                _ if at == 0 => word.clone(),
+                _ => vec![at as Symbol],
+            });
+            let words: Vec<Vec<Symbol>> = rules.collect();
+            self.compare(*family, &words);
+        }
+        self.collages = collages;
     }
 
     /// The systems that draw the picture or nearly do, best first.
@@ -186,15 +228,22 @@ impl PictureSearch {
 
     /// Compares the present system of a family with the picture.
     fn test(&mut self, at: usize) {
+        let mut words = std::mem::take(&mut self.words);
+        if self.families[at].set_successors(&mut words) {
+            self.compare(at, &words);
+        }
+        self.words = words;
+    }
+
+    /// Compares the system of a family that has these successors with the picture.
+    fn compare(&mut self, at: usize, words: &[Vec<Symbol>]) {
         let family = &self.families[at];
-        let Some(words) = family.successors() else { return };
-        let draws: Vec<bool> = family.letters.iter().map(|(_, draws, _)| *draws).collect();
-        let system = System { alphabet: family.alphabet, axiom: &family.axiom, words: &words, draws: &draws };
+        let system = System { alphabet: family.alphabet, axiom: &family.axiom, words, draws: &family.draws };
         let (targets, picture) = (&self.targets, &self.picture);
         let mut best: Option<(f64, u32, usize)> = None;
         self.hulls.search(targets, system, &self.known.steps, |hulls, n, at, fit| {
             let target = &targets[at];
-            let Some(strokes) = Strokes::on_ink(system, &hulls.levels, n, target, picture, fit) else { return };
+            let Some(strokes) = Strokes::on_ink(system, hulls, n, target, picture, fit) else { return };
             let agreement = strokes.agreement(target, picture, fit);
             if agreement >= NEAR && best.is_none_or(|(most, ..)| agreement > most) {
                 best = Some((agreement, n, at));
@@ -208,17 +257,9 @@ impl PictureSearch {
             .map(|at| (family.letters[at].0, text(&words[at])))
             .collect();
         let draws = family.letters.iter().filter(|(_, draws, _)| *draws).map(|(letter, ..)| *letter).collect();
-        keep(
-            &mut self.kept,
-            Drawn {
-                axiom: self.known.axiom.clone(),
-                found: Found { rules, n },
-                draws,
-                angle: self.known.angle,
-                heading: self.known.headings[heading],
-                agreement,
-            },
-        );
+        let axiom = self.known.axiom.clone();
+        let (angle, heading) = (self.known.angle, self.known.headings[heading]);
+        keep(&mut self.kept, Drawn { axiom, found: Found { rules, n }, draws, angle, heading, agreement });
     }
 }
 
@@ -284,39 +325,63 @@ impl Family {
         }
     }
 
-    /// The successors of all letters, if the system is worth a try: all letters with rules that are searched are used.
-    fn successors(&self) -> Option<Vec<Vec<Symbol>>> {
+    /// Writes the successors of all letters. Whether the system is worth a try: all letters with rules that are searched
+    /// are used.
+    fn set_successors(&self, all: &mut Vec<Vec<Symbol>>) -> bool {
         let mut free = self.words.iter();
-        let first = self.words.first()?.word();
+        let Some(first) = self.words.first().map(Words::word) else { return false };
         let abc = self.alphabet;
-        let mut all = Vec::new();
-        for (at, (_, _, rule)) in self.letters.iter().enumerate() {
-            all.push(match rule {
-                Rule::Free => free.next()?.word().to_vec(),
-                Rule::Fixed(word) => word.clone(),
-                Rule::Mirrored { is_reversed } => {
-                    let swap = |&symbol: &Symbol| match symbol {
-                        0 => 1,
-                        1 => 0,
-                        turn if turn == abc.left() => abc.right(),
-                        turn if turn == abc.right() => abc.left(),
-                        other => other,
-                    };
-                    match is_reversed {
-                        true => first.iter().rev().map(swap).collect(),
-                        false => first.iter().map(swap).collect(),
-                    }
-                }
-            });
+        all.resize(self.letters.len(), Vec::new());
+        for (at, ((_, _, rule), word)) in self.letters.iter().zip(&mut *all).enumerate() {
             let is_used = self.axiom.contains(&(at as Symbol)) || first.contains(&(at as Symbol));
             if !is_used {
-                return None;
+                return false;
+            }
+            word.clear();
+            let swap = |&symbol: &Symbol| match symbol {
+                0 => 1,
+                1 => 0,
+                turn if turn == abc.left() => abc.right(),
+                turn if turn == abc.right() => abc.left(),
+                other => other,
+            };
+            match rule {
+                Rule::Free => word.extend_from_slice(free.next().map_or(&[], Words::word)),
+                Rule::Fixed(fixed) => word.extend_from_slice(fixed),
+                Rule::Mirrored { is_reversed: true } => word.extend(first.iter().rev().map(swap)),
+                Rule::Mirrored { is_reversed: false } => word.extend(first.iter().map(swap)),
+            }
+            // A letter that becomes itself is no rule, and another family has it.
+            if word.len() == 1 && *rule == Rule::Free {
+                return false;
             }
         }
-        // A letter that becomes itself is no rule, and another family has it.
-        let is_idle = |at: usize| all[at].len() == 1 && self.letters[at].2 == Rule::Free;
-        (!(0..all.len()).any(is_idle)).then_some(all)
+        true
     }
+}
+
+/// The collages for an axiom of one letter that draws, or of one that does not with another letter that is doubled.
+fn collages(picture: &Arc<Picture>, known: &Known, families: &[Family], part: (u64, u64)) -> Vec<(usize, Collage)> {
+    let mut collages = Vec::new();
+    for (at, family) in families.iter().enumerate() {
+        let (step, ratios) = match &family.letters[..] {
+            [(_, true, Rule::Free)] => (Step::Copy, &RATIOS[..]),
+            [(_, false, Rule::Free), (_, true, Rule::Fixed(word))] if word.len() == 2 => (Step::Stalk, &RATIOS[..1]),
+            _ => continue,
+        };
+        if family.axiom != [0] || !family.alphabet.has_branches {
+            continue;
+        }
+        for &heading in &known.headings {
+            for &ratio in ratios {
+                let collage = Collage::new(picture, step, ratio, family.alphabet, heading, known.angle);
+                collages.extend(collage.map(|collage| (at, collage)));
+            }
+        }
+    }
+    // Each of the searches beside each other has its part of them.
+    let parts = collages.into_iter().zip(0_u64..).filter(|(_, number)| number % part.1 == part.0);
+    parts.map(|(collage, _)| collage).collect()
 }
 
 /// The families of systems with an axiom.
@@ -350,6 +415,7 @@ fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
         let axiom = axiom.chars().filter(|at| !at.is_whitespace()).map(symbol).collect();
         families.push(Family {
             name,
+            draws: letters.iter().map(|(_, draws, _)| *draws).collect(),
             letters,
             axiom,
             alphabet,

@@ -1,5 +1,6 @@
 //! A picture as ink: which pixels are drawn on, and how far the ink reaches in each direction.
 
+use crate::parts::drawing;
 use lsystem_compare::{Mask, SIDE};
 
 /// The pixels around the ink.
@@ -17,6 +18,8 @@ pub struct Picture {
     pub(crate) mask: Mask,
     /// The ink and the pixels within two of it.
     pub(crate) near: Mask,
+    /// The ink and the pixels beside it.
+    pub(crate) close: Mask,
     /// Half the usual width of a line, in pixels.
     pub(crate) stroke: f64,
     /// The places of the ink at the outline of each row, with the y axis upwards.
@@ -37,7 +40,8 @@ impl Picture {
         let dark = grey.iter().filter(|&&at| at <= level).count();
         let is_dark = dark * 2 <= grey.len();
         let is_ink = |x: usize, y: usize| (grey[y * width + x] <= level) == is_dark;
-        let all = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).filter(|&(x, y)| is_ink(x, y));
+        let runs = drawing(width, height, is_ink);
+        let all = || runs.iter().flat_map(|run| (run.left..run.right).map(|x| (x, run.y)));
         let [mut left, mut top, mut right, mut bottom] = [usize::MAX, usize::MAX, 0, 0];
         for (x, y) in all() {
             (left, right) = (left.min(x), right.max(x));
@@ -77,9 +81,10 @@ impl Picture {
                 }
             }
         }
-        let near = mask.grown().grown();
+        let close = mask.grown();
+        let near = close.grown();
         let stroke = half_width(&mask);
-        Self { mask, near, stroke, outline }
+        Self { mask, near, close, stroke, outline }
     }
 
     /// How far the ink reaches in a direction in radians, counter-clockwise from the right, from the upper left corner.
@@ -91,7 +96,7 @@ impl Picture {
     }
 
     /// The area of the hull, by Cauchy's formula.
-    fn hull_area(&self) -> f64 {
+    pub(crate) fn hull_area(&self) -> f64 {
         let step = std::f64::consts::TAU / DIRECTIONS as f64;
         let reach: Vec<f64> = (0..DIRECTIONS).map(|at| self.reach(at as f64 * step)).collect();
         let slope = |at: usize| (reach[(at + 1) % DIRECTIONS] - reach[at]) / step;

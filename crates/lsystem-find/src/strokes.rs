@@ -1,11 +1,12 @@
 //! The strokes of a system, and how much of their ink agrees with a picture.
 
-use crate::hull::{Block, Fit, Headings, Place, System, Target};
+use crate::hull::{Block, Fit, Headings, Hulls, Place, System, Target};
 use crate::picture::Picture;
 use lsystem_compare::{Mask, SIDE};
+use std::collections::HashSet;
 
 /// The most strokes of one system.
-const MAX_STROKES: usize = 400_000;
+const MAX_STROKES: usize = 100_000;
 /// Blocks that are smaller than this many pixels are one dot.
 const DOT: f64 = 0.7;
 /// The pixels from one test of a stroke to the next.
@@ -13,6 +14,10 @@ const APART: f64 = 2.0;
 /// A system is given up where more than this part of its strokes lies beside the ink, and some tests more.
 const BESIDE: f64 = 0.03;
 const SOME: f64 = 8.0;
+/// Parts of a drawing whose places differ by less than this many pixels are the same part.
+const SAME: f64 = 0.25;
+/// A first agreement that is less is not worth a better fit.
+const PROMISING: f64 = 0.7;
 /// The changes of a fit, in pixels, that are tried one after the other.
 const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
 
@@ -22,12 +27,14 @@ pub(crate) struct Strokes(Vec<[f64; 4]>);
 /// What follows the blocks of a system down to its strokes.
 struct Tracer<'a> {
     system: System<'a>,
-    levels: &'a [Vec<Block>],
+    hulls: &'a Hulls,
     radii: Vec<Vec<f64>>,
     target: &'a Target,
     picture: &'a Picture,
     fit: Fit,
     strokes: Vec<[f64; 4]>,
+    /// The parts that were traced: letter, steps, heading and place.
+    traced: HashSet<(u8, u8, u32, i32, i32)>,
     tested: f64,
     beside: f64,
 }
@@ -36,15 +43,15 @@ impl Strokes {
     /// The strokes after `n` steps, if they lie on the ink.
     pub(crate) fn on_ink(
         system: System,
-        levels: &[Vec<Block>],
+        hulls: &Hulls,
         n: u32,
         target: &Target,
         picture: &Picture,
         fit: Fit,
     ) -> Option<Self> {
-        let radii = levels.iter().map(|blocks| blocks.iter().map(Block::radius).collect()).collect();
-        let (strokes, tested, beside) = (Vec::new(), 0.0, 0.0);
-        let mut tracer = Tracer { system, levels, radii, target, picture, fit, strokes, tested, beside };
+        let radii = (0..=n as usize).map(|n| hulls.level(n).iter().map(Block::radius).collect()).collect();
+        let (strokes, traced, tested, beside) = (Vec::new(), HashSet::new(), 0.0, 0.0);
+        let mut tracer = Tracer { system, hulls, radii, target, picture, fit, strokes, traced, tested, beside };
         tracer.word(system.axiom, n as usize, Place { x: 0.0, y: 0.0, turns: 0 })?;
         Some(Self(tracer.strokes))
     }
@@ -54,6 +61,9 @@ impl Strokes {
         let agreement = |fit: Fit| self.mask(target, fit).agreement(&picture.mask);
         let size = SIDE as f64 / fit.unit;
         let (mut best, mut most) = (fit, agreement(fit));
+        if most < PROMISING {
+            return most;
+        }
         for change in CHANGES {
             for by in [change, -change] {
                 let near = [
@@ -117,7 +127,7 @@ impl Tracer<'_> {
         for &symbol in word {
             if symbol < abc.letters {
                 self.letter(symbol, n, place)?;
-                let block = &self.levels[n][usize::from(symbol)];
+                let block = &self.hulls.level(n)[usize::from(symbol)];
                 let (cos, sin, ..) = headings.all[place.turns];
                 place.x += block.end.0 * cos - block.end.1 * sin;
                 place.y += block.end.0 * sin + block.end.1 * cos;
@@ -138,6 +148,12 @@ impl Tracer<'_> {
     fn letter(&mut self, letter: u8, n: usize, place: Place) -> Option<()> {
         let radius = self.radii[n][usize::from(letter)];
         let (cos, sin, ..) = self.target.headings.all[place.turns];
+        // Drawings that cross themselves, such as grids, have the same parts many times.
+        let cell = |at: f64| (at * self.fit.unit / SAME).round() as i32;
+        let part = (letter, n as u8, place.turns as u32, cell(place.x), cell(place.y));
+        if radius == 0.0 || !self.traced.insert(part) {
+            return Some(());
+        }
         if n > 0 && radius * self.fit.unit >= DOT {
             let word = &self.system.words[usize::from(letter)];
             return self.word(word, n - 1, place).map(|_| ());
