@@ -16,8 +16,12 @@ const PLACES: usize = 1024;
 /// The least part of a copy that lies on ink. Its smallest twigs lie beside it: the copy has one generation more. Where
 /// ink is dense, a larger part lies on ink by chance.
 const ON_INK: f64 = 0.7;
+/// The same part where the base is up to two pixels off.
+const ROUGHLY: f64 = 0.5;
 /// A copy is given up after so many misses more than that.
 const SOME: f64 = 6.0;
+/// Where the ink covers more than this part of the hull, copies fit nearly everywhere, and no list of them helps.
+const DENSE: f64 = 0.5;
 /// Copies are different if they are so many pixels apart.
 const APART: f64 = 4.0;
 /// A base may be so many pixels from where the turtle comes by.
@@ -156,7 +160,7 @@ impl Collage {
             base,
             on_ink: ON_INK + (1.0 - ON_INK) * density * density,
             places,
-            turns: turns.clone(),
+            turns: if density > DENSE { Vec::new() } else { turns.clone() },
             all_turns: turns,
             copies: Vec::new(),
             lengths: None,
@@ -286,13 +290,14 @@ impl Collage {
         let peaks = (SHORTEST as usize..SIDE - 1).filter(is_peak).map(|at| (at as f64, scores[at]));
         let mut peaks: Vec<(f64, f64)> = peaks.collect();
         peaks.sort_by(|a, b| b.1.total_cmp(&a.1));
-        peaks.truncate(MAX_LENGTHS / 2);
+        peaks.truncate(MAX_LENGTHS);
         peaks
     }
 
     /// The best copy with its base near a node.
     fn copy_at(&self, offsets: &[[f64; 2]], node: [f64; 2]) -> Option<Copy> {
-        let mut best: Option<Copy> = None;
+        let mut best = Some(Copy { at: node, score: self.score(offsets, node, ROUGHLY)? });
+        best = best.filter(|best| best.score >= ON_INK);
         for dx in -2..=2 {
             for dy in -2..=2 {
                 let at = [node[0] + f64::from(dx), node[1] + f64::from(dy)];

@@ -3,11 +3,12 @@
 use crate::Found;
 use crate::Searched;
 use crate::collage::{Collage, Collected, Step};
-use crate::hull::{Hulls, System, Target};
+use crate::hull::{Fit, Hulls, System, Target};
 use crate::picture::Picture;
 use crate::strokes::Strokes;
 use crate::words::{Alphabet, Symbol, Words};
-use lsystem_syntax::{Definition, Dialect};
+use lsystem_drawing::draw;
+use lsystem_syntax::{Definition, Dialect, Limits};
 use std::iter::once;
 use std::sync::Arc;
 
@@ -22,6 +23,8 @@ const MAX_SYMBOLS: usize = 24;
 /// The most symbols of the axiom, and the most derivation steps.
 const MAX_AXIOM: usize = 200;
 const MAX_STEPS: u32 = 12;
+/// A drawing with more segments is not drawn once more.
+const MAX_CONFIRMED: u64 = 100_000;
 /// A family tries so many systems before another one is looked at.
 const SHARE: u64 = 256;
 /// The sizes of the copies in collages.
@@ -87,6 +90,20 @@ impl Drawn {
             ..Definition::default()
         }
     }
+
+    /// Measures the agreement once more, with the drawing of the definition, unless that has too many segments.
+    fn confirm(&mut self, target: &Target, picture: &Picture, fit: Fit) {
+        let limits = Limits { segments: MAX_CONFIRMED, ..Limits::default() };
+        let Some(system) = lsystem_drawing::System::new(&self.definition()).0 else {
+            self.agreement = 0.0;
+            return;
+        };
+        let Ok(drawing) = draw(&system, self.found.n, &limits) else { return };
+        if drawing.segment_count() <= u128::from(MAX_CONFIRMED) {
+            let segments = drawing.segments().map(|segment| [segment.from, segment.to]);
+            self.agreement = Strokes::of_segments(segments, target).agreement(target, picture, fit);
+        }
+    }
 }
 
 /// A search for the rules of a picture, in steps. It can be dropped at any time.
@@ -115,6 +132,8 @@ pub struct PictureSearch {
 enum Rule {
     /// All successors are tried.
     Free,
+    /// All successors are tried that have no other letters.
+    Own,
     Fixed(Vec<Symbol>),
     /// The successor of the first letter with both letters exchanged, as a mirror shows it; also from its end.
     Mirrored {
@@ -135,6 +154,8 @@ struct Family {
     /// The successors of the free letters.
     words: Vec<Words>,
     tried: u64,
+    /// A family gets a part of the work that is smaller by this factor than that of the most usual ones.
+    rank: u64,
 }
 
 impl PictureSearch {
@@ -181,7 +202,7 @@ impl PictureSearch {
         }
         for _ in 0..systems.div_ceil(SHARE) {
             let open = self.families.iter().enumerate().filter(|(_, family)| family.round <= MAX_SYMBOLS);
-            let Some((at, _)) = open.min_by_key(|(_, family)| family.tried) else {
+            let Some((at, _)) = open.min_by_key(|(_, family)| family.tried * family.rank) else {
                 return if is_collected { Searched::All } else { Searched::More };
             };
             for _ in 0..SHARE {
@@ -240,16 +261,16 @@ impl PictureSearch {
         let family = &self.families[at];
         let system = System { alphabet: family.alphabet, axiom: &family.axiom, words, draws: &family.draws };
         let (targets, picture) = (&self.targets, &self.picture);
-        let mut best: Option<(f64, u32, usize)> = None;
+        let mut best: Option<(f64, u32, usize, Fit)> = None;
         self.hulls.search(targets, system, &self.known.steps, |hulls, n, at, fit| {
             let target = &targets[at];
             let Some(strokes) = Strokes::on_ink(system, hulls, n, target, picture, fit) else { return };
             let agreement = strokes.agreement(target, picture, fit);
             if agreement >= NEAR && best.is_none_or(|(most, ..)| agreement > most) {
-                best = Some((agreement, n, at));
+                best = Some((agreement, n, at, fit));
             }
         });
-        let Some((agreement, n, heading)) = best else { return };
+        let Some((agreement, n, at, fit)) = best else { return };
         let text = |word: &[Symbol]| word.iter().map(|&symbol| family.character(symbol)).collect::<String>();
         let is_constant = |at: usize| words[at] == [at as Symbol];
         let rules = (0..words.len())
@@ -258,8 +279,12 @@ impl PictureSearch {
             .collect();
         let draws = family.letters.iter().filter(|(_, draws, _)| *draws).map(|(letter, ..)| *letter).collect();
         let axiom = self.known.axiom.clone();
-        let (angle, heading) = (self.known.angle, self.known.headings[heading]);
-        keep(&mut self.kept, Drawn { axiom, found: Found { rules, n }, draws, angle, heading, agreement });
+        let (angle, heading) = (self.known.angle, self.known.headings[at]);
+        let mut drawn = Drawn { axiom, found: Found { rules, n }, draws, angle, heading, agreement };
+        if agreement >= FOUND {
+            drawn.confirm(&targets[at], picture, fit);
+        }
+        keep(&mut self.kept, drawn);
     }
 }
 
@@ -291,16 +316,15 @@ impl Family {
         }
     }
 
-    /// Goes to the next system. The last word changes first, as the last digit of a number does.
+    /// Goes to the next system. The first word changes first, so that the blocks of the other one are used again.
     fn advance(&mut self) {
         self.tried += 1;
         while self.round <= MAX_SYMBOLS {
-            let last = self.words.len() - 1;
-            if self.words[last].advance() {
+            if self.words[0].advance() {
                 return;
             }
-            if last > 0 && self.words[0].advance() {
-                self.words[last] = self.words[last].again();
+            if self.words.len() > 1 && self.words[1].advance() {
+                self.words[0] = self.words[0].again();
             } else {
                 self.share();
             }
@@ -316,12 +340,17 @@ impl Family {
                 1
             }
         };
-        self.words = match self.letters.iter().filter(|(_, _, rule)| *rule == Rule::Free).count() {
+        let second = self.letters.iter().position(|(_, _, rule)| *rule == Rule::Own).unwrap_or(0);
+        let free = self.letters.iter().filter(|(_, _, rule)| matches!(rule, Rule::Free | Rule::Own)).count();
+        self.words = match free {
             1 => vec![Words::new(self.alphabet, self.round)],
-            _ => vec![Words::new(self.alphabet, first), Words::new(self.alphabet, self.round.saturating_sub(first))],
+            _ => {
+                let rest = Words::new(self.alphabet, self.round.saturating_sub(first)).from(second as Symbol);
+                vec![Words::new(self.alphabet, first), rest]
+            }
         };
-        if let [first, _] = &mut self.words[..] {
-            first.advance();
+        if let [_, rest] = &mut self.words[..] {
+            rest.advance();
         }
     }
 
@@ -346,13 +375,13 @@ impl Family {
                 other => other,
             };
             match rule {
-                Rule::Free => word.extend_from_slice(free.next().map_or(&[], Words::word)),
+                Rule::Free | Rule::Own => word.extend_from_slice(free.next().map_or(&[], Words::word)),
                 Rule::Fixed(fixed) => word.extend_from_slice(fixed),
                 Rule::Mirrored { is_reversed: true } => word.extend(first.iter().rev().map(swap)),
                 Rule::Mirrored { is_reversed: false } => word.extend(first.iter().map(swap)),
             }
             // A letter that becomes itself is no rule, and another family has it.
-            if word.len() == 1 && *rule == Rule::Free {
+            if word.len() == 1 && matches!(rule, Rule::Free | Rule::Own) {
                 return false;
             }
         }
@@ -406,7 +435,7 @@ fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
     let other = |names: [char; 2]| names.into_iter().find(|name| !letters.contains(name)).unwrap_or('Z');
     let (drawn, undrawn) = (other(DRAWN), other(UNDRAWN));
     let mut families = Vec::new();
-    let mut add = |name: String, letters: Vec<(char, bool, Rule)>, has_branches: bool| {
+    let mut add = |rank: u64, name: String, letters: Vec<(char, bool, Rule)>, has_branches: bool| {
         let alphabet = Alphabet { letters: letters.len() as u8, has_branches, order };
         let symbol = |at: char| match letters.iter().position(|(letter, ..)| *letter == at) {
             Some(letter) => letter as Symbol,
@@ -422,36 +451,41 @@ fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
             round: 1,
             words: vec![Words::new(alphabet, 0)],
             tried: 0,
+            rank,
         });
     };
     let (constant, doubled) = (|at| Rule::Fixed(vec![at]), |at| Rule::Fixed(vec![at, at]));
     match letters[..] {
         [a] => {
             if DRAWN.contains(&a) || !UNDRAWN.contains(&a) {
-                add(format!("one rule for {a}"), vec![(a, true, Rule::Free)], true);
+                let rank = if DRAWN.contains(&a) { 1 } else { 3 };
+                add(rank, format!("one rule for {a}"), vec![(a, true, Rule::Free)], true);
                 for is_reversed in [false, true] {
                     let from = if is_reversed { " from its end" } else { "" };
                     let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Mirrored { is_reversed })];
-                    add(format!("a rule for {a} and its mirror image{from} for {drawn}"), pair, false);
+                    add(2 * rank, format!("a rule for {a} and its mirror image{from} for {drawn}"), pair, false);
                 }
                 let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Free)];
-                add(format!("rules for {a} and {drawn}"), pair, true);
+                add(2 * rank, format!("rules for {a} and {drawn}"), pair, true);
             }
             if !DRAWN.contains(&a) {
                 for draws in [false, true] {
-                    let kind = if draws { ", which draws" } else { "" };
+                    let (kind, rank) = if draws { (", which draws", 4) } else { ("", 1) };
                     let pair = vec![(a, draws, Rule::Free), (drawn, true, doubled(1))];
-                    add(format!("{drawn} -> {drawn}{drawn} and a rule for {a}{kind}"), pair, true);
+                    add(rank, format!("{drawn} -> {drawn}{drawn} and a rule for {a}{kind}"), pair, true);
                     let pair = vec![(a, draws, Rule::Free), (drawn, true, constant(1))];
-                    add(format!("a rule for {a}{kind}, with {drawn}"), pair, true);
+                    add(2 * rank, format!("a rule for {a}{kind}, with {drawn}"), pair, true);
                 }
+                let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Own)];
+                add(1, format!("rules for {a} and {drawn}, {a} without drawing, {drawn} without {a}"), pair, true);
                 let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Free)];
-                add(format!("rules for {a} and {drawn}, {a} without drawing"), pair, true);
+                add(3, format!("rules for {a} and {drawn}, {a} without drawing"), pair, true);
                 for is_reversed in [false, true] {
                     let from = if is_reversed { " from its end" } else { "" };
                     let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
                     let three = vec![(a, false, Rule::Free), mirrored, (drawn, true, constant(2))];
-                    add(format!("a rule for {a} and its mirror image{from} for {undrawn}, with {drawn}"), three, false);
+                    let name = format!("a rule for {a} and its mirror image{from} for {undrawn}, with {drawn}");
+                    add(2, name, three, false);
                 }
             }
         }
@@ -459,15 +493,16 @@ fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
             let (f, x) = if DRAWN.contains(&b) { (b, a) } else { (a, b) };
             let draws = DRAWN.contains(&x);
             let pair = |rule: Rule| vec![(x, draws, Rule::Free), (f, true, rule)];
-            add(format!("a rule for {x}, with {f}"), pair(constant(1)), true);
-            add(format!("{f} -> {f}{f} and a rule for {x}"), pair(doubled(1)), true);
-            add(format!("rules for {f} and {x}"), pair(Rule::Free), true);
+            add(2, format!("a rule for {x}, with {f}"), pair(constant(1)), true);
+            add(1, format!("{f} -> {f}{f} and a rule for {x}"), pair(doubled(1)), true);
+            add(1, format!("rules for {f} and {x}, {f} without {x}"), pair(Rule::Own), true);
+            add(2, format!("rules for {f} and {x}"), pair(Rule::Free), true);
             if !draws {
                 for is_reversed in [false, true] {
                     let from = if is_reversed { " from its end" } else { "" };
                     let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
                     let three = vec![(x, false, Rule::Free), mirrored, (f, true, constant(2))];
-                    add(format!("a rule for {x} and its mirror image{from} for {undrawn}, with {f}"), three, false);
+                    add(2, format!("a rule for {x} and its mirror image{from} for {undrawn}, with {f}"), three, false);
                 }
             }
         }

@@ -285,6 +285,8 @@ pub(crate) struct Hulls {
     /// The blocks of all letters after no step, after one step, and so on, and at last that of the axiom.
     blocks: Vec<Block>,
     letters: usize,
+    /// The successor of the last letter that the blocks are of, whether it draws, and the number of steps.
+    last: (Vec<Symbol>, bool, u32),
     stack: Vec<Place>,
 }
 
@@ -306,16 +308,27 @@ impl Hulls {
         let Some(Target { headings, .. }) = targets.first() else { return };
         let last = steps.last().copied().unwrap_or(0);
         let mut fits = Vec::new();
-        self.letters = system.draws.len();
+        let letters = system.draws.len();
+        // Often only the last letter's rule is the same as before, and without other letters its blocks are the same.
+        let (word, draws) = (&system.words[letters - 1], system.draws[letters - 1]);
+        let is_known = self.letters == letters
+            && (&self.last.0, self.last.1, self.last.2) == (word, draws, last)
+            && word.iter().all(|&symbol| symbol >= system.alphabet.letters || usize::from(symbol) == letters - 1);
+        if !is_known {
+            self.last.0.clone_from(word);
+            (self.last.1, self.last.2) = (draws, last);
+        }
+        let changed = if is_known { letters - 1 } else { letters };
+        self.letters = letters;
         self.blocks.resize((last as usize + 1) * self.letters + 1, Block::EMPTY);
-        for (block, &draws) in self.blocks.iter_mut().zip(system.draws) {
+        for (block, &draws) in self.blocks.iter_mut().zip(system.draws).take(changed) {
             block.set_letter(headings, draws);
         }
         for n in 0..=last {
             let (below, above) = self.blocks.split_at_mut((n as usize + 1) * self.letters);
             let blocks = &below[n as usize * self.letters..];
             if n < last {
-                for (block, word) in above.iter_mut().zip(system.words) {
+                for (block, word) in above.iter_mut().zip(system.words).take(changed) {
                     block.set_word(headings, system.alphabet, word, blocks, &mut self.stack);
                 }
             }

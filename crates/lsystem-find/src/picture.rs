@@ -1,12 +1,15 @@
 //! A picture as ink: which pixels are drawn on, and how far the ink reaches in each direction.
 
 use crate::parts::drawing;
+use crate::strokes::put_stroke;
 use lsystem_compare::{Mask, SIDE};
 
 /// The pixels around the ink.
 const MARGIN: usize = 4;
 /// A picture whose ink covers more than this part of its hull shows no lines.
 const MOST_COVERED: f64 = 0.85;
+/// Half the width of the lines that segments are drawn with, in pixels.
+const THIN: f64 = 0.75;
 /// One of so many pixels lies on a line of the usual width or a thinner one.
 const USUAL: usize = 3;
 /// The directions of the hull whose area is measured.
@@ -63,6 +66,28 @@ impl Picture {
             return Err("the picture is filled: no lines are seen in it");
         }
         Ok(picture)
+    }
+
+    /// A picture of segments, given by the coordinates of both ends with the y axis upwards.
+    ///
+    /// # Errors
+    /// Why no lines are seen.
+    pub fn of_segments(segments: &[[f64; 4]]) -> Result<Self, &'static str> {
+        let places = || segments.iter().flat_map(|&[x1, y1, x2, y2]| [[x1, y1], [x2, y2]]);
+        let least = |axis: usize| places().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
+        let most = |axis: usize| places().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max);
+        let (left, top) = (least(0), most(1));
+        let longest = (most(0) - left).max(top - least(1));
+        if !(longest > 0.0 && longest.is_finite()) {
+            return Err("the segments have no length");
+        }
+        let scale = (SIDE - 2 * MARGIN) as f64 / longest;
+        let pixel = |x: f64, y: f64| [(x - left) * scale + MARGIN as f64, (top - y) * scale + MARGIN as f64];
+        let mut mask = Mask::default();
+        for &[x1, y1, x2, y2] in segments {
+            put_stroke(&mut mask, [pixel(x1, y1), pixel(x2, y2)], THIN);
+        }
+        Ok(Self::of(mask))
     }
 
     /// How much of the ink of both agrees, from 0 to 1.

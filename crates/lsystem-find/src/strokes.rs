@@ -56,6 +56,17 @@ impl Strokes {
         Some(Self(tracer.strokes))
     }
 
+    /// Segments of a drawing in steps, whose first heading is that of the target.
+    pub(crate) fn of_segments(segments: impl Iterator<Item = [[f64; 2]; 2]>, target: &Target) -> Self {
+        let (cos, sin) = target.first;
+        let turned = |[x, y]: [f64; 2]| [x * cos + y * sin, y * cos - x * sin];
+        let stroke = |[from, to]: [[f64; 2]; 2]| {
+            let ([x1, y1], [x2, y2]) = (turned(from), turned(to));
+            [x1, y1, x2, y2]
+        };
+        Self(segments.map(stroke).collect())
+    }
+
     /// The part of the ink that agrees, with the best of the fits near this one.
     pub(crate) fn agreement(&self, target: &Target, picture: &Picture, fit: Fit) -> f64 {
         let agreement = |fit: Fit| self.mask(target, fit).agreement(&picture.mask);
@@ -86,26 +97,28 @@ impl Strokes {
     /// The pixels of the strokes.
     fn mask(&self, target: &Target, fit: Fit) -> Mask {
         let mut mask = Mask::default();
-        let last = (SIDE - 1) as f64;
         for [x1, y1, x2, y2] in &self.0 {
-            let ([x1, y1], [x2, y2]) = (pixel(target, fit, *x1, *y1), pixel(target, fit, *x2, *y2));
-            let (dx, dy) = (x2 - x1, y2 - y1);
-            let length = (dx * dx + dy * dy).max(1e-12);
-            let rows = |low: f64, high: f64| {
-                (low - fit.stroke).clamp(0.0, last) as usize..=(high + fit.stroke).clamp(0.0, last) as usize
-            };
-            for y in rows(y1.min(y2), y1.max(y2)) {
-                for x in rows(x1.min(x2), x1.max(x2)) {
-                    let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
-                    let along = ((px * dx + py * dy) / length).clamp(0.0, 1.0);
-                    let (px, py) = (px - along * dx, py - along * dy);
-                    if px * px + py * py <= fit.stroke * fit.stroke {
-                        mask.put(x, y);
-                    }
-                }
-            }
+            put_stroke(&mut mask, [pixel(target, fit, *x1, *y1), pixel(target, fit, *x2, *y2)], fit.stroke);
         }
         mask
+    }
+}
+
+/// Gives the pixels ink whose centres are at most `reach` pixels from a stroke.
+pub(crate) fn put_stroke(mask: &mut Mask, [[x1, y1], [x2, y2]]: [[f64; 2]; 2], reach: f64) {
+    let last = (SIDE - 1) as f64;
+    let (dx, dy) = (x2 - x1, y2 - y1);
+    let length = (dx * dx + dy * dy).max(1e-12);
+    let rows = |low: f64, high: f64| (low - reach).clamp(0.0, last) as usize..=(high + reach).clamp(0.0, last) as usize;
+    for y in rows(y1.min(y2), y1.max(y2)) {
+        for x in rows(x1.min(x2), x1.max(x2)) {
+            let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
+            let along = ((px * dx + py * dy) / length).clamp(0.0, 1.0);
+            let (px, py) = (px - along * dx, py - along * dy);
+            if px * px + py * py <= reach * reach {
+                mask.put(x, y);
+            }
+        }
     }
 }
 
