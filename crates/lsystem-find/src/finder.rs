@@ -1,11 +1,10 @@
 //! The search for the rules of a picture of which something is known, and the rest is to be found out.
 
+use crate::angles::suggested;
 use crate::drawn::{Drawn, FOUND, Known, PictureSearch, keep};
 use crate::{Picture, Searched};
 use std::sync::Arc;
 
-/// The angles that are tried where none is known, in degrees: those of the field's books.
-const ANGLES: [f64; 14] = [90.0, 60.0, 120.0, 45.0, 30.0, 36.0, 72.0, 22.5, 25.0, 20.0, 25.7, 15.0, 18.0, 85.0];
 /// The first headings that are tried where none is known, in degrees.
 const HEADINGS: [f64; 5] = [90.0, 0.0, 60.0, 45.0, 30.0];
 /// The numbers of derivation steps that are tried where theirs is not known.
@@ -60,8 +59,15 @@ impl Finder {
     /// # Errors
     /// Why this cannot be searched.
     pub fn new(picture: &Arc<Picture>, question: &Question, part: (u64, u64)) -> Result<Self, &'static str> {
-        let angles = question.angle.map_or(ANGLES.to_vec(), |angle| vec![angle]);
         let headings = question.heading.map_or(HEADINGS.to_vec(), |heading| vec![heading]);
+        let angles = question.angle.map_or_else(
+            || {
+                let closed = question.axiom.as_deref().and_then(closing_angle);
+                let other = suggested(picture, &headings).into_iter().filter(|&angle| Some(angle) != closed);
+                closed.into_iter().chain(other).collect()
+            },
+            |angle| vec![angle],
+        );
         let steps = question.n.map_or(STEPS.to_vec(), |n| vec![n]);
         let mut searches = Vec::new();
         for (&angle, usual) in angles.iter().zip(1..) {
@@ -119,6 +125,16 @@ fn axioms(angle: f64) -> Vec<String> {
         axioms.extend(sides.map(|sides| vec!["F"; sides].join(&"+".repeat(turns / sides))));
     }
     axioms
+}
+
+/// The angle that closes a polygon, such as `F-F-F-F`, whose corners have equal turns.
+fn closing_angle(axiom: &str) -> Option<f64> {
+    let sides = axiom.trim_matches(['+', '-']).split(['+', '-']).filter(|side| !side.is_empty()).count();
+    let corners: Vec<&str> =
+        axiom.split(|at: char| at.is_ascii_alphabetic()).filter(|turns| !turns.is_empty()).collect();
+    let corner = corners.last()?;
+    let is_regular = axiom.trim_matches(['+', '-']).split(corner).filter(|side| side.len() == 1).count() == sides;
+    (sides >= SIDES[0] && is_regular).then(|| 360.0 / (sides * corner.len()) as f64)
 }
 
 /// What searches beside each other found: the systems that draw the picture, or the closest ones if none does, best

@@ -7,10 +7,13 @@
 //! The rules of a picture are found by trying: all systems of some families, the shortest first. The convex hull of a
 //! system's drawing is found without drawing it; only where it is that of the picture, the strokes are laid on the ink.
 
+mod angles;
+mod collage;
 mod derivation;
 mod drawn;
 mod finder;
 mod hull;
+mod parts;
 mod picture;
 mod strings;
 mod strokes;
