@@ -6,6 +6,7 @@ import { dialRows } from './controls/dial-rows.js';
 import { button, html, setText, setWords } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
 import { createLater } from './course/later.js';
+import { createFind } from './find/later.js';
 import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
 import { createImporting } from './importing.js';
@@ -84,8 +85,10 @@ const share = createShare(store, engine);
 const favourites = favouritesPanel(store, engine, { storage, session });
 const course = createLater(store, engine, reader.readAt);
 const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
+const find = createFind(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 savePanel(store, engine, {
     offer: importing.offer,
+    find,
     address: async () => new URL(await bestLink(store.state), location.href).href,
     select: share.select,
     favourites: favourites.take,

@@ -183,6 +183,19 @@ export {};
  *     mark: {asked: {text: string, student: Definition}, answer: {mark: Mark, pixels: Uint8Array<ArrayBuffer>}},
  * }} CourseCalls
  */
+/** What is known of a system whose rules are searched; what is null is to be found out. @typedef {{axiom: string | null, angle: number | null, heading: number | null, n: number | null, draws: string | null}} FindQuestion */
+/** Where rules are searched: levels of grey, row by row from above, 0 for black; or a string. @typedef {{grey: Uint8Array, width: number, height: number} | {text: string}} FindSource */
+/** A system that was found, or that comes close; `agreement` is from 0 to 1. @typedef {{definition: Definition, symbols: number, agreement: number, isFound: boolean}} Candidate */
+/** What a search found so far. `work`: the systems of a picture that it tried, or the symbols of a string that it read. @typedef {{candidates: Candidate[], searched: string, work: number, isMore: boolean}} FindReport */
+/**
+ * The calls of the tool that searches for rules. `begin` replaces the former search; `part` is which of `parts` searches
+ * beside each other this one is. `search` goes on until `until` units of work are done in all, and its progress is a
+ * report too.
+ * @typedef {{
+ *     begin: {asked: {source: FindSource, question: FindQuestion, part: number, parts: number}, answer: null},
+ *     search: {asked: {until: number}, answer: FindReport},
+ * }} FindCalls
+ */
 /** From the page to a tool: calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
 /** From a tool to the page. `fatal`: the tool has crashed. @typedef {{type: 'pong'} | {type: 'answer', id: number, value: unknown} | {type: 'progress', id: number, value: unknown} | {type: 'refused', id: number, reason: unknown} | {type: 'fatal', id: number, reason: unknown}} FromTool */
 

@@ -85,8 +85,8 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             false => Ok(Command::Check { file, output, changes }),
             true => Err(explain("check", "standard input (-) can be read only once".to_owned())),
         },
-        Verb::Find { text, axiom, iterations: n, constants, angle, heading, seconds, json } => {
-            Ok(Command::Find { text, known: Known { axiom, n, constants, angle, heading, seconds }, json })
+        Verb::Find { text, axiom, iterations: n, constants, angle, heading, draws, seconds, json } => {
+            Ok(Command::Find { text, known: Known { axiom, n, constants, angle, heading, draws, seconds }, json })
         }
         Verb::Mark { exercise, answers, csv, html } => Ok(Command::Mark { exercise, answers, csv, html }),
         Verb::Completions { shell } => {

@@ -99,13 +99,13 @@ pub(crate) enum Verb {
     /// Find the shortest rules that derive a string or draw a picture
     ///
     /// The rules are deterministic and without neighbours or parameters. Without -n, 1 to 8 steps are tried.
-    /// Pictures are PNG files of lines. Their angle and heading may be left out: the usual ones are tried.
+    /// Pictures are PNG files of lines. Axiom, angle and heading may be left out: the usual ones are tried.
     Find {
         /// The string, or a file with it, or a picture; - for standard input
         #[arg(allow_hyphen_values = true, value_hint = ValueHint::FilePath)]
         text: String,
         #[arg(long, allow_hyphen_values = true, help = "What the derivation begins with")]
-        axiom: String,
+        axiom: Option<String>,
         /// Derivation steps, 1 to 30
         #[arg(short = 'n', long, value_name = "N", value_parser = |text: &str| whole(text, 30))]
         iterations: Option<u32>,
@@ -118,6 +118,9 @@ pub(crate) enum Verb {
         /// First heading in degrees, counter-clockwise from the right, for pictures
         #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
         heading: Option<f64>,
+        /// Letters that draw, for pictures
+        #[arg(long, value_name = "LETTERS")]
+        draws: Option<String>,
         /// Seconds to search a picture
         #[arg(long, value_name = "S", default_value = "20")]
         seconds: u32,

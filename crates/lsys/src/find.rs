@@ -13,6 +13,8 @@ const MOST: usize = 60;
 const WORK: usize = 60_000_000;
 /// The steps that are tried where their number is not known.
 const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
+/// The most letters of a string that are tried as axioms where none is given.
+const MAX_AXIOMS: usize = 8;
 /// The most systems that are listed.
 const MAX_LISTED: usize = 10;
 
@@ -34,13 +36,15 @@ struct Candidate {
 /// What is known of the system.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Known {
-    pub(crate) axiom: String,
+    pub(crate) axiom: Option<String>,
     pub(crate) n: Option<u32>,
     pub(crate) constants: String,
     /// In degrees.
     pub(crate) angle: Option<f64>,
     /// In degrees, counter-clockwise from the right.
     pub(crate) heading: Option<f64>,
+    /// The letters that draw.
+    pub(crate) draws: Option<String>,
     pub(crate) seconds: u32,
 }
 
@@ -60,25 +64,31 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
         }
         false => wanted.to_owned(),
     };
+    let text = text.trim();
+    let axioms = known.axiom.clone().map_or_else(|| axioms(text, &known.constants), |axiom| vec![axiom]);
+    if axioms.is_empty() {
+        return Err(CommandFailure::Words("a string with letters is expected, or --axiom".to_owned()));
+    }
     let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
-    let (mut found, mut searched): (Vec<Found>, Vec<String>) = (Vec::new(), Vec::new());
-    for n in steps {
-        let search = Search::new(&known.axiom, text.trim(), n, &known.constants, MOST);
+    let (mut found, mut searched): (Vec<(&str, Found)>, Vec<String>) = (Vec::new(), Vec::new());
+    for (axiom, &n) in axioms.iter().flat_map(|axiom| steps.iter().map(move |n| (axiom, n))) {
+        let search = Search::new(axiom, text, n, &known.constants, MOST);
         let mut search = search.map_err(|why| CommandFailure::Words(why.to_owned()))?;
-        let mut left = WORK;
+        let mut left = WORK / axioms.len();
         while left > 0 && search.found().is_empty() && search.step(1 << 16) == Searched::More {
             left = left.saturating_sub(1 << 16);
         }
-        found.extend_from_slice(search.found());
-        searched.push(searched_words(n, &search.searched()));
+        found.extend(search.found().iter().map(|found| (axiom.as_str(), found.clone())));
+        let from = if axioms.len() > 1 { format!("{axiom}, ") } else { String::new() };
+        searched.push(format!("{from}{}", searched_words(n, &search.searched())));
     }
-    found.sort_by_key(Found::symbols);
+    found.sort_by_key(|(_, found)| found.symbols());
     found.truncate(MAX_LISTED);
     let searched = searched.join("; ");
     print(|out| match json {
         true => {
-            let candidates = found.iter().map(|one| Candidate {
-                axiom: known.axiom.clone(),
+            let candidates = found.iter().map(|(axiom, one)| Candidate {
+                axiom: (*axiom).to_owned(),
                 n: one.n,
                 rules: one.text().lines().map(str::to_owned).collect(),
                 symbols: one.symbols(),
@@ -87,21 +97,23 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
             writeln!(out, "{}", serde_json::to_string_pretty(&answer)?)
         }
         false => {
-            for one in &found {
-                writeln!(
-                    out,
-                    "{}\n  after {} steps from {}; {} symbols\n",
-                    one.text(),
-                    one.n,
-                    known.axiom,
-                    one.symbols()
-                )?;
+            for (axiom, one) in &found {
+                writeln!(out, "{}\n  after {} steps from {axiom}; {} symbols\n", one.text(), one.n, one.symbols())?;
             }
             let none = if found.is_empty() { "Nothing found. " } else { "" };
             writeln!(out, "{none}Searched: {searched}.")
         }
     })?;
     if found.is_empty() { Err(CommandFailure::Said) } else { Ok(()) }
+}
+
+/// The letters of a string, each as an axiom.
+fn axioms(text: &str, constants: &str) -> Vec<String> {
+    let mut letters: Vec<char> = text.chars().filter(|at| at.is_alphabetic() && !constants.contains(*at)).collect();
+    letters.sort_unstable();
+    letters.dedup();
+    letters.truncate(MAX_AXIOMS);
+    letters.into_iter().map(String::from).collect()
 }
 
 /// Up to how many symbols everything was searched.

@@ -90,7 +90,7 @@ fn rules_of_pictures_are_found() {
     }
     let (code, told) = output(&["find", name, "--axiom", "F+F", "--angle", "90", "-n", "4", "--seconds", "1"]);
     let told = String::from_utf8(told).expect("UTF-8");
-    assert!(code == Some(1) && told.contains("Searched: angle 90°; n = 4: one rule for F up to"), "{told}");
+    assert!(code == Some(1) && told.contains("Searched: angle 90°; n = 4: from F+F: one rule for F up to"), "{told}");
     std::fs::write(&file, &picture[..picture.len() / 2]).expect("a file");
     let (code, told) = output(&["find", name, "--axiom", "F"]);
     let told = String::from_utf8(told).expect("UTF-8");

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 const FEWEST: usize = 24;
 const MOST: usize = 72;
 /// How far a hull reaches that is empty.
-const NOWHERE: f64 = -1e15;
+const NOWHERE: f32 = -1e15;
 /// How far a line of a picture may be from where it is drawn, in pixels: on the average, and at most.
 const USUAL: f64 = 0.9;
 const FURTHEST: f64 = 2.5;
@@ -24,8 +24,10 @@ const THICKEST: f64 = 0.05;
 pub(crate) struct Headings {
     /// For each heading the cosine, the sine, and the direction of the hull before it with the part of the way to the
     /// next one.
-    pub(crate) all: Vec<(f64, f64, usize, f64)>,
-    directions: Vec<(f64, f64)>,
+    pub(crate) all: Vec<(f64, f64, usize, f32)>,
+    /// The cosines and the sines of the directions of hulls.
+    cos: Vec<f32>,
+    sin: Vec<f32>,
 }
 
 impl Headings {
@@ -38,13 +40,14 @@ impl Headings {
             let turn = f64::from(hundredths) / 36_000.0 * at as f64;
             let (turn, (sin, cos)) = (turn.fract() * count as f64, libm::sincos(turn * TAU));
             let whole = (turn + 1e-9).floor();
-            (cos, sin, whole as usize % count, if turn - whole < 1e-6 { 0.0 } else { turn - whole })
+            (cos, sin, whole as usize % count, if turn - whole < 1e-6 { 0.0 } else { (turn - whole) as f32 })
         };
-        let direction = |at: usize| {
-            let (sin, cos) = libm::sincos(at as f64 / count as f64 * TAU);
-            (cos, sin)
-        };
-        Self { all: (0..order).map(heading).collect(), directions: (0..count).map(direction).collect() }
+        let direction = |at: usize| libm::sincos(at as f64 / count as f64 * TAU);
+        Self {
+            all: (0..order).map(heading).collect(),
+            cos: (0..count).map(|at| direction(at).1 as f32).collect(),
+            sin: (0..count).map(|at| direction(at).0 as f32).collect(),
+        }
     }
 
     /// How many turns make a full one.
@@ -63,8 +66,8 @@ pub(crate) struct Block {
     /// Where the turtle is then, and how many turns it has made.
     pub(crate) end: (f64, f64),
     pub(crate) turns: usize,
-    /// How far the ink reaches, twice around.
-    reach: [f64; 2 * MOST],
+    /// How far the ink reaches, twice around. Half of the usual precision is enough for pixels and twice as fast.
+    reach: [f32; 2 * MOST],
 }
 
 impl Block {
@@ -72,66 +75,78 @@ impl Block {
 
     /// The largest distance of the ink from where the letter begins.
     pub(crate) fn radius(&self) -> f64 {
-        self.reach.iter().copied().fold(0.0, f64::max)
+        f64::from(self.reach.iter().copied().fold(0.0, f32::max))
     }
-}
 
-/// A letter without steps.
-fn letter(headings: &Headings, draws: bool) -> Block {
-    let mut block = Block::EMPTY;
-    if draws {
-        block.end = (1.0, 0.0);
-        let count = headings.directions.len();
-        for (at, &(cos, _)) in headings.directions.iter().enumerate() {
-            (block.reach[at], block.reach[at + count]) = (cos.max(0.0), cos.max(0.0));
+    /// A letter without steps.
+    fn set_letter(&mut self, headings: &Headings, draws: bool) {
+        (self.end, self.turns) = ((0.0, 0.0), 0);
+        self.reach.fill(NOWHERE);
+        if draws {
+            self.end = (1.0, 0.0);
+            let count = headings.cos.len();
+            for (at, &cos) in headings.cos.iter().enumerate() {
+                (self.reach[at], self.reach[at + count]) = (cos.max(0.0), cos.max(0.0));
+            }
         }
     }
-    block
-}
 
-/// What a word does if its letters are these blocks.
-fn follow(headings: &Headings, alphabet: Alphabet, word: &[Symbol], blocks: &[Block], stack: &mut Vec<Place>) -> Block {
-    let count = headings.directions.len();
-    let order = headings.order();
-    let mut whole = Block::EMPTY;
-    let mut place = Place { x: 0.0, y: 0.0, turns: 0 };
-    stack.clear();
-    for &symbol in word {
-        if let Some(block) = blocks.get(usize::from(symbol)).filter(|_| symbol < alphabet.letters) {
-            let (cos, sin, shift, part) = headings.all[place.turns];
-            if block.reach[0] > NOWHERE {
-                let from = &block.reach[count - shift..2 * count - shift];
-                let into = whole.reach[..count].iter_mut().zip(&headings.directions);
-                if part == 0.0 {
-                    for ((reach, &(u, v)), from) in into.zip(from) {
-                        *reach = reach.max(place.x * u + place.y * v + from);
-                    }
-                } else {
-                    let before = |at: usize| block.reach[(2 * count + at - shift - 1) % count];
-                    for (at, ((reach, &(u, v)), from)) in into.zip(from).enumerate() {
-                        let from = from * (1.0 - part) + before(at) * part;
-                        *reach = reach.max(place.x * u + place.y * v + from);
+    /// What a word does if its letters are these blocks.
+    fn set_word(
+        &mut self,
+        headings: &Headings,
+        alphabet: Alphabet,
+        word: &[Symbol],
+        blocks: &[Self],
+        stack: &mut Vec<Place>,
+    ) {
+        let count = headings.cos.len();
+        let order = headings.order();
+        let mut place = Place { x: 0.0, y: 0.0, turns: 0 };
+        stack.clear();
+        let (once, again) = self.reach.split_at_mut(count);
+        once.fill(NOWHERE);
+        for &symbol in word {
+            if let Some(block) = blocks.get(usize::from(symbol)).filter(|_| symbol < alphabet.letters) {
+                let (cos, sin, shift, part) = headings.all[place.turns];
+                if block.reach[0] > NOWHERE {
+                    let from = &block.reach[count - shift..2 * count - shift];
+                    let (x, y) = (place.x as f32, place.y as f32);
+                    let into = once.iter_mut().zip(headings.cos.iter().zip(&headings.sin));
+                    if part == 0.0 {
+                        for ((reach, (u, v)), from) in into.zip(from) {
+                            let new = x * u + y * v + from;
+                            *reach = if new > *reach { new } else { *reach };
+                        }
+                    } else {
+                        // The reach between two directions.
+                        let before = &block.reach[count - shift - 1..2 * count - shift - 1];
+                        for (((reach, (u, v)), from), before) in into.zip(from).zip(before) {
+                            let new = x * u + y * v + from * (1.0 - part) + before * part;
+                            *reach = if new > *reach { new } else { *reach };
+                        }
                     }
                 }
+                place.x += block.end.0 * cos - block.end.1 * sin;
+                place.y += block.end.0 * sin + block.end.1 * cos;
+                place.turns += block.turns;
+                place.turns -= if place.turns >= order { order } else { 0 };
+            } else if symbol == alphabet.left() {
+                place.turns += 1;
+                place.turns -= if place.turns == order { order } else { 0 };
+            } else if symbol == alphabet.right() {
+                place.turns += if place.turns == 0 { order } else { 0 };
+                place.turns -= 1;
+            } else if symbol == alphabet.open() {
+                stack.push(place);
+            } else {
+                place = stack.pop().unwrap_or(place);
             }
-            place.x += block.end.0 * cos - block.end.1 * sin;
-            place.y += block.end.0 * sin + block.end.1 * cos;
-            place.turns = (place.turns + block.turns) % order;
-        } else if symbol == alphabet.left() {
-            place.turns = (place.turns + 1) % order;
-        } else if symbol == alphabet.right() {
-            place.turns = (place.turns + order - 1) % order;
-        } else if symbol == alphabet.open() {
-            stack.push(place);
-        } else {
-            place = stack.pop().unwrap_or(place);
         }
+        again[..count].copy_from_slice(once);
+        self.end = (place.x, place.y);
+        self.turns = place.turns;
     }
-    let (once, again) = whole.reach.split_at_mut(count);
-    again[..count].copy_from_slice(once);
-    whole.end = (place.x, place.y);
-    whole.turns = place.turns;
-    whole
 }
 
 /// Where a turtle is.
@@ -161,9 +176,9 @@ pub(crate) struct Target {
     /// The first heading: its cosine and sine.
     pub(crate) first: (f64, f64),
     reach: Vec<f64>,
-    moments: (f64, f64, f64),
+    moments: Moments,
     /// The reach without its mean and without its place, and the sum of its squares.
-    shape: Vec<f64>,
+    shape: Vec<f32>,
     square: f64,
     /// Half the usual width of a line.
     stroke: f64,
@@ -175,38 +190,37 @@ impl Target {
         let headings = Headings::new(angle);
         let first = heading.to_radians();
         let (sin, cos) = libm::sincos(first);
-        let count = headings.directions.len();
+        let count = headings.cos.len();
         let reach: Vec<f64> = (0..count).map(|at| picture.reach(at as f64 / count as f64 * TAU + first)).collect();
-        let moments = moments(&reach, &headings.directions);
-        let (mean, x, y) = moments;
-        let rest = |(reach, &(u, v)): (&f64, &(f64, f64))| reach - mean - x * u - y * v;
-        let shape: Vec<f64> = reach.iter().zip(&headings.directions).map(rest).collect();
+        let single: Vec<f32> = reach.iter().map(|&reach| reach as f32).collect();
+        let moments = Moments::of(&single, &headings);
+        let directions = headings.cos.iter().zip(&headings.sin).map(|(&u, &v)| (f64::from(u), f64::from(v)));
+        let rest = |(reach, (u, v)): (&f64, (f64, f64))| reach - moments.mean - moments.x * u - moments.y * v;
+        let shape: Vec<f64> = reach.iter().zip(directions).map(rest).collect();
         let square = shape.iter().map(|at| at * at).sum();
+        let shape = shape.into_iter().map(|at| at as f32).collect();
         Self { headings, first: (cos, sin), reach, moments, shape, square, stroke: picture.stroke }
     }
 
     /// How the hull lies best on that of the picture, by least squares, if it does. Where the picture is nearly round, its
     /// hull alone does not tell a larger drawing from thicker strokes; so the first fit expects the usual width of the
     /// lines, and the second one any.
-    fn fits(&self, block: &Block) -> [Option<Fit>; 2] {
+    fn fits(&self, block: &Block, moments: &Moments) -> [Option<Fit>; 2] {
         let count = self.shape.len() as f64;
         let reach = &block.reach[..self.shape.len()];
-        if reach[0] <= NOWHERE / 2.0 {
-            return [None, None];
-        }
-        let (mean, x, y) = moments(reach, &self.headings.directions);
-        let square: f64 = reach.iter().map(|at| at * at).sum();
-        let own = square - count * (mean * mean + (x * x + y * y) / 2.0);
-        let both: f64 = reach.iter().zip(&self.shape).map(|(a, b)| a * b).sum();
+        let both = dot(reach, &self.shape);
+        let Moments { mean, x, y, own } = *moments;
         let least = self.square - both * both / own;
-        if own < square * 1e-9 || both <= 0.0 || least > USUAL * USUAL * count {
+        if both <= 0.0 || least > USUAL * USUAL * count {
             return [None, None];
         }
-        let (wanted, wanted_x, wanted_y) = self.moments;
+        let Moments { mean: wanted, x: wanted_x, y: wanted_y, .. } = self.moments;
         let fit = |unit: f64| {
             let fit = Fit { unit, x: wanted_x - unit * x, y: wanted_y - unit * y, stroke: wanted - unit * mean };
-            let lines = reach.iter().zip(&self.reach).zip(&self.headings.directions);
-            let lines = lines.map(|((own, wanted), (u, v))| own * unit + fit.x * u + fit.y * v + fit.stroke - wanted);
+            let directions = self.headings.cos.iter().zip(&self.headings.sin);
+            let lines = reach.iter().zip(&self.reach).zip(directions).map(|((&own, wanted), (&u, &v))| {
+                f64::from(own) * unit + fit.x * f64::from(u) + fit.y * f64::from(v) + fit.stroke - wanted
+            });
             let (square, furthest) =
                 lines.fold((0.0, 0.0_f64), |(sum, most), off| (sum + off * off, most.max(off.abs())));
             let is_thin = (-0.6..=2.0 * wanted * THICKEST + 1.0).contains(&fit.stroke);
@@ -219,14 +233,41 @@ impl Target {
     }
 }
 
-/// The mean of a support function, and the place of its middle (the Steiner point).
-fn moments(reach: &[f64], directions: &[(f64, f64)]) -> (f64, f64, f64) {
-    let count = reach.len() as f64;
-    let (mut mean, mut x, mut y) = (0.0, 0.0, 0.0);
-    for (at, (u, v)) in reach.iter().zip(directions) {
-        (mean, x, y) = (mean + at, x + at * u, y + at * v);
+/// What of a hull is the same for all pictures.
+#[derive(Clone, Copy, Debug)]
+struct Moments {
+    /// The mean of the support function.
+    mean: f64,
+    /// The place of its middle (the Steiner point).
+    x: f64,
+    y: f64,
+    /// The sum of its squares without the mean and the place.
+    own: f64,
+}
+
+impl Moments {
+    fn of(reach: &[f32], headings: &Headings) -> Self {
+        let count = reach.len() as f64;
+        let mean = reach.iter().map(|&at| f64::from(at)).sum::<f64>() / count;
+        let x = 2.0 * dot(reach, &headings.cos) / count;
+        let y = 2.0 * dot(reach, &headings.sin) / count;
+        let square = dot(reach, reach);
+        let own = square - count * (mean * mean + (x * x + y * y) / 2.0);
+        Self { mean, x, y, own: if own < square * 1e-6 { 0.0 } else { own } }
     }
-    (mean / count, 2.0 * x / count, 2.0 * y / count)
+}
+
+/// The sum of the products, four sums beside each other.
+fn dot(a: &[f32], b: &[f32]) -> f64 {
+    let mut sums = [0.0; 4];
+    let (a, b) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(&a, &b)| f64::from(a) * f64::from(b)).sum();
+    for (a, b) in a.zip(b) {
+        for at in 0..4 {
+            sums[at] += f64::from(a[at]) * f64::from(b[at]);
+        }
+    }
+    sums.iter().sum::<f64>() + rest
 }
 
 /// A system to be tried: an axiom, and for each letter its successor and whether it draws.
@@ -241,12 +282,20 @@ pub(crate) struct System<'a> {
 /// The hulls of a system, level by level; kept so that each system uses the memory of the one before.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Hulls {
-    /// The blocks of all letters after no step, after one step, and so on.
-    pub(crate) levels: Vec<Vec<Block>>,
+    /// The blocks of all letters after no step, after one step, and so on, and at last that of the axiom.
+    blocks: Vec<Block>,
+    letters: usize,
+    /// The successor of the last letter that the blocks are of, whether it draws, and the number of steps.
+    last: (Vec<Symbol>, bool, u32),
     stack: Vec<Place>,
 }
 
 impl Hulls {
+    /// The blocks of all letters after `n` steps.
+    pub(crate) fn level(&self, n: usize) -> &[Block] {
+        &self.blocks[n * self.letters..(n + 1) * self.letters]
+    }
+
     /// Gives each number of steps in `steps`, in ascending order, after which the system has the hull of the picture, and
     /// for which of the `targets`, all of the same angle.
     pub(crate) fn search(
@@ -257,22 +306,53 @@ impl Hulls {
         mut found: impl FnMut(&Self, u32, usize, Fit),
     ) {
         let Some(Target { headings, .. }) = targets.first() else { return };
-        self.levels.clear();
-        self.levels.push(system.draws.iter().map(|&draws| letter(headings, draws)).collect());
-        for n in 0..=steps.last().copied().unwrap_or(0) {
-            if steps.contains(&n) {
-                let blocks = &self.levels[n as usize];
-                let axiom = follow(headings, system.alphabet, system.axiom, blocks, &mut self.stack);
-                for (at, target) in targets.iter().enumerate() {
-                    target.fits(&axiom).into_iter().flatten().for_each(|fit| found(self, n, at, fit));
+        let last = steps.last().copied().unwrap_or(0);
+        let mut fits = Vec::new();
+        let letters = system.draws.len();
+        // Often only the last letter's rule is the same as before, and without other letters its blocks are the same.
+        let (word, draws) = (&system.words[letters - 1], system.draws[letters - 1]);
+        let is_known = self.letters == letters
+            && (&self.last.0, self.last.1, self.last.2) == (word, draws, last)
+            && word.iter().all(|&symbol| symbol >= system.alphabet.letters || usize::from(symbol) == letters - 1);
+        if !is_known {
+            self.last.0.clone_from(word);
+            (self.last.1, self.last.2) = (draws, last);
+        }
+        let changed = if is_known { letters - 1 } else { letters };
+        self.letters = letters;
+        self.blocks.resize((last as usize + 1) * self.letters + 1, Block::EMPTY);
+        for (block, &draws) in self.blocks.iter_mut().zip(system.draws).take(changed) {
+            block.set_letter(headings, draws);
+        }
+        for n in 0..=last {
+            let (below, above) = self.blocks.split_at_mut((n as usize + 1) * self.letters);
+            let blocks = &below[n as usize * self.letters..];
+            if n < last {
+                for (block, word) in above.iter_mut().zip(system.words).take(changed) {
+                    block.set_word(headings, system.alphabet, word, blocks, &mut self.stack);
                 }
             }
-            if steps.last().is_some_and(|&last| n < last) {
-                let blocks = &self.levels[n as usize];
-                let stack = &mut self.stack;
-                let next = system.words.iter();
-                let next = next.map(|word| follow(headings, system.alphabet, word, blocks, stack)).collect();
-                self.levels.push(next);
+            if steps.contains(&n) {
+                let mut axiom = Block::EMPTY;
+                let whole = match system.axiom {
+                    &[letter] if letter < system.alphabet.letters => &blocks[usize::from(letter)],
+                    word => {
+                        axiom.set_word(headings, system.alphabet, word, blocks, &mut self.stack);
+                        &axiom
+                    }
+                };
+                let reach = &whole.reach[..headings.cos.len()];
+                let moments = Moments::of(reach, headings);
+                if reach[0] <= NOWHERE / 2.0 || moments.own == 0.0 {
+                    continue;
+                }
+                fits.clear();
+                for (at, target) in targets.iter().enumerate() {
+                    fits.extend(target.fits(whole, &moments).into_iter().flatten().map(|fit| (at, fit)));
+                }
+                for &(at, fit) in &fits {
+                    found(self, n, at, fit);
+                }
             }
         }
     }

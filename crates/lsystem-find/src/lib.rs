@@ -7,16 +7,23 @@
 //! The rules of a picture are found by trying: all systems of some families, the shortest first. The convex hull of a
 //! system's drawing is found without drawing it; only where it is that of the picture, the strokes are laid on the ink.
 
+mod angles;
+mod collage;
 mod derivation;
 mod drawn;
+mod finder;
 mod hull;
+mod parts;
 mod picture;
+mod strings;
 mod strokes;
 mod words;
 
 pub use derivation::{Search, Searched};
-pub use drawn::{Drawn, FOUND, Known, PictureSearch, keep};
+pub use drawn::{Drawn, FOUND, Known, PictureSearch};
+pub use finder::{Finder, Question, merged};
 pub use picture::Picture;
+pub use strings::StringFinder;
 
 use lsystem_syntax::print_module;
 

@@ -1,11 +1,15 @@
 //! A picture as ink: which pixels are drawn on, and how far the ink reaches in each direction.
 
+use crate::parts::drawing;
+use crate::strokes::put_stroke;
 use lsystem_compare::{Mask, SIDE};
 
 /// The pixels around the ink.
 const MARGIN: usize = 4;
 /// A picture whose ink covers more than this part of its hull shows no lines.
 const MOST_COVERED: f64 = 0.85;
+/// Half the width of the lines that segments are drawn with, in pixels.
+const THIN: f64 = 0.75;
 /// One of so many pixels lies on a line of the usual width or a thinner one.
 const USUAL: usize = 3;
 /// The directions of the hull whose area is measured.
@@ -17,6 +21,8 @@ pub struct Picture {
     pub(crate) mask: Mask,
     /// The ink and the pixels within two of it.
     pub(crate) near: Mask,
+    /// The ink and the pixels beside it.
+    pub(crate) close: Mask,
     /// Half the usual width of a line, in pixels.
     pub(crate) stroke: f64,
     /// The places of the ink at the outline of each row, with the y axis upwards.
@@ -37,7 +43,8 @@ impl Picture {
         let dark = grey.iter().filter(|&&at| at <= level).count();
         let is_dark = dark * 2 <= grey.len();
         let is_ink = |x: usize, y: usize| (grey[y * width + x] <= level) == is_dark;
-        let all = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).filter(|&(x, y)| is_ink(x, y));
+        let runs = drawing(width, height, is_ink);
+        let all = || runs.iter().flat_map(|run| (run.left..run.right).map(|x| (x, run.y)));
         let [mut left, mut top, mut right, mut bottom] = [usize::MAX, usize::MAX, 0, 0];
         for (x, y) in all() {
             (left, right) = (left.min(x), right.max(x));
@@ -61,6 +68,28 @@ impl Picture {
         Ok(picture)
     }
 
+    /// A picture of segments, given by the coordinates of both ends with the y axis upwards.
+    ///
+    /// # Errors
+    /// Why no lines are seen.
+    pub fn of_segments(segments: &[[f64; 4]]) -> Result<Self, &'static str> {
+        let places = || segments.iter().flat_map(|&[x1, y1, x2, y2]| [[x1, y1], [x2, y2]]);
+        let least = |axis: usize| places().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
+        let most = |axis: usize| places().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max);
+        let (left, top) = (least(0), most(1));
+        let longest = (most(0) - left).max(top - least(1));
+        if !(longest > 0.0 && longest.is_finite()) {
+            return Err("the segments have no length");
+        }
+        let scale = (SIDE - 2 * MARGIN) as f64 / longest;
+        let pixel = |x: f64, y: f64| [(x - left) * scale + MARGIN as f64, (top - y) * scale + MARGIN as f64];
+        let mut mask = Mask::default();
+        for &[x1, y1, x2, y2] in segments {
+            put_stroke(&mut mask, [pixel(x1, y1), pixel(x2, y2)], THIN);
+        }
+        Ok(Self::of(mask))
+    }
+
     /// How much of the ink of both agrees, from 0 to 1.
     #[must_use]
     pub fn agreement(&self, other: &Self) -> f64 {
@@ -77,9 +106,10 @@ impl Picture {
                 }
             }
         }
-        let near = mask.grown().grown();
+        let close = mask.grown();
+        let near = close.grown();
         let stroke = half_width(&mask);
-        Self { mask, near, stroke, outline }
+        Self { mask, near, close, stroke, outline }
     }
 
     /// How far the ink reaches in a direction in radians, counter-clockwise from the right, from the upper left corner.
@@ -91,7 +121,7 @@ impl Picture {
     }
 
     /// The area of the hull, by Cauchy's formula.
-    fn hull_area(&self) -> f64 {
+    pub(crate) fn hull_area(&self) -> f64 {
         let step = std::f64::consts::TAU / DIRECTIONS as f64;
         let reach: Vec<f64> = (0..DIRECTIONS).map(|at| self.reach(at as f64 * step)).collect();
         let slope = |at: usize| (reach[(at + 1) % DIRECTIONS] - reach[at]) / step;

@@ -1,11 +1,12 @@
 //! The strokes of a system, and how much of their ink agrees with a picture.
 
-use crate::hull::{Block, Fit, Headings, Place, System, Target};
+use crate::hull::{Block, Fit, Headings, Hulls, Place, System, Target};
 use crate::picture::Picture;
 use lsystem_compare::{Mask, SIDE};
+use std::collections::HashSet;
 
 /// The most strokes of one system.
-const MAX_STROKES: usize = 400_000;
+const MAX_STROKES: usize = 100_000;
 /// Blocks that are smaller than this many pixels are one dot.
 const DOT: f64 = 0.7;
 /// The pixels from one test of a stroke to the next.
@@ -13,6 +14,10 @@ const APART: f64 = 2.0;
 /// A system is given up where more than this part of its strokes lies beside the ink, and some tests more.
 const BESIDE: f64 = 0.03;
 const SOME: f64 = 8.0;
+/// Parts of a drawing whose places differ by less than this many pixels are the same part.
+const SAME: f64 = 0.25;
+/// A first agreement that is less is not worth a better fit.
+const PROMISING: f64 = 0.7;
 /// The changes of a fit, in pixels, that are tried one after the other.
 const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
 
@@ -22,12 +27,14 @@ pub(crate) struct Strokes(Vec<[f64; 4]>);
 /// What follows the blocks of a system down to its strokes.
 struct Tracer<'a> {
     system: System<'a>,
-    levels: &'a [Vec<Block>],
+    hulls: &'a Hulls,
     radii: Vec<Vec<f64>>,
     target: &'a Target,
     picture: &'a Picture,
     fit: Fit,
     strokes: Vec<[f64; 4]>,
+    /// The parts that were traced: letter, steps, heading and place.
+    traced: HashSet<(u8, u8, u32, i32, i32)>,
     tested: f64,
     beside: f64,
 }
@@ -36,17 +43,28 @@ impl Strokes {
     /// The strokes after `n` steps, if they lie on the ink.
     pub(crate) fn on_ink(
         system: System,
-        levels: &[Vec<Block>],
+        hulls: &Hulls,
         n: u32,
         target: &Target,
         picture: &Picture,
         fit: Fit,
     ) -> Option<Self> {
-        let radii = levels.iter().map(|blocks| blocks.iter().map(Block::radius).collect()).collect();
-        let (strokes, tested, beside) = (Vec::new(), 0.0, 0.0);
-        let mut tracer = Tracer { system, levels, radii, target, picture, fit, strokes, tested, beside };
+        let radii = (0..=n as usize).map(|n| hulls.level(n).iter().map(Block::radius).collect()).collect();
+        let (strokes, traced, tested, beside) = (Vec::new(), HashSet::new(), 0.0, 0.0);
+        let mut tracer = Tracer { system, hulls, radii, target, picture, fit, strokes, traced, tested, beside };
         tracer.word(system.axiom, n as usize, Place { x: 0.0, y: 0.0, turns: 0 })?;
         Some(Self(tracer.strokes))
+    }
+
+    /// Segments of a drawing in steps, whose first heading is that of the target.
+    pub(crate) fn of_segments(segments: impl Iterator<Item = [[f64; 2]; 2]>, target: &Target) -> Self {
+        let (cos, sin) = target.first;
+        let turned = |[x, y]: [f64; 2]| [x * cos + y * sin, y * cos - x * sin];
+        let stroke = |[from, to]: [[f64; 2]; 2]| {
+            let ([x1, y1], [x2, y2]) = (turned(from), turned(to));
+            [x1, y1, x2, y2]
+        };
+        Self(segments.map(stroke).collect())
     }
 
     /// The part of the ink that agrees, with the best of the fits near this one.
@@ -54,6 +72,9 @@ impl Strokes {
         let agreement = |fit: Fit| self.mask(target, fit).agreement(&picture.mask);
         let size = SIDE as f64 / fit.unit;
         let (mut best, mut most) = (fit, agreement(fit));
+        if most < PROMISING {
+            return most;
+        }
         for change in CHANGES {
             for by in [change, -change] {
                 let near = [
@@ -76,26 +97,28 @@ impl Strokes {
     /// The pixels of the strokes.
     fn mask(&self, target: &Target, fit: Fit) -> Mask {
         let mut mask = Mask::default();
-        let last = (SIDE - 1) as f64;
         for [x1, y1, x2, y2] in &self.0 {
-            let ([x1, y1], [x2, y2]) = (pixel(target, fit, *x1, *y1), pixel(target, fit, *x2, *y2));
-            let (dx, dy) = (x2 - x1, y2 - y1);
-            let length = (dx * dx + dy * dy).max(1e-12);
-            let rows = |low: f64, high: f64| {
-                (low - fit.stroke).clamp(0.0, last) as usize..=(high + fit.stroke).clamp(0.0, last) as usize
-            };
-            for y in rows(y1.min(y2), y1.max(y2)) {
-                for x in rows(x1.min(x2), x1.max(x2)) {
-                    let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
-                    let along = ((px * dx + py * dy) / length).clamp(0.0, 1.0);
-                    let (px, py) = (px - along * dx, py - along * dy);
-                    if px * px + py * py <= fit.stroke * fit.stroke {
-                        mask.put(x, y);
-                    }
-                }
-            }
+            put_stroke(&mut mask, [pixel(target, fit, *x1, *y1), pixel(target, fit, *x2, *y2)], fit.stroke);
         }
         mask
+    }
+}
+
+/// Gives the pixels ink whose centres are at most `reach` pixels from a stroke.
+pub(crate) fn put_stroke(mask: &mut Mask, [[x1, y1], [x2, y2]]: [[f64; 2]; 2], reach: f64) {
+    let last = (SIDE - 1) as f64;
+    let (dx, dy) = (x2 - x1, y2 - y1);
+    let length = (dx * dx + dy * dy).max(1e-12);
+    let rows = |low: f64, high: f64| (low - reach).clamp(0.0, last) as usize..=(high + reach).clamp(0.0, last) as usize;
+    for y in rows(y1.min(y2), y1.max(y2)) {
+        for x in rows(x1.min(x2), x1.max(x2)) {
+            let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
+            let along = ((px * dx + py * dy) / length).clamp(0.0, 1.0);
+            let (px, py) = (px - along * dx, py - along * dy);
+            if px * px + py * py <= reach * reach {
+                mask.put(x, y);
+            }
+        }
     }
 }
 
@@ -117,7 +140,7 @@ impl Tracer<'_> {
         for &symbol in word {
             if symbol < abc.letters {
                 self.letter(symbol, n, place)?;
-                let block = &self.levels[n][usize::from(symbol)];
+                let block = &self.hulls.level(n)[usize::from(symbol)];
                 let (cos, sin, ..) = headings.all[place.turns];
                 place.x += block.end.0 * cos - block.end.1 * sin;
                 place.y += block.end.0 * sin + block.end.1 * cos;
@@ -138,6 +161,12 @@ impl Tracer<'_> {
     fn letter(&mut self, letter: u8, n: usize, place: Place) -> Option<()> {
         let radius = self.radii[n][usize::from(letter)];
         let (cos, sin, ..) = self.target.headings.all[place.turns];
+        // Drawings that cross themselves, such as grids, have the same parts many times.
+        let cell = |at: f64| (at * self.fit.unit / SAME).round() as i32;
+        let part = (letter, n as u8, place.turns as u32, cell(place.x), cell(place.y));
+        if radius == 0.0 || !self.traced.insert(part) {
+            return Some(());
+        }
         if n > 0 && radius * self.fit.unit >= DOT {
             let word = &self.system.words[usize::from(letter)];
             return self.word(word, n - 1, place).map(|_| ());

@@ -43,18 +43,25 @@ impl Alphabet {
 pub(crate) struct Words {
     alphabet: Alphabet,
     length: usize,
+    /// The words have only letters from this one on.
+    lowest: Symbol,
     word: Vec<Symbol>,
     is_started: bool,
 }
 
 impl Words {
     pub(crate) const fn new(alphabet: Alphabet, length: usize) -> Self {
-        Self { alphabet, length, word: Vec::new(), is_started: false }
+        Self { alphabet, length, lowest: 0, word: Vec::new(), is_started: false }
+    }
+
+    /// The words without the letters before this one.
+    pub(crate) fn from(self, lowest: Symbol) -> Self {
+        Self { lowest, ..self }
     }
 
     /// The same words from the first one on.
     pub(crate) const fn again(&self) -> Self {
-        Self::new(self.alphabet, self.length)
+        Self { alphabet: self.alphabet, length: self.length, lowest: self.lowest, word: Vec::new(), is_started: false }
     }
 
     pub(crate) const fn length(&self) -> usize {
@@ -106,7 +113,7 @@ impl Words {
         let left = self.length - word.len() - 1;
         let run = || word.iter().rev().take_while(|&&at| at == next).count() + 1;
         if next < abc.letters {
-            left >= depth
+            left >= depth && next >= self.lowest
         } else if next == abc.left() {
             last != Some(abc.right()) && run() * 2 <= abc.order && left >= depth + usize::from(depth > 0)
         } else if next == abc.right() {

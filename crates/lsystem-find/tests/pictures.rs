@@ -67,7 +67,7 @@ fn drawn(segments: &[[f64; 4]], width: f64) -> Picture {
 
 /// The best system after at most [`MOST`] systems.
 fn best(picture: Picture, axiom: &str, angle: f64, steps: &[u32]) -> (Option<Drawn>, Vec<(String, usize)>) {
-    let known = Known { axiom: axiom.to_owned(), angle, headings: vec![90.0], steps: steps.to_vec() };
+    let known = Known { axiom: axiom.to_owned(), angle, headings: vec![90.0], steps: steps.to_vec(), draws: None };
     let mut search = PictureSearch::new(Arc::new(picture), known, (0, 1)).expect("a search");
     let mut left = MOST;
     let is_found = |search: &PictureSearch| search.found().first().is_some_and(|drawn| drawn.agreement >= FOUND);
@@ -132,7 +132,8 @@ fn pictures_of_other_systems_are_not_told_as_found() {
         (0..3).map(|_| (0..40).map(|_| [random(), random(), random(), random()]).collect()).collect();
     let grown = walk(&derive("F", &three, 5), "FGH", 40.0, 90.0);
     for segments in scribbles.iter().chain([&grown]) {
-        let known = Known { axiom: "F".to_owned(), angle: 40.0, headings: vec![90.0], steps: vec![3, 4, 5] };
+        let known =
+            Known { axiom: "F".to_owned(), angle: 40.0, headings: vec![90.0], steps: vec![3, 4, 5], draws: None };
         let mut search = PictureSearch::new(Arc::new(drawn(segments, 2.0)), known, (0, 1)).expect("a search");
         search.step(200_000);
         assert!(search.found().iter().all(|drawn| drawn.agreement < FOUND), "{:?}", search.found());
@@ -142,7 +143,7 @@ fn pictures_of_other_systems_are_not_told_as_found() {
 #[test]
 fn what_cannot_be_searched_is_told() {
     let picture = Arc::new(drawn(&[[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]], 2.0));
-    let known = Known { axiom: "F".to_owned(), angle: 90.0, headings: vec![90.0], steps: vec![3] };
+    let known = Known { axiom: "F".to_owned(), angle: 90.0, headings: vec![90.0], steps: vec![3], draws: None };
     for (wrong, said) in [
         (Known { axiom: "F(1)".to_owned(), ..known.clone() }, "letters, turns"),
         (Known { axiom: "F]".to_owned(), ..known.clone() }, "closed"),

@@ -5,6 +5,7 @@ import { button, byId, closes, html, input, make, setText, setValue } from '../d
 import { showQrPicture } from '../qr.js';
 import { frameCode } from '../share-code.js';
 import { definitionOf } from '../state.js';
+import { createOthers } from './others.js';
 
 /** @typedef {import('../protocol.js').Exercise} Exercise */
 /** @typedef {import('../protocol.js').Given} Given */
@@ -26,7 +27,7 @@ const CHOICES = [
 
 /**
  * @param {import('../store.js').Store} store
- * @param {{qr: (text: string) => Promise<Uint8Array | null>}} engine
+ * @param {import('../engine.js').Engine} engine
  * @param {CourseTool} tool
  */
 export function createMaker(store, engine, tool) {
@@ -111,10 +112,14 @@ export function createMaker(store, engine, tool) {
         if (modules) showQrPicture(qr, modules);
     }
 
+    const others = createOthers(engine, tool, exercise);
+
     const tell = (/** @type {string} */ words) => setText(html('maker-status'), words);
     copies(button('maker-copy'), link, 'Link', tell);
     copies(button('maker-copy-code'), code, 'Code', tell);
+    dialog.addEventListener('close', others.forget);
     dialog.addEventListener('input', () => {
+        others.forget();
         clearTimeout(timer);
         timer = window.setTimeout(refresh, PAUSE);
     });
@@ -123,6 +128,7 @@ export function createMaker(store, engine, tool) {
     button('make-exercise').addEventListener('click', () => {
         byId('share-dialog', HTMLDialogElement).close();
         begin();
+        others.forget();
         setText(html('maker-status'), '');
         dialog.showModal();
         void refresh();

@@ -7,6 +7,7 @@ import { button, byId, html, icon, input, make, setValue } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { LARGEST_FILE, isFavouritesFile } from '../favourites.js';
 import { definitionOf } from '../state.js';
+import { isPicture } from '../find/files.js';
 import { FORMATS } from '../tables.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -19,9 +20,9 @@ const LARGEST_PICTURE = 64 << 20;
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
- * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, offer: (text: string) => Promise<boolean>, canvas: () => import('../protocol.js').Canvas}} page
+ * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, offer: (text: string) => Promise<boolean>, find: (picture: File) => void, canvas: () => import('../protocol.js').Canvas}} page
  *   `select` shows the link for the reader to copy, `favourites` imports a file of favourites, `offer` opens the text of
- *   another program, if it is one
+ *   another program, if it is one; `find` searches for the rules of a picture
  */
 export function savePanel(store, engine, page) {
     const title = input('title');
@@ -93,6 +94,7 @@ export function savePanel(store, engine, page) {
             if (text !== null && (await page.offer(text))) return;
             listProblems(problems, diagnostics, text ?? undefined);
             if (!definition) {
+                if (isPicture(file)) return toast(`${file.name} has no system inside.`, { action: { label: 'Find its rules', act: () => page.find(file) } });
                 const mistake = diagnostics.find(({ severity }) => severity === 'error');
                 const words = [text !== null && mistake && `${placesIn(text)(mistake.start)}: `, mistake?.message ?? 'The file contains no system'];
                 return toast(`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
@@ -130,9 +132,13 @@ export function savePanel(store, engine, page) {
     document.addEventListener('dragover', (event) => {
         if (hasFiles(event)) event.preventDefault();
     });
-    document.addEventListener('drop', (event) => {
+    // Dialogs with a drop of their own stop the event on its way up.
+    const ended = () => {
         over = 0;
         showDrop();
+    };
+    document.addEventListener('drop', ended, true);
+    document.addEventListener('drop', (event) => {
         if (!hasFiles(event)) return;
         event.preventDefault();
         const file = event.dataTransfer?.files[0];

@@ -74,6 +74,18 @@ const STATES = {
         await page.fill('#search', 'doubling');
         await page.waitForSelector('.card-missing:visible');
     },
+    'rules to be found': async (page) => {
+        await tab('rules')(page);
+        await page.click('#section-rules [data-find]');
+        await until(async () => (await page.locator('#find-examples .thumb.inked').count()) === 4, 'four pictures');
+    },
+    'rules found': async (page) => {
+        await tab('rules')(page);
+        await page.click('#section-rules [data-find]');
+        await page.click('[data-example=hexerode]');
+        await page.waitForSelector('#find-verdict.found', { timeout: 90_000 });
+        await page.waitForSelector('.find-card .thumb.inked');
+    },
     shortcuts: (page) => page.keyboard.press('?'),
     share: (page) => page.click('#share'),
     'share with a preview': async (page) => {

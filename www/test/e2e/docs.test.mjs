@@ -18,7 +18,7 @@ const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.
 const at = (name) => ({ address: `${ADDRESS}docs/${name}`, also: ADDRESS, drawing: null });
 
 test('the documents for readers are pages, and no others', () => {
-    assert.deepEqual(NAMES, ['about.html', 'embedding.html', 'exercises.html', 'growth.html', 'imports.html', 'lesson.html', 'links.html', 'notation.html', 'security.html']);
+    assert.deepEqual(NAMES, ['about.html', 'embedding.html', 'exercises.html', 'find.html', 'growth.html', 'imports.html', 'lesson.html', 'links.html', 'notation.html', 'security.html']);
 });
 
 for (const [size, options] of /** @type {[string, import('playwright-core').BrowserContextOptions][]} */ ([

@@ -1,18 +1,14 @@
 //! The rules of a picture, searched with all cores.
 
-use super::{Known, MAX_LISTED, STEPS};
+use super::{Known, MAX_LISTED};
 use crate::{CommandFailure, print};
-use lsystem::find::{Drawn, FOUND, Known as PictureKnown, Picture, PictureSearch, Searched, keep};
+use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, merged};
 use serde::Serialize;
 use std::io::Cursor;
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// The angles that are tried where none is known: those of the field's books.
-const ANGLES: [f64; 14] = [90.0, 60.0, 120.0, 45.0, 30.0, 36.0, 72.0, 22.5, 25.0, 20.0, 25.7, 15.0, 18.0, 85.0];
-/// The first headings that are tried where none is known.
-const HEADINGS: [f64; 5] = [90.0, 0.0, 60.0, 45.0, 30.0];
 /// The systems that are tried between two looks at the clock.
 const SHARE: u64 = 4096;
 /// The most pixels of a picture.
@@ -53,34 +49,23 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
     let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
     let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
     let picture = Arc::new(Picture::new(&grey, width, height).map_err(said)?);
-    let angles = known.angle.map_or(ANGLES.to_vec(), |angle| vec![angle]);
-    let headings = known.heading.map_or(HEADINGS.to_vec(), |heading| vec![heading]);
-    let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
+    let Known { axiom, angle, heading, n, draws, .. } = known;
+    let question = Question { axiom: axiom.clone(), angle: *angle, heading: *heading, n: *n, draws: draws.clone() };
     let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get) as u64;
-    let mut parts = Vec::new();
-    for part in 0..cores {
-        let search = |&angle: &f64| {
-            let (axiom, headings, steps) = (known.axiom.clone(), headings.clone(), steps.clone());
-            let known = PictureKnown { axiom, angle, headings, steps };
-            PictureSearch::new(picture.clone(), known, (part, cores))
-        };
-        parts.push(angles.iter().map(search).collect::<Result<Vec<_>, _>>().map_err(said)?);
-    }
+    let parts = (0..cores).map(|part| Finder::new(&picture, &question, (part, cores)));
+    let parts = parts.collect::<Result<Vec<_>, _>>().map_err(said)?;
     let limit = Duration::from_secs(known.seconds.into());
-    let parts: Vec<Vec<PictureSearch>> = thread::scope(|scope| {
+    let parts: Vec<Finder> = thread::scope(|scope| {
         let running: Vec<_> = parts.into_iter().map(|part| scope.spawn(move || searched(part, limit))).collect();
         running.into_iter().filter_map(|part| part.join().ok()).collect()
     });
-    let mut kept = Vec::new();
-    parts.iter().flatten().flat_map(PictureSearch::found).for_each(|drawn| keep(&mut kept, drawn.clone()));
-    let is_found = kept.first().is_some_and(|drawn: &Drawn| drawn.agreement >= FOUND);
-    kept.retain(|drawn| !is_found || drawn.agreement >= FOUND);
+    let (mut kept, searched) = merged(&parts.iter().collect::<Vec<_>>());
+    let is_found = kept.first().is_some_and(|drawn| drawn.agreement >= FOUND);
     kept.truncate(MAX_LISTED);
-    let searched = searched_words(&angles, &steps, &parts);
     print(|out| match json {
         true => {
             let candidates = kept.iter().map(|one| Candidate {
-                axiom: known.axiom.clone(),
+                axiom: one.axiom.clone(),
                 n: one.found.n,
                 angle: one.angle,
                 heading: one.heading,
@@ -97,8 +82,8 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
                 writeln!(out, "None draws this picture. The closest:\n")?;
             }
             for one in &kept {
-                let Drawn { found, draws, angle, heading, agreement } = one;
-                let (text, n, symbols, axiom) = (found.text(), found.n, found.symbols(), &known.axiom);
+                let Drawn { axiom, found, draws, angle, heading, agreement } = one;
+                let (text, n, symbols) = (found.text(), found.n, found.symbols());
                 let steps = if n == 1 { "step" } else { "steps" };
                 writeln!(
                     out,
@@ -113,40 +98,16 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
     if is_found { Ok(()) } else { Err(CommandFailure::Said) }
 }
 
-/// Searches all angles in turn until one is found, and a while longer.
-fn searched(mut searches: Vec<PictureSearch>, limit: Duration) -> Vec<PictureSearch> {
+/// Searches until a system is found, and a while longer.
+fn searched(mut finder: Finder, limit: Duration) -> Finder {
     let begin = Instant::now();
     let mut end = limit;
-    loop {
-        let mut is_all = true;
-        for search in &mut searches {
-            is_all &= search.step(SHARE) == Searched::All;
-            let is_found = search.found().first().is_some_and(|drawn| drawn.agreement >= FOUND);
-            if is_found && end == limit {
-                end = limit.min(begin.elapsed() * (1 + LONGER) + AT_LEAST);
-            }
-            if begin.elapsed() >= end {
-                return searches;
-            }
-        }
-        if is_all {
-            return searches;
+    while begin.elapsed() < end && finder.step(SHARE) == Searched::More {
+        if finder.is_found() && end == limit {
+            end = limit.min(begin.elapsed() * (1 + LONGER) + AT_LEAST);
         }
     }
-}
-
-/// Up to how many symbols everything was searched.
-fn searched_words(angles: &[f64], steps: &[u32], parts: &[Vec<PictureSearch>]) -> String {
-    let list = |values: Vec<String>| values.join(", ");
-    let mut least = parts.first().and_then(|part| part.first()).map_or(Vec::new(), PictureSearch::searched);
-    for search in parts.iter().flatten() {
-        least.iter_mut().zip(search.searched()).for_each(|(least, (_, most))| least.1 = least.1.min(most));
-    }
-    let families =
-        least.iter().map(|(name, most)| format!("{name} up to {most} symbols")).collect::<Vec<_>>().join("; ");
-    let angles = list(angles.iter().map(|angle| format!("{angle}°")).collect());
-    let steps = list(steps.iter().map(u32::to_string).collect());
-    format!("angle {angles}; n = {steps}: {families}")
+    finder
 }
 
 /// The levels of grey of a PNG on white, with its width and height.

@@ -1,0 +1,117 @@
+//! The search for the rules of a picture or a string, for JavaScript. The page loads this wasm with the first search.
+
+use lsystem_find::{Drawn, FOUND, Finder, Picture, Question, Searched, StringFinder};
+use lsystem_syntax::Definition;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use wasm_bindgen::prelude::*;
+
+/// What is known of a system; what is missing or null is to be found out.
+#[derive(Deserialize)]
+struct Asked {
+    axiom: Option<String>,
+    angle: Option<f64>,
+    heading: Option<f64>,
+    n: Option<u32>,
+    draws: Option<String>,
+}
+
+impl Asked {
+    fn read(value: JsValue) -> Result<Question, JsValue> {
+        let Self { axiom, angle, heading, n, draws } = serde_wasm_bindgen::from_value(value)?;
+        Ok(Question { axiom, angle, heading, n, draws })
+    }
+}
+
+/// What a search found so far.
+#[derive(Serialize)]
+struct FindReport {
+    candidates: Vec<Candidate>,
+    searched: String,
+}
+
+/// A system that was found, or that comes close.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Candidate {
+    definition: Definition,
+    /// The symbols of its rules, with their predecessors.
+    symbols: usize,
+    /// From 0 to 1.
+    agreement: f64,
+    is_found: bool,
+}
+
+/// A search in the making.
+#[wasm_bindgen]
+pub struct RuleFinder {
+    search: Search,
+}
+
+enum Search {
+    Picture(Finder),
+    String(StringFinder),
+}
+
+#[wasm_bindgen]
+impl RuleFinder {
+    /// A search for the rules of a picture of `width` times `height` levels of grey, row by row from above; 0 is black.
+    /// `part` is which of `parts` searches beside each other this one is, from 0. `question` is `{axiom, angle, heading,
+    /// n, draws}`.
+    ///
+    /// # Errors
+    /// Throws a sentence if this cannot be searched.
+    #[wasm_bindgen(js_name = ofPicture)]
+    pub fn of_picture(
+        grey: &[u8],
+        width: usize,
+        height: usize,
+        question: JsValue,
+        part: u32,
+        parts: u32,
+    ) -> Result<Self, JsValue> {
+        let question = Asked::read(question)?;
+        let picture = Arc::new(Picture::new(grey, width, height)?);
+        let finder = Finder::new(&picture, &question, (part.into(), parts.max(1).into()))?;
+        Ok(Self { search: Search::Picture(finder) })
+    }
+
+    /// A search for the rules of a string. `question` is as for pictures.
+    ///
+    /// # Errors
+    /// Throws a sentence if this cannot be searched.
+    #[wasm_bindgen(js_name = ofString)]
+    pub fn of_string(text: &str, question: JsValue) -> Result<Self, JsValue> {
+        let finder = StringFinder::new(text, &Asked::read(question)?)?;
+        Ok(Self { search: Search::String(finder) })
+    }
+
+    /// Tries about `work` systems, or reads about `work` symbols. Returns whether there is more to search.
+    pub fn step(&mut self, work: u32) -> bool {
+        let searched = match &mut self.search {
+            Search::Picture(finder) => finder.step(work.into()),
+            Search::String(finder) => finder.step(work as usize),
+        };
+        searched == Searched::More
+    }
+
+    /// What was found and searched so far: `{candidates: [{definition, symbols, agreement, isFound}], searched}`.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    pub fn report(&self) -> Result<JsValue, JsValue> {
+        let (found, searched) = match &self.search {
+            Search::Picture(finder) => (finder.found().to_vec(), finder.searched()),
+            Search::String(finder) => (finder.found(), finder.searched()),
+        };
+        let candidate = |drawn: &Drawn| Candidate {
+            definition: drawn.definition(),
+            symbols: drawn.found.symbols(),
+            agreement: drawn.agreement,
+            is_found: drawn.agreement >= FOUND,
+        };
+        let report = FindReport { candidates: found.iter().map(candidate).collect(), searched };
+        let plain = serde_wasm_bindgen::Serializer::json_compatible();
+        report.serialize(&plain).map_err(JsValue::from)
+    }
+}

@@ -1,0 +1,188 @@
+//! The search for the rules of a picture of which something is known, and the rest is to be found out.
+
+use crate::angles::suggested;
+use crate::drawn::{Drawn, FOUND, Known, PictureSearch, keep};
+use crate::{Picture, Searched};
+use std::sync::Arc;
+
+/// The first headings that are tried where none is known, in degrees.
+const HEADINGS: [f64; 5] = [90.0, 0.0, 60.0, 45.0, 30.0];
+/// The numbers of derivation steps that are tried where theirs is not known.
+const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
+/// The axioms that are tried at every angle where none is known.
+const AXIOMS: [&str; 2] = ["F", "X"];
+/// The fewest and the most sides of polygons that are tried as axioms.
+const SIDES: [usize; 2] = [3, 6];
+/// A search tries so many systems before another one is looked at.
+const SHARE: u64 = 2048;
+
+/// What is known of a picture's system; `None` is to be found out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Question {
+    /// Letters, turns and branches.
+    pub axiom: Option<String>,
+    /// In degrees.
+    pub angle: Option<f64>,
+    /// The first heading, in degrees counter-clockwise from the right.
+    pub heading: Option<f64>,
+    /// The number of derivation steps.
+    pub n: Option<u32>,
+    /// The letters that draw.
+    pub draws: Option<String>,
+}
+
+/// A search for the rules of a picture, in steps. It can be dropped at any time.
+///
+/// Each axiom with each angle is searched by itself; the more usual ones get more of the work.
+#[derive(Clone, Debug)]
+pub struct Finder {
+    searches: Vec<Part>,
+    steps: Vec<u32>,
+    kept: Vec<Drawn>,
+}
+
+/// The search of one axiom with one angle.
+#[derive(Clone, Debug)]
+struct Part {
+    axiom: String,
+    angle: f64,
+    search: PictureSearch,
+    /// The work so far, times how unusual the axiom and the angle are.
+    spent: u64,
+    rank: u64,
+    is_done: bool,
+}
+
+impl Finder {
+    /// `part` is which of how many searches beside each other this one is, such as (0, 1).
+    ///
+    /// # Errors
+    /// Why this cannot be searched.
+    pub fn new(picture: &Arc<Picture>, question: &Question, part: (u64, u64)) -> Result<Self, &'static str> {
+        let headings = question.heading.map_or(HEADINGS.to_vec(), |heading| vec![heading]);
+        let angles = question.angle.map_or_else(
+            || {
+                let closed = question.axiom.as_deref().and_then(closing_angle);
+                let other = suggested(picture, &headings).into_iter().filter(|&angle| Some(angle) != closed);
+                closed.into_iter().chain(other).collect()
+            },
+            |angle| vec![angle],
+        );
+        let steps = question.n.map_or(STEPS.to_vec(), |n| vec![n]);
+        let mut searches = Vec::new();
+        for (&angle, usual) in angles.iter().zip(1..) {
+            let axioms = question.axiom.clone().map_or_else(|| axioms(angle), |axiom| vec![axiom]);
+            for (axiom, rank) in axioms.into_iter().zip(1..) {
+                let (headings, steps, draws) = (headings.clone(), steps.clone(), question.draws.clone());
+                let known = Known { axiom: axiom.clone(), angle, headings, steps, draws };
+                let search = PictureSearch::new(picture.clone(), known, part)?;
+                searches.push(Part { axiom, angle, search, spent: 0, rank: rank * usual, is_done: false });
+            }
+        }
+        Ok(Self { searches, steps, kept: Vec::new() })
+    }
+
+    /// Tries about `systems` systems.
+    pub fn step(&mut self, systems: u64) -> Searched {
+        for _ in 0..systems.div_ceil(SHARE) {
+            let open = self.searches.iter_mut().filter(|part| !part.is_done);
+            let Some(part) = open.min_by_key(|part| part.spent) else { return Searched::All };
+            part.spent += part.rank;
+            part.is_done = part.search.step(SHARE.min(systems)) == Searched::All;
+            for drawn in part.search.found() {
+                keep(&mut self.kept, drawn.clone());
+            }
+        }
+        Searched::More
+    }
+
+    /// The systems that draw the picture or nearly do, best first.
+    #[must_use]
+    pub fn found(&self) -> &[Drawn] {
+        &self.kept
+    }
+
+    /// Whether a system draws the picture.
+    #[must_use]
+    pub fn is_found(&self) -> bool {
+        self.kept.first().is_some_and(|drawn| drawn.agreement >= FOUND)
+    }
+
+    /// What was searched, in words.
+    #[must_use]
+    pub fn searched(&self) -> String {
+        merged(&[self]).1
+    }
+}
+
+/// The axioms that are tried with an angle, the most usual ones first.
+fn axioms(angle: f64) -> Vec<String> {
+    let turns = 360.0 / angle;
+    let mut axioms = AXIOMS.map(str::to_owned).to_vec();
+    if (turns - turns.round()).abs() < 1e-9 {
+        let turns = turns.round() as usize;
+        let sides = (SIDES[0]..=SIDES[1]).rev().filter(|&sides| turns.is_multiple_of(sides));
+        axioms.extend(sides.map(|sides| vec!["F"; sides].join(&"+".repeat(turns / sides))));
+    }
+    axioms
+}
+
+/// The angle that closes a polygon, such as `F-F-F-F`, whose corners have equal turns.
+fn closing_angle(axiom: &str) -> Option<f64> {
+    let sides = axiom.trim_matches(['+', '-']).split(['+', '-']).filter(|side| !side.is_empty()).count();
+    let corners: Vec<&str> =
+        axiom.split(|at: char| at.is_ascii_alphabetic()).filter(|turns| !turns.is_empty()).collect();
+    let corner = corners.last()?;
+    let is_regular = axiom.trim_matches(['+', '-']).split(corner).filter(|side| side.len() == 1).count() == sides;
+    (sides >= SIDES[0] && is_regular).then(|| 360.0 / (sides * corner.len()) as f64)
+}
+
+/// What searches beside each other found: the systems that draw the picture, or the closest ones if none does, best
+/// first; and in words what all of them together searched.
+#[must_use]
+pub fn merged(finders: &[&Finder]) -> (Vec<Drawn>, String) {
+    let mut kept = Vec::new();
+    finders.iter().flat_map(|finder| finder.found()).for_each(|drawn| keep(&mut kept, drawn.clone()));
+    let is_found = kept.first().is_some_and(|drawn: &Drawn| drawn.agreement >= FOUND);
+    kept.retain(|drawn| !is_found || drawn.agreement >= FOUND);
+    (kept, searched(finders))
+}
+
+/// Up to how many symbols all searches have searched each family. An angle counts from its first search on.
+fn searched(finders: &[&Finder]) -> String {
+    let Some(first) = finders.first() else { return "nothing".to_owned() };
+    // For each axiom its families, with the symbols that were searched with all angles that were begun.
+    let mut axioms: Vec<(&str, Vec<(String, usize)>)> = Vec::new();
+    let mut angles: Vec<f64> = Vec::new();
+    for (at, part) in first.searches.iter().enumerate() {
+        let searches = || finders.iter().filter_map(|finder| finder.searches.get(at));
+        if searches().any(|part| part.spent == 0) {
+            continue;
+        }
+        if !angles.contains(&part.angle) {
+            angles.push(part.angle);
+        }
+        for part in searches() {
+            let families = part.search.searched();
+            match axioms.iter_mut().find(|(axiom, _)| *axiom == part.axiom) {
+                Some((_, least)) => {
+                    least.iter_mut().zip(families).for_each(|(least, (_, most))| least.1 = least.1.min(most));
+                }
+                None => axioms.push((&part.axiom, families)),
+            }
+        }
+    }
+    let list = |values: Vec<String>| values.join(", ");
+    let families = |(axiom, families): &(&str, Vec<(String, usize)>)| {
+        let families: Vec<String> =
+            families.iter().map(|(name, most)| format!("{name} up to {most} symbols")).collect();
+        format!("from {axiom}: {}", families.join("; "))
+    };
+    let words: Vec<String> = axioms.iter().map(families).collect();
+    let angles = list(angles.iter().map(|angle| format!("{angle}°")).collect());
+    let steps = list(first.steps.iter().map(u32::to_string).collect());
+    format!(
+        "angle {angles}; n = {steps}: {}",
+        if words.is_empty() { "nothing yet".to_owned() } else { words.join("; ") }
+    )
+}

@@ -1,0 +1,132 @@
+//! The parts of a picture that belong to its drawing: no frame around it, no caption, no specks.
+
+/// Runs of ink are of the same part if they are at most so many pixels apart. Thin lines may have gaps.
+const GAP: usize = 2;
+/// A part is a frame if so much of its ink lies near the sides of its box.
+const FRAME: f64 = 0.9;
+/// The width of a frame, as a part of its box.
+const FRAME_WIDTH: f64 = 0.02;
+/// The smallest sides of a frame, in pixels.
+const SMALLEST_FRAME: usize = 40;
+/// Parts beside the largest one are left out if they have less than this part of its ink.
+const SMALL: f64 = 0.02;
+/// Parts with at most so many pixels are specks if the largest one has at least a thousand times as many.
+const SPECK: usize = 6;
+
+/// Ink side by side in one row of pixels, from `left` to before `right`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    pub(crate) y: usize,
+    pub(crate) left: usize,
+    pub(crate) right: usize,
+}
+
+/// Ink that hangs together.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    ink: usize,
+    left: usize,
+    top: usize,
+    right: usize,
+    bottom: usize,
+    /// The ink near the sides of its box.
+    at_sides: usize,
+}
+
+/// The runs of ink that belong to the drawing.
+pub(crate) fn drawing(width: usize, height: usize, is_ink: impl Fn(usize, usize) -> bool) -> Vec<Run> {
+    let runs = runs(width, height, is_ink);
+    let owners = joined(&runs, height);
+    let empty = Part { ink: 0, left: usize::MAX, top: usize::MAX, right: 0, bottom: 0, at_sides: 0 };
+    let mut parts = vec![empty; runs.len()];
+    for (run, &owner) in runs.iter().zip(&owners) {
+        let part = &mut parts[owner];
+        part.ink += run.right - run.left;
+        (part.left, part.right) = (part.left.min(run.left), part.right.max(run.right));
+        (part.top, part.bottom) = (part.top.min(run.y), part.bottom.max(run.y + 1));
+    }
+    for (run, &owner) in runs.iter().zip(&owners) {
+        let part = &mut parts[owner];
+        let wide = (((part.right - part.left) as f64 * FRAME_WIDTH) as usize).max(3);
+        let high = (((part.bottom - part.top) as f64 * FRAME_WIDTH) as usize).max(3);
+        let is_at_side = run.y < part.top + high || run.y + high >= part.bottom;
+        let inner = run.right.min(part.right.saturating_sub(wide)).saturating_sub(run.left.max(part.left + wide));
+        part.at_sides += run.right - run.left - if is_at_side { 0 } else { inner };
+    }
+    let is_frame = |part: &Part| {
+        let is_large = part.ink > 0 && (part.right - part.left).min(part.bottom - part.top) > SMALLEST_FRAME;
+        is_large && part.at_sides as f64 >= part.ink as f64 * FRAME
+    };
+    let Some(largest) =
+        parts.iter().filter(|part| part.ink > 0 && !is_frame(part)).max_by_key(|part| part.ink).copied()
+    else {
+        return runs;
+    };
+    // A drawing that is a frame itself, such as a square, has nothing of its size inside.
+    let whole: usize = parts.iter().map(|part| part.ink).sum();
+    if (largest.ink as f64) < whole as f64 * 0.1 {
+        return runs;
+    }
+    let is_kept = |part: &Part| {
+        let is_beside = part.right < largest.left
+            || part.left > largest.right
+            || part.bottom < largest.top
+            || part.top > largest.bottom;
+        let is_small = is_beside && (part.ink as f64) < largest.ink as f64 * SMALL;
+        let is_speck = part.ink <= SPECK && largest.ink >= 1000 * part.ink;
+        !is_frame(part) && !is_small && !is_speck
+    };
+    runs.iter().zip(&owners).filter(|(_, owner)| is_kept(&parts[**owner])).map(|(run, _)| *run).collect()
+}
+
+fn runs(width: usize, height: usize, is_ink: impl Fn(usize, usize) -> bool) -> Vec<Run> {
+    let mut runs = Vec::new();
+    for y in 0..height {
+        let mut x = 0;
+        while x < width {
+            if !is_ink(x, y) {
+                x += 1;
+                continue;
+            }
+            let left = x;
+            while x < width && is_ink(x, y) {
+                x += 1;
+            }
+            runs.push(Run { y, left, right: x });
+        }
+    }
+    runs
+}
+
+/// For each run the first run of its part.
+fn joined(runs: &[Run], height: usize) -> Vec<usize> {
+    let mut owners: Vec<usize> = (0..runs.len()).collect();
+    let mut rows = vec![runs.len(); height + 1];
+    (0..runs.len()).rev().for_each(|at| rows[runs[at].y] = at);
+    // Rows without runs begin where the next row does.
+    (0..height).rev().for_each(|y| rows[y] = rows[y].min(rows[y + 1]));
+    for (at, run) in runs.iter().enumerate() {
+        for y in run.y.saturating_sub(GAP)..=run.y {
+            let end = rows[y + 1].min(at);
+            let row = &runs[rows[y].min(end)..end];
+            let first = rows[y].min(end) + row.partition_point(|other| other.right + GAP < run.left);
+            for other in first..end {
+                if runs[other].left > run.right + GAP {
+                    break;
+                }
+                let (a, b) = (root(&mut owners, at), root(&mut owners, other));
+                owners[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    (0..runs.len()).map(|at| root(&mut owners, at)).collect()
+}
+
+/// The first run of the part, with a shorter way there from now on.
+fn root(owners: &mut [usize], mut at: usize) -> usize {
+    while owners[at] != at {
+        owners[at] = owners[owners[at]];
+        at = owners[at];
+    }
+    at
+}

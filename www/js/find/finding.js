@@ -1,0 +1,231 @@
+/** The dialog that finds the rules of a picture or a string. */
+
+import { toast } from '../announce.js';
+import { button, byId, closes, html, input, setText } from '../dom.js';
+import { Cancelled } from '../tool.js';
+import { fillExamples, pictureOf } from './examples.js';
+import { pictureIn } from './files.js';
+import { inkShare, inked } from './ink.js';
+import { readPicture } from './picture.js';
+import { createPreview } from './preview.js';
+import { readQuestion, showQuestion } from './question.js';
+import { createResults, workWords } from './results.js';
+import { createSearch } from './search.js';
+
+/** @typedef {import('../state.js').Definition} Definition */
+/** @typedef {import('../protocol.js').FindReport} FindReport */
+
+/** @param {unknown} error */
+const sentence = (error) => {
+    const words = String(error instanceof Error ? error.message : error);
+    return `${words.charAt(0).toUpperCase()}${words.slice(1)}${/[.!?]$/.test(words) ? '' : '.'}`;
+};
+
+/**
+ * @param {import('../engine.js').Engine} engine
+ * @param {{open: (definition: Definition) => void, restyle: (definition: Definition) => Definition}} page
+ * @returns {(picture?: File) => void} opens the dialog, with a picture if there is one
+ */
+export function createFinding(engine, { open, restyle }) {
+    const dialog = byId('find', HTMLDialogElement);
+    const text = byId('find-string', HTMLTextAreaElement);
+    const file = input('find-file');
+    const search = createSearch();
+    const preview = createPreview({ changed: invalidate });
+    const results = createResults({
+        engine,
+        restyle,
+        open({ definition }) {
+            stop();
+            dialog.close();
+            open(restyle({ ...definition, title: title && `Rules of ${title}` }));
+            toast('Opened. Undo to go back; “Rules from a picture” has the other systems.');
+        },
+    });
+    /** Stops the running search. @type {AbortController | null} */
+    let running = null;
+    /** What was found so far. @type {FindReport | null} */
+    let report = null;
+    /** The title of what is opened. */
+    let title = '';
+    /** The newest picture that is being read. */
+    let turn = 0;
+    let hasExamples = false;
+
+    const isString = () => input('find-of-string').checked;
+
+    function showSource() {
+        const has = preview.shown !== null;
+        html('find-text').hidden = !isString();
+        html('find-empty').hidden = isString() || has;
+        html('find-picture').hidden = isString() || !has;
+        button('find-start').disabled = !isString() && !has;
+        if (isString() || has || hasExamples) return;
+        hasExamples = true;
+        fillExamples(html('find-examples'), engine, { restyle, choose: tryExample }).catch(() => (hasExamples = false));
+    }
+
+    /** What was found is no longer about what is shown. */
+    function invalidate() {
+        stop();
+        report = null;
+        results.clear();
+        problem('');
+        html('find-results').hidden = true;
+        showActs();
+    }
+
+    function showActs() {
+        button('find-start').hidden = running !== null;
+        button('find-stop').hidden = running === null;
+        button('find-longer').hidden = running !== null || !report?.isMore;
+        html('find-busy').hidden = running === null;
+    }
+
+    /** @param {string} words */
+    const problem = (words) => setText(html('find-problem'), words);
+
+    /** @param {FindReport} next */
+    function progress(next) {
+        report = next;
+        const section = html('find-results');
+        const isNew = section.hidden;
+        section.hidden = false;
+        results.show(next, { isString: isString(), isRunning: running !== null });
+        setText(html('find-work'), workWords(next, isString()));
+        // On a phone the results stand below the fields.
+        if (isNew) section.scrollIntoView({ block: 'start' });
+    }
+
+    /** Runs a search, or goes on with one. @param {(signal: AbortSignal) => Promise<FindReport>} work */
+    async function run(work) {
+        stop();
+        problem('');
+        const own = (running = new AbortController());
+        showActs();
+        button('find-stop').focus();
+        try {
+            const last = await work(own.signal);
+            if (running !== own) return;
+            running = null;
+            progress(last);
+        } catch (error) {
+            if (running !== own) return;
+            running = null;
+            if (!(error instanceof Cancelled)) problem(sentence(error));
+        }
+        showActs();
+        if (document.activeElement === document.body) button(report?.isMore ? 'find-longer' : 'find-start').focus();
+    }
+
+    function stop() {
+        if (!running) return;
+        running.abort();
+        running = null;
+        if (report) progress(report);
+        showActs();
+    }
+
+    function start() {
+        invalidate();
+        const { shown } = preview;
+        try {
+            const question = readQuestion();
+            if (isString()) {
+                if (text.value.trim() === '') throw new Error('Type or paste a string.');
+                title = '';
+                return void run((signal) => search.begin({ text: text.value }, question, signal, progress));
+            }
+            if (!shown) throw new Error('Open a picture first.');
+            if (inkShare(shown.picture, shown.choice) === 0) throw new Error('Nothing is ink here. Move the threshold.');
+            const source = inked(shown.picture, shown.choice);
+            void run((signal) => search.begin(source, question, signal, progress));
+        } catch (error) {
+            problem(sentence(error));
+        }
+    }
+
+    /** @param {import('./ink.js').Grey | null} picture @param {string} name */
+    function setPicture(picture, name) {
+        title = name;
+        input('find-of-picture').checked = true;
+        preview.set(picture);
+        invalidate();
+        showSource();
+    }
+
+    /** @param {File} picture */
+    async function take(picture) {
+        const own = ++turn;
+        stop();
+        try {
+            const grey = await readPicture(picture);
+            if (own === turn) setPicture(grey, picture.name.replace(/\.\w+$/, ''));
+        } catch (error) {
+            if (own === turn) problem(sentence(error));
+        }
+    }
+
+    /** @param {Definition} definition */
+    async function tryExample(definition) {
+        const own = ++turn;
+        try {
+            const grey = await pictureOf(engine, definition);
+            if (own !== turn) return;
+            setPicture(grey, definition.title || definition.name);
+            showQuestion({ axiom: definition.axiom, angle: definition.angle, n: definition.iterations });
+            start();
+        } catch (error) {
+            problem(sentence(error));
+        }
+    }
+
+    byId('find-form', HTMLFormElement).addEventListener('submit', (event) => {
+        event.preventDefault();
+        start();
+    });
+    byId('find-form', HTMLFormElement).addEventListener('input', (event) => {
+        // The preview tells its own changes.
+        if (event.target instanceof HTMLElement && event.target.closest('.find-known, #find-text')) invalidate();
+    });
+    for (const kind of ['picture', 'string']) {
+        input(`find-of-${kind}`).addEventListener('change', () => {
+            invalidate();
+            showSource();
+        });
+    }
+    button('find-stop').addEventListener('click', () => {
+        stop();
+        button(report?.isMore ? 'find-longer' : 'find-start').focus();
+    });
+    button('find-longer').addEventListener('click', () => void run((signal) => search.longer(signal, progress)));
+    for (const id of ['find-choose', 'find-other']) button(id).addEventListener('click', () => file.click());
+    file.addEventListener('change', () => {
+        const [chosen] = file.files ?? [];
+        file.value = '';
+        if (chosen) void take(chosen);
+    });
+    dialog.addEventListener('dragover', (event) => event.preventDefault());
+    dialog.addEventListener('drop', (event) => {
+        event.preventDefault();
+        event.stopPropagation();
+        const [dropped] = event.dataTransfer?.files ?? [];
+        if (dropped) void take(dropped);
+    });
+    document.addEventListener('paste', (event) => {
+        const picture = dialog.open ? pictureIn(event.clipboardData) : null;
+        if (!picture || event.clipboardData?.getData('text/plain')) return;
+        event.preventDefault();
+        void take(picture);
+    });
+    closes(dialog, 'close-find');
+    dialog.addEventListener('close', stop);
+
+    return (picture) => {
+        showSource();
+        dialog.showModal();
+        preview.repaint();
+        if (picture) void take(picture);
+        else if (preview.shown === null && !isString()) button('find-choose').focus();
+    };
+}

@@ -1,0 +1,57 @@
+/** What searches beside each other found, together. Pure functions. */
+
+/** @typedef {import('../protocol.js').Candidate} Candidate */
+/** @typedef {import('../protocol.js').FindReport} FindReport */
+
+/** The most systems that are shown; the engine keeps as many. */
+const MOST = 20;
+
+/** What makes a candidate another system. @param {Candidate} candidate */
+export function keyOf({ definition: { axiom, rules, overrides, angle, heading, iterations } }) {
+    return JSON.stringify([axiom, rules, overrides, angle, heading, iterations]);
+}
+
+/** The order of candidates: found ones by their symbols, others by their agreement. @param {Candidate} a @param {Candidate} b */
+function order(a, b) {
+    if (a.isFound !== b.isFound) return a.isFound ? -1 : 1;
+    const [bySymbols, byAgreement] = [a.symbols - b.symbols, b.agreement - a.agreement];
+    return a.isFound ? bySymbols || byAgreement : byAgreement || bySymbols;
+}
+
+/**
+ * The systems that draw the picture, or the closest ones if none does, best first. Each search tried its share of the
+ * same systems in the same order, so all of them searched what the slowest one did.
+ * @param {FindReport[]} reports
+ * @returns {FindReport}
+ */
+export function merged(reports) {
+    /** @type {Map<string, Candidate>} */
+    const all = new Map();
+    for (const candidate of reports.flatMap(({ candidates }) => candidates)) {
+        const other = all.get(keyOf(candidate));
+        if (!other || other.agreement < candidate.agreement) all.set(keyOf(candidate), candidate);
+    }
+    const isFound = [...all.values()].some((candidate) => candidate.isFound);
+    const candidates = [...all.values()].filter((candidate) => candidate.isFound || !isFound).sort(order).slice(0, MOST);
+    const slowest = reports.reduce((a, b) => (b.work < a.work ? b : a));
+    return { candidates, searched: slowest.searched, work: slowest.work, isMore: reports.some(({ isMore }) => isMore) };
+}
+
+/** An agreement in percent, rounded down: what is not the same is never called 100 %. @param {number} agreement */
+export const percent = (agreement) => `${(Math.floor(agreement * 1000 + 1e-9) / 10).toFixed(1)} %`;
+
+const WORDS = ['No', 'One', 'Two', 'Three', 'Four', 'Five', 'Six', 'Seven', 'Eight', 'Nine', 'Ten', 'Eleven', 'Twelve'];
+
+/** A number of systems at the beginning of a sentence. @param {number} count */
+export const systems = (count) => `${WORDS[count] ?? (count < MOST ? count : `At least ${count}`)} ${count === 1 ? 'system' : 'systems'}`;
+
+/**
+ * The result in a sentence.
+ * @param {Pick<FindReport, 'candidates'>} report @param {boolean} isString
+ */
+export function verdict({ candidates }, isString) {
+    const found = candidates.filter(({ isFound }) => isFound).length;
+    const [one, many] = isString ? ['derives the string', 'derive the string'] : ['draws this picture', 'draw the same picture'];
+    if (found > 0) return `${systems(found)} ${found === 1 ? one : many}.`;
+    return candidates.length > 0 ? 'None of the searched systems draws this picture. The closest:' : `None of the searched systems ${isString ? one : 'comes close'}.`;
+}

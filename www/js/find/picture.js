@@ -1,0 +1,91 @@
+/** Pictures from files and the clipboard, decoded by the browser, as levels of grey. */
+
+import { greyOf, isPlain } from './ink.js';
+import { drawableSvg } from './svg.js';
+
+/** @typedef {import('./ink.js').Grey} Grey */
+
+/** Larger files are not read, in bytes. */
+const LARGEST = 64 << 20;
+const LARGEST_SVG = 16 << 20;
+/** Pictures with more pixels are not decoded: that takes 256 MB of memory. */
+const MOST_PIXELS = 64e6;
+/** Larger pictures are made smaller, to this side in pixels: three times that of the compared pictures, for crops. */
+const SIDE = 1536;
+/** A picture that is not decoded after this time is given up, in milliseconds. */
+const PATIENCE = 10_000;
+
+/** How files of pictures begin. @type {Readonly<Record<string, RegExp>>} */
+const KINDS = {
+    'image/png': /^\x89PNG\r\n/,
+    'image/jpeg': /^\xff\xd8\xff/,
+    'image/webp': /^RIFF.{4}WEBP/s,
+    'image/gif': /^GIF8/,
+    'image/svg+xml': /^(?:\xef\xbb\xbf|\xff\xfe|\xfe\xff)?[\s\0]*</,
+};
+
+/**
+ * Decodes a picture; throws a sentence if it cannot be read.
+ * @param {Blob} blob
+ * @returns {Promise<Grey>}
+ */
+export async function readPicture(blob) {
+    const start = String.fromCharCode(...new Uint8Array(await blob.slice(0, 1024).arrayBuffer()));
+    const kind = Object.keys(KINDS).find((kind) => KINDS[kind]?.test(start));
+    if (!kind) throw new Error('This file is no PNG, JPEG, WebP or SVG picture.');
+    const isSvg = kind === 'image/svg+xml';
+    if (blob.size > (isSvg ? LARGEST_SVG : LARGEST)) throw new Error(`This picture has more than ${isSvg ? 16 : 64} MB.`);
+    const typed = new Blob([isSvg ? drawableSvg(await blob.text()) : blob], { type: kind });
+    const address = URL.createObjectURL(typed);
+    try {
+        const image = await loaded(address);
+        const [width, height] = [image.naturalWidth, image.naturalHeight];
+        if (width * height > MOST_PIXELS) throw new Error(`This picture has ${width.toLocaleString('en')} × ${height.toLocaleString('en')} pixels. At most 64 million are read.`);
+        if (width === 0 || height === 0) throw new Error('This picture is empty.');
+        const scale = Math.min(1, SIDE / Math.max(width, height));
+        const [wide, high] = [width, height].map((side) => Math.max(1, Math.round(side * scale)));
+        // Decoded beside the page; an SVG is drawn by the page.
+        const source = isSvg ? image : await createImageBitmap(typed);
+        return pixelsOf(source, wide ?? 1, high ?? 1);
+    } finally {
+        URL.revokeObjectURL(address);
+    }
+}
+
+/** @param {string} address @returns {Promise<HTMLImageElement>} */
+function loaded(address) {
+    return new Promise((resolve, reject) => {
+        const image = new Image();
+        const timer = setTimeout(() => reject(new Error('This picture takes too long to read.')), PATIENCE);
+        image.onload = () => {
+            clearTimeout(timer);
+            resolve(image);
+        };
+        image.onerror = () => {
+            clearTimeout(timer);
+            reject(new Error('This picture is damaged, or the browser does not know its format.'));
+        };
+        image.src = address;
+    });
+}
+
+/**
+ * A picture as levels of grey; what is transparent is white, or black where that shows nothing.
+ * @param {HTMLImageElement | ImageBitmap} source @param {number} width @param {number} height
+ * @returns {Grey}
+ */
+export function pixelsOf(source, width, height) {
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [width, height];
+    const context = canvas.getContext('2d', { willReadFrequently: true });
+    if (!context) throw new Error('The browser has no memory for this picture.');
+    context.imageSmoothingQuality = 'high';
+    for (const paper of ['#fff', '#000']) {
+        context.fillStyle = paper;
+        context.fillRect(0, 0, width, height);
+        context.drawImage(source, 0, 0, width, height);
+        const grey = greyOf(context.getImageData(0, 0, width, height).data, width, height);
+        if (!isPlain(grey)) return grey;
+    }
+    throw new Error('This picture has one shade of grey only.');
+}

@@ -1,0 +1,74 @@
+/** The systems that a search found, or the closest ones, as cards with small pictures. */
+
+import { html, make, setText } from '../dom.js';
+import { emptyThumb, paintThumb } from '../thumb.js';
+import { keyOf, percent, verdict } from './merge.js';
+
+/** @typedef {import('../protocol.js').Candidate} Candidate */
+/** @typedef {import('../protocol.js').FindReport} FindReport */
+
+/** The side of a picture, in CSS pixels. */
+const SIDE = 168;
+const NUMBERS = new Intl.NumberFormat('en');
+
+/**
+ * A card of a candidate: its picture, its agreement and its rules, with a button that opens it.
+ * @param {Candidate} candidate
+ * @param {{engine: import('../engine.js').Engine, restyle: (definition: import('../state.js').Definition) => import('../state.js').Definition, open?: (candidate: Candidate) => void, told?: string}} page
+ *   without `open` there is no button; `told` stands for the agreement
+ */
+export function candidateCard(candidate, { engine, restyle, open, told }) {
+    const { definition, agreement, symbols, isFound } = candidate;
+    const styled = restyle(definition);
+    const picture = emptyThumb();
+    picture.style.background = styled.background;
+    const { axiom, iterations, angle, overrides, heading } = definition;
+    const facts = [`axiom ${axiom}`, `n = ${iterations}`, `${angle}°`, heading === 90 ? '' : `heading ${heading}°`, overrides.replaceAll('\n', ', '), `${symbols} symbols`];
+    const card = make(
+        'li',
+        { class: 'card find-card' },
+        make('span', { class: 'card-picture' }, picture, make('span', { class: isFound ? 'find-percent found' : 'find-percent' }, told ?? percent(agreement))),
+        make('pre', { class: 'find-rules' }, definition.rules),
+        make('span', { class: 'card-kind' }, facts.filter(Boolean).join(' · ')),
+    );
+    if (open) {
+        const act = make('button', { type: 'button', class: 'button find-open' }, 'Open');
+        act.addEventListener('click', () => open(candidate));
+        card.append(act);
+    }
+    // A picture that cannot be drawn leaves the rules.
+    paintThumb(picture, engine, styled, SIDE, () => picture.isConnected).catch(() => {});
+    return card;
+}
+
+/** How much was searched. @param {FindReport} report @param {boolean} isString */
+export const workWords = ({ work }, isString) => (isString ? `${NUMBERS.format(work)} symbols read` : `${NUMBERS.format(work)} systems tried`);
+
+/** @param {Omit<Parameters<typeof candidateCard>[1], 'told'>} page */
+export function createResults(page) {
+    const list = html('find-cards');
+    /** @type {Map<string, HTMLElement>} */
+    let cards = new Map();
+
+    return {
+        /** @param {FindReport} report @param {{isString: boolean, isRunning: boolean}} how */
+        show(report, { isString, isRunning }) {
+            const old = cards;
+            cards = new Map(report.candidates.map((candidate) => [keyOf(candidate), old.get(keyOf(candidate)) ?? candidateCard(candidate, isString ? { ...page, told: 'derives it' } : page)]));
+            const order = [...cards.values()];
+            if (order.length !== list.children.length || order.some((card, at) => list.children[at] !== card)) list.replaceChildren(...order);
+            const isFound = report.candidates.some((candidate) => candidate.isFound);
+            const so = isRunning && !isFound ? (report.candidates.length > 0 ? 'The closest so far:' : 'Searching…') : verdict(report, isString);
+            setText(html('find-verdict'), so);
+            html('find-verdict').classList.toggle('found', isFound);
+            setText(html('find-searched'), `Searched${isRunning ? ' so far' : ''}: ${report.searched}.`);
+            setText(html('find-advice'), isRunning || isFound ? '' : report.isMore ? 'Other systems may do. Search longer, or tell more of what is known.' : 'This was all that this search can try. Other systems may do.');
+        },
+
+        clear() {
+            cards = new Map();
+            list.replaceChildren();
+            for (const id of ['find-verdict', 'find-searched', 'find-advice']) setText(html(id), '');
+        },
+    };
+}

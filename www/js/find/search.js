@@ -1,0 +1,114 @@
+/**
+ * A search for rules with several workers. Each tries its share of the same systems. The work goes on in rounds, each
+ * as long as all before it, so that all workers have searched the same at the end of a round.
+ */
+
+import { createTool } from '../tool.js';
+import { merged } from './merge.js';
+
+/** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
+/** @typedef {import('../protocol.js').FindSource} FindSource */
+/** @typedef {import('../protocol.js').FindReport} FindReport */
+
+/** The most workers: more than the cores of a small laptop gain little, and each has a memory of its own. */
+const MOST_WORKERS = 4;
+/** The work of the first round, and of a search before it asks whether to go on: systems of a picture, symbols of a string. */
+const WORK = { picture: { first: 65_536, most: 1 << 23 }, string: { first: 1 << 20, most: 1 << 28 } };
+/** A thorough search of a picture tries so many systems, whatever it finds. */
+const THOROUGH = 1 << 21;
+/** "Search longer" does so many times the work so far. */
+const LONGER = 4;
+
+/** The workers of a search: one core is left to the page. @param {{hardwareConcurrency?: number}} machine */
+export const workersOn = ({ hardwareConcurrency = 2 }) => Math.min(MOST_WORKERS, Math.max(1, hardwareConcurrency - 1));
+
+export function createSearch() {
+    /** @type {ReturnType<typeof createTool<import('../protocol.js').FindCalls>>[]} */
+    const tools = [];
+    let parts = 1;
+    /** The work that is done, the work of the first round, and where the search stops. */
+    let [done, first, most] = [0, 0, 0];
+    /** Whether the search goes on after a find, to its end. */
+    let isThorough = false;
+
+    /**
+     * Works until something was found and as much work was done again, for other systems as short; or until `most`.
+     * @param {AbortSignal} signal
+     * @param {(report: FindReport) => void} progress
+     * @returns {Promise<FindReport>}
+     */
+    async function goOn(signal, progress) {
+        /** @type {(FindReport | null)[]} */
+        const reports = Array.from({ length: parts }, () => null);
+        const show = () => {
+            const known = reports.filter((report) => report !== null);
+            if (known.length === parts) progress(merged(known));
+        };
+        for (let wasFound = false; ; ) {
+            const until = Math.min(most, Math.max(first, done * 2));
+            const answers = await Promise.all(
+                tools.slice(0, parts).map((tool, part) =>
+                    tool.call('search', { until }, { signal, progress: (report) => {
+                        reports[part] = report;
+                        show();
+                    } }),
+                ),
+            );
+            answers.forEach((report, part) => (reports[part] = report));
+            const report = merged(answers);
+            done = until;
+            const isFound = report.candidates.some((candidate) => candidate.isFound);
+            if (!report.isMore || done >= most || (wasFound && !isThorough)) return report;
+            wasFound = isFound;
+            show();
+        }
+    }
+
+    /**
+     * Runs a part of the search. If a worker fails or the search is stopped, all workers stop.
+     * @template T
+     * @param {AbortSignal} signal
+     * @param {(signal: AbortSignal) => Promise<T>} work
+     */
+    async function run(signal, work) {
+        const all = new AbortController();
+        const stop = () => all.abort();
+        signal.addEventListener('abort', stop);
+        if (signal.aborted) stop();
+        try {
+            return await work(all.signal);
+        } finally {
+            signal.removeEventListener('abort', stop);
+            stop();
+        }
+    }
+
+    return {
+        /**
+         * Begins a search; the former one is given up.
+         * @param {FindSource} source
+         * @param {FindQuestion} question
+         * @param {AbortSignal} signal
+         * @param {(report: FindReport) => void} progress
+         * @param {{thorough?: boolean}} [how] a thorough search does not stop after a find
+         */
+        begin: (source, question, signal, progress, { thorough = false } = {}) =>
+            run(signal, async (signal) => {
+                isThorough = thorough;
+                const isString = 'text' in source;
+                parts = isString ? 1 : workersOn(navigator);
+                while (tools.length < parts) tools.push(createTool('find'));
+                ({ first, most } = isString ? WORK.string : WORK.picture);
+                if (thorough) most = Math.min(most, THOROUGH);
+                done = 0;
+                await Promise.all(tools.slice(0, parts).map((tool, part) => tool.call('begin', { source, question, part, parts }, { signal })));
+                return goOn(signal, progress);
+            }),
+
+        /** Goes on where the search stopped. @param {AbortSignal} signal @param {(report: FindReport) => void} progress */
+        longer(signal, progress) {
+            most = Math.max(most, done * LONGER, first * LONGER);
+            return run(signal, (signal) => goOn(signal, progress));
+        },
+    };
+}

@@ -1,0 +1,291 @@
+/** The rules of pictures and strings: dropped, pasted, opened, cropped, found, opened; and what cannot be read. */
+
+import assert from 'node:assert/strict';
+import test, { after } from 'node:test';
+import { DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
+
+after(close);
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** A search may take this long on a busy machine, in milliseconds. */
+const PATIENCE = 90_000;
+
+/** @param {Page} page @param {string} selector */
+const text = async (page, selector) => (await page.textContent(selector)) ?? '';
+
+/**
+ * A picture of the Koch curve F -> F-F++F-F after three steps, as the browser encodes it.
+ * @param {Page} page
+ * @param {{type?: string, ink?: string, paper?: string, frame?: boolean}} [how]
+ */
+async function koch(page, { type = 'image/png', ink = '#000', paper = '#fff', frame = false } = {}) {
+    const address = await page.evaluate(
+        ({ type, ink, paper, frame }) => {
+            const canvas = document.createElement('canvas');
+            [canvas.width, canvas.height] = [700, 320];
+            const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+            context.fillStyle = paper;
+            context.fillRect(0, 0, 700, 320);
+            context.strokeStyle = ink;
+            context.lineWidth = 3;
+            context.lineCap = 'round';
+            if (frame) context.strokeRect(20, 20, 660, 280);
+            let word = 'F';
+            for (let n = 0; n < 3; n++) word = word.replaceAll('F', 'F-F++F-F');
+            let [x, y, heading] = [80, 240, 0];
+            context.beginPath();
+            context.moveTo(x, y);
+            for (const symbol of word) {
+                if (symbol === '+') heading += Math.PI / 3;
+                else if (symbol === '-') heading -= Math.PI / 3;
+                else context.lineTo((x += 20 * Math.cos(heading)), (y += 20 * Math.sin(heading)));
+            }
+            context.stroke();
+            return canvas.toDataURL(type, 0.9);
+        },
+        { type, ink, paper, frame },
+    );
+    return Buffer.from(address.split(',')[1] ?? '', 'base64');
+}
+
+/** Drops or pastes a file. @param {Page} page @param {'drop' | 'paste'} event @param {Buffer} bytes @param {string} name @param {string} type */
+const give = (page, event, bytes, name, type) =>
+    page.evaluate(
+        ({ event, bytes, name, type }) => {
+            const data = new DataTransfer();
+            data.items.add(new File([new Uint8Array(bytes)], name, { type }));
+            const target = document.querySelector('dialog[open]') ?? document.querySelector('#drawing');
+            const init = { bubbles: true, cancelable: true };
+            target?.dispatchEvent(event === 'drop' ? new DragEvent('drop', { ...init, dataTransfer: data }) : new ClipboardEvent('paste', { ...init, clipboardData: data }));
+        },
+        { event, bytes: [...bytes], name, type },
+    );
+
+/** @param {Page} page @param {{axiom?: string, angle?: string, n?: string}} known */
+async function ask(page, known) {
+    for (const [name, value] of Object.entries(known)) await page.fill(`#find-${name}`, value);
+}
+
+/** Opens the dialog. @param {Page} page */
+async function begin(page) {
+    await page.click('#section-rules [data-find]');
+    await page.waitForSelector('#find[open]');
+}
+
+/** @param {Page} page */
+const found = (page) => until(async () => /draws? (this|the same) picture\./.test(await text(page, '#find-verdict.found')), 'a system is found', PATIENCE);
+
+test('a dropped picture without a system is offered, its rules are found and opened', () =>
+    withPage({}, async (page) => {
+        await give(page, 'drop', await koch(page), 'curve.png', 'image/png');
+        await until(async () => /curve\.png has no system inside/.test(await text(page, '#toast')), 'the offer');
+        await page.click('#toast .toast-act');
+        await page.waitForSelector('#find-picture:visible');
+        await ask(page, { axiom: 'F', angle: '60', n: '3' });
+        await page.click('#find-start');
+        await found(page);
+        assert.match(await text(page, '#find-searched'), /^Searched.*one rule for F up to \d+ symbols/);
+        assert.match(await text(page, '.find-percent.found'), /^(9[89]|100)\.\d %$/);
+        await page.waitForSelector('.find-card .thumb.inked');
+        await page.click('.find-card >> nth=0 >> text=Open');
+        await until(async () => /^F -> F[-+]F(\+\+|--)F[-+]F$/.test(await page.inputValue('#rules')), 'the rules are open');
+        assert.equal(await text(page, '#specimen-title'), 'Rules of curve');
+        await page.click('#undo');
+        assert.notEqual(await text(page, '#specimen-title'), 'Rules of curve');
+        // The dialog keeps what it had.
+        await page.click('#section-rules [data-find]');
+        assert.ok(await page.isVisible('.find-card'));
+    }));
+
+for (const [type, ink, paper] of /** @type {const} */ ([['image/jpeg', '#fff', '#123'], ['image/webp', '#206030', '#eee']])) {
+    test(`a pasted picture is taken: ${type}, ${ink} on ${paper}`, () =>
+        withPage({}, async (page) => {
+            await give(page, 'paste', await koch(page, { type, ink, paper }), 'image.bin', type);
+            await page.waitForSelector('#find-picture:visible');
+            assert.equal(await page.inputValue('#find-ink'), ink === '#fff' ? 'light' : 'dark');
+            await ask(page, { axiom: 'F', angle: '120/2', n: '3' });
+            await page.click('#find-start');
+            await found(page);
+        }));
+}
+
+test('a frame is cropped away by keys and by dragging', () =>
+    withPage({}, async (page) => {
+        await begin(page);
+        await page.setInputFiles('#find-file', { name: 'slide.png', mimeType: 'image/png', buffer: await koch(page, { frame: true }) });
+        await page.waitForSelector('#find-picture:visible');
+        const corner = page.locator('.find-corner.top.left');
+        await corner.focus();
+        for (const key of ['Shift+ArrowRight', 'Shift+ArrowDown']) await page.keyboard.press(key);
+        await until(async () => /5 % from the left, 11 % from the top/.test((await corner.getAttribute('aria-label')) ?? ''), 'the corner has moved');
+        const frame = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#find-preview').boundingBox());
+        const handle = /** @type {typeof frame} */ (await page.locator('.find-corner.bottom.right').boundingBox());
+        await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2);
+        await page.mouse.down();
+        await page.mouse.move(frame.x + 0.95 * frame.width, frame.y + 0.88 * frame.height, { steps: 4 });
+        await page.mouse.up();
+        await ask(page, { axiom: 'F', angle: '60', n: '3' });
+        await page.keyboard.press('Enter');
+        await found(page);
+        await page.click('#find-whole');
+        assert.ok(!(await page.isVisible('#find-results')), 'what was found is no longer about what is shown');
+    }));
+
+for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['phone', PHONE]])) {
+    test(`the pictures of the assignment are tried with one click: ${device}`, () =>
+        withPage({ options }, async (page) => {
+            await page.click('#section-rules [data-find]');
+            await until(async () => (await page.locator('#find-examples .thumb.inked').count()) === 4, 'four pictures');
+            await page.click('[data-example=hexerode]');
+            await found(page);
+            assert.match(await text(page, '.find-rules >> nth=0'), /^F -> /);
+            assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
+        }));
+}
+
+test('the page answers while the search runs, and the search stops at once', () =>
+    withPage({}, async (page) => {
+        // With its frame nothing is found, so the search goes on.
+        await begin(page);
+        await page.setInputFiles('#find-file', { name: 'two.png', mimeType: 'image/png', buffer: await koch(page, { frame: true }) });
+        await page.waitForSelector('#find-picture:visible');
+        await page.click('#find-start');
+        await page.waitForSelector('#find-results:visible', { timeout: PATIENCE });
+        const longest = await page.evaluate(
+            () =>
+                new Promise((resolve) => {
+                    let [last, longest, left] = [performance.now(), 0, 60];
+                    const frame = () => {
+                        const now = performance.now();
+                        [longest, last] = [Math.max(longest, now - last), now];
+                        if (--left > 0) requestAnimationFrame(frame);
+                        else resolve(longest);
+                    };
+                    requestAnimationFrame(frame);
+                }),
+        );
+        assert.ok(Number(longest) < 1000, `a frame took ${longest} ms`);
+        const took = await page.evaluate(async () => {
+            const start = performance.now();
+            document.getElementById('find-stop')?.click();
+            return document.getElementById('find-stop')?.hidden ? performance.now() - start : Infinity;
+        });
+        assert.ok(took < 100, `stopping took ${took} ms`);
+        const work = await text(page, '#find-work');
+        assert.match(work, /[\d,]+ systems tried/);
+        assert.match(await text(page, '#find-verdict'), /None of the searched systems/);
+        await page.waitForTimeout(600);
+        assert.equal(await text(page, '#find-work'), work);
+        await page.click('#find-longer');
+        await until(async () => (await text(page, '#find-work')) !== work, 'the search goes on', PATIENCE);
+        await page.keyboard.press('Escape');
+        assert.ok(await page.isHidden('#find'));
+    }));
+
+test('a string is searched for the shortest rules', () =>
+    withPage({}, async (page) => {
+        await page.click('#tab-save');
+        await page.click('#section-save [data-find]');
+        await page.check('#find-of-string', { force: true });
+        await page.fill('#find-string', 'ABAABABA\nABAAB');
+        await page.click('#find-start');
+        await until(async () => /derives? the string/.test(await text(page, '#find-verdict.found')), 'rules are found', PATIENCE);
+        assert.equal(await text(page, '.find-rules >> nth=0'), 'A -> AB\nB -> A');
+        assert.match(await text(page, '#find-searched'), /from A/);
+        await page.click('.find-card >> nth=0 >> text=Open');
+        await until(async () => (await page.inputValue('#axiom')) === 'A' && (await page.inputValue('#iterations')) === '5', 'the system is open');
+    }));
+
+test('what cannot be searched is told where it stands', () =>
+    withPage({}, async (page) => {
+        await begin(page);
+        await page.setInputFiles('#find-file', { name: 'curve.png', mimeType: 'image/png', buffer: await koch(page) });
+        await page.waitForSelector('#find-picture:visible');
+        for (const [field, value, said] of [['angle', 'wide', /angle is expected/], ['n', '2.5', /whole number/], ['n', '99', /1 to 12/], ['axiom', 'F(1)', /letters, turns/], ['axiom', 'F]', /closed/]]) {
+            await ask(page, { axiom: 'F', angle: '60', n: '3' });
+            await page.fill(`#find-${field}`, String(value));
+            await page.click('#find-start');
+            await until(async () => /** @type {RegExp} */ (said).test(await text(page, '#find-problem')), `${field} ${value}`, PATIENCE);
+        }
+        await page.fill('#find-axiom', 'F');
+        assert.equal(await text(page, '#find-problem'), '');
+    }));
+
+/** A PNG that says it is as large, and has no such pixels. @param {number} width @param {number} height */
+function hollowPng(width, height) {
+    const bytes = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==', 'base64');
+    bytes.writeUInt32BE(width, 16);
+    bytes.writeUInt32BE(height, 20);
+    // The check sum of the header, so that decoders believe it.
+    let sum = 0xffffffff;
+    for (const byte of bytes.subarray(12, 29)) {
+        sum ^= byte;
+        for (let bit = 0; bit < 8; bit++) sum = sum & 1 ? (sum >>> 1) ^ 0xedb88320 : sum >>> 1;
+    }
+    bytes.writeUInt32BE((sum ^ 0xffffffff) >>> 0, 29);
+    return bytes;
+}
+
+/** @param {string} inside */
+const svg = (inside) => Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 100 50">${inside}</svg>`);
+const USES = Array.from({ length: 30 }, (_, at) => `<g id="g${at + 1}"><use href="#g${at}"/><use href="#g${at}"/></g>`).join('');
+
+test('hostile pictures get a clear answer, and nothing of them runs or loads', () =>
+    withPage({}, async (page) => {
+        await begin(page);
+        const cases = /** @type {const} */ ([
+            ['text.png', Buffer.from('no picture at all'), /no PNG, JPEG, WebP or SVG/],
+            ['empty.png', Buffer.from(''), /no PNG, JPEG, WebP or SVG/],
+            ['cut.png', (await koch(page)).subarray(0, 40), /damaged/],
+            ['bomb.png', hollowPng(60_000, 60_000), /60,000 × 60,000 pixels|damaged/],
+            ['broken.svg', Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><g></svg>'), /damaged/],
+            ['page.svg', Buffer.from('<html xmlns="http://www.w3.org/1999/xhtml"/>'), /damaged/],
+            ['uses.svg', svg(`<path id="g0" d="M0 0H9"/>${USES}<use href="#g30"/>`), /more than 200,000 shapes/],
+            ['circle.svg', svg('<g id="a"><use xlink:href="#a"/></g>'), /more than 200,000 shapes/],
+            ['deep.svg', svg('<g>'.repeat(2000) + '</g>'.repeat(2000)), /more than 200,000 shapes|damaged/],
+            ['laughs.svg', Buffer.from('<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;">]><svg xmlns="http://www.w3.org/2000/svg">&b;</svg>'), /entities/],
+            ['white.svg', svg(''), /one shade of grey/],
+            ['hidden.svg', svg('<path id="&#97;" d="M0 0H9"/><use href="#a"/>'), /names with & or %/],
+        ]);
+        for (const [name, buffer, said] of cases) {
+            await page.evaluate(() => document.getElementById('find-problem')?.replaceChildren());
+            await page.setInputFiles('#find-file', { name, mimeType: '', buffer });
+            await until(async () => said.test(await text(page, '#find-problem')), `${name}: ${await text(page, '#find-problem')}`, 20_000);
+            assert.ok(await page.isVisible('#find-empty'), name);
+        }
+        const evil = svg('<script>top.evil = 1</script><image href="https://a.example/b.png" width="9" height="9"/><style>@import url(https://a.example/c.css);</style><path d="M0 0L100 50L100 0" fill="none" stroke="#000" onload="top.evil = 1"/>');
+        await page.setInputFiles('#find-file', { name: 'evil.svg', mimeType: 'image/svg+xml', buffer: evil });
+        await page.waitForSelector('#find-picture:visible');
+        assert.equal(await page.evaluate(() => 'evil' in window), false);
+    }));
+
+test('a search that does not load is told, and tried again', () =>
+    withPage({ expected: /find\.wasm|Failed to load/ }, async (page) => {
+        await page.route(/find\.wasm$/, (route) => route.abort());
+        await begin(page);
+        await page.setInputFiles('#find-file', { name: 'curve.png', mimeType: 'image/png', buffer: await koch(page) });
+        await page.waitForSelector('#find-picture:visible');
+        await ask(page, { axiom: 'F', angle: '60', n: '3' });
+        await page.click('#find-start');
+        await until(async () => (await text(page, '#find-problem')) !== '', 'the reason', PATIENCE);
+        await page.unroute(/find\.wasm$/);
+        await page.click('#find-start');
+        await found(page);
+    }));
+
+test('an exercise is searched for other answers', () =>
+    withPage({ hash: '#v=1&title=Weed&axiom=F&rules=F%20-%3E%20F%5B%2BF%5DF%5B%5DF&n=3&angle=60' }, async (page) => {
+        await page.click('#share');
+        await page.click('#make-exercise');
+        await page.waitForSelector('#maker-made:visible');
+        await page.click('#maker-unique');
+        await until(async () => /shorter than yours/.test(await text(page, '#maker-unique-words')), 'the answers', 4 * PATIENCE);
+        assert.match(await text(page, '#maker-unique-words'), /Searched: [\d,]+ systems tried/);
+        assert.match(await text(page, '#maker-unique-cards .find-rules >> nth=0'), /^F -> F\[\+F\]FF$/);
+        await page.fill('#maker-title', 'Another weed');
+        assert.equal(await text(page, '#maker-unique-words'), '');
+        await page.click('#maker-unique');
+        await page.click('#maker-unique-stop');
+        assert.equal(await text(page, '#maker-unique-words'), 'Stopped.');
+    }));

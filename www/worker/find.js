@@ -1,0 +1,51 @@
+/** The worker that searches for rules. The build joins it with the generated glue. */
+
+import { serve } from './tool.js';
+
+/** @typedef {import('../js/protocol.js').FindReport} FindReport */
+
+/** A step lasts about this long, in milliseconds: timers add a pause of 4 ms after each. */
+const STEP_MS = 40;
+/** The work between two looks at the clock: systems of a picture, or symbols of a string. */
+const SHARE = { picture: 2048, string: 65_536 };
+/** Reports are at least this far apart, in milliseconds. */
+const BEAT = 250;
+
+/** The present search; `work` is what it did so far. @type {{finder: wasm_bindgen.RuleFinder, share: number, work: number, isMore: boolean} | null} */
+let search = null;
+
+/** @returns {FindReport} */
+function report() {
+    if (!search) throw new Error('No search has begun.');
+    return { ...search.finder.report(), work: search.work, isMore: search.isMore };
+}
+
+serve((module) => wasm_bindgen.initSync({ module }), {
+    begin({ source, question, part, parts }) {
+        search?.finder.free();
+        search = null;
+        const isString = 'text' in source;
+        const finder = isString
+            ? wasm_bindgen.RuleFinder.ofString(source.text, question)
+            : wasm_bindgen.RuleFinder.ofPicture(source.grey, source.width, source.height, question, part, parts);
+        search = { finder, share: isString ? SHARE.string : SHARE.picture, work: 0, isMore: true };
+        return null;
+    },
+    *search({ until }) {
+        let last = performance.now();
+        while (search && search.isMore && search.work < until) {
+            const end = performance.now() + STEP_MS;
+            do {
+                search.isMore = search.finder.step(search.share);
+                search.work += search.share;
+            } while (search.isMore && search.work < until && performance.now() < end);
+            const now = performance.now();
+            if (now - last < BEAT) yield;
+            else {
+                last = now;
+                yield report();
+            }
+        }
+        return report();
+    },
+});
