@@ -133,10 +133,13 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString
 /// # Errors
 /// A message if options or files contradict each other.
 fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool) -> Result<Vec<Job>, String> {
-    let Look { format, size, compact } = look;
+    let Look { format, size, dpi, transparent, compact } = look;
     let is = |name| format.is_some_and(|format: &Format| format.name == name);
     if size.is_some() && !is("png") {
         return Err("--size needs --format png".to_owned());
+    }
+    if (dpi.is_some() || transparent) && !is("png") {
+        return Err("--dpi and --transparent need --format png".to_owned());
     }
     if compact && format.is_some() && !is("svg") {
         return Err("--compact needs --format svg or no --format".to_owned());

@@ -4,9 +4,8 @@ use crate::memory;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
-use lsystem::Viewport;
 use lsystem::files::{FORMATS, Format};
-use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
+use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_SIDE};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -179,8 +178,8 @@ pub(crate) struct Changes {
     ///
     /// Files that are drawn at the same time share the limit, and so the limits of strings and segments.
     /// A file that needs more than its share is drawn once more, alone, with the whole limit.
-    /// Writing takes memory beside the drawing: some hundred megabytes for texts and meshes, about
-    /// 100 MB per core for PNG, and up to 2 GB for the largest PNG of a drawing in space.
+    /// Writing takes memory beside the drawing: some hundred megabytes for texts and meshes, and about
+    /// 150 MB per core for PNG of any size.
     #[arg(long, value_name = "SIZE", value_parser = memory::parse, verbatim_doc_comment)]
     pub(crate) memory: Option<u64>,
 }
@@ -194,6 +193,12 @@ pub(crate) struct Look {
     /// Size of a PNG in pixels, such as 4000x3000 [default: 1024 along the longer side]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<PictureSize>,
+    /// Resolution of a PNG in pixels of an inch on paper, told in the file
+    #[arg(long, value_name = "N", value_parser = dpi)]
+    pub(crate) dpi: Option<f64>,
+    /// Leave out the background of a PNG
+    #[arg(long)]
+    pub(crate) transparent: bool,
     /// Write a small SVG that defines each block once and places copies
     #[arg(long)]
     pub(crate) compact: bool,
@@ -218,9 +223,9 @@ impl FromStr for PictureSize {
     fn from_str(text: &str) -> Result<Self, String> {
         let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
         let (width, height) = sides.ok_or("expected a width and a height such as 1600x1200")?;
-        let viewport = Viewport { width, height, ratio: 1.0 };
-        if width == 0 || height == 0 || viewport.within_limits() != viewport {
-            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way and {MAX_PICTURE_PIXELS} in all"));
+        let sides = 1..=MAX_PICTURE_SIDE;
+        if !sides.contains(&width) || !sides.contains(&height) {
+            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way"));
         }
         Ok(Self { width, height })
     }
@@ -229,6 +234,11 @@ impl FromStr for PictureSize {
 fn whole(text: &str, most: u32) -> Result<u32, String> {
     let number = text.parse().ok().filter(|&number| number <= most);
     number.ok_or_else(|| format!("expected a whole number from 0 to {most}"))
+}
+
+fn dpi(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number| (1.0..=100_000.0).contains(number));
+    number.ok_or_else(|| "expected a number from 1 to 100000".to_owned())
 }
 
 fn setting(text: &str) -> Result<(String, String), String> {
