@@ -60,7 +60,8 @@ pub(crate) fn write(mut picture: PngWriter, out: &mut dyn Write) -> io::Result<(
     let mut bar = DelayedBar::new("picture", Some(u64::from(picture.height())));
     let mut piece = Vec::new();
     loop {
-        let progress = picture.step(&mut piece, WORK).map_err(|error| io::Error::other(render_diagnostic(&error, "PNG", "")))?;
+        let progress =
+            picture.step(&mut piece, WORK).map_err(|error| io::Error::other(render_diagnostic(&error, "PNG", "")))?;
         out.write_all(&piece)?;
         piece.clear();
         bar.at(u64::from(picture.rows()));

@@ -182,10 +182,11 @@ impl PngWriter {
                     Painted::Nothing => {}
                     Painted::Rows => self.row = Some(0),
                     Painted::All => {
-                        return self.encoder.take().map_or(Ok(()), png::StreamWriter::finish).map_or_else(
-                            |error| Err(io::Error::other(error)),
-                            |()| Ok(Progress::Done),
-                        );
+                        return self
+                            .encoder
+                            .take()
+                            .map_or(Ok(()), png::StreamWriter::finish)
+                            .map_or_else(|error| Err(io::Error::other(error)), |()| Ok(Progress::Done));
                     }
                 }
                 if left == 0 {

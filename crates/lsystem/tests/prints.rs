@@ -58,9 +58,8 @@ fn over(pixels: &[u8], background: [u8; 3]) -> Vec<u8> {
     let mix = |colour: u8, under: u8, opacity: u8| {
         ((u32::from(colour) * u32::from(opacity) + u32::from(under) * u32::from(255 - opacity) + 127) / 255) as u8
     };
-    let pixel = |&[r, g, b, a]: &[u8; 4]| {
-        [mix(r, background[0], a), mix(g, background[1], a), mix(b, background[2], a)]
-    };
+    let pixel =
+        |&[r, g, b, a]: &[u8; 4]| [mix(r, background[0], a), mix(g, background[1], a), mix(b, background[2], a)];
     pixels.as_chunks::<4>().0.iter().flat_map(pixel).collect()
 }
 

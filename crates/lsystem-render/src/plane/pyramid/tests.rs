@@ -104,7 +104,8 @@ fn the_deepest_level_has_single_segments() {
         let [[x, y, fine_x, fine_y], end] = fitted_ends(&pyramid.drawing, number).unwrap();
         // The place in tiles of the deepest level.
         let tiles = |at: f64, fine: f64| {
-            let [high, low] = Wide::sum(at, fine).over(pyramid.span).plus(0.5).parts().map(|part| libm::scalbn(part, 60));
+            let [high, low] =
+                Wide::sum(at, fine).over(pyramid.span).plus(0.5).parts().map(|part| libm::scalbn(part, 60));
             let floor = high as i128 + i128::from(libm::floor(low) as i64);
             (floor as u64, low - libm::floor(low))
         };
