@@ -1,6 +1,6 @@
 //! The command line as a value.
 
-use crate::cli::{Changes, Cli, GrowthFormat, Look, Verb};
+use crate::cli::{Changes, Cli, GrowthFormat, Look, TileOptions, Verb};
 use crate::find::Known;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
@@ -17,6 +17,8 @@ pub(crate) enum Command {
     Expand { file: PathBuf, changes: Changes },
     /// Write or print pictures and other files.
     Draw { jobs: Vec<Job>, look: Look, changes: Changes },
+    /// Write a pyramid of tiles.
+    Tiles { file: PathBuf, dir: PathBuf, options: TileOptions, changes: Changes },
     /// Convert files of other programs to JSON files in a folder.
     Import { files: Vec<PathBuf>, to: PathBuf },
     /// Compare the output of a program with a system.
@@ -80,6 +82,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
                 _ => Err(explain("info", "standard input (-) can be read only once".to_owned())),
             }
         }
+        Verb::Tiles { file, dir, options, changes } => Ok(Command::Tiles { file, dir, options, changes }),
         Verb::Import { files, to } => Ok(Command::Import { files, to }),
         Verb::Check { file, output, changes } => match file == output && file.as_os_str() == "-" {
             false => Ok(Command::Check { file, output, changes }),
@@ -133,10 +136,13 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString
 /// # Errors
 /// A message if options or files contradict each other.
 fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool) -> Result<Vec<Job>, String> {
-    let Look { format, size, compact } = look;
+    let Look { format, size, dpi, transparent, compact } = look;
     let is = |name| format.is_some_and(|format: &Format| format.name == name);
     if size.is_some() && !is("png") {
         return Err("--size needs --format png".to_owned());
+    }
+    if (dpi.is_some() || transparent) && !is("png") {
+        return Err("--dpi and --transparent need --format png".to_owned());
     }
     if compact && format.is_some() && !is("svg") {
         return Err("--compact needs --format svg or no --format".to_owned());
@@ -236,6 +242,10 @@ mod tests {
                 let compact = if compact { " compact" } else { "" };
                 format!("draw {}{size}{compact} {}", jobs.join(", "), with(changes))
             }
+            Ok(Command::Tiles { file, dir, options, changes }) => {
+                let TileOptions { levels, scheme, size, part, under, .. } = options;
+                format!("tiles {file:?} to {dir:?} {levels:?} {scheme:?} {size} {part:?} {under:?} {}", with(changes))
+            }
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
             Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
@@ -298,6 +308,24 @@ mod tests {
             &expect![[r#"draw "a.json" to Write("out", [txt, svg]) n Some(3) seed Some(4)"#]],
         );
         check("-- draw out", &expect![[r#"draw "draw" to Write("out", [txt, svg]) n None seed None"#]]);
+        check(
+            "tiles a.json d --levels 2..9 --scheme xyz --size 512 --part 1/3 --under 4/15/0",
+            &expect![[
+                r#"tiles "a.json" to "d" Levels(2, 9) Xyz 512 Part(Share { part: 1, of: 3, level: 4 }) Under(TilePlace { level: 4, x: 15, y: 0 }) n None seed None"#
+            ]],
+        );
+        for (option, words) in [
+            ("--levels 3..2", "expected levels such as 0..8, at most 60"),
+            ("--levels 0..61", "expected levels such as 0..8, at most 60"),
+            ("--part 3/3", "expected a part such as 0/4, the first of four"),
+            ("--under 2/4/0", "expected a tile such as 3/0/7: the level, at most 60, the column and the row"),
+            ("--size 100", "expected 256 or 512"),
+        ] {
+            let line = format!("tiles a d {option}");
+            let told = parse(line.split_whitespace().map(OsString::from)).unwrap_err();
+            assert!(told.contains(words), "{told}");
+        }
+        check("draw a --dpi 300", &expect!["error: --dpi and --transparent need --format png"]);
         check("expand a -n 3 -n 4", &expect![[r#"expand "a" n Some(4) seed None"#]]);
         check(
             "expand a --set tropism=-1 --set -x",

@@ -4,9 +4,10 @@ use crate::memory;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
-use lsystem::Viewport;
 use lsystem::files::{FORMATS, Format};
-use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
+use lsystem::render::{Share, TilePlace};
+use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_SIDE};
+use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -54,6 +55,23 @@ pub(crate) enum Verb {
         out_dir: Option<PathBuf>,
         #[command(flatten)]
         look: Look,
+        #[command(flatten)]
+        changes: Changes,
+    },
+    /// Write a pyramid of tiles, with a page that shows it
+    ///
+    /// Every level is twice as large as the one before, so a pyramid shows what no file holds. Tiles that are there
+    /// already are kept: a run that was stopped goes on. Several processes may write into the same DIR.
+    /// Open DIR/index.html, or DIR/tiles.dzi in a viewer of Deep Zoom.
+    #[command(verbatim_doc_comment)]
+    Tiles {
+        #[arg(help = FILE, value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+        /// Folder of the pyramid; made if it is missing
+        #[arg(value_hint = ValueHint::DirPath)]
+        dir: PathBuf,
+        #[command(flatten)]
+        options: TileOptions,
         #[command(flatten)]
         changes: Changes,
     },
@@ -182,8 +200,8 @@ pub(crate) struct Changes {
     ///
     /// Files that are drawn at the same time share the limit, and so the limits of strings and segments.
     /// A file that needs more than its share is drawn once more, alone, with the whole limit.
-    /// Writing takes memory beside the drawing: some hundred megabytes for texts and meshes, about
-    /// 100 MB per core for PNG, and up to 2 GB for the largest PNG of a drawing in space.
+    /// Writing takes memory beside the drawing: some hundred megabytes for texts and meshes, and about
+    /// 150 MB per core for PNG of any size.
     #[arg(long, value_name = "SIZE", value_parser = memory::parse, verbatim_doc_comment)]
     pub(crate) memory: Option<u64>,
 }
@@ -197,9 +215,111 @@ pub(crate) struct Look {
     /// Size of a PNG in pixels, such as 4000x3000 [default: 1024 along the longer side]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<PictureSize>,
+    /// Resolution of a PNG in pixels of an inch on paper, told in the file
+    #[arg(long, value_name = "N", value_parser = dpi)]
+    pub(crate) dpi: Option<f64>,
+    /// Leave out the background of a PNG
+    #[arg(long)]
+    pub(crate) transparent: bool,
     /// Write a small SVG that defines each block once and places copies
     #[arg(long)]
     pub(crate) compact: bool,
+}
+
+/// The options of a pyramid.
+#[derive(Args, Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TileOptions {
+    /// First and last level, 0 to 60: level L has up to 4^L tiles
+    #[arg(long, value_name = "A..B", default_value = "0..5")]
+    pub(crate) levels: Levels,
+    /// Names of the tiles: NAME_files/LEVEL/X_Y.png for Deep Zoom, LEVEL/X/Y.png for maps
+    #[arg(long, default_value = "deepzoom")]
+    pub(crate) scheme: Scheme,
+    /// Pixels along the side of a tile: 256 or 512
+    #[arg(long, value_name = "N", default_value = "256", value_parser = tile_size)]
+    pub(crate) size: u32,
+    /// Make only part K (0-based) of N equal parts
+    #[arg(long, value_name = "K/N", default_value = "0/1")]
+    pub(crate) part: Part,
+    /// Make only the tiles above and below this one, for levels too deep to make all of them
+    #[arg(long, value_name = "LEVEL/X/Y", default_value = "0/0/0")]
+    pub(crate) under: Under,
+    /// Threads [default: one for each core]
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<NonZero<u16>>,
+    /// Leave out the background
+    #[arg(long)]
+    pub(crate) transparent: bool,
+}
+
+/// The first and the last level of a pyramid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Levels(pub(crate) u32, pub(crate) u32);
+
+impl FromStr for Levels {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let levels = text.split_once("..").and_then(|(from, to)| Some(Self(from.parse().ok()?, to.parse().ok()?)));
+        let is_possible = |levels: &Self| levels.0 <= levels.1 && levels.1 <= TilePlace::MAX_LEVEL;
+        levels
+            .filter(is_possible)
+            .ok_or_else(|| format!("expected levels such as 0..8, at most {}", TilePlace::MAX_LEVEL))
+    }
+}
+
+/// The names of a pyramid's files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Scheme {
+    Deepzoom,
+    Xyz,
+}
+
+impl Scheme {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Deepzoom => "deepzoom",
+            Self::Xyz => "xyz",
+        }
+    }
+}
+
+/// A part of a pyramid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Part(pub(crate) Share);
+
+impl FromStr for Part {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let share = text.split_once('/').and_then(|(part, of)| Share::new(part.parse().ok()?, of.parse().ok()?));
+        share.map(Self).ok_or_else(|| "expected a part such as 0/4, the first of four".to_owned())
+    }
+}
+
+/// The tile that all tiles to make are above or below.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Under(pub(crate) TilePlace);
+
+impl FromStr for Under {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut parts = text.split('/').map(str::parse::<u64>);
+        let mut next = || parts.next()?.ok();
+        let tile = (|| TilePlace::new(next()?.try_into().ok()?, next()?, next()?))();
+        tile.filter(|_| parts.next().is_none()).map(Self).ok_or_else(|| {
+            format!(
+                "expected a tile such as 3/0/7: the level, at most {}, the column and the row",
+                TilePlace::MAX_LEVEL
+            )
+        })
+    }
+}
+
+fn tile_size(text: &str) -> Result<u32, String> {
+    let size = text.parse().ok().filter(|size| matches!(size, 256 | 512));
+    size.ok_or_else(|| "expected 256 or 512".to_owned())
 }
 
 /// A parser for the names of [`FORMATS`].
@@ -221,9 +341,9 @@ impl FromStr for PictureSize {
     fn from_str(text: &str) -> Result<Self, String> {
         let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
         let (width, height) = sides.ok_or("expected a width and a height such as 1600x1200")?;
-        let viewport = Viewport { width, height, ratio: 1.0 };
-        if width == 0 || height == 0 || viewport.within_limits() != viewport {
-            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way and {MAX_PICTURE_PIXELS} in all"));
+        let sides = 1..=MAX_PICTURE_SIDE;
+        if !sides.contains(&width) || !sides.contains(&height) {
+            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way"));
         }
         Ok(Self { width, height })
     }
@@ -232,6 +352,11 @@ impl FromStr for PictureSize {
 fn whole(text: &str, most: u32) -> Result<u32, String> {
     let number = text.parse().ok().filter(|&number| number <= most);
     number.ok_or_else(|| format!("expected a whole number from 0 to {most}"))
+}
+
+fn dpi(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number| (1.0..=100_000.0).contains(number));
+    number.ok_or_else(|| "expected a number from 1 to 100000".to_owned())
 }
 
 fn setting(text: &str) -> Result<(String, String), String> {

@@ -7,10 +7,10 @@ use crate::input::{self, InputSystem};
 use crate::pending::{Pending, with_extension};
 use crate::{CommandFailure, cores, picture, print};
 use lsystem::drawing::{Outlook, why_empty};
-use lsystem::files::{Content, FileOptions, Format, write_all};
+use lsystem::files::{Content, FileOptions, Format, PngWriter, write_all};
 use lsystem::syntax::visible;
 use lsystem::{Mesh, write_json};
-use std::io::IsTerminal;
+use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
 
 /// Does all `jobs`. A failed job is reported, and the others are still done.
@@ -40,12 +40,12 @@ fn draw_one(
         say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     match &job.target {
-        Destination::Print(format) if matches!(format.name, "png" | "glb") && std::io::stdout().is_terminal() => {
+        Destination::Print(format) if matches!(format.name, "png" | "glb") && io::stdout().is_terminal() => {
             Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
         Destination::Print(format) => limits.make(|shares| {
-            let bytes = bytes_in(&input, format, look, shares, say)?;
-            print(|out| out.write_all(&bytes))
+            let contents = contents(&input, format, look, shares, say)?;
+            print(|out| contents.write(out))
         }),
         Destination::Write(base, formats) => {
             // All files are complete before the first one gets its name.
@@ -53,8 +53,8 @@ fn draw_one(
             for &format in formats {
                 let path = with_extension(base, format.ending);
                 let file = limits.make(|shares| {
-                    let bytes = bytes_in(&input, format, look, shares, say)?;
-                    Pending::write(&path, |out| out.write_all(&bytes))
+                    let contents = contents(&input, format, look, shares, say)?;
+                    Pending::write(&path, |out| contents.write(out))
                         .map_err(|error| CommandFailure::io(path.display(), &error))
                 })?;
                 pending.push(file);
@@ -68,14 +68,30 @@ fn draw_one(
 /// The most segments of a mesh: some hundred megabytes, and more than most programs open.
 const MESH_SEGMENTS: u64 = 500_000;
 
-/// The bytes of a file of the system, made within one of `shares` equal shares of the limits.
-fn bytes_in(
+/// The contents of a file.
+enum Contents {
+    Bytes(Vec<u8>),
+    /// A picture, which is painted while it is written.
+    Picture(PngWriter),
+}
+
+impl Contents {
+    fn write(self, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            Self::Bytes(bytes) => out.write_all(&bytes),
+            Self::Picture(picture) => picture::write(picture, out),
+        }
+    }
+}
+
+/// The contents of a file of the system, made within one of `shares` equal shares of the limits.
+fn contents(
     input: &InputSystem,
     format: &Format,
     look: Look,
     shares: u64,
     say: Say<'_>,
-) -> Result<Vec<u8>, CommandFailure> {
+) -> Result<Contents, CommandFailure> {
     let system = &input.system;
     let style = &system.style;
     let wrong = |limit| input.limit(&limit);
@@ -88,19 +104,15 @@ fn bytes_in(
     };
     let name = input.definition.label();
     let mut writer = match format.content {
-        Content::System => return Ok(write_json(&input.definition).into_bytes()),
-        Content::String => return Ok((input.expand(shares)? + "\n").into_bytes()),
-        // All pixels of a picture in space are in memory at once.
-        Content::Pixels if shares > 1 && system.is_solid() && look.size.is_some_and(picture::is_large) => {
-            return Err(CommandFailure::Limit(String::new()));
-        }
+        Content::System => return Ok(Contents::Bytes(write_json(&input.definition).into_bytes())),
+        Content::String => return Ok(Contents::Bytes((input.expand(shares)? + "\n").into_bytes())),
         Content::Pixels => {
             let definition = write_json(&input.definition);
             let picture = match system.is_solid() {
-                true => picture::solid_png(solid()?, style, look.size, &definition),
-                false => picture::png(paper()?, style, look.size, &definition),
+                true => picture::solid_png(solid()?, style, look, definition),
+                false => picture::png(paper()?, style, look, definition),
             };
-            return picture.map_err(|error| CommandFailure::Words(format!("PNG: {error}")));
+            return picture.map(Contents::Picture).map_err(wrong);
         }
         Content::Mesh(write) => write(Mesh::new(&solid()?, style, MESH_SEGMENTS / shares).map_err(wrong)?, name),
         Content::Segments { plane, space } => match system.is_solid() {
@@ -115,5 +127,5 @@ fn bytes_in(
     };
     let file = write_all(&mut *writer).map_err(wrong)?;
     writer.remark().iter().for_each(|remark| say(&input.message(remark)));
-    Ok(file)
+    Ok(Contents::Bytes(file))
 }

@@ -19,6 +19,7 @@ mod pending;
 mod picture;
 mod progress;
 mod settings;
+mod tiles;
 
 use args::Command;
 use cli::Changes;
@@ -90,6 +91,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::Expand { file, changes } => expand(&file, &changes),
         Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
+        Command::Tiles { file, dir, options, changes } => tiles::tiles(&file, &dir, &options, &changes),
         Command::Import { files, to } => import::import(&files, &to),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Find { text, known, json } => find::find(&text, &known, json),

@@ -9,8 +9,8 @@ mod plane;
 mod space;
 
 pub use plane::{
-    Detail, Fitted, Pane, Pass, Pick, Pointer, RenderStats, Renderer, Target, View, Viewport, fit, fitted_ends,
-    fitted_outline, fitted_polygon, fitted_scale, pick,
+    Detail, Fitted, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target, TilePlace, TileRenderer,
+    Tiles, View, Viewport, fit, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick,
 };
 pub use space::{
     Camera, Effort, Quality, SolidRenderer, Spent, camera_axes, fitted_solid_ends, fitted_solid_polygon, pick_solid,

@@ -16,6 +16,7 @@ mod monkey;
 mod mutants;
 mod offline;
 mod one_file;
+mod package;
 mod page;
 mod report;
 mod serve;
@@ -40,6 +41,7 @@ usage: cargo xtask COMMAND
                          all checks before a merge; PART is any of lint, native, fuzz, wasm, size, page;
                          --thorough makes the property tests long
   lint                   formatting, clippy and documentation; warnings are errors
+  package                the npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/
   tables                 update www/js/tables.js from the tables of the core; a test fails when the file is out of date
   fuzz [TARGET ...] [--minutes M] [--seed N] [--guided]
                          try random inputs, M minutes (1) for all targets together; --guided lets libFuzzer choose
@@ -105,6 +107,10 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
             no_more(words)?;
             let tables = ["test", "--package=lsystem", "--test=tables"];
             run_program(Workspace::find()?.cargo(tables).env("UPDATE_EXPECT", "1"))
+        }
+        "package" => {
+            no_more(words)?;
+            package::package(&Workspace::find()?)
         }
         "mutants" => mutants::mutants(&Workspace::find()?, words),
         "fuzz" => fuzz::fuzz(&Workspace::find()?, words),

@@ -2,7 +2,7 @@
 
 use crate::report::StepReport;
 use crate::workspace::{Workspace, run};
-use crate::{build, files, fuzz, lint, monkey, page, size, tools};
+use crate::{build, files, fuzz, lint, monkey, package, page, size, tools};
 use anyhow::{Result, bail};
 use serde_json::Value;
 
@@ -74,6 +74,7 @@ pub(crate) fn test(workspace: &Workspace, options: &TestOptions) -> Result<()> {
             report.step("size of the wasm", || size::check(workspace));
         }
         if has("page") {
+            report.step("npm package", || package::npm(workspace));
             page::steps(workspace, options.cases(), &mut report);
             if options.thorough {
                 report.step("a minute of the monkey", || monkey::run(workspace, &monkey::MonkeyOptions::one_minute()));

@@ -11,6 +11,9 @@ pub(super) trait Method {
     /// Forgets the drawing.
     fn clear(&mut self);
 
+    /// Forgets what pictures have left for later pictures.
+    fn forget(&mut self);
+
     /// Starts a picture. An unfinished picture is given up.
     fn begin(&mut self, drawing: &Drawing, plan: &Plan);
 

@@ -56,6 +56,7 @@
 //!
 //! [`RenderStats`] counts parts and outlines, so that the page can tell the reader.
 
+mod alpha;
 mod amount;
 mod bottom_up;
 mod canvas;
@@ -72,6 +73,7 @@ mod path;
 mod pen;
 mod pick;
 mod picture;
+mod pyramid;
 mod room;
 mod search;
 mod seen;
@@ -92,6 +94,7 @@ pub use exact::{Fitted, fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
 pub use pane::{Pane, Pass};
 pub use pick::pick;
+pub use pyramid::{Pyramid, Share, TilePlace, TileRenderer, Tiles};
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};
 pub use view::{Detail, View, Viewport, fit, fitted_scale};
@@ -140,6 +143,8 @@ pub struct Renderer {
     plan: Option<Plan>,
     /// Whether pictures are never made bottom-up.
     is_light: bool,
+    /// Whether the background is left out.
+    is_transparent: bool,
     spent: u64,
 }
 
@@ -188,6 +193,20 @@ impl Renderer {
         Self { is_light: true, ..Self::default() }
     }
 
+    /// The renderer of pictures without the background. Opaque ink has the mean colour of a pixel's covered subsamples, and
+    /// their share as its opacity. Ink that adds up has the least opacity with which it looks the same over the style's
+    /// background: over another background it looks different.
+    #[must_use]
+    pub fn transparent(self) -> Self {
+        Self { is_transparent: true, ..self }
+    }
+
+    /// Forgets what pictures have left for later pictures of the same drawing, which are then the same whatever was drawn
+    /// before.
+    pub fn forget(&mut self) {
+        self.method.get_mut().forget();
+    }
+
     /// Takes the drawing of the next pictures. The steps of the first picture prepare the drawing.
     pub fn load(&mut self, drawing: Arc<Drawing>) {
         self.method.get_mut().clear();
@@ -203,12 +222,16 @@ impl Renderer {
     /// As [`Renderer::begin`], in coarse or in fine `detail`. If `upto` is given, only the first `upto` segments are
     /// shown, for playback.
     pub fn begin_with(&mut self, style: &Style, viewport: Viewport, view: View, detail: Detail, upto: Option<u128>) {
+        let (viewport, is_transparent) = (viewport.within_limits(), self.is_transparent);
         let pane = Pane::whole(viewport);
-        self.start(Plan { style: style.clone(), viewport, view, detail, upto, pane, pass: Pass::Only });
+        let pass = Pass::Only;
+        self.start(Plan { style: style.clone(), viewport, view, detail, upto, pane, pass, is_transparent });
     }
 
     /// As [`Renderer::begin_with`] in fine detail, for one of the [panes](Pass::all) of the picture. The pixels are
-    /// those of the pane. Panes that begin at multiples of 16 pixels have the same subsamples as the whole picture.
+    /// those of the pane. Panes that begin at multiples of 16 pixels have the same subsamples as the whole picture. The
+    /// picture may have [`MAX_PICTURE_SIDE`](lsystem_syntax::MAX_PICTURE_SIDE) pixels each way, and a pane
+    /// [`MAX_PICTURE_PIXELS`](lsystem_syntax::MAX_PICTURE_PIXELS) in all.
     pub fn begin_pane(
         &mut self,
         style: &Style,
@@ -217,12 +240,14 @@ impl Renderer {
         upto: Option<u128>,
         (pane, pass): (Pane, Pass),
     ) {
-        self.start(Plan { style: style.clone(), viewport, view, detail: Detail::Fine, upto, pane, pass });
+        let (detail, is_transparent) = (Detail::Fine, self.is_transparent);
+        self.start(Plan { style: style.clone(), viewport, view, detail, upto, pane, pass, is_transparent });
     }
 
     fn start(&mut self, plan: Plan) {
-        let viewport = plan.viewport.within_limits();
-        let plan = Plan { viewport, pane: plan.pane.within(viewport), ..plan };
+        let viewport = plan.viewport.within_sides();
+        let pane = if plan.pass == Pass::Survey { plan.pane } else { plan.pane.within(viewport).within_limits() };
+        let plan = Plan { viewport, pane, ..plan };
         if !self.method.is_for(plan.style.ink) {
             self.method = match plan.style.ink {
                 Ink::Solid => InkMethod::default(),
@@ -268,7 +293,7 @@ impl Renderer {
         method.resolve(meter)
     }
 
-    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row. The size is that of the
+    /// The picture so far: RGBA, 8 bits each, opaque unless [`transparent`](Self::transparent), from the upper left corner row by row. The size is that of the
     /// picture once a step has prepared the drawing.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {

@@ -22,6 +22,10 @@ impl Method for Opaque {
         self.picture.clear();
     }
 
+    fn forget(&mut self) {
+        self.picture.top_down.tiling.clear();
+    }
+
     fn begin(&mut self, drawing: &Drawing, plan: &Plan) {
         self.picture.begin(drawing, plan.clone());
     }
@@ -34,7 +38,7 @@ impl Method for Opaque {
     }
 
     fn open(&mut self, plan: &Plan, _: bool) -> u64 {
-        self.output.begin(&plan.style, self.picture.inks(), plan.pane, plan.detail, plan.pass)
+        self.output.begin(plan, self.picture.inks())
     }
 
     fn paint(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {

@@ -1,7 +1,7 @@
 //! Panes of a picture. A picture that would take too much memory is made pane by pane.
 
 use super::Viewport;
-use lsystem_syntax::Ink;
+use lsystem_syntax::{Ink, MAX_PICTURE_PIXELS};
 
 /// A rectangle of a picture's pixels, y down from the upper left corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +43,11 @@ impl Pane {
     pub fn within(self, viewport: Viewport) -> Self {
         let [x, y] = [self.x.min(viewport.width), self.y.min(viewport.height)];
         Self { x, y, width: self.width.min(viewport.width - x), height: self.height.min(viewport.height - y) }
+    }
+
+    /// The pane, cut at the bottom to at most [`MAX_PICTURE_PIXELS`].
+    pub(super) fn within_limits(self) -> Self {
+        Self { height: self.height.min(MAX_PICTURE_PIXELS / self.width.max(1)), ..self }
     }
 }
 

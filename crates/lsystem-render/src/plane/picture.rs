@@ -27,6 +27,8 @@ pub(super) struct Plan {
     pub upto: Option<u128>,
     pub pane: Pane,
     pub pass: Pass,
+    /// Whether the background is left out.
+    pub is_transparent: bool,
 }
 
 impl Plan {

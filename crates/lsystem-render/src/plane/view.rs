@@ -23,8 +23,14 @@ impl Viewport {
     /// [`MAX_PICTURE_PIXELS`] in all.
     #[must_use]
     pub fn within_limits(self) -> Self {
-        let width = self.width.min(MAX_PICTURE_SIDE);
-        let height = self.height.min(MAX_PICTURE_SIDE).min(MAX_PICTURE_PIXELS / width.max(1));
+        let Self { width, height, .. } = self.within_sides();
+        Self { height: height.min(MAX_PICTURE_PIXELS / width.max(1)), width, ..self }
+    }
+
+    /// The viewport, cut to at most [`MAX_PICTURE_SIDE`] pixels each way: the size of a picture that is made in panes.
+    #[must_use]
+    pub fn within_sides(self) -> Self {
+        let [width, height] = [self.width, self.height].map(|side| side.min(MAX_PICTURE_SIDE));
         Self { width, height, ..self }
     }
 

@@ -65,7 +65,7 @@ mod tests {
     #[test]
     fn faces_cover_their_area_and_what_is_behind() {
         let mut tile = ScreenTile::default();
-        tile.reset([64, 64], [64, 64], [0, 0, 0]);
+        tile.reset([64, 64], [64, 64], [0, 0, 0, 255]);
         let red = u32::from_le_bytes([255, 0, 0, 255]);
         let green = u32::from_le_bytes([0, 255, 0, 255]);
         let face = Face { corners: [[4.0, 4.0, 0.0], [60.0, 4.0, 56.0], [4.0, 60.0, 0.0]], colour: red };

@@ -144,6 +144,8 @@ pub struct SolidRenderer {
     at: usize,
     /// The picture that was asked for, until the scene is ready.
     plan: Option<Plan>,
+    /// Whether the background is left out.
+    is_transparent: bool,
     spent: u64,
 }
 
@@ -162,6 +164,13 @@ impl SolidRenderer {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// The renderer of pictures without the background. A pixel has the mean colour of its painted samples, and their share
+    /// as its opacity.
+    #[must_use]
+    pub fn transparent(self) -> Self {
+        Self { is_transparent: true, ..self }
     }
 
     /// Takes the drawing of the next pictures. The steps of the first picture prepare the drawing.
@@ -204,7 +213,8 @@ impl SolidRenderer {
         Pane::all(viewport, quality.tile(viewport).map(|side| (side / quality.samples()) as u32))
     }
 
-    /// Starts one of [`SolidRenderer::panes`] of the finest picture, with the budget that all panes share. The pixels
+    /// Starts one of [`SolidRenderer::panes`] of the finest picture, or of the [best](Quality::BEST), which has the same panes,
+    /// with the budget that all panes share. The pixels
     /// are those of the pane. The sum of what all panes [took](Self::effort_spent) tells [`Effort`] whether the budget
     /// was too small.
     pub fn begin_pane(&mut self, style: &Style, viewport: Viewport, camera: &Camera, pane: Pane, budget: f32) {
@@ -242,7 +252,8 @@ impl SolidRenderer {
                 return Progress::More;
             }
             let Plan { style, viewport, camera, quality, pane } = plan;
-            meter.charge(self.pictures[self.at].begin(drawing, style, *viewport, camera, *quality, *pane));
+            let picture = &mut self.pictures[self.at];
+            meter.charge(picture.begin(drawing, style, *viewport, camera, *quality, *pane, self.is_transparent));
             self.plan = None;
         }
         self.pictures[self.at].step(&self.scene, meter)
@@ -255,7 +266,7 @@ impl SolidRenderer {
         }
     }
 
-    /// The picture so far: RGBA, 8 bits each, opaque, from the upper left corner row by row. The size is that of the
+    /// The picture so far: RGBA, 8 bits each, opaque unless [`transparent`](Self::transparent), from the upper left corner row by row. The size is that of the
     /// picture once a step has prepared the drawing.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {

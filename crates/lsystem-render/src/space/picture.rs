@@ -63,11 +63,14 @@ impl Picture {
         camera: &Camera,
         quality: Quality,
         only: Option<(Pane, f32)>,
+        is_transparent: bool,
     ) -> u64 {
         let pane = only.map_or(Pane::whole(viewport), |(pane, _)| pane.within(viewport));
         let budget = only.map(|(_, budget)| budget);
-        self.setup = Some(Setup::new(drawing, style, viewport, camera, quality, (pane, budget)));
-        let size = self.pixels.begin(pane, style.background.rgb);
+        let [r, g, b] = style.background.rgb;
+        let paper = if is_transparent { [0; 4] } else { [r, g, b, u8::MAX] };
+        self.setup = Some(Setup::new(drawing, style, viewport, camera, quality, (pane, budget), paper));
+        let size = self.pixels.begin(pane, paper);
         self.stack.clear();
         self.painter.stop();
         self.painter.stats = RenderStats::default();

@@ -26,10 +26,9 @@ impl Pixels {
     }
 
     /// Starts a picture of a pane. Returns its size in bytes.
-    pub(super) fn begin(&mut self, pane: Pane, [r, g, b]: [u8; 3]) -> usize {
+    pub(super) fn begin(&mut self, pane: Pane, paper: [u8; 4]) -> usize {
         (self.width, self.height) = (pane.width as usize, pane.height as usize);
         let size = self.width * self.height * 4;
-        let paper = [r, g, b, u8::MAX];
         if self.bytes.len() != size || self.paper != paper || self.painted.len() != self.height {
             self.paper = paper;
             self.bytes.clear();

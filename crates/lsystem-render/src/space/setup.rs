@@ -13,7 +13,8 @@ use lsystem_syntax::Style;
 pub(super) struct Setup {
     pub lens: Lens,
     pub light: Light,
-    pub background: [u8; 3],
+    /// RGBA of samples that show nothing.
+    pub background: [u8; 4],
     /// Samples along the side of a pixel.
     pub samples: usize,
     /// The width and the height of the whole picture, in samples.
@@ -44,6 +45,7 @@ impl Setup {
         camera: &Camera,
         quality: Quality,
         (pane, budget): (Pane, Option<f32>),
+        background: [u8; 4],
     ) -> Self {
         let samples = quality.samples();
         let lens = Lens::new(drawing, viewport, camera, samples as f64);
@@ -53,7 +55,7 @@ impl Setup {
         Self {
             lens,
             light: Light::new(style, &lens, camera.fade),
-            background: style.background.rgb,
+            background,
             samples,
             size,
             side,

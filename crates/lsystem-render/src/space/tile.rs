@@ -36,8 +36,8 @@ pub(super) struct ScreenTile {
 
 impl ScreenTile {
     /// Empties the tile, with at least `size` samples across and down, and `room` for other tiles of the same picture.
-    pub(super) fn reset(&mut self, size: [usize; 2], room: [usize; 2], [r, g, b]: [u8; 3]) {
-        let background = u32::from_le_bytes([r, g, b, u8::MAX]);
+    pub(super) fn reset(&mut self, size: [usize; 2], room: [usize; 2], background: [u8; 4]) {
+        let background = u32::from_le_bytes(background);
         let [size, room] = [size, room].map(|sides| sides.map(|count| count.next_multiple_of(CELL)));
         let [cells, rows] = room.map(|count| count / CELL);
         self.size = size;
@@ -185,6 +185,10 @@ impl ScreenTile {
             }
             return;
         }
+        if self.background >> 24 == 0 {
+            self.clear_pixels(first, samples, out);
+            return;
+        }
         let count = (samples * samples) as u32;
         let half = count / 2 * 0x0001_0001;
         let shift = count.trailing_zeros();
@@ -200,6 +204,25 @@ impl ScreenTile {
             }
             let colour = (even >> shift & PAIRS) | (odd >> shift & PAIRS) << 8;
             *pixel = colour.to_le_bytes();
+        }
+    }
+
+    /// As [`ScreenTile::pixels`], without the background: the mean colour of the painted samples, and their share as the
+    /// opacity.
+    fn clear_pixels(&self, first: usize, samples: usize, out: &mut [[u8; 4]]) {
+        let all = (samples * samples) as u32;
+        for (x, pixel) in out.iter_mut().enumerate() {
+            let mut sums = [0; 4];
+            for line in 0..samples {
+                let from = first + line * self.stride + x * samples;
+                for colour in &self.colour[from..from + samples] {
+                    sums.iter_mut().zip(colour.to_le_bytes()).for_each(|(sum, channel)| *sum += u32::from(channel));
+                }
+            }
+            let [r, g, b, opacity] = sums;
+            let painted = opacity / u32::from(u8::MAX);
+            let mean = |sum: u32| ((sum + painted / 2) / painted.max(1)) as u8;
+            *pixel = [mean(r), mean(g), mean(b), ((opacity + all / 2) / all) as u8];
         }
     }
 }

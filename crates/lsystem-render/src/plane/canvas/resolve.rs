@@ -2,9 +2,10 @@
 
 use super::words::GROUP;
 use super::{Canvas, Group};
-use crate::plane::{Detail, Pane, Pass};
+use crate::plane::Detail;
+use crate::plane::picture::Plan;
 use core::ops::Range;
-use lsystem_syntax::{Meter, Progress, Style};
+use lsystem_syntax::{Meter, Progress};
 
 /// The finished pixels and the way to them.
 #[derive(Default)]
@@ -14,6 +15,8 @@ pub(in crate::plane) struct Output {
     pixels: Vec<u8>,
     palette: Vec<[u32; 3]>,
     background: [u32; 3],
+    /// Whether the background is left out, so that pixels tell how much of them is covered.
+    is_transparent: bool,
     /// The pixel, by palette entry, then by the number of its subsamples with that entry (0 to 16).
     shades: Vec<[[u8; 4]; 32]>,
     /// By cell, then strip: whether some pixels there may not be background.
@@ -30,24 +33,22 @@ const SIDE: usize = 16;
 
 impl Output {
     /// Starts a pane of a picture; `inks` are the palette entries of its colours, by number. Returns the units of work.
-    pub(in crate::plane) fn begin(
-        &mut self,
-        style: &Style,
-        inks: &[u32],
-        pane: Pane,
-        detail: Detail,
-        pass: Pass,
-    ) -> u64 {
+    pub(in crate::plane) fn begin(&mut self, plan: &Plan, inks: &[u32]) -> u64 {
+        let Plan { style, pane, pass, detail, is_transparent, .. } = plan;
+        let (detail, is_transparent) = (*detail, *is_transparent);
         let mut work = inks.len() as u64;
         let (width, height) = if pass.shows() { (pane.width as usize, pane.height as usize) } else { (0, 0) };
         let background = style.background.rgb.map(u32::from);
-        let known = (self.width, self.height, self.background, self.detail) == (width, height, background, detail);
+        let ground = (background, is_transparent);
+        let known = (self.width, self.height, self.detail) == (width, height, detail)
+            && (self.background, self.is_transparent) == ground;
         if !known || self.pixels.is_empty() {
-            (self.width, self.height, self.background, self.detail) = (width, height, background, detail);
+            (self.width, self.height, self.detail) = (width, height, detail);
+            (self.background, self.is_transparent) = ground;
             let [r, g, b] = style.background.rgb;
             self.pixels.clear();
-            self.pixels.resize(width * height * 4, u8::MAX);
-            if style.background.rgb != [u8::MAX; 3] {
+            self.pixels.resize(width * height * 4, if is_transparent { 0 } else { u8::MAX });
+            if style.background.rgb != [u8::MAX; 3] && !is_transparent {
                 self.pixels.as_chunks_mut().0.fill([r, g, b, u8::MAX]);
             }
             self.inked.clear();
@@ -64,6 +65,9 @@ impl Output {
         self.shades.extend(self.palette.iter().map(|colour| {
             core::array::from_fn(|count| {
                 let count = (count as u32).min(16);
+                if is_transparent {
+                    return clear_pixel(colour.map(|channel| channel * count), count);
+                }
                 let mix = |c: usize| ((colour[c] * count + background[c] * (16 - count) + 8) / 16) as u8;
                 [mix(0), mix(1), mix(2), u8::MAX]
             })
@@ -153,6 +157,8 @@ impl Output {
                 }
                 (even, odd) = (even >> 8, odd >> 8);
             }
+        } else if self.is_transparent {
+            self.clear_mixed(planes, covered, pixels);
         } else {
             self.mixed(planes, covered, pixels);
         }
@@ -209,6 +215,41 @@ impl Output {
             *pixel = (u32::from(low) | u32::from(high) << 16).to_le_bytes();
         }
     }
+
+    /// As [`Output::mixed`], without the background.
+    fn clear_mixed<'a, I: Iterator<Item = &'a [u64; 4]>>(
+        &mut self,
+        planes: impl Fn() -> I,
+        covered: [u64; 4],
+        pixels: Range<usize>,
+    ) {
+        let mut sums = [([0_u32; 3], 0_u32); SIDE];
+        let mut rest = covered;
+        while any(rest) != 0 {
+            let (ink, same) = first_ink(planes(), rest);
+            let colour = self.palette[ink.min(self.palette.len() - 1)];
+            for (x, (sum, all)) in sums.iter_mut().enumerate() {
+                let count: u32 = same.iter().map(|word| (word >> (4 * x) & 15).count_ones()).sum();
+                (0..3).for_each(|channel| sum[channel] += count * colour[channel]);
+                *all += count;
+            }
+            rest = [0, 1, 2, 3].map(|row| rest[row] & !same[row]);
+        }
+        let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
+        for (pixel, (sum, count)) in out.iter_mut().zip(sums) {
+            *pixel = clear_pixel(sum, count);
+        }
+    }
+}
+
+/// A pixel without background, of which `count` subsamples are covered; `sums` are those of their channels. The colour is
+/// their mean and the opacity their share, so that the pixel over any background is the mean of all 16 subsamples.
+fn clear_pixel(sums: [u32; 3], count: u32) -> [u8; 4] {
+    if count == 0 {
+        return [0; 4];
+    }
+    let [r, g, b] = sums.map(|sum| ((sum + count / 2) / count) as u8);
+    [r, g, b, ((count * 255 + 8) / 16) as u8]
 }
 
 /// The four words of a row of pixels.

@@ -48,6 +48,10 @@ impl Method for Density {
         self.picture.clear();
     }
 
+    fn forget(&mut self) {
+        self.picture.forget();
+    }
+
     fn begin(&mut self, drawing: &Drawing, plan: &Plan) {
         self.picture.begin(drawing, plan.clone(), 1.0 / side(plan.detail) as f64);
     }
@@ -63,7 +67,7 @@ impl Method for Density {
         if is_blank {
             self.picture.blank(plan.pane);
         }
-        self.tone.begin(&plan.style, plan.pane, if is_blank { 1 } else { side(plan.detail) }, plan.pass)
+        self.tone.begin(plan, if is_blank { 1 } else { side(plan.detail) })
     }
 
     fn paint(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {

@@ -101,6 +101,11 @@ impl Picture {
         self.stop();
     }
 
+    /// Forgets the tiles of the pictures before.
+    pub(super) fn forget(&mut self) {
+        self.tiling.clear();
+    }
+
     /// Gives up the unfinished picture.
     fn stop(&mut self) {
         (self.plan, self.cut, self.waiting) = (None, None, None);

@@ -5,8 +5,10 @@
 
 use super::pigment::light;
 use super::sheet::{Pigment, Sheet};
-use crate::plane::{Pane, Pass};
-use lsystem_syntax::{ColourBy, Meter, Progress, Style};
+use crate::plane::Pass;
+use crate::plane::alpha::least_opaque;
+use crate::plane::picture::Plan;
+use lsystem_syntax::{ColourBy, Meter, Progress};
 
 /// The number of keys. A key is the exponent of an `f32` and the first 6 bits of its fraction, so sums with the same
 /// key differ by at most a 64th.
@@ -40,6 +42,8 @@ pub(super) struct Tone {
     /// Pixels along the side of a sum's place.
     side: usize,
     paper: [u8; 3],
+    /// Whether the background is left out.
+    is_transparent: bool,
     exposure: f64,
     /// The background and the palette, if colours follow the density.
     ramp: Option<Vec<[u8; 3]>>,
@@ -81,7 +85,9 @@ fn sum(key: usize) -> f64 {
 
 impl Tone {
     /// Starts a pane with `side` pixels along the side of a sum's place. Returns the units of work.
-    pub(super) fn begin(&mut self, style: &Style, pane: Pane, side: usize, pass: Pass) -> u64 {
+    pub(super) fn begin(&mut self, plan: &Plan, side: usize) -> u64 {
+        let (style, pane, pass) = (&plan.style, plan.pane, plan.pass);
+        self.is_transparent = plan.is_transparent;
         let mut work = 1;
         let size = if pass.shows() { (pane.width as usize, pane.height as usize) } else { (0, 0) };
         if (self.width, self.height) != size {
@@ -188,8 +194,7 @@ impl Tone {
         self.layers.clear();
         self.layers.resize(KEYS, 0.0);
         self.shades.clear();
-        let [r, g, b] = self.paper;
-        self.shades.resize(KEYS, [r, g, b, u8::MAX]);
+        self.shades.resize(KEYS, self.pixel(self.paper));
         let first = self.counts.iter().skip(1).position(|&count| count > 0).map_or(KEYS, |key| key + 1);
         let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
         // If places are larger than pixels, interpolation makes sums below the least.
@@ -204,12 +209,19 @@ impl Tone {
             if planes > 1 {
                 continue;
             }
-            let [r, g, b] = match &self.ramp {
+            let colour = match &self.ramp {
                 Some(ramp) => ramp_colour(ramp, shown),
                 None => [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * layers as f32)),
             };
-            self.shades[key] = [r, g, b, u8::MAX];
+            self.shades[key] = self.pixel(colour);
         }
+    }
+
+    /// The pixel that shows this colour.
+    #[inline]
+    fn pixel(&self, colour: [u8; 3]) -> [u8; 4] {
+        let [r, g, b] = colour;
+        if self.is_transparent { least_opaque(colour, self.paper) } else { [r, g, b, u8::MAX] }
     }
 
     #[inline]
@@ -221,11 +233,11 @@ impl Tone {
     fn show(&mut self, sums: &Sheet, y: usize) {
         let mut pixels = core::mem::take(&mut self.pixels);
         let (out, _) = pixels[y * self.width * 4..(y + 1) * self.width * 4].as_chunks_mut::<4>();
-        let [r, g, b] = self.paper;
+        let blank = self.pixel(self.paper);
         if self.side == 1 {
             let reach = sums.reach[y].start as usize..sums.reach[y].end as usize;
-            out[..reach.start].fill([r, g, b, u8::MAX]);
-            out[reach.end..].fill([r, g, b, u8::MAX]);
+            out[..reach.start].fill(blank);
+            out[reach.end..].fill(blank);
             let at = y * sums.width;
             let values = &sums.values[(at + reach.start) * sums.planes..(at + reach.end) * sums.planes];
             self.colour(values, sums.planes, &mut out[reach]);
@@ -248,8 +260,7 @@ impl Tone {
         for (pixel, values) in out.iter_mut().zip(values.chunks_exact(4)) {
             let shown = self.layers[key(values[0])];
             let part = if values[0] > 0.0 { shown / values[0] } else { 0.0 };
-            let [r, g, b] = [0, 1, 2].map(|channel| self.light(channel, values[1 + channel] * part));
-            *pixel = [r, g, b, u8::MAX];
+            *pixel = self.pixel([0, 1, 2].map(|channel| self.light(channel, values[1 + channel] * part)));
         }
     }
 

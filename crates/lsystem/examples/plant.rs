@@ -1,0 +1,35 @@
+//! A plant from its rules to files: `cargo run --example plant` writes `plant.svg` and `plant.png`.
+
+use lsystem::files::{PngOptions, PngWriter, write_all};
+use lsystem::{Definition, Limits, Style, SvgOptions, System, View, Viewport};
+use lsystem::{count_segments, draw, expand, render_diagnostic, write_svg};
+use std::error::Error;
+use std::sync::Arc;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let plant = Definition {
+        axiom: "X".into(),
+        rules: "X -> F-[[X]+X]+F[+FX]-X\nF -> FF".into(),
+        angle: 22.5,
+        heading: 65.0,
+        ..Definition::default()
+    };
+    let (system, diagnostics) = System::new(&plant);
+    diagnostics.iter().for_each(|diagnostic| eprint!("{}", render_diagnostic(diagnostic, "plant", &plant.rules)));
+    let system = system.ok_or("the rules have errors")?;
+    let told = |limit| render_diagnostic(&limit, "plant", "");
+
+    println!("n = 2: {}", expand(&system, 2, &Limits::default()).map_err(told)?);
+
+    let few = draw(&system, 5, &Limits::default()).map_err(told)?;
+    std::fs::write("plant.svg", write_svg(&few, &Style::default(), &SvgOptions::default()).map_err(told)?.text)?;
+
+    // No file holds these segments, but a picture shows them.
+    let many = draw(&system, 40, &Limits::default()).map_err(told)?;
+    println!("n = 40: {} segments", count_segments(&system, 40).map_or_else(String::new, |count| count.to_string()));
+    let viewport = Viewport { width: 800, height: 1000, ratio: 1.0 };
+    let options = PngOptions { viewport, dpi: Some(300.0), is_transparent: true, ..PngOptions::default() };
+    let mut writer = PngWriter::new(Arc::new(many), Style::default(), View::default(), &options).map_err(told)?;
+    std::fs::write("plant.png", write_all(&mut writer).map_err(told)?)?;
+    Ok(())
+}

@@ -1,0 +1,164 @@
+//! PNG files that are painted while they are written: the same pixels as the renderers make at once.
+
+use lsystem::files::{PngOptions, PngWriter, Writer, read_file, write_all};
+use lsystem::render::Quality;
+use lsystem::syntax::{ColourBy, Ink};
+use lsystem::{Camera, Definition, Drawing, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
+use lsystem::{View, Viewport, draw, draw_solid, write_json};
+use std::sync::Arc;
+
+const VIEWPORT: Viewport = Viewport { width: 300, height: 200, ratio: 1.0 };
+
+fn plant(ink: Ink, colour_by: ColourBy) -> Definition {
+    let style = Style { ink, colour_by, ..Style::default() };
+    let rules = "X -> F-[[X]+X]+F[+FX]-X\nF -> FF".into();
+    Definition { axiom: "X".into(), rules, angle: 22.5, style, ..Definition::default() }
+}
+
+/// A drawing in which most strokes cover each other.
+fn crowd() -> Definition {
+    let rules = "F -> FF-[-F+F+F]+[+F-F-F]".into();
+    Definition { axiom: "F".into(), rules, angle: 25.7, ..Definition::default() }
+}
+
+fn drawing(definition: &Definition, n: u32) -> Arc<Drawing> {
+    Arc::new(draw(&System::new(definition).0.unwrap(), n, &Limits::default()).unwrap())
+}
+
+fn solid() -> (Style, Arc<Drawing<Solid>>) {
+    let rules = "A -> F[&FA]/[&FA]".into();
+    let definition = Definition { axiom: "A".into(), rules, angle: 40.0, ..Definition::default() };
+    let drawing = draw_solid(&System::new(&definition).0.unwrap(), 7, &Limits::default()).unwrap();
+    (definition.style, Arc::new(drawing))
+}
+
+/// The pixels that a renderer makes at once.
+fn whole(drawing: &Arc<Drawing>, style: &Style, viewport: Viewport) -> Vec<u8> {
+    let mut renderer = Renderer::new();
+    renderer.load(drawing.clone());
+    renderer.begin(style, viewport, View::default());
+    while renderer.step(100_000) == Progress::More {}
+    renderer.pixels().to_vec()
+}
+
+/// The file's bytes and its pixels, without the channels that the file does not have.
+fn read(file: &[u8]) -> (png::Info<'static>, Vec<u8>) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap();
+    (reader.info().clone(), pixels)
+}
+
+fn opaque(pixels: &[u8]) -> Vec<u8> {
+    pixels.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect()
+}
+
+/// The levels of transparent pixels over a background.
+fn over(pixels: &[u8], background: [u8; 3]) -> Vec<u8> {
+    let mix = |colour: u8, under: u8, opacity: u8| {
+        ((u32::from(colour) * u32::from(opacity) + u32::from(under) * u32::from(255 - opacity) + 127) / 255) as u8
+    };
+    let pixel =
+        |&[r, g, b, a]: &[u8; 4]| [mix(r, background[0], a), mix(g, background[1], a), mix(b, background[2], a)];
+    pixels.as_chunks::<4>().0.iter().flat_map(pixel).collect()
+}
+
+fn most_difference(a: &[u8], b: &[u8]) -> u8 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
+}
+
+#[test]
+fn streamed_is_whole() {
+    for (definition, n) in [
+        (plant(Ink::Solid, ColourBy::Single), 5),
+        (plant(Ink::Solid, ColourBy::Level), 5),
+        (plant(Ink::Density, ColourBy::Single), 5),
+        (crowd(), 20),
+    ] {
+        let drawing = drawing(&definition, n);
+        let expected = opaque(&whole(&drawing, &definition.style, VIEWPORT));
+        for band in [1 << 22, 300 * 48] {
+            let options = PngOptions { viewport: VIEWPORT, band, ..PngOptions::default() };
+            let mut writer =
+                PngWriter::new(drawing.clone(), definition.style.clone(), View::default(), &options).unwrap();
+            // Small steps, whose pieces are the file.
+            let (mut file, mut piece) = (vec![], vec![]);
+            while writer.step(&mut piece, 777).unwrap() == Progress::More {
+                file.append(&mut piece);
+            }
+            file.append(&mut piece);
+            assert_eq!(writer.rows(), VIEWPORT.height);
+            let (_, pixels) = read(&file);
+            let differ = pixels.iter().zip(&expected).filter(|(a, b)| a != b).count();
+            // Bands round the places of strokes in another way: some strokes are off by a subsample.
+            let allowed = if band < 1 << 20 { pixels.len() / 500 } else { 0 };
+            assert!(pixels.len() == expected.len() && differ <= allowed, "{} {band}: {differ}", definition.axiom);
+        }
+    }
+}
+
+#[test]
+fn transparent_over_the_background_is_opaque() {
+    for (ink, colour_by) in [
+        (Ink::Solid, ColourBy::Single),
+        (Ink::Solid, ColourBy::Level),
+        (Ink::Density, ColourBy::Single),
+        (Ink::Density, ColourBy::Level),
+        (Ink::Density, ColourBy::Density),
+    ] {
+        let definition = plant(ink, colour_by);
+        let drawing = drawing(&definition, 6);
+        let opaque = opaque(&whole(&drawing, &definition.style, VIEWPORT));
+        let options = PngOptions { viewport: VIEWPORT, is_transparent: true, ..PngOptions::default() };
+        let style = definition.style.clone();
+        let file = write_all(&mut PngWriter::new(drawing, style, View::default(), &options).unwrap()).unwrap();
+        let (info, pixels) = read(&file);
+        assert_eq!(info.color_type, png::ColorType::Rgba);
+        assert_eq!((pixels[3], pixels[0]), (0, 0), "the corner is empty");
+        assert!(pixels.as_chunks::<4>().0.iter().any(|pixel| (1..255).contains(&pixel[3])));
+        let difference = most_difference(&over(&pixels, definition.style.background.rgb), &opaque);
+        // Half a level of the opacity, and half a level of the colour.
+        assert!(difference <= 1, "{ink:?} {colour_by:?}: {difference}");
+    }
+}
+
+#[test]
+fn drawings_in_space_are_streamed_in_panes() {
+    let (style, drawing) = solid();
+    let viewport = Viewport { width: 600, height: 300, ratio: 1.0 };
+    let mut renderer = SolidRenderer::new();
+    renderer.load(drawing.clone());
+    renderer.begin(&style, viewport, &Camera::default(), Quality::BEST);
+    while renderer.step(100_000) == Progress::More {}
+    let expected = opaque(renderer.pixels());
+    for band in [1 << 22, 1] {
+        let options = PngOptions { viewport, band, ..PngOptions::default() };
+        let mut writer = PngWriter::solid(drawing.clone(), style.clone(), Camera::default(), &options).unwrap();
+        assert_eq!(read(&write_all(&mut writer).unwrap()).1, expected, "{band}");
+        let options = PngOptions { is_transparent: true, ..options };
+        let mut writer = PngWriter::solid(drawing.clone(), style.clone(), Camera::default(), &options).unwrap();
+        let (_, pixels) = read(&write_all(&mut writer).unwrap());
+        assert!(most_difference(&over(&pixels, style.background.rgb), &expected) <= 1);
+    }
+}
+
+#[test]
+fn files_tell_resolution_and_system() {
+    let definition = plant(Ink::Solid, ColourBy::Single);
+    let options = PngOptions {
+        viewport: Viewport { width: 20, height: 10, ratio: 1.0 },
+        dpi: Some(300.0),
+        system: write_json(&definition),
+        ..PngOptions::default()
+    };
+    let style = definition.style.clone();
+    let mut writer = PngWriter::new(drawing(&definition, 2), style, View::default(), &options).unwrap();
+    let file = write_all(&mut writer).unwrap();
+    let (info, _) = read(&file);
+    assert_eq!((info.width, info.height, info.color_type), (20, 10, png::ColorType::Rgb));
+    let dims = info.pixel_dims.unwrap();
+    // 300 pixels of 25.4 mm are 11,811 of a metre.
+    assert_eq!((dims.xppu, dims.yppu, dims.unit), (11_811, 11_811, png::Unit::Meter));
+    assert_eq!(read_file(&file).definition.unwrap(), definition);
+}

@@ -1,0 +1,94 @@
+//! `cargo xtask package`: the npm package, and the check that the crates can be published.
+
+use crate::workspace::{Workspace, run};
+use crate::{bindgen, files, tools};
+use anyhow::{Context, Result};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The crates for others, each after those that it uses.
+const CRATES: [&str; 11] = [
+    "lsystem-syntax",
+    "lsystem-derive",
+    "lsystem-drawing",
+    "lsystem-render",
+    "lsystem-files",
+    "lsystem-compare",
+    "lsystem-growth",
+    "lsystem-steps",
+    "lsystem-find",
+    "lsystem",
+    "lsys",
+];
+/// The boundary crate and its library.
+const BOUNDARY: (&str, &str) = ("lsystem-wasm", "lsystem_wasm");
+
+/// Makes and tests the npm package, and packs and documents the crates.
+pub(crate) fn package(workspace: &Workspace) -> Result<()> {
+    tools::wasm_target()?;
+    let build = ["build", "--profile=wasm", "--lib", "--target", tools::WASM_TARGET, "--package", BOUNDARY.0];
+    run(&mut workspace.cargo(build))?;
+    npm(workspace)?;
+    crates(workspace)?;
+    println!("npm package: {}", folder(workspace).display());
+    println!("crates: {}", workspace.target.join("package").display());
+    Ok(())
+}
+
+fn folder(workspace: &Workspace) -> PathBuf {
+    workspace.target.join("npm/node_modules/lsystem")
+}
+
+/// Makes the npm package from the compiled wasm, and runs its test, which imports it as any program does.
+pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
+    let source = workspace.root.join("crates/lsystem-wasm/npm");
+    let package = folder(workspace);
+    if package.is_dir() {
+        fs::remove_dir_all(&package)?;
+    }
+    let compiled = workspace.target.join(tools::WASM_TARGET).join("wasm").join(format!("{}.wasm", BOUNDARY.1));
+    bindgen::generate_module(&compiled, &package, "lsystem")?;
+    for path in files::list(&source, |path| !path.ends_with("test.mjs"))? {
+        copy(&path, &package.join(path.strip_prefix(&source)?))?;
+    }
+    for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+        copy(&workspace.root.join(licence), &package.join(licence))?;
+    }
+    let list = package.join("package.json");
+    let mut value: Value = serde_json::from_slice(&files::read(&list)?).context("reading package.json")?;
+    value["version"] = env!("CARGO_PKG_VERSION").into();
+    files::write(&list, format!("{value:#}\n"))?;
+    let test = workspace.target.join("npm/test.mjs");
+    copy(&source.join("test.mjs"), &test)?;
+    run(Command::new(tools::node()?).arg("--test").arg(&test))
+}
+
+/// Packs the crates as for the registry, and makes their documentation as docs.rs does.
+fn crates(workspace: &Workspace) -> Result<()> {
+    let names = || CRATES.iter().flat_map(|name| ["--package", name]);
+    // The crates use each other, and none is in the registry yet: packing finds the others in the workspace.
+    run(&mut workspace.cargo(["package", "--allow-dirty", "--no-verify"].into_iter().chain(names())))?;
+    run(workspace.cargo(["doc", "--no-deps"].into_iter().chain(names())).env("RUSTDOCFLAGS", "-D warnings"))
+}
+
+fn copy(from: &Path, to: &Path) -> Result<()> {
+    files::write(to, files::read(from)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_crate_for_others_is_packed() {
+        let workspace = Workspace::find().unwrap();
+        let development = ["bench", "fuzz", "xtask"];
+        for entry in fs::read_dir(workspace.root.join("crates")).unwrap() {
+            let name = entry.unwrap().file_name().into_string().unwrap();
+            let is_inner = development.contains(&name.as_str()) || name.ends_with("-wasm");
+            assert!(is_inner || CRATES.contains(&name.as_str()), "{name}");
+        }
+    }
+}
