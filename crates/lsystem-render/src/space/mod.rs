@@ -251,9 +251,7 @@ impl SolidRenderer {
             {
                 return Progress::More;
             }
-            let Plan { style, viewport, camera, quality, pane } = plan;
-            let picture = &mut self.pictures[self.at];
-            meter.charge(picture.begin(drawing, style, *viewport, camera, *quality, *pane, self.is_transparent));
+            meter.charge(self.pictures[self.at].begin(drawing, plan, self.is_transparent));
             self.plan = None;
         }
         self.pictures[self.at].step(&self.scene, meter)

@@ -1,7 +1,6 @@
 //! The descent through a scene, tile by tile and from front to back. An explicit stack lets the descent stop anywhere.
 
-use super::Quality;
-use super::camera::Camera;
+use super::Plan;
 use super::effort::Spent;
 use super::open_node::{Entry, OpenNode};
 use super::painter::{LINE_WORK, TilePainter};
@@ -14,7 +13,7 @@ use super::stand_in::{self, Disc};
 use crate::plane::{Pane, Shade};
 use crate::{RenderStats, Viewport};
 use lsystem_drawing::{Drawing, Solid};
-use lsystem_syntax::{Meter, Progress, Style};
+use lsystem_syntax::{Meter, Progress};
 
 /// Nodes with a larger radius than this, in samples, are checked for being hidden.
 const LEAST_HIDDEN: f32 = 3.0;
@@ -54,17 +53,10 @@ impl Picture {
         self.pixels.fits(viewport)
     }
 
-    /// Starts a picture, or `only` a pane of it with a budget. Returns the units of work.
-    pub(super) fn begin(
-        &mut self,
-        drawing: &Drawing<Solid>,
-        style: &Style,
-        viewport: Viewport,
-        camera: &Camera,
-        quality: Quality,
-        only: Option<(Pane, f32)>,
-        is_transparent: bool,
-    ) -> u64 {
+    /// Starts a picture, or the pane of it that the plan asks for. Returns the units of work.
+    pub(super) fn begin(&mut self, drawing: &Drawing<Solid>, plan: &Plan, is_transparent: bool) -> u64 {
+        let Plan { style, viewport, camera, quality, pane: only } = plan;
+        let (viewport, quality) = (*viewport, *quality);
         let pane = only.map_or(Pane::whole(viewport), |(pane, _)| pane.within(viewport));
         let budget = only.map(|(_, budget)| budget);
         let [r, g, b] = style.background.rgb;

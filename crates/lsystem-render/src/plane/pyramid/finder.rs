@@ -35,7 +35,7 @@ impl Finder {
             match item {
                 Item::Polygon(polygon) => {
                     let vertices = drawing.vertices_of(polygon).iter().map(|&vertex| node.place.point(vertex));
-                    if !box_misses(size, vertices, 0.0) {
+                    if !box_misses(size, &vertices, 0.0) {
                         return true;
                     }
                 }
@@ -69,7 +69,7 @@ impl Finder {
 }
 
 /// Whether the bounds of some points, widened by `radius`, are outside a picture of this `size`.
-fn box_misses(size: [f64; 2], points: impl Iterator<Item = [f64; 2]> + Clone, radius: f64) -> bool {
+fn box_misses(size: [f64; 2], points: &(impl Iterator<Item = [f64; 2]> + Clone), radius: f64) -> bool {
     (0..2).any(|axis| {
         let along = || points.clone().map(move |point| point[axis]);
         let (low, high) = (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max));
@@ -80,7 +80,7 @@ fn box_misses(size: [f64; 2], points: impl Iterator<Item = [f64; 2]> + Clone, ra
 
 /// Whether a stroke with round caps is outside a picture of this `size`. A stroke near to a corner may count as inside.
 fn stroke_misses(size: [f64; 2], ends: [[f64; 2]; 2], radius: f64) -> bool {
-    if box_misses(size, ends.into_iter(), radius) {
+    if box_misses(size, &ends.into_iter(), radius) {
         return true;
     }
     let [from, to] = ends;
