@@ -72,14 +72,14 @@ const MESH_SEGMENTS: u64 = 500_000;
 enum Contents {
     Bytes(Vec<u8>),
     /// A picture, which is painted while it is written.
-    Picture(PngWriter),
+    Picture(Box<PngWriter>),
 }
 
 impl Contents {
     fn write(self, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Self::Bytes(bytes) => out.write_all(&bytes),
-            Self::Picture(picture) => picture::write(picture, out),
+            Self::Picture(picture) => picture::write(*picture, out),
         }
     }
 }
@@ -112,7 +112,7 @@ fn contents(
                 true => picture::solid_png(solid()?, style, look, definition),
                 false => picture::png(paper()?, style, look, definition),
             };
-            return picture.map(Contents::Picture).map_err(wrong);
+            return picture.map(|picture| Contents::Picture(Box::new(picture))).map_err(wrong);
         }
         Content::Mesh(write) => write(Mesh::new(&solid()?, style, MESH_SEGMENTS / shares).map_err(wrong)?, name),
         Content::Segments { plane, space } => match system.is_solid() {

@@ -99,11 +99,11 @@ impl Maker<'_> {
         let tally = Mutex::new(Tally::default());
         let bar = Mutex::new(DelayedBar::new("tiles", None));
         let small = self.layout.small().filter(|_| share.has(lsystem::render::TilePlace::WHOLE)).map(Work::Small);
-        self.all(&mut renderers, Mutex::new(small), &tally, &bar)?;
+        self.all(&mut renderers, small.into_iter(), &tally, &bar)?;
         for level in options.levels.0..=options.levels.1 {
             let tiles = self.pyramid.tiles(level, options.under.0, |tile| share.leads_on(tile));
             let tiles = tiles.filter(|tile| share.has(*tile)).map(Work::Tile);
-            self.all(&mut renderers, Mutex::new(tiles), &tally, &bar)?;
+            self.all(&mut renderers, tiles, &tally, &bar)?;
         }
         let tally = *tally.lock().unwrap_or_else(PoisonError::into_inner);
         Ok(tally)
@@ -113,11 +113,11 @@ impl Maker<'_> {
     fn all<I: Iterator<Item = Work> + Send>(
         &self,
         renderers: &mut [TileRenderer],
-        queue: Mutex<I>,
+        queue: I,
         tally: &Mutex<Tally>,
         bar: &Mutex<DelayedBar>,
     ) -> io::Result<()> {
-        let failure = Mutex::new(None);
+        let (queue, failure) = (Mutex::new(queue), Mutex::new(None));
         let lock_failure = || failure.lock().unwrap_or_else(PoisonError::into_inner);
         let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
         let work = |renderer: &mut TileRenderer| {

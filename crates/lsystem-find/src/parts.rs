@@ -110,8 +110,8 @@ fn joined(runs: &[Run], height: usize) -> Vec<usize> {
             let end = rows[y + 1].min(at);
             let row = &runs[rows[y].min(end)..end];
             let first = rows[y].min(end) + row.partition_point(|other| other.right + GAP < run.left);
-            for other in first..end {
-                if runs[other].left > run.right + GAP {
+            for (other, its) in runs.iter().enumerate().take(end).skip(first) {
+                if its.left > run.right + GAP {
                     break;
                 }
                 let (a, b) = (root(&mut owners, at), root(&mut owners, other));

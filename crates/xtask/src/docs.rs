@@ -10,8 +10,19 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 11] =
-    ["lesson", "notation", "links", "embedding", "exercises", "growth", "find", "about", "security", "imports", "scale"];
+const PAGES: [&str; 11] = [
+    "lesson",
+    "notation",
+    "links",
+    "embedding",
+    "exercises",
+    "growth",
+    "find",
+    "about",
+    "security",
+    "imports",
+    "scale",
+];
 /// The pages in the navigation line, with their names there.
 const NAVIGATION: [(&str, &str); 6] = [
     ("lesson", "Lesson"),
