@@ -7,6 +7,7 @@ import { button, byId, html, icon, input, make, setValue } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { LARGEST_FILE, isFavouritesFile } from '../favourites.js';
 import { definitionOf } from '../state.js';
+import { createExports } from '../save/exports.js';
 import { FORMATS } from '../tables.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -24,6 +25,7 @@ const LARGEST_PICTURE = 64 << 20;
  *   another program, if it is one
  */
 export function savePanel(store, engine, page) {
+    const exports = createExports();
     const title = input('title');
     const showTitle = () => setValue(title, store.state.title || store.state.name);
     // A new title replaces the name of the file.
@@ -65,7 +67,7 @@ export function savePanel(store, engine, page) {
             const blob = await engine.png(Math.round(width * factor), Math.round(height * factor), bare ? null : definitionOf(store.state));
             return download(blob, `${name}.png`);
         }
-        const { blob, diagnostics } = await engine.export(format, bare);
+        const { blob, diagnostics } = await exports.make({ definition: definitionOf(store.state), format, bare, camera: store.state.camera });
         if (!blob) {
             const first = diagnostics[0];
             return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: the file could not be made.');

@@ -40,7 +40,7 @@ export async function ready(page, drawing = '#stage.inked') {
 
 /** Serves the page's source modules, for tests that import one in the page. @param {Page} page */
 export const withModules = (page) =>
-    page.route('**/js/*.js', (route) => route.fulfill({ path: fileURLToPath(new URL(`../../js/${route.request().url().split('/').pop()}`, import.meta.url)) }));
+    page.route('**/js/**', (route) => route.fulfill({ path: fileURLToPath(new URL(`../../js/${route.request().url().split('/js/').pop()}`, import.meta.url)) }));
 
 /**
  * Opens the page, or the page at `address`, lets `use` work with it, and checks that nothing failed except the

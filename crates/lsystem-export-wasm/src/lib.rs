@@ -1,0 +1,95 @@
+//! Files of systems for JavaScript. The page loads this wasm with the first file that it saves.
+//!
+//! A file is made in steps from a definition, and taken piece by piece, so that the wasm never holds a whole file.
+
+mod budget;
+mod maker;
+mod stages;
+mod string;
+
+use lsystem_drawing::Outlook;
+use lsystem_files::{Content, FileOptions, Format};
+use lsystem_syntax::{Definition, Problem, Progress};
+use maker::{FileMaker, Order};
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::prelude::*;
+
+/// What the page asks for.
+#[derive(Deserialize)]
+struct Asked {
+    definition: Definition,
+    /// The name of a format of [`lsystem_files::FORMATS`].
+    format: String,
+    /// Whether pictures leave the system out.
+    #[serde(default)]
+    bare: bool,
+    /// The camera on drawings in space; the page's first one if it is missing.
+    camera: Option<Angles>,
+}
+
+/// The direction of view, in degrees.
+#[derive(Deserialize)]
+struct Angles {
+    azimuth: f64,
+    elevation: f64,
+}
+
+/// The report on a finished file.
+#[derive(Serialize)]
+struct ExportReport<'a> {
+    complete: bool,
+    diagnostics: &'a [Problem],
+}
+
+/// A file in the making.
+#[wasm_bindgen]
+pub struct Export(FileMaker);
+
+#[wasm_bindgen]
+impl Export {
+    /// Begins a file: `{definition, format, bare, camera}`, in one of the formats without pixels.
+    ///
+    /// # Errors
+    /// Throws if there is no such format, or if the argument cannot be translated.
+    #[wasm_bindgen(constructor)]
+    pub fn new(asked: JsValue) -> Result<Self, JsValue> {
+        let Asked { definition, format, bare, camera } = serde_wasm_bindgen::from_value(asked)?;
+        let found = Format::named(&format).filter(|format| !matches!(format.content, Content::Pixels));
+        let format = found.ok_or_else(|| format!("there is no format `{format}`"))?;
+        let outlook =
+            camera.map_or_else(Outlook::default, |Angles { azimuth, elevation }| Outlook { azimuth, elevation });
+        Ok(Self(FileMaker::new(Order { definition, format, options: FileOptions::default(), bare, outlook })))
+    }
+
+    /// Works for well under a millisecond. Returns whether the file is at its end.
+    pub fn step(&mut self) -> bool {
+        self.0.step() == Progress::Done
+    }
+
+    /// The number of bytes that can be taken.
+    #[wasm_bindgen(getter)]
+    pub fn waiting(&self) -> usize {
+        self.0.waiting()
+    }
+
+    /// Takes the bytes written since the last call.
+    pub fn take(&mut self) -> Vec<u8> {
+        self.0.take()
+    }
+
+    /// The report at the end: `{complete, diagnostics}`. The file is not complete if a limit was exceeded or the
+    /// definition has errors.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    pub fn report(&self) -> Result<JsValue, JsValue> {
+        let report = ExportReport { complete: self.0.complete, diagnostics: &self.0.diagnostics };
+        report.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).map_err(JsValue::from)
+    }
+}
+
+impl core::fmt::Debug for Export {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Export").finish_non_exhaustive()
+    }
+}
