@@ -5,6 +5,7 @@ use crate::cli::{Changes, Look};
 use crate::cores::{Say, SharedLimits};
 use crate::input::{self, InputSystem};
 use crate::pending::{Pending, with_extension};
+use crate::picture::PictureSize;
 use crate::{CommandFailure, cores, picture, print};
 use lsystem::drawing::{Outlook, why_empty};
 use lsystem::files::{Content, FileOptions, Format, write_all};
@@ -14,7 +15,7 @@ use std::io::IsTerminal;
 use std::sync::Arc;
 
 /// Does all `jobs`. A failed job is reported, and the others are still done.
-pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), CommandFailure> {
+pub(crate) fn draw(jobs: &[Job], look: &Look, changes: &Changes) -> Result<(), CommandFailure> {
     match cores::in_order(jobs, |job, limits, say| draw_one(job, look, changes, limits, say))? {
         (_, true) => Ok(()),
         (_, false) => Err(CommandFailure::Said),
@@ -24,7 +25,7 @@ pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), Co
 /// Does one job.
 fn draw_one(
     job: &Job,
-    look: Look,
+    look: &Look,
     changes: &Changes,
     limits: &SharedLimits,
     say: Say<'_>,
@@ -72,7 +73,7 @@ const MESH_SEGMENTS: u64 = 500_000;
 fn bytes_in(
     input: &InputSystem,
     format: &Format,
-    look: Look,
+    look: &Look,
     shares: u64,
     say: Say<'_>,
 ) -> Result<Vec<u8>, CommandFailure> {
@@ -87,18 +88,22 @@ fn bytes_in(
         false => input.draw(shares).map_err(wrong),
     };
     let name = input.definition.label();
+    let options = look.flags.options();
+    let size = options.size.map(|[width, height]| PictureSize { width, height });
+    let bare = options.bare;
+    let stored = || if bare { String::new() } else { write_json(&input.definition) };
     let mut writer = match format.content {
         Content::System => return Ok(write_json(&input.definition).into_bytes()),
         Content::String => return Ok((input.expand(shares)? + "\n").into_bytes()),
         // All pixels of a picture in space are in memory at once.
-        Content::Pixels if shares > 1 && system.is_solid() && look.size.is_some_and(picture::is_large) => {
+        Content::Pixels if shares > 1 && system.is_solid() && size.is_some_and(picture::is_large) => {
             return Err(CommandFailure::Limit(String::new()));
         }
         Content::Pixels => {
-            let definition = write_json(&input.definition);
+            let definition = stored();
             let picture = match system.is_solid() {
-                true => picture::solid_png(solid()?, style, look.size, &definition),
-                false => picture::png(paper()?, style, look.size, &definition),
+                true => picture::solid_png(solid()?, style, size, &definition),
+                false => picture::png(paper()?, style, size, &definition),
             };
             return picture.map_err(|error| CommandFailure::Words(format!("PNG: {error}")));
         }
@@ -108,8 +113,8 @@ fn bytes_in(
             false => plane(Arc::new(paper()?), limits.segments).map_err(wrong)?,
         },
         Content::Paper(write) => {
-            let (title, definition) = (name.to_owned(), write_json(&input.definition));
-            let options = FileOptions { title, system: definition, most: limits.segments, ..FileOptions::default() };
+            let (title, system) = (name.to_owned(), stored());
+            let options = FileOptions { title, system, most: limits.segments, ..options };
             write(Arc::new(paper()?), style.clone(), &options).map_err(wrong)?
         }
     };

@@ -1,5 +1,4 @@
 //! PNG pictures, painted by the core's renderers.
-use crate::cli::PictureSize;
 use crate::progress::DelayedBar;
 use lsystem::files::tag_png;
 use lsystem::render::{Pass, Quality};
@@ -18,6 +17,13 @@ const WORK: usize = 1_000_000;
 const BAND: u32 = 1 << 22;
 /// The side of a cell, in pixels. Panes that begin at multiples of this have the same subsamples as the whole picture.
 const CELL: u32 = 16;
+
+/// The size of a picture, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PictureSize {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
 
 /// A PNG of the whole drawing, centred, with its `system` inside.
 ///
@@ -87,7 +93,7 @@ fn finish(mut step: impl FnMut() -> Progress) {
     }
 }
 
-/// A PNG file with its `system` inside. `paint` writes opaque RGBA pixels from top to bottom, any number of whole rows
+/// A PNG file with its `system` inside, unless that is empty. `paint` writes opaque RGBA pixels from top to bottom, any number of whole rows
 /// at a time.
 fn encode(
     PictureSize { width, height }: PictureSize,
@@ -113,6 +119,9 @@ fn encode(
     })?;
     rows.finish()?;
     writer.finish()?;
+    if system.is_empty() {
+        return Ok(bytes);
+    }
     Ok(tag_png(&bytes, system).unwrap_or(bytes))
 }
 

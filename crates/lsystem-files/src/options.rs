@@ -16,11 +16,18 @@ pub struct FileOptions {
     pub most: u64,
     /// The sheet of formats for paper.
     pub sheet: Sheet,
+    /// The width and the height of formats of pixels; `None` for the size that suits the drawing.
+    pub size: Option<[u32; 2]>,
+    /// Whether the background is left out.
+    pub transparent: bool,
+    /// Whether the system is left out of the file: then the caller leaves `system` empty.
+    pub bare: bool,
 }
 
 impl Default for FileOptions {
     fn default() -> Self {
         let (title, description, system) = <(String, String, String)>::default();
-        Self { title, description, system, most: 2_000_000, sheet: Sheet::default() }
+        let (size, sheet) = (None, Sheet::default());
+        Self { title, description, system, most: 2_000_000, sheet, size, transparent: false, bare: false }
     }
 }
