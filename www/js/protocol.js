@@ -141,9 +141,9 @@ export {};
 // Tools: workers that few visits need, each with a wasm of its own.
 
 /**
- * The call of the tool that makes files; its progress are the pieces of the file. `bare`: pictures leave the system out;
- * `camera` is for drawings in space. A file is `complete` unless a limit was exceeded or the definition has errors.
- * @typedef {{file: {asked: {definition: Definition, format: Format, bare: boolean, camera: Camera | null}, answer: {complete: boolean, diagnostics: Diagnostic[]}}}} ExportCalls
+ * The call of the tool that makes files; its progress are the pieces of the file. `options`: those of
+ * tables.js that differ from their defaults; `camera` is for drawings in space. A file is `complete` unless a limit was exceeded or the definition has errors.
+ * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, camera: Camera | null}, answer: {complete: boolean, diagnostics: Diagnostic[]}}}} ExportCalls
  */
 /** The calls of the tool that reads other notations; null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
 /**

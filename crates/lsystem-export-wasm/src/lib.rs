@@ -8,10 +8,11 @@ mod stages;
 mod string;
 
 use lsystem_drawing::Outlook;
-use lsystem_files::{Content, FileOptions, Format};
+use lsystem_files::{Content, FileOptions, Format, OptionValue};
 use lsystem_syntax::{Definition, Problem, Progress};
 use maker::{FileMaker, Order};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
 
 /// What the page asks for.
@@ -20,9 +21,9 @@ struct Asked {
     definition: Definition,
     /// The name of a format of [`lsystem_files::FORMATS`].
     format: String,
-    /// Whether pictures leave the system out.
+    /// The choices that differ from the defaults of [`lsystem_files::FILE_OPTIONS`], by name.
     #[serde(default)]
-    bare: bool,
+    options: BTreeMap<String, OptionValue>,
     /// The camera on drawings in space; the page's first one if it is missing.
     camera: Option<Angles>,
 }
@@ -47,18 +48,19 @@ pub struct Export(FileMaker);
 
 #[wasm_bindgen]
 impl Export {
-    /// Begins a file: `{definition, format, bare, camera}`, in one of the formats without pixels.
+    /// Begins a file: `{definition, format, options, camera}`, in one of the formats without pixels.
     ///
     /// # Errors
-    /// Throws if there is no such format, or if the argument cannot be translated.
+    /// Throws if there is no such format or option, or if the argument cannot be translated.
     #[wasm_bindgen(constructor)]
     pub fn new(asked: JsValue) -> Result<Self, JsValue> {
-        let Asked { definition, format, bare, camera } = serde_wasm_bindgen::from_value(asked)?;
+        let Asked { definition, format, options, camera } = serde_wasm_bindgen::from_value(asked)?;
         let found = Format::named(&format).filter(|format| !matches!(format.content, Content::Pixels));
         let format = found.ok_or_else(|| format!("there is no format `{format}`"))?;
+        let options = FileOptions::from_values(&options)?;
         let outlook =
             camera.map_or_else(Outlook::default, |Angles { azimuth, elevation }| Outlook { azimuth, elevation });
-        Ok(Self(FileMaker::new(Order { definition, format, options: FileOptions::default(), bare, outlook })))
+        Ok(Self(FileMaker::new(Order { definition, format, options, outlook })))
     }
 
     /// Works for well under a millisecond. Returns whether the file is at its end.

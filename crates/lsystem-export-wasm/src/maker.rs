@@ -13,8 +13,6 @@ pub(crate) struct Order {
     pub(crate) format: &'static Format,
     /// The choices of the reader. Title, description, system and limits are filled in.
     pub(crate) options: FileOptions,
-    /// Whether pictures leave the system out.
-    pub(crate) bare: bool,
     /// The direction of view on drawings in space.
     pub(crate) outlook: Outlook,
 }
@@ -73,7 +71,7 @@ impl FileMaker {
 }
 
 /// The writer of a file from its first stage on.
-fn begin(Order { definition, format, options, bare, outlook }: Order, system: System) -> Begun {
+fn begin(Order { definition, format, options, outlook }: Order, system: System) -> Begun {
     let n = definition.iterations;
     let (style, name) = (system.style.clone(), definition.label().to_owned());
     match format.content {
@@ -86,7 +84,7 @@ fn begin(Order { definition, format, options, bare, outlook }: Order, system: Sy
         }
         Content::Segments { plane, .. } => Ok(plane_file(&system, n, move |drawing| plane(drawing, TEXT_SEGMENTS))),
         Content::Paper(write) => {
-            let stored = if bare { String::new() } else { write_json(&definition) };
+            let stored = if options.bare { String::new() } else { write_json(&definition) };
             let options = FileOptions { title: name, system: stored, ..options };
             let most = if format.name == "svg-compact" && !system.is_solid() { FEW_SEGMENTS } else { TEXT_SEGMENTS };
             let with = move |description| FileOptions { description, most, ..options };
@@ -118,7 +116,7 @@ mod tests {
 
     fn order(format: &str, definition: Definition) -> Order {
         let format = Format::named(format).unwrap();
-        Order { definition, format, options: FileOptions::default(), bare: false, outlook: Outlook::default() }
+        Order { definition, format, options: FileOptions::default(), outlook: Outlook::default() }
     }
 
     /// Runs all steps, with the sizes of the pieces.
@@ -182,7 +180,8 @@ mod tests {
         for bare in [false, true] {
             // 5^60 segments exceed 128 bits.
             for (format, n) in [("svg", 2), ("svg-compact", 60)] {
-                let (maker, file, _) = finish(Order { bare, ..order(format, weed(n)) });
+                let (maker, file, _) =
+                    finish(Order { options: FileOptions { bare, ..FileOptions::default() }, ..order(format, weed(n)) });
                 let text = String::from_utf8(file).unwrap();
                 assert!(maker.complete && text.contains("<desc"), "{format}");
                 assert_eq!(text.contains("F[+F]F[-F]F"), !bare, "{format}");

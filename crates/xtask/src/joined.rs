@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// The modules that the page imports when they are first needed: their names on the site, which are those in the import
 /// (after `./`), and their files.
-const APART: [(&str, &str); 1] = [("dialogs.js", "js/course/dialogs.js")];
+const APART: [(&str, &str); 2] = [("dialogs.js", "js/course/dialogs.js"), ("save-dialog.js", "js/save/save-dialog.js")];
 
 /// Writes `page.js` and `page.css` into the folder of the site, and makes the page load them.
 pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()> {
@@ -68,7 +68,7 @@ mod tests {
                         <link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
         assert_eq!(files::read_text(&site.join("index.html")).unwrap(), expected);
         assert_eq!(files::read_text(&site.join("page.css")).unwrap(), "a.css b.css");
-        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js without 1");
+        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js without 2");
         files::write(&site.join("index.html"), "</head>\n").unwrap();
         assert!(join(site, "index.html", &NameBundler).is_err());
     }

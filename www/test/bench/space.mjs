@@ -68,7 +68,7 @@ async function measure({ definition, turns, most }) {
     const rest = performance.now() - start;
     worker.terminate();
     const { createExports } = await import(new URL('js/save/exports.js', document.baseURI).href);
-    const { blob } = await createExports().make({ definition, format: 'csv', bare: false, camera: null });
+    const { blob } = await createExports().make({ definition, format: 'csv', options: {}, camera: null });
     const text = await blob?.text();
     let lines = NaN;
     const rows = text?.trimEnd().split('\n').slice(1) ?? [];

@@ -33,7 +33,7 @@ test('every system of the gallery reads back from its saved files', () =>
                 await ask({ type: 'define', definition, upto: null }, 'report', ({ report }) => report.memoised !== null || !report.ok);
                 const files = [];
                 for (const format of ['json', 'svg', 'svg-compact']) {
-                    const { blob } = await make({ definition, format, bare: false, camera: null });
+                    const { blob } = await make({ definition, format, options: {}, camera: null });
                     files.push({ format, bytes: blob === null ? new ArrayBuffer(0) : await blob.arrayBuffer() });
                 }
                 const { blob } = await ask({ type: 'png', width: 64, height: 64, definition }, 'png');

@@ -18,7 +18,7 @@ async function compare({ definition, size }) {
         global.exports = async (system) => {
             const texts = [];
             for (const format of ['svg', 'svg-compact']) {
-                const { blob, diagnostics } = await make({ definition: system, format, bare: false, camera: null });
+                const { blob, diagnostics } = await make({ definition: system, format, options: {}, camera: null });
                 if (blob === null) throw new Error(JSON.stringify(diagnostics));
                 texts.push(await blob.text());
             }
