@@ -138,14 +138,14 @@ export const PURPOSES = /* @__PURE__ */ Object.freeze({
 
 /**
  * A choice for files: its values and its default, what the page calls it, and what it is.
- * @typedef {{label: string, help: string, unit: string} & ({kind: 'flag'} | {kind: 'number', low: number, high: number, step: number, default: number} | {kind: 'word', words: Readonly<Record<string, string>>, default: string} | {kind: 'size', most: number, mostPixels: number})} FileOption
+ * @typedef {{label: string, help: string, unit: string} & ({kind: 'flag'} | {kind: 'number', low: number, high: number, step: number, default: number} | {kind: 'word', words: Readonly<Record<string, string>>, default: string} | {kind: 'size', most: number, mostPixels: number} | {kind: 'sheet', words: Readonly<Record<string, string>>, default: string, low: number, high: number})} FileOption
  */
 
 /** Choices for files by name; each format lists those that it reads. @type {Readonly<Record<string, FileOption>>} */
 export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
     size: { kind: 'size', most: 32768, mostPixels: 100000000, label: 'Size', help: 'Width and height of a picture', unit: 'pixels' },
     transparent: { kind: 'flag', label: 'Transparent background', help: 'Leave the background out', unit: '' },
-    sheet: { kind: 'word', words: { 'a5': 'A5', 'a4': 'A4', 'a3': 'A3', 'a2': 'A2', 'a1': 'A1', 'letter': 'Letter', 'legal': 'Legal', 'tabloid': 'Tabloid' }, default: 'a4', label: 'Sheet', help: 'Size of the paper', unit: '' },
+    sheet: { kind: 'sheet', words: { 'a5': 'A5', 'a4': 'A4', 'a3': 'A3', 'a2': 'A2', 'a1': 'A1', 'letter': 'Letter', 'legal': 'Legal', 'tabloid': 'Tabloid' }, default: 'a4', low: 10, high: 10000, label: 'Sheet', help: 'Size of the paper', unit: '' },
     landscape: { kind: 'flag', label: 'Landscape', help: 'Turn the sheet, so that it is wider than tall', unit: '' },
     margin: { kind: 'number', low: 0, high: 100, step: 1, default: 10, label: 'Margin', help: 'Margin on every side of the sheet', unit: 'mm' },
     bare: { kind: 'flag', label: 'Leave the system out', help: 'Leave the system out of the file; the file cannot be opened again as a system', unit: '' },

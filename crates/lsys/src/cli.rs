@@ -5,9 +5,11 @@ use crate::memory;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
+use lsystem::Viewport;
 use lsystem::files::{FORMATS, Format};
-use lsystem::syntax::MAX_ITERATIONS;
+use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use std::path::PathBuf;
+use std::str::FromStr;
 
 const FILE: &str = "System as JSON, in the notation of another program, or in an SVG or PNG; - for standard input";
 
@@ -201,6 +203,27 @@ pub(crate) struct Look {
 fn formats() -> impl TypedValueParser<Value = &'static Format> {
     let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.help));
     PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
+}
+
+/// The size of a picture, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PictureSize {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+impl FromStr for PictureSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
+        let (width, height) = sides.ok_or("expected a width and a height such as 1600x1200")?;
+        let viewport = Viewport { width, height, ratio: 1.0 };
+        if width == 0 || height == 0 || viewport.within_limits() != viewport {
+            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way and {MAX_PICTURE_PIXELS} in all"));
+        }
+        Ok(Self { width, height })
+    }
 }
 
 fn whole(text: &str, most: u32) -> Result<u32, String> {

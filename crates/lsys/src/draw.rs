@@ -1,11 +1,10 @@
 //! `lsys draw`: pictures, tables of segments and strings, to files or to standard output.
 
 use crate::args::{Destination, Job};
-use crate::cli::{Changes, Look};
+use crate::cli::{Changes, Look, PictureSize};
 use crate::cores::{Say, SharedLimits};
 use crate::input::{self, InputSystem};
 use crate::pending::{Pending, with_extension};
-use crate::picture::PictureSize;
 use crate::{CommandFailure, cores, picture, print};
 use lsystem::drawing::{Outlook, why_empty};
 use lsystem::files::{Content, FileOptions, Format, write_all};

@@ -42,12 +42,18 @@ fn flag(option: &'static FileOption) -> Arg {
         OptionKind::Word { words, default } => {
             (words.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", "), default.to_owned())
         }
+        OptionKind::Sheet { default, .. } => (option.expected_words().replace('`', ""), default.to_owned()),
         OptionKind::Size => ("such as 4000x3000".to_owned(), "as suits the drawing".to_owned()),
     };
-    let unit = if option.unit.is_empty() { String::new() } else { format!(" in {}", option.unit) };
+    let unit = if option.unit.is_empty() || matches!(option.kind, OptionKind::Sheet { .. }) {
+        String::new()
+    } else {
+        format!(" in {}", option.unit)
+    };
     let name = match option.kind {
         OptionKind::Size => "WxH",
         OptionKind::Word { .. } => "NAME",
+        OptionKind::Sheet { .. } => "SIZE",
         _ => "NUMBER",
     };
     arg.help(format!("{}{unit}: {value} [default: {default}]", option.help))

@@ -1,4 +1,5 @@
 //! PNG pictures, painted by the core's renderers.
+use crate::cli::PictureSize;
 use crate::progress::DelayedBar;
 use lsystem::files::tag_png;
 use lsystem::render::{Pass, Quality};
@@ -17,13 +18,6 @@ const WORK: usize = 1_000_000;
 const BAND: u32 = 1 << 22;
 /// The side of a cell, in pixels. Panes that begin at multiples of this have the same subsamples as the whole picture.
 const CELL: u32 = 16;
-
-/// The size of a picture, in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PictureSize {
-    pub(crate) width: u32,
-    pub(crate) height: u32,
-}
 
 /// A PNG of the whole drawing, centred, with its `system` inside.
 ///

@@ -50,6 +50,17 @@ pub enum OptionKind {
     },
     /// A width and a height in pixels, such as `1600x1200`; the format chooses by default.
     Size,
+    /// A sheet of paper: one of [`SHEETS`], or a width and a height in millimetres such as `300x400`.
+    Sheet {
+        /// Names and labels.
+        words: &'static [(&'static str, &'static str)],
+        /// The default.
+        default: &'static str,
+        /// The least side of other sizes.
+        low: f64,
+        /// The largest side of other sizes.
+        high: f64,
+    },
 }
 
 /// A value as the page sends it or as it is typed.
@@ -87,7 +98,7 @@ pub static FILE_OPTIONS: [FileOption; 6] = [
         label: "Sheet",
         help: "Size of the paper",
         unit: "",
-        kind: OptionKind::Word {
+        kind: OptionKind::Sheet {
             words: &[
                 ("a5", "A5"),
                 ("a4", "A4"),
@@ -99,10 +110,12 @@ pub static FILE_OPTIONS: [FileOption; 6] = [
                 ("tabloid", "Tabloid"),
             ],
             default: "a4",
+            low: 10.0,
+            high: 10_000.0,
         },
         set: |options, value| {
             let named = SHEETS.into_iter().find(|(name, ..)| *name == value.text());
-            if let Some((_, width, height)) = named {
+            if let Some([width, height]) = named.map(|(_, width, height)| [width, height]).or_else(|| value.sides()) {
                 options.sheet = Sheet { width, height, ..options.sheet };
             }
         },
@@ -153,6 +166,12 @@ impl FileOption {
             OptionKind::Word { words, .. } => {
                 format!("one of {}", words.iter().map(|(word, _)| format!("`{word}`")).collect::<Vec<_>>().join(", "))
             }
+            OptionKind::Sheet { words, low, high, .. } => format!(
+                "{}, or a width and a height such as 300x400, with {} to {} mm each way",
+                words.iter().map(|(word, _)| format!("`{word}`")).collect::<Vec<_>>().join(", "),
+                number(low),
+                grouped(&number(high))
+            ),
             OptionKind::Size => format!(
                 "a width and a height such as 1600x1200, with 1 to {} pixels each way and {} in all",
                 grouped(&MAX_PICTURE_SIDE.to_string()),
@@ -169,7 +188,9 @@ impl FileOption {
         let value = match self.kind {
             OptionKind::Flag => text.parse().ok().map(OptionValue::Flag),
             OptionKind::Number { .. } => text.parse().ok().map(OptionValue::Number),
-            OptionKind::Word { .. } | OptionKind::Size => Some(OptionValue::Text(text.to_owned())),
+            OptionKind::Word { .. } | OptionKind::Size | OptionKind::Sheet { .. } => {
+                Some(OptionValue::Text(text.to_owned()))
+            }
         };
         let valid = value.filter(|value| self.admits(value));
         valid.ok_or_else(|| format!("expected {}", self.expected_words()))
@@ -183,6 +204,10 @@ impl FileOption {
             (OptionKind::Number { low, high, .. }, OptionValue::Number(number)) => (low..=high).contains(number),
             (OptionKind::Word { words, .. }, OptionValue::Text(text)) => words.iter().any(|(word, _)| word == text),
             (OptionKind::Size, OptionValue::Text(_)) => value.size().is_some(),
+            (OptionKind::Sheet { words, low, high, .. }, OptionValue::Text(text)) => {
+                let within = |sides: [f64; 2]| sides.iter().all(|side| (low..=high).contains(side));
+                words.iter().any(|(word, _)| word == text) || value.sides().is_some_and(within)
+            }
             _ => false,
         }
     }
@@ -199,6 +224,12 @@ impl OptionValue {
 
     fn text(&self) -> &str {
         if let Self::Text(text) = self { text } else { "" }
+    }
+
+    /// A width and a height.
+    fn sides(&self) -> Option<[f64; 2]> {
+        let (width, height) = self.text().split_once('x')?;
+        Some([width.parse().ok()?, height.parse().ok()?])
     }
 
     /// The width and the height, if this is a size within the limits.
@@ -263,7 +294,9 @@ mod tests {
             let value = match option.kind {
                 OptionKind::Flag => OptionValue::Flag(false),
                 OptionKind::Number { default, .. } => OptionValue::Number(default),
-                OptionKind::Word { default, .. } => OptionValue::Text(default.to_owned()),
+                OptionKind::Word { default, .. } | OptionKind::Sheet { default, .. } => {
+                    OptionValue::Text(default.to_owned())
+                }
                 OptionKind::Size => continue,
             };
             assert_eq!(options(&[(option.name, value)]), Ok(FileOptions::default()), "{option:?}");
@@ -272,8 +305,8 @@ mod tests {
 
     #[test]
     fn every_sheet_has_a_label() {
-        let Some(OptionKind::Word { words, .. }) = FileOption::named("sheet").map(|option| option.kind) else {
-            panic!("sheets are words");
+        let Some(OptionKind::Sheet { words, .. }) = FileOption::named("sheet").map(|option| option.kind) else {
+            panic!("the kind of sheets");
         };
         assert!(words.iter().map(|(name, _)| *name).eq(SHEETS.iter().map(|(name, ..)| *name)));
     }
@@ -287,6 +320,8 @@ mod tests {
             ("sheet", text("a3")),
         ]);
         assert_eq!(turned.unwrap().sheet, Sheet { width: 420.0, height: 297.0, margin: 5.0 });
+        let own = options(&[("sheet", text("300x420.5")), ("landscape", OptionValue::Flag(true))]).unwrap().sheet;
+        assert_eq!(own, Sheet { width: 420.5, height: 300.0, margin: 10.0 });
         assert_eq!(options(&[("size", text("30x20"))]).unwrap().size, Some([30, 20]));
     }
 
@@ -295,7 +330,9 @@ mod tests {
         for (name, value, words) in [
             ("margin", "101", "expected a number from 0 to 100"),
             ("margin", "NaN", "expected a number from 0 to 100"),
-            ("sheet", "a99", "expected one of `a5`"),
+            ("sheet", "a99", "expected `a5`, `a4`"),
+            ("sheet", "9x100", "10 to 10,000 mm each way"),
+            ("sheet", "NaNx100", "such as 300x400"),
             ("size", "0x10", "expected a width and a height such as 1600x1200"),
             ("size", "40000x1", "1 to 32,768 pixels each way"),
             ("size", "32768x32768", "100,000,000 in all"),

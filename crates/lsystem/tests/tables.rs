@@ -40,7 +40,7 @@ const OPTION_TYPE: &str = "});
 
 /**
  * A choice for files: its values and its default, what the page calls it, and what it is.
- * @typedef {{label: string, help: string, unit: string} & ({kind: 'flag'} | {kind: 'number', low: number, high: number, step: number, default: number} | {kind: 'word', words: Readonly<Record<string, string>>, default: string} | {kind: 'size', most: number, mostPixels: number})} FileOption
+ * @typedef {{label: string, help: string, unit: string} & ({kind: 'flag'} | {kind: 'number', low: number, high: number, step: number, default: number} | {kind: 'word', words: Readonly<Record<string, string>>, default: string} | {kind: 'size', most: number, mostPixels: number} | {kind: 'sheet', words: Readonly<Record<string, string>>, default: string, low: number, high: number})} FileOption
  */
 
 /** Choices for files by name; each format lists those that it reads. @type {Readonly<Record<string, FileOption>>} */
@@ -186,6 +186,11 @@ fn tables() -> String {
     script_text
 }
 
+/// Words with their labels, as members of a JavaScript object.
+fn labels(words: &[(&str, &str)]) -> String {
+    words.iter().map(|(word, label)| format!("{}: {}", quoted(word), quoted(label))).collect::<Vec<_>>().join(", ")
+}
+
 /// The values of a choice for files, as members of a JavaScript object.
 fn option_kind(option: &FileOption) -> String {
     match option.kind {
@@ -194,9 +199,11 @@ fn option_kind(option: &FileOption) -> String {
             format!("kind: 'number', low: {low}, high: {high}, step: {step}, default: {default}")
         }
         OptionKind::Word { words, default } => {
-            let words: Vec<_> =
-                words.iter().map(|(word, label)| format!("{}: {}", quoted(word), quoted(label))).collect();
-            format!("kind: 'word', words: {{ {} }}, default: {}", words.join(", "), quoted(default))
+            format!("kind: 'word', words: {{ {} }}, default: {}", labels(words), quoted(default))
+        }
+        OptionKind::Sheet { words, default, low, high } => {
+            let words = labels(words);
+            format!("kind: 'sheet', words: {{ {words} }}, default: {}, low: {low}, high: {high}", quoted(default))
         }
         OptionKind::Size => format!("kind: 'size', most: {MAX_PICTURE_SIDE}, mostPixels: {MAX_PICTURE_PIXELS}"),
     }

@@ -37,7 +37,15 @@ export function admits(option, value) {
     if (option.kind === 'flag') return typeof value === 'boolean';
     if (option.kind === 'number') return typeof value === 'number' && value >= option.low && value <= option.high;
     if (typeof value !== 'string') return false;
+    if (option.kind === 'sheet') return value in option.words || sidesOf(value, option) !== null;
     return option.kind === 'word' ? value in option.words : value === '' || sizeOf(/^\d+$/.test(value) ? `${value}x1` : value, option) !== null;
+}
+
+/** The width and the height of a sheet of another size, in millimetres. @param {string} text @param {{low: number, high: number}} limits @returns {[number, number] | null} */
+export function sidesOf(text, { low, high }) {
+    const found = /^(\d+(?:\.\d+)?)x(\d+(?:\.\d+)?)$/.exec(text);
+    const [width, height] = [Number(found?.[1]), Number(found?.[2])];
+    return Math.min(width, height) >= low && Math.max(width, height) <= high ? [width, height] : null;
 }
 
 /** The width and the height of a valid size. @param {string} text @param {{most: number, mostPixels: number}} limits @returns {[number, number] | null} */

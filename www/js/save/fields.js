@@ -1,7 +1,8 @@
 /** The options of a format as fields, made from the table of options. */
 
 import { make } from '../dom.js';
-import { admits, defaultOf, optionOf, pixelSize, sizeOf } from './choices.js';
+import { admits, defaultOf, optionOf, pixelSize, sidesOf, sizeOf } from './choices.js';
+import { sheetOf } from './preview.js';
 
 /** @typedef {import('./choices.js').Value} Value */
 /** @typedef {import('./choices.js').FileOption} FileOption */
@@ -59,39 +60,68 @@ export function optionFields({ canvas, most, choose }) {
         return row(name, option, make('span', { class: 'save-number' }, field, ...(option.unit ? [make('span', { class: 'unit' }, option.unit)] : [])));
     }
 
+    /**
+     * A list of sizes, whose last entry shows fields for both sides.
+     * @param {string} name @param {FileOption} option
+     * @param {{value: string, offered: [string, string][], sides: string[], unit: [string, string], step: string, isValid: (text: string) => boolean, range: string}} what
+     *   `sides` are shown first; `unit` is long and short; `range` tells what is valid
+     */
+    function sized(name, option, { value, offered, sides, unit, step, isValid, range }) {
+        const [long, short] = unit;
+        const isOwn = !offered.some(([each]) => each === value);
+        const list = make('select', { id: `option-${name}` }, ...[...offered, ['own', 'Other…']].map(([each = '', label = '']) => make('option', { value: each }, label)));
+        list.value = isOwn ? 'own' : value;
+        const fields = ['Width', 'Height'].map((side, at) => make('input', { class: 'number', type: 'number', inputmode: 'decimal', min: '1', step, 'aria-label': `${side}, in ${long}`, value: sides[at] ?? '' }));
+        const [width, height] = /** @type {[HTMLInputElement, HTMLInputElement]} */ (fields);
+        const both = make('span', { class: 'save-sides' }, width, make('span', { 'aria-hidden': 'true' }, '×'), height, make('span', { class: 'unit' }, short));
+        const note = make('p', { class: 'range-note', role: 'alert' }, range);
+        both.hidden = !isOwn;
+        note.hidden = true;
+        const text = () => `${width.value}x${height.value}`;
+        function check() {
+            const isFine = list.value !== 'own' || isValid(text());
+            for (const field of fields) field.toggleAttribute('data-wrong', !isFine);
+            note.hidden = isFine;
+            if (isFine) choose(name, list.value === 'own' ? text() : list.value);
+        }
+        list.addEventListener('change', () => {
+            both.hidden = list.value !== 'own';
+            check();
+            if (list.value === 'own') width.focus();
+        });
+        for (const field of fields) field.addEventListener('input', check);
+        return make('div', {}, row(name, option, list), both, note);
+    }
+
     /** @param {string} format @param {string} name @param {Extract<FileOption, {kind: 'size'}>} option @param {Value} value */
     function size(format, name, option, value) {
         const limits = { most: Math.min(option.most, most(format)), mostPixels: option.mostPixels };
-        const own = typeof value === 'string' && value.includes('x');
         const shown = canvas();
-        const fits = (/** @type {number} */ side) => sizeOf(pixelSize(String(side), shown), limits) !== null;
-        const offered = SIDES.filter(fits).map((side) => make('option', { value: String(side) }, pixelSize(String(side), shown).replace('x', ' × ')));
-        const list = make('select', { id: `option-${name}` }, make('option', { value: '' }, `As on the page, ${pixelSize('', shown).replace('x', ' × ')}`), ...offered, make('option', { value: 'own' }, 'Other…'));
-        list.value = own ? 'own' : String(value);
-        const [wide = '', high = ''] = pixelSize(value, shown).split('x');
-        /** @param {string} label @param {string} side */
-        const side = (label, side) => make('input', { class: 'number', type: 'number', inputmode: 'numeric', min: '1', max: String(limits.most), 'aria-label': label, value: side });
-        const sides = [side('Width, in pixels', wide), side('Height, in pixels', high)];
-        const [width, height] = /** @type {[HTMLInputElement, HTMLInputElement]} */ (sides);
-        const both = make('span', { class: 'save-sides' }, width, make('span', { 'aria-hidden': 'true' }, '×'), height, make('span', { class: 'unit' }, 'px'));
-        both.hidden = !own;
-        list.addEventListener('change', () => {
-            both.hidden = list.value !== 'own';
-            choose(name, list.value === 'own' ? `${width.value}x${height.value}` : list.value);
-            if (list.value === 'own') width.focus();
+        const words = (/** @type {string} */ size) => pixelSize(size, shown).replace('x', ' × ');
+        const fits = SIDES.map(String).filter((side) => sizeOf(pixelSize(side, shown), limits) !== null);
+        return sized(name, option, {
+            value: String(value),
+            offered: [['', `As on the page, ${words('')}`], ...fits.map((side) => /** @type {[string, string]} */ ([side, words(side)]))],
+            sides: pixelSize(value, shown).split('x'),
+            unit: ['pixels', 'px'],
+            step: '1',
+            isValid: (text) => sizeOf(text, limits) !== null,
+            range: `At most ${limits.most.toLocaleString('en')} pixels each way, and ${limits.mostPixels.toLocaleString('en')} in all.`,
         });
-        for (const field of sides) {
-            field.addEventListener('input', () => {
-                const text = `${width.value}x${height.value}`;
-                const isValid = sizeOf(text, limits) !== null;
-                for (const each of sides) each.toggleAttribute('data-wrong', !isValid);
-                note.hidden = isValid;
-                if (isValid) choose(name, text);
-            });
-        }
-        const note = make('p', { class: 'range-note', role: 'alert' }, `At most ${limits.most.toLocaleString('en')} pixels each way, and ${limits.mostPixels.toLocaleString('en')} in all.`);
-        note.hidden = true;
-        return make('div', {}, row(name, option, list), both, note);
+    }
+
+    /** @param {string} name @param {Extract<FileOption, {kind: 'sheet'}>} option @param {Value} value */
+    function sheet(name, option, value) {
+        const { width, height } = sheetOf({ sheet: value });
+        return sized(name, option, {
+            value: String(value),
+            offered: Object.entries(option.words),
+            sides: [String(width), String(height)],
+            unit: ['millimetres', 'mm'],
+            step: 'any',
+            isValid: (text) => sidesOf(text, option) !== null,
+            range: `From ${option.low} to ${option.high.toLocaleString('en')} mm each way.`,
+        });
     }
 
     return {
@@ -109,6 +139,8 @@ export function optionFields({ canvas, most, choose }) {
                         return number(name, option, value);
                     case 'size':
                         return size(format, name, option, value);
+                    case 'sheet':
+                        return sheet(name, option, value);
                 }
             });
         },

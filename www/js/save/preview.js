@@ -5,6 +5,7 @@
 
 import { make, setText } from '../dom.js';
 import { FORMATS, SHEETS } from '../tables.js';
+import { sidesOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
 /** @typedef {import('./choices.js').Value} Value */
@@ -29,9 +30,10 @@ export async function firstLines(head) {
 
 /** The sheet of some values, in millimetres. @param {Record<string, Value>} values */
 export function sheetOf(values) {
-    const [width = 210, height = 297] = /** @type {Readonly<Record<string, readonly number[]>>} */ (SHEETS)[String(values['sheet'] ?? 'a4')] ?? [];
+    const name = String(values['sheet'] ?? 'a4');
+    const [width = 210, height = 297] = /** @type {Readonly<Record<string, readonly number[]>>} */ (SHEETS)[name] ?? sidesOf(name, { low: 0, high: Infinity }) ?? [];
     const margin = Number(values['margin'] ?? 10);
-    return values['landscape'] === true ? { width: height, height: width, margin } : { width, height, margin };
+    return values['landscape'] === true && width < height ? { width: height, height: width, margin } : { width, height, margin };
 }
 
 /** The longer side of the picture on a sheet, in pixels. */

@@ -25,6 +25,9 @@ const PREVIEW = 900;
 /** The file is made when the choices have not changed for this time, in milliseconds. */
 const PAUSE = 200;
 
+/** A problem without a place. @param {string | null} reason @returns {import('../protocol.js').Diagnostic} */
+const notMade = (reason) => ({ field: 'file', severity: 'error', message: `Not made: ${reason ?? 'the file could not be made'}.`, hint: null, fix: null, start: 0, end: 0 });
+
 /**
  * @param {object} page
  * @param {import('../store.js').Store} page.store
@@ -148,7 +151,7 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
         else if (state === 'large') setText(html('save-size'), `More than ${sizeWords(size)}`);
         else setText(html('save-size'), '');
         if (state !== 'making') {
-            const told = state === 'failed' && diagnostics.length === 0 ? [{ field: /** @type {const} */ ('file'), severity: /** @type {const} */ ('error'), message: `Not made: ${reason ?? 'the file could not be made'}.`, hint: null, fix: null, start: 0, end: 0 }] : diagnostics;
+            const told = state === 'failed' && diagnostics.length === 0 ? [notMade(reason)] : diagnostics;
             listProblems(html('save-problems'), told);
             if (told[0]) announce(told[0].message);
         }

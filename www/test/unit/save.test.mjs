@@ -44,6 +44,8 @@ test('sizes are within the limits, in the proportions of the drawing unless both
     assert.equal(pixelSize('', { width: 900, height: 600 }), '900x600');
     assert.equal(pixelSize('2048', { width: 600, height: 900 }), '1365x2048');
     assert.equal(pixelSize('30x20', { width: 600, height: 900 }), '30x20');
+    assert.ok(['a4', '300x400', '10x10000'].every((sheet) => admits(optionOf('sheet'), sheet)));
+    assert.ok(!['a99', '9x400', '300x', 'x', '1e2x300', ''].some((sheet) => admits(optionOf('sheet'), sheet)));
     assert.ok(admits(optionOf('size'), '2048') && !admits(optionOf('size'), '2048px'));
 });
 
@@ -63,6 +65,7 @@ test('previews show the first lines of texts, and sheets as they lie', async () 
     assert.equal(await firstLines(new Blob([new Uint8Array([0xff, 0xfe, 65])])), null);
     assert.deepEqual(sheetOf({}), { width: 210, height: 297, margin: 10 });
     assert.deepEqual(sheetOf({ sheet: 'a5', landscape: true, margin: 2 }), { width: 210, height: 148, margin: 2 });
+    assert.deepEqual(sheetOf({ sheet: '300.5x200', landscape: true }), { width: 300.5, height: 200, margin: 10 });
 });
 
 /** A making whose files grow by the pieces that the test sends. */
