@@ -22,6 +22,7 @@ import { constantsPanel } from './panels/constants-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
 import { savePanel } from './panels/save-panel.js';
+import { createSave } from './save/later.js';
 import { lookPanel } from './panels/look-panel.js';
 import { createRefusal } from './refusal.js';
 import { symbolKeys } from './controls/symbol-keys.js';
@@ -92,7 +93,7 @@ savePanel(store, engine, {
     address: async () => new URL(await bestLink(store.state), location.href).href,
     select: share.select,
     favourites: favourites.take,
-    canvas: stage.resolution,
+    save: createSave(store, engine, { storage, canvas: stage.resolution, custom: [] }),
 });
 createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme, tool: course });
 createSeeds(store, engine);

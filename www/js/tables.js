@@ -115,12 +115,50 @@ export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n:
 
 /** Formats of exported files by name: ending and media type of the file, what the page calls it, and what it is. */
 export const FORMATS = /* @__PURE__ */ Object.freeze({
-    'svg': { ending: 'svg', mime: 'image/svg+xml', label: 'SVG', help: 'Picture of strokes', picture: true, purpose: 'screen' },
-    'svg-compact': { ending: 'svg', mime: 'image/svg+xml', label: 'Compact SVG', help: 'Picture of strokes with each reusable part written once: a small file at any number of iterations', picture: true, purpose: 'screen' },
-    'png': { ending: 'png', mime: 'image/png', label: 'PNG', help: 'Picture of pixels', picture: true, purpose: 'screen' },
-    'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false, purpose: 'data' },
-    'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false, purpose: 'data' },
-    'csv': { ending: 'csv', mime: 'text/csv', label: 'CSV', help: 'Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour', picture: false, purpose: 'data' },
-    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false, purpose: 'mesh' },
-    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines', picture: false, purpose: 'mesh' },
+    'svg': { ending: 'svg', mime: 'image/svg+xml', label: 'SVG', help: 'Picture of strokes', picture: true, purpose: 'screen', content: 'strokes', options: ['transparent', 'bare'] },
+    'svg-compact': { ending: 'svg', mime: 'image/svg+xml', label: 'Compact SVG', help: 'Picture of strokes with each reusable part written once: a small file at any number of iterations', picture: true, purpose: 'screen', content: 'strokes', options: ['transparent', 'bare'] },
+    'png': { ending: 'png', mime: 'image/png', label: 'PNG', help: 'Picture of pixels', picture: true, purpose: 'screen', content: 'pixels', options: ['size', 'bare'] },
+    'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false, purpose: 'data', content: 'system', options: [] },
+    'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false, purpose: 'data', content: 'string', options: [] },
+    'csv': { ending: 'csv', mime: 'text/csv', label: 'CSV', help: 'Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour', picture: false, purpose: 'data', content: 'segments', options: [] },
+    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false, purpose: 'mesh', content: 'mesh', options: [] },
+    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines', picture: false, purpose: 'mesh', content: 'mesh', options: [] },
+});
+
+/** What files are for, in the order of the page's dialog, with labels. */
+export const PURPOSES = /* @__PURE__ */ Object.freeze({
+    screen: 'Screen',
+    film: 'Film',
+    plotter: 'Plotter',
+    paper: 'Paper',
+    print: 'Print',
+    mesh: '3D',
+    data: 'Data',
+});
+
+/**
+ * A choice for files: its values and its default, what the page calls it, and what it is.
+ * @typedef {{label: string, help: string, unit: string} & ({kind: 'flag'} | {kind: 'number', low: number, high: number, step: number, default: number} | {kind: 'word', words: Readonly<Record<string, string>>, default: string} | {kind: 'size', most: number, mostPixels: number} | {kind: 'sheet', words: Readonly<Record<string, string>>, default: string, low: number, high: number})} FileOption
+ */
+
+/** Choices for files by name; each format lists those that it reads. @type {Readonly<Record<string, FileOption>>} */
+export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
+    size: { kind: 'size', most: 32768, mostPixels: 100000000, label: 'Size', help: 'Width and height of a picture', unit: 'pixels' },
+    transparent: { kind: 'flag', label: 'Transparent background', help: 'Leave the background out', unit: '' },
+    sheet: { kind: 'sheet', words: { 'a5': 'A5', 'a4': 'A4', 'a3': 'A3', 'a2': 'A2', 'a1': 'A1', 'letter': 'Letter', 'legal': 'Legal', 'tabloid': 'Tabloid' }, default: 'a4', low: 10, high: 10000, label: 'Sheet', help: 'Size of the paper', unit: '' },
+    landscape: { kind: 'flag', label: 'Landscape', help: 'Turn the sheet, so that it is wider than tall', unit: '' },
+    margin: { kind: 'number', low: 0, high: 100, step: 1, default: 10, label: 'Margin', help: 'Margin on every side of the sheet', unit: 'mm' },
+    bare: { kind: 'flag', label: 'Leave the system out', help: 'Leave the system out of the file; the file cannot be opened again as a system', unit: '' },
+});
+
+/** Sheets of paper in portrait by name: width and height in millimetres. */
+export const SHEETS = /* @__PURE__ */ Object.freeze({
+    a5: [148, 210],
+    a4: [210, 297],
+    a3: [297, 420],
+    a2: [420, 594],
+    a1: [594, 841],
+    letter: [215.9, 279.4],
+    legal: [215.9, 355.6],
+    tabloid: [279.4, 431.8],
 });

@@ -108,5 +108,10 @@ export function createTool(name) {
                 post({ type: 'call', id, call, asked });
                 watchdog.watch();
             }),
+
+        /** Ends the worker unless it has open calls; the next call starts it again. */
+        leave() {
+            if (waiting.size === 0) end('');
+        },
     };
 }

@@ -1,4 +1,4 @@
-/** Reads and writes files. */
+/** Reads files, and makes pictures for files. The tool `export` writes all other files. */
 
 import { STEP_MS, page } from './page.js';
 
@@ -8,7 +8,8 @@ import { STEP_MS, page } from './page.js';
 /** @template {Asked} [T=Asked] @typedef {import('../js/protocol.js').Answer<T>} Answer */
 
 /**
- * Reads and writes files. Files are written one after another, because each may take all the memory reserved for files.
+ * Reads files and makes pictures. Pictures are made one after another, because each may take all the memory reserved
+ * for files.
  * @param {object} worker
  * @param {Playground} worker.playground
  * @param {(action: () => void) => void} worker.guard
@@ -62,26 +63,6 @@ export function createFiles({ playground, guard, wake, tellAt }) {
         }
     }
 
-    /** Exports a file; each writeExport piece leaves the wasm memory at once. @param {Question<'export'>} question @returns {Promise<Answer<'export'>>} */
-    async function writeExport({ type, id, format, bare }) {
-        const file = playground.export(format, bare === true);
-        /** @type {Blob[]} */
-        const pieces = [];
-        try {
-            await runSteps(id, () => {
-                const done = file.step(STEP_MS);
-                pieces.push(new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (file.take())]));
-                return done;
-            });
-            /** @type {{complete: boolean, diagnostics: import('../js/protocol.js').Diagnostic[]}} */
-            const { complete, diagnostics } = file.report();
-            return { type, id, blob: complete ? new Blob(pieces) : null, diagnostics };
-        } finally {
-            // Drawings wait until the file is freed.
-            file.free();
-        }
-    }
-
     /** Writes a PNG file that stores its system, if there is one, so that the file can be opened again. @param {Question<'png'>} question @returns {Promise<Answer<'png'>>} */
     async function writePng({ type, id, width, height, definition }) {
         const canvas = new OffscreenCanvas(1, 1);
@@ -105,11 +86,10 @@ export function createFiles({ playground, guard, wake, tellAt }) {
             return queued === 0;
         },
 
-        /** @param {Question<'read' | 'export' | 'png'>} question */
+        /** @param {Question<'read' | 'png'>} question */
         answer(question) {
             const { id } = question;
             if (question.type === 'read') sendLater(read(question), () => ({ type: 'read', id, definition: null, diagnostics: [], text: null }));
-            else if (question.type === 'export') enqueue(id, () => sendLater(writeExport(question), () => ({ type: 'export', id, blob: null, diagnostics: [] })));
             else enqueue(id, () => sendLater(writePng(question), (reason) => ({ type: 'png', id, blob: null, reason })));
         },
     };

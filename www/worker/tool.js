@@ -22,7 +22,11 @@ export function serve(start, calls) {
         if (dead) return;
         if (data.type === 'ping') page.postMessage({ type: 'pong' });
         else if (data.type === 'cancel') running.delete(data.id);
-        else if (data.type === 'init') guard(0, () => start(data.wasm));
+        else if (data.type === 'init') guard(0, () => {
+            start(data.wasm);
+            // From now on the page need not wait long to know that this worker is silent.
+            page.postMessage({ type: 'pong' });
+        });
         else guard(data.id, () => answer(data.id, calls[data.call]?.(data.asked)));
     };
 
@@ -41,7 +45,8 @@ export function serve(start, calls) {
             running.delete(id);
             return page.postMessage({ type: 'answer', id, value });
         }
-        if (value !== undefined) page.postMessage({ type: 'progress', id, value });
+        // Bytes are handed over without a copy.
+        if (value !== undefined) page.postMessage({ type: 'progress', id, value }, value instanceof Uint8Array ? [value.buffer] : []);
         setTimeout(() => guard(id, () => step(id, steps)));
     }
 

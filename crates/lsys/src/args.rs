@@ -72,7 +72,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
     };
     match verb {
         Verb::Expand { file, changes } => Ok(Command::Expand { file, changes }),
-        Verb::Draw { files, out_dir, look, changes } => match jobs(files, out_dir.as_deref(), look, is_short) {
+        Verb::Draw { files, out_dir, look, changes } => match jobs(files, out_dir.as_deref(), &look, is_short) {
             Ok(jobs) => Ok(Command::Draw { jobs, look, changes }),
             Err(words) => Err(explain("draw", words)),
         },
@@ -107,8 +107,9 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString
         let mut options = cli.get_subcommands().flat_map(clap::Command::get_opts);
         options.any(|option| {
             let short = option.get_short().map(|short| format!("-{short}"));
-            let long = option.get_long().map(|long| format!("--{long}"));
-            [short, long].iter().flatten().any(|name| name == word)
+            let aliases = option.get_all_aliases().unwrap_or_default();
+            let longs = option.get_long().into_iter().chain(aliases).map(|long| format!("--{long}"));
+            short.into_iter().chain(longs).any(|name| name == word)
         })
     };
     let mut at = 0;
@@ -135,15 +136,9 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString
 ///
 /// # Errors
 /// A message if options or files contradict each other.
-fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool) -> Result<Vec<Job>, String> {
-    let Look { format, size, dpi, transparent, compact } = look;
+fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: &Look, is_short: bool) -> Result<Vec<Job>, String> {
+    let &Look { format, compact, ref flags } = look;
     let is = |name| format.is_some_and(|format: &Format| format.name == name);
-    if size.is_some() && !is("png") {
-        return Err("--size needs --format png".to_owned());
-    }
-    if (dpi.is_some() || transparent) && !is("png") {
-        return Err("--dpi and --transparent need --format png".to_owned());
-    }
     if compact && format.is_some() && !is("svg") {
         return Err("--compact needs --format svg or no --format".to_owned());
     }
@@ -154,6 +149,7 @@ fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool)
         Some(format) => vec![format.name],
     };
     let formats: Vec<_> = names.into_iter().filter_map(Format::named).collect();
+    flags.check(&formats)?;
     if let Some(folder) = out_dir {
         return into_folder(files, folder, &formats);
     }
@@ -236,9 +232,10 @@ mod tests {
         let text = match parse(line.split_whitespace().map(OsString::from)) {
             Ok(Command::Expand { file, changes }) => format!("expand {file:?} {}", with(changes)),
             Ok(Command::Info { files, json, changes, .. }) => format!("info {files:?} json {json} {}", with(changes)),
-            Ok(Command::Draw { jobs, look: Look { size, compact, .. }, changes }) => {
+            Ok(Command::Draw { jobs, look: Look { flags, compact, .. }, changes }) => {
                 let jobs: Vec<String> = jobs.iter().map(|job| format!("{:?} to {:?}", job.file, job.target)).collect();
-                let size = size.map_or_else(String::new, |size| format!(" {} by {}", size.width, size.height));
+                let size =
+                    flags.options().size.map_or_else(String::new, |[width, height]| format!(" {width} by {height}"));
                 let compact = if compact { " compact" } else { "" };
                 format!("draw {}{size}{compact} {}", jobs.join(", "), with(changes))
             }
@@ -276,7 +273,7 @@ mod tests {
             ]],
         );
         check(
-            "draw x/a.json y/a.json --out-dir d",
+            "--to d draw x/a.json y/a.json",
             &expect![[
                 r#"draw "x/a.json" to Write("d/x-a", [txt, svg]), "y/a.json" to Write("d/y-a", [txt, svg]) n None seed None"#
             ]],
@@ -389,18 +386,20 @@ mod tests {
         check("info a --compact", &expect!["error: unexpected argument '--compact' found"]);
         check(
             "draw a --format png --size 10",
-            &expect!["error: invalid value '10' for '--size <WxH>': expected a width and a height such as 1600x1200"],
+            &expect![
+                "error: invalid value '10' for '--size <WxH>': expected a width and a height such as 1600x1200, with 1 to 32,768 pixels each way and 100,000,000 in all"
+            ],
         );
         check(
             "draw a --format png --size 0x10",
             &expect![
-                "error: invalid value '0x10' for '--size <WxH>': expected 1 to 32768 pixels each way and 100000000 in all"
+                "error: invalid value '0x10' for '--size <WxH>': expected a width and a height such as 1600x1200, with 1 to 32,768 pixels each way and 100,000,000 in all"
             ],
         );
         check(
             "draw a --format png --size 4000000000x4000000000",
             &expect![
-                "error: invalid value '4000000000x4000000000' for '--size <WxH>': expected 1 to 32768 pixels each way and 100000000 in all"
+                "error: invalid value '4000000000x4000000000' for '--size <WxH>': expected a width and a height such as 1600x1200, with 1 to 32,768 pixels each way and 100,000,000 in all"
             ],
         );
         check(

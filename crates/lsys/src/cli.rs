@@ -1,12 +1,13 @@
 //! The command line: commands, options and help texts.
 
+use crate::file_flags::FileFlags;
 use crate::memory;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 use lsystem::files::{FORMATS, Format};
 use lsystem::render::{Share, TilePlace};
-use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_SIDE};
+use lsystem::syntax::MAX_ITERATIONS;
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -51,7 +52,7 @@ pub(crate) enum Verb {
         #[arg(help = FILE, value_name = "FILE", value_hint = ValueHint::FilePath, required = true)]
         files: Vec<PathBuf>,
         /// Write the output of every FILE into DIR, named after the file
-        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true)]
+        #[arg(long, visible_alias = "to", value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true)]
         out_dir: Option<PathBuf>,
         #[command(flatten)]
         look: Look,
@@ -207,23 +208,16 @@ pub(crate) struct Changes {
 }
 
 /// The options for the output of a drawing.
-#[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Args, Clone, Debug, Default, PartialEq)]
 pub(crate) struct Look {
     /// Output format
     #[arg(long, value_parser = formats())]
     pub(crate) format: Option<&'static Format>,
-    /// Size of a PNG in pixels, such as 4000x3000 [default: 1024 along the longer side]
-    #[arg(long, value_name = "WxH")]
-    pub(crate) size: Option<PictureSize>,
-    /// Resolution of a PNG in pixels of an inch on paper, told in the file
-    #[arg(long, value_name = "N", value_parser = dpi)]
-    pub(crate) dpi: Option<f64>,
-    /// Leave out the background of a PNG
-    #[arg(long)]
-    pub(crate) transparent: bool,
     /// Write a small SVG that defines each block once and places copies
     #[arg(long)]
     pub(crate) compact: bool,
+    #[command(flatten)]
+    pub(crate) flags: FileFlags,
 }
 
 /// The options of a pyramid.
@@ -328,35 +322,9 @@ fn formats() -> impl TypedValueParser<Value = &'static Format> {
     PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
 }
 
-/// The size of a picture, in pixels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PictureSize {
-    pub(crate) width: u32,
-    pub(crate) height: u32,
-}
-
-impl FromStr for PictureSize {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
-        let (width, height) = sides.ok_or("expected a width and a height such as 1600x1200")?;
-        let sides = 1..=MAX_PICTURE_SIDE;
-        if !sides.contains(&width) || !sides.contains(&height) {
-            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way"));
-        }
-        Ok(Self { width, height })
-    }
-}
-
 fn whole(text: &str, most: u32) -> Result<u32, String> {
     let number = text.parse().ok().filter(|&number| number <= most);
     number.ok_or_else(|| format!("expected a whole number from 0 to {most}"))
-}
-
-fn dpi(text: &str) -> Result<f64, String> {
-    let number = text.parse().ok().filter(|number| (1.0..=100_000.0).contains(number));
-    number.ok_or_else(|| "expected a number from 1 to 100000".to_owned())
 }
 
 fn setting(text: &str) -> Result<(String, String), String> {

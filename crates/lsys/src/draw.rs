@@ -14,7 +14,7 @@ use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
 
 /// Does all `jobs`. A failed job is reported, and the others are still done.
-pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), CommandFailure> {
+pub(crate) fn draw(jobs: &[Job], look: &Look, changes: &Changes) -> Result<(), CommandFailure> {
     match cores::in_order(jobs, |job, limits, say| draw_one(job, look, changes, limits, say))? {
         (_, true) => Ok(()),
         (_, false) => Err(CommandFailure::Said),
@@ -24,7 +24,7 @@ pub(crate) fn draw(jobs: &[Job], look: Look, changes: &Changes) -> Result<(), Co
 /// Does one job.
 fn draw_one(
     job: &Job,
-    look: Look,
+    look: &Look,
     changes: &Changes,
     limits: &SharedLimits,
     say: Say<'_>,
@@ -88,7 +88,7 @@ impl Contents {
 fn contents(
     input: &InputSystem,
     format: &Format,
-    look: Look,
+    look: &Look,
     shares: u64,
     say: Say<'_>,
 ) -> Result<Contents, CommandFailure> {
@@ -103,14 +103,17 @@ fn contents(
         false => input.draw(shares).map_err(wrong),
     };
     let name = input.definition.label();
+    let options = look.flags.options();
+    let bare = options.bare;
+    let stored = || if bare { String::new() } else { write_json(&input.definition) };
     let mut writer = match format.content {
         Content::System => return Ok(Contents::Bytes(write_json(&input.definition).into_bytes())),
         Content::String => return Ok(Contents::Bytes((input.expand(shares)? + "\n").into_bytes())),
         Content::Pixels => {
-            let definition = write_json(&input.definition);
+            let definition = stored();
             let picture = match system.is_solid() {
-                true => picture::solid_png(solid()?, style, look, definition),
-                false => picture::png(paper()?, style, look, definition),
+                true => picture::solid_png(solid()?, style, &options, definition),
+                false => picture::png(paper()?, style, &options, definition),
             };
             return picture.map(|picture| Contents::Picture(Box::new(picture))).map_err(wrong);
         }
@@ -120,8 +123,8 @@ fn contents(
             false => plane(Arc::new(paper()?), limits.segments).map_err(wrong)?,
         },
         Content::Paper(write) => {
-            let (title, definition) = (name.to_owned(), write_json(&input.definition));
-            let options = FileOptions { title, system: definition, most: limits.segments, ..FileOptions::default() };
+            let (title, system) = (name.to_owned(), stored());
+            let options = FileOptions { title, system, most: limits.segments, ..options };
             write(Arc::new(paper()?), style.clone(), &options).map_err(wrong)?
         }
     };

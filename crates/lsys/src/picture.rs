@@ -1,8 +1,7 @@
 //! PNG pictures, painted by the core's renderers while the file is written.
 
-use crate::cli::{Look, PictureSize};
 use crate::progress::DelayedBar;
-use lsystem::files::{PngOptions, PngWriter, Writer};
+use lsystem::files::{FileOptions, PngOptions, PngWriter, Writer};
 use lsystem::{Camera, Diagnostic, Drawing, Progress, Solid, Style, View, Viewport, fit, render_diagnostic};
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -19,9 +18,14 @@ const WORK: u64 = 1_000_000;
 ///
 /// # Errors
 /// As [`PngWriter::new`].
-pub(crate) fn png(drawing: Drawing, style: &Style, look: Look, system: String) -> Result<PngWriter, Diagnostic> {
-    let size = look.size.unwrap_or_else(|| usual_size(&drawing));
-    PngWriter::new(Arc::new(drawing), style.clone(), View::default(), &options(size, look, system))
+pub(crate) fn png(
+    drawing: Drawing,
+    style: &Style,
+    choices: &FileOptions,
+    system: String,
+) -> Result<PngWriter, Diagnostic> {
+    let size = choices.size.unwrap_or_else(|| usual_size(&drawing));
+    PngWriter::new(Arc::new(drawing), style.clone(), View::default(), &options(size, choices, system))
 }
 
 /// As [`png()`], of a drawing in space, from the page's first camera.
@@ -31,24 +35,24 @@ pub(crate) fn png(drawing: Drawing, style: &Style, look: Look, system: String) -
 pub(crate) fn solid_png(
     drawing: Drawing<Solid>,
     style: &Style,
-    look: Look,
+    choices: &FileOptions,
     system: String,
 ) -> Result<PngWriter, Diagnostic> {
-    let size = look.size.unwrap_or(PictureSize { width: USUAL, height: USUAL });
-    PngWriter::solid(Arc::new(drawing), style.clone(), Camera::default(), &options(size, look, system))
+    let size = choices.size.unwrap_or([USUAL; 2]);
+    PngWriter::solid(Arc::new(drawing), style.clone(), Camera::default(), &options(size, choices, system))
 }
 
-fn options(size: PictureSize, look: Look, system: String) -> PngOptions {
+fn options(size: [u32; 2], choices: &FileOptions, system: String) -> PngOptions {
     PngOptions {
         viewport: viewport(size),
-        dpi: look.dpi,
-        is_transparent: look.transparent,
+        dpi: choices.dpi,
+        is_transparent: choices.transparent,
         system,
         ..PngOptions::default()
     }
 }
 
-fn viewport(PictureSize { width, height }: PictureSize) -> Viewport {
+fn viewport([width, height]: [u32; 2]) -> Viewport {
     Viewport { width, height, ratio: (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0) }
 }
 
@@ -72,7 +76,7 @@ pub(crate) fn write(mut picture: PngWriter, out: &mut dyn Write) -> io::Result<(
 }
 
 /// The default size, in the proportions of the drawing.
-fn usual_size(drawing: &Drawing) -> PictureSize {
+fn usual_size(drawing: &Drawing) -> [u32; 2] {
     let extent = fit(drawing);
     let longer = extent.width.max(extent.height);
     let side = |length: f64| {
@@ -80,5 +84,5 @@ fn usual_size(drawing: &Drawing) -> PictureSize {
         // The proportions are unknown if the extent is beyond the range of `f64`.
         if share.is_finite() { ((share * f64::from(USUAL)).round() as u32).clamp(LEAST, USUAL) } else { USUAL }
     };
-    PictureSize { width: side(extent.width), height: side(extent.height) }
+    [side(extent.width), side(extent.height)]
 }

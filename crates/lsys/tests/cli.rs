@@ -571,7 +571,7 @@ fn good_files_are_done_beside_bad_ones() {
     let folder = Folder::new("beside");
     let files = "crates/lsys/tests/broken/empty.json data_in/abop/1.24a.json";
     bad(
-        &format!("draw {files} --out-dir {} -n 1", folder.0.display()),
+        &format!("draw {files} --to {} -n 1", folder.0.display()),
         1,
         &expect![[r#"
             error: The file holds nothing

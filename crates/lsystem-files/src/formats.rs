@@ -23,6 +23,8 @@ pub struct Format {
     pub purpose: Purpose,
     /// The input of the format's writer.
     pub content: Content,
+    /// The names of the choices that the format reads, in the order of [`FILE_OPTIONS`](crate::FILE_OPTIONS).
+    pub options: &'static [&'static str],
 }
 
 /// The purpose of a file: the groups of the page's save dialog.
@@ -62,6 +64,20 @@ impl Purpose {
             Self::Data => "data",
         }
     }
+
+    /// The purpose's label on the page.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Screen => "Screen",
+            Self::Film => "Film",
+            Self::Plotter => "Plotter",
+            Self::Paper => "Paper",
+            Self::Print => "Print",
+            Self::Mesh => "3D",
+            Self::Data => "Data",
+        }
+    }
 }
 
 /// The writer of a file, or the diagnostic for an exceeded limit.
@@ -89,6 +105,21 @@ pub enum Content {
     Mesh(fn(Mesh, &str) -> Box<dyn Writer>),
 }
 
+impl Content {
+    /// The content's name in scripts.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::System => "system",
+            Self::String => "string",
+            Self::Pixels => "pixels",
+            Self::Paper(_) => "strokes",
+            Self::Segments { .. } => "segments",
+            Self::Mesh(_) => "mesh",
+        }
+    }
+}
+
 /// A writer that makes a file in steps.
 pub trait Writer {
     /// Appends to the file for about `work` units of work.
@@ -113,6 +144,7 @@ pub static FORMATS: [Format; 8] = [
         help: "Picture of strokes",
         purpose: Purpose::Screen,
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Flat)),
+        options: &["transparent", "bare"],
     },
     Format {
         name: "svg-compact",
@@ -122,6 +154,7 @@ pub static FORMATS: [Format; 8] = [
         help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
         purpose: Purpose::Screen,
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Compact)),
+        options: &["transparent", "bare"],
     },
     Format {
         name: "png",
@@ -131,6 +164,7 @@ pub static FORMATS: [Format; 8] = [
         help: "Picture of pixels",
         purpose: Purpose::Screen,
         content: Content::Pixels,
+        options: &["size", "dpi", "transparent", "bare"],
     },
     Format {
         name: "json",
@@ -140,6 +174,7 @@ pub static FORMATS: [Format; 8] = [
         help: "System, to open again",
         purpose: Purpose::Data,
         content: Content::System,
+        options: &[],
     },
     Format {
         name: "txt",
@@ -149,6 +184,7 @@ pub static FORMATS: [Format; 8] = [
         help: "Derived string",
         purpose: Purpose::Data,
         content: Content::String,
+        options: &[],
     },
     Format {
         name: "csv",
@@ -158,6 +194,7 @@ pub static FORMATS: [Format; 8] = [
         help: "Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour",
         purpose: Purpose::Data,
         content: Content::Segments { plane: csv, space: csv },
+        options: &[],
     },
     Format {
         name: "obj",
@@ -167,6 +204,7 @@ pub static FORMATS: [Format; 8] = [
         help: "Mesh of coloured tubes, as text",
         purpose: Purpose::Mesh,
         content: Content::Mesh(|mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh })),
+        options: &[],
     },
     Format {
         name: "glb",
@@ -176,6 +214,7 @@ pub static FORMATS: [Format; 8] = [
         help: "Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines",
         purpose: Purpose::Mesh,
         content: Content::Mesh(|mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh })),
+        options: &[],
     },
 ];
 
@@ -238,8 +277,8 @@ struct SvgFile {
 }
 
 fn svg(drawing: Arc<Drawing>, style: Style, options: &FileOptions, form: SvgForm) -> WriterResult {
-    let FileOptions { title, description, system, most, .. } = options.clone();
-    let options = SvgOptions { title, description, system, most, form, ..SvgOptions::default() };
+    let FileOptions { title, description, system, most, transparent, .. } = options.clone();
+    let options = SvgOptions { title, description, system, most, form, transparent, ..SvgOptions::default() };
     Ok(Box::new(SvgFile { writer: SvgWriter::new(&drawing, &style, &options)?, drawing, style }))
 }
 

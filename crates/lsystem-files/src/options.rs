@@ -16,11 +16,20 @@ pub struct FileOptions {
     pub most: u64,
     /// The sheet of formats for paper.
     pub sheet: Sheet,
+    /// The width and the height of formats of pixels; `None` for the size that suits the drawing.
+    pub size: Option<[u32; 2]>,
+    /// Pixels of an inch on paper, told in the file; `None` if the file tells no resolution.
+    pub dpi: Option<f64>,
+    /// Whether the background is left out.
+    pub transparent: bool,
+    /// Whether the system is left out of the file: then the caller leaves `system` empty.
+    pub bare: bool,
 }
 
 impl Default for FileOptions {
     fn default() -> Self {
         let (title, description, system) = <(String, String, String)>::default();
-        Self { title, description, system, most: 2_000_000, sheet: Sheet::default() }
+        let (size, sheet) = (None, Sheet::default());
+        Self { title, description, system, most: 2_000_000, sheet, size, dpi: None, transparent: false, bare: false }
     }
 }

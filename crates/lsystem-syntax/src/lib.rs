@@ -50,6 +50,7 @@ mod fix;
 pub mod message;
 pub mod notes;
 mod place;
+mod problem;
 
 pub use action::{Action, CIRCLE_SIDES};
 pub use characters::look_alike;
@@ -74,6 +75,7 @@ pub use notation::site::{Site, site};
 pub use overrides::{parse_overrides, print_overrides};
 pub use place::{byte_offset, render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};
+pub use problem::{Problem, problems};
 pub use progress::Progress;
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
 pub use value::Value;

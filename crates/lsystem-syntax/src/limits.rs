@@ -27,6 +27,10 @@ impl Default for Limits {
 }
 
 impl Limits {
+    /// The limits of the page: a string that a browser can hold, and a drawing within its share of an instance's memory.
+    pub const PAGE: Self =
+        Self { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
+
     /// The value of the limit called `name`.
     #[must_use]
     pub fn value(&self, name: LimitName) -> u64 {

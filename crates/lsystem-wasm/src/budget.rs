@@ -3,7 +3,7 @@
 //! | MiB | for |
 //! |---|---|
 //! | 70 | the shown drawing; in space, with its scene |
-//! | 70 | one at a time: the drawing in the making; a file in the making; a remembered derivation with the counts for reading a string ([`HISTORY`], 24 and 16); a small picture with its drawing ([`SMALL`]) |
+//! | 70 | one at a time: the drawing in the making; a picture for a file; a remembered derivation with the counts for reading a string ([`HISTORY`], 24 and 16); a small picture with its drawing ([`SMALL`]) |
 //! | 16 | counts of any size ([`lsystem::syntax::MAX_COUNTING`]) |
 //! | 84 | pictures, plus the rest of the shown drawing's share ([`picture_room`]); also the second scene of a drawing in space that is shown in part |
 //! | 16 | texts, compiled systems and messages |
@@ -23,9 +23,8 @@ const REST: u64 = 16 * MIB;
 /// Smaller pictures, in pixels, are not reduced: most of their memory does not depend on the number of pixels.
 const FEWEST: u32 = 1 << 18;
 
-/// The limits of the page: a string that a browser can hold, and a drawing within its share of the memory.
-pub(crate) const LIMITS: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
+/// The limits of the page.
+pub(crate) const LIMITS: Limits = Limits::PAGE;
 
 /// The limits of a remembered derivation. A string that is read by counts takes at most 16 MiB more.
 pub(crate) const HISTORY: Limits = Limits { memory: 24 * MIB, ..LIMITS };

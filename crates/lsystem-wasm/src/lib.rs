@@ -8,7 +8,6 @@
 
 mod budget;
 mod clock;
-mod export;
 mod files;
 mod mates;
 mod notation;
@@ -23,7 +22,6 @@ mod solid;
 mod surface;
 mod viewer;
 
-pub use export::Export;
 pub use files::{Picture, read_file, tag_png};
 pub use notation::{notation, site_of};
 pub use plain::{Segments, draw, expand};

@@ -1,28 +1,10 @@
 //! Structured results for the page.
 
 use lsystem::drawing::legend;
-use lsystem::syntax::Severity;
-use lsystem::{Definition, Diagnostic, System};
+pub use lsystem::syntax::Problem;
+pub(crate) use lsystem::syntax::problems;
+use lsystem::{Definition, System};
 use serde::Serialize;
-
-/// A diagnostic in words, with its place in UTF-16 units.
-#[derive(Clone, Debug, Serialize)]
-pub struct Problem {
-    /// `axiom`, `rules`, `overrides`, `file` or `numbers`.
-    pub field: &'static str,
-    /// `error` or `warning`.
-    pub severity: &'static str,
-    /// The problem, in a sentence.
-    pub message: String,
-    /// A possible remedy.
-    pub hint: Option<String>,
-    /// The text that is probably meant in place of the problem's; empty where that is to be removed.
-    pub fix: Option<String>,
-    /// The start of the place in the field.
-    pub start: usize,
-    /// The end of the place in the field.
-    pub end: usize,
-}
 
 /// The properties of a definition and its problems. Counts are exact decimal strings, null while unknown.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -76,27 +58,6 @@ pub(crate) struct ThrownProblems {
 pub(crate) fn compile(definition: &Definition) -> (Option<System>, Vec<Problem>) {
     let (system, diagnostics) = System::new(definition);
     (system, problems(&diagnostics, definition, ""))
-}
-
-/// Diagnostics in words; `file` is the text that [`lsystem::syntax::Field::File`] spans point into.
-pub(crate) fn problems(diagnostics: &[Diagnostic], definition: &Definition, file: &str) -> Vec<Problem> {
-    let problem = |diagnostic: &Diagnostic| {
-        let span =
-            lsystem::syntax::utf16_span(definition.text(diagnostic.field).unwrap_or(file), diagnostic.span.clone());
-        Problem {
-            field: diagnostic.field.name(),
-            severity: match diagnostic.severity() {
-                Severity::Error => "error",
-                Severity::Warning => "warning",
-            },
-            message: diagnostic.message(),
-            hint: diagnostic.hint(),
-            fix: diagnostic.fix(),
-            start: span.start,
-            end: span.end,
-        }
-    };
-    diagnostics.iter().map(problem).collect()
 }
 
 pub(crate) fn legend_of(system: &System) -> Vec<Legend> {

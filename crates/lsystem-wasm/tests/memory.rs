@@ -81,13 +81,6 @@ fn the_largest_drawings_stay_within_the_limit() {
             while !picture.step(50.0).unwrap() {}
         }
         within("with a picture for a file");
-        for format in ["svg", "csv", "txt", "glb"] {
-            let mut file = shown.export(format, false).unwrap();
-            while !file.step(50.0) {
-                file.take();
-            }
-            within(format);
-        }
         largest(&mut shown, turn, refused);
         within("drawn anew");
     }

@@ -2,11 +2,11 @@
 //! `docs/links.md`, must equal the core's. `cargo xtask tables` updates them.
 
 use expect_test::expect_file;
-use lsystem::files::FORMATS;
+use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, OptionKind, Purpose, SHEETS};
 use lsystem::syntax::fields::Section;
 use lsystem::syntax::message::expected_words;
 use lsystem::syntax::number::number;
-use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value};
+use lsystem::syntax::{Expected, FIELDS, FieldSpec, MAX_PICTURE_SIDE, Value};
 use lsystem::{Definition, Dialect};
 use std::fmt::Write;
 
@@ -33,6 +33,18 @@ const FIELD_TYPES: &str = " */
 
 /** The fields of the state by name, in the order in which links write them. @type {Readonly<Record<FieldName, FieldSpec>>} */
 export const FIELDS = /* @__PURE__ */ Object.freeze({
+";
+
+/// What stands between the purposes and the choices for files.
+const OPTION_TYPE: &str = "});
+
+/**
+ * A choice for files: its values and its default, what the page calls it, and what it is.
+ * @typedef {{label: string, help: string, unit: string} & ({kind: 'flag'} | {kind: 'number', low: number, high: number, step: number, default: number} | {kind: 'word', words: Readonly<Record<string, string>>, default: string} | {kind: 'size', most: number} | {kind: 'sheet', words: Readonly<Record<string, string>>, default: string, low: number, high: number})} FileOption
+ */
+
+/** Choices for files by name; each format lists those that it reads. @type {Readonly<Record<string, FileOption>>} */
+export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
 ";
 
 /// A string in JavaScript.
@@ -146,14 +158,55 @@ fn tables() -> String {
         let [name, ending, mime, label, help] =
             [format.name, format.ending, format.mime, format.label, format.help].map(quoted);
         let (picture, purpose) = (format.is_picture(), quoted(format.purpose.name()));
+        let (content, options) = (quoted(format.content.name()), list(format.options.iter().copied()));
         writeln!(
             script_text,
-            "    {name}: {{ ending: {ending}, mime: {mime}, label: {label}, help: {help}, picture: {picture}, purpose: {purpose} }},"
+            "    {name}: {{ ending: {ending}, mime: {mime}, label: {label}, help: {help}, picture: {picture}, purpose: {purpose}, content: {content}, options: {options} }},"
         )
         .unwrap();
     }
+    script_text += "});\n\n/** What files are for, in the order of the page's dialog, with labels. */\n\
+        export const PURPOSES = /* @__PURE__ */ Object.freeze({\n";
+    for purpose in Purpose::ALL {
+        writeln!(script_text, "    {}: {},", purpose.name(), quoted(purpose.label())).unwrap();
+    }
+    script_text += OPTION_TYPE;
+    for option in &FILE_OPTIONS {
+        let [label, help, unit] = [option.label, option.help, option.unit].map(quoted);
+        let kind = option_kind(option);
+        writeln!(script_text, "    {}: {{ {kind}, label: {label}, help: {help}, unit: {unit} }},", option.name)
+            .unwrap();
+    }
+    script_text += "});\n\n/** Sheets of paper in portrait by name: width and height in millimetres. */\n\
+        export const SHEETS = /* @__PURE__ */ Object.freeze({\n";
+    for (name, width, height) in SHEETS {
+        writeln!(script_text, "    {name}: [{width}, {height}],").unwrap();
+    }
     script_text += "});\n";
     script_text
+}
+
+/// Words with their labels, as members of a JavaScript object.
+fn labels(words: &[(&str, &str)]) -> String {
+    words.iter().map(|(word, label)| format!("{}: {}", quoted(word), quoted(label))).collect::<Vec<_>>().join(", ")
+}
+
+/// The values of a choice for files, as members of a JavaScript object.
+fn option_kind(option: &FileOption) -> String {
+    match option.kind {
+        OptionKind::Flag => "kind: 'flag'".to_owned(),
+        OptionKind::Number { low, high, step, default } => {
+            format!("kind: 'number', low: {low}, high: {high}, step: {step}, default: {default}")
+        }
+        OptionKind::Word { words, default } => {
+            format!("kind: 'word', words: {{ {} }}, default: {}", labels(words), quoted(default))
+        }
+        OptionKind::Sheet { words, default, low, high } => {
+            let words = labels(words);
+            format!("kind: 'sheet', words: {{ {words} }}, default: {}, low: {low}, high: {high}", quoted(default))
+        }
+        OptionKind::Size => format!("kind: 'size', most: {MAX_PICTURE_SIDE}"),
+    }
 }
 
 /// A text in which `rows` replace the text between the marks of a table.

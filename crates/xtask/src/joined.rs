@@ -8,7 +8,11 @@ use std::path::Path;
 
 /// The modules that the page imports when they are first needed: their names on the site, which are those in the import
 /// (after `./`), and their files.
-const APART: [(&str, &str); 2] = [("dialogs.js", "js/course/dialogs.js"), ("finding.js", "js/find/finding.js")];
+const APART: [(&str, &str); 3] = [
+    ("dialogs.js", "js/course/dialogs.js"),
+    ("finding.js", "js/find/finding.js"),
+    ("save-dialog.js", "js/save/save-dialog.js"),
+];
 
 /// Writes `page.js` and `page.css` into the folder of the site, and makes the page load them.
 pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()> {

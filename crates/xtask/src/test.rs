@@ -96,7 +96,15 @@ fn wasm(workspace: &Workspace) -> Result<()> {
     files::write(&capabilities_file, capabilities.to_string())?;
     // `--tests` leaves out examples in the documentation, which run natively.
     run(workspace
-        .cargo(["test", "--no-fail-fast", "--tests", "--package=lsystem-wasm", "--target", tools::WASM_TARGET])
+        .cargo([
+            "test",
+            "--no-fail-fast",
+            "--tests",
+            "--package=lsystem-wasm",
+            "--package=lsystem-export-wasm",
+            "--target",
+            tools::WASM_TARGET,
+        ])
         // With debug information, the runner needs half a minute to read a binary.
         .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", capabilities_file)

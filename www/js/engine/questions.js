@@ -15,7 +15,7 @@ const READING = /** @satisfies {import('../protocol.js').Reading[]} */ (['string
 export const isReading = (type) => READING.includes(type);
 
 /** Questions about the drawing, rather than about texts, files and other systems. @type {readonly Asked[]} */
-const ABOUT_DRAWING = [...READING, 'export', 'png'];
+const ABOUT_DRAWING = [...READING, 'png'];
 
 /**
  * @param {object} worker
@@ -121,9 +121,6 @@ export function asking(ask) {
 
         /** @param {Blob} file */
         read: (file) => ask('read', { file }),
-
-        /** @param {import('../protocol.js').Format} format @param {boolean} bare whether pictures leave the system out */
-        export: (format, bare) => ask('export', { format, bare }),
 
         /** @param {number} width @param {number} height @param {Definition | null} definition stored in the file, to open it again */
         async png(width, height, definition) {

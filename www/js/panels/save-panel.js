@@ -3,12 +3,9 @@
 import { toast } from '../announce.js';
 import { listProblems, placesIn } from '../controls/editor.js';
 import { copyText } from '../copy.js';
-import { button, byId, html, icon, input, make, setValue } from '../dom.js';
-import { download, fileName } from '../download.js';
+import { button, byId, html, input, setValue } from '../dom.js';
 import { LARGEST_FILE, isFavouritesFile } from '../favourites.js';
-import { definitionOf } from '../state.js';
 import { isPicture } from '../find/files.js';
-import { FORMATS } from '../tables.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 
@@ -20,9 +17,9 @@ const LARGEST_PICTURE = 64 << 20;
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
- * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, offer: (text: string) => Promise<boolean>, find: (picture: File) => void, canvas: () => import('../protocol.js').Canvas}} page
+ * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, offer: (text: string) => Promise<boolean>, find: (picture: File) => void, save: (format: import('../protocol.js').Format) => Promise<void>}} page
  *   `select` shows the link for the reader to copy, `favourites` imports a file of favourites, `offer` opens the text of
- *   another program, if it is one; `find` searches for the rules of a picture
+ *   another program, if it is one, `find` searches for the rules of a picture, and `save` saves a file with the options last chosen
  */
 export function savePanel(store, engine, page) {
     const title = input('title');
@@ -38,44 +35,14 @@ export function savePanel(store, engine, page) {
         else page.select();
     });
 
-    for (const format of /** @type {import('../protocol.js').Format[]} */ (Object.keys(FORMATS))) {
-        const { label, help, picture } = FORMATS[format];
-        const save = make('button', { class: 'button', type: 'button', 'data-save': format, title: help }, icon('i-save'), label);
-        if (picture) html('save-pictures').lastElementChild?.before(save);
-        else html('save-data').append(save);
+    for (const format of /** @type {const} */ (['svg', 'png'])) {
+        const save = byId('section-save', HTMLElement).querySelector(`[data-save=${format}]`);
+        if (!(save instanceof HTMLButtonElement)) continue;
         save.addEventListener('click', async () => {
             save.disabled = true;
-            try {
-                await saveAs(format);
-            } catch (error) {
-                toast(`Not saved: ${error instanceof Error ? error.message : error}.`);
-            } finally {
-                save.disabled = false;
-            }
+            await page.save(format);
+            save.disabled = false;
         });
-    }
-
-    /** @param {import('../protocol.js').Format} format */
-    async function saveAs(format) {
-        const name = fileName(store.state);
-        const bare = input('save-bare').checked;
-        if (format === 'png') {
-            const { width, height } = page.canvas();
-            const wanted = Number(byId('png-size', HTMLSelectElement).value);
-            const factor = wanted === 0 ? 1 : wanted / Math.max(width, height);
-            const blob = await engine.png(Math.round(width * factor), Math.round(height * factor), bare ? null : definitionOf(store.state));
-            return download(blob, `${name}.png`);
-        }
-        const { blob, diagnostics } = await engine.export(format, bare);
-        if (!blob) {
-            const first = diagnostics[0];
-            return toast(first ? `Not saved: ${[first.message, first.hint].filter(Boolean).join(' ')}` : 'Not saved: the file could not be made.');
-        }
-        const { ending, mime } = FORMATS[format];
-        const [, form] = format.split('-');
-        download(new Blob([blob], { type: mime }), `${name}${form ? `_${form}` : ''}.${ending}`);
-        // A compact SVG may open slowly.
-        if (diagnostics[0]) toast([diagnostics[0].message, diagnostics[0].hint].filter(Boolean).join(' '));
     }
 
     /** @param {File} file */

@@ -3,7 +3,7 @@
  * time to the finest picture, beside drawing each segment as a line of a canvas, if that ends. Prints a table.
  */
 
-import { close, withPage } from '../e2e/browser.mjs';
+import { close, withModules, withPage } from '../e2e/browser.mjs';
 
 const TURNS = 24;
 /** The most segments that are drawn as lines of a canvas. */
@@ -66,10 +66,10 @@ async function measure({ definition, turns, most }) {
     look(200);
     await finest;
     const rest = performance.now() - start;
-    const answer = next(({ type }) => type === 'export');
-    worker.postMessage({ type: 'export', id: ++id, format: 'csv' });
-    const text = await (await answer).blob?.text();
     worker.terminate();
+    const { createExports } = await import(new URL('js/save/exports.js', document.baseURI).href);
+    const { blob } = await createExports().make({ definition, format: 'csv', options: {}, camera: null });
+    const text = await blob?.text();
     let lines = NaN;
     const rows = text?.trimEnd().split('\n').slice(1) ?? [];
     if (rows.length > 0 && rows.length <= most) {
@@ -97,7 +97,7 @@ async function measure({ definition, turns, most }) {
 const number = (/** @type {number} */ value) => (Number.isNaN(value) ? '-' : value.toFixed(value < 100 ? 1 : 0)).padStart(9);
 
 console.log('milliseconds at 1600x1000             first  moving: median     worst  at rest    lines of a canvas');
-await withPage({ options: { viewport: { width: 1280, height: 800 } } }, async (page) => {
+await withPage({ before: withModules, options: { viewport: { width: 1280, height: 800 } } }, async (page) => {
     for (const [name, system, iterations] of WORKS) {
         for (const n of iterations) {
             const { first, moving, rest, lines } = await page.evaluate(measure, { definition: { ...system, iterations: n }, turns: TURNS, most: MOST });

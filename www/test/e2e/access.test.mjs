@@ -55,6 +55,19 @@ const STATES = {
     turtle: tab('turtle'),
     look: tab('look'),
     save: tab('save'),
+    'save dialog with sizes': async (page) => {
+        await tab('save')(page);
+        await page.click('#open-save');
+        await page.click('.save-tile:has([value=png])');
+        await page.waitForSelector('#save-preview img');
+        await page.selectOption('#option-size', 'own');
+    },
+    'save dialog with a text': async (page) => {
+        await tab('save')(page);
+        await page.click('#open-save');
+        await page.click('.save-tile:has([value=data])');
+        await page.waitForSelector('#save-preview pre');
+    },
     gallery: async (page) => {
         await page.click('#open-gallery');
         await page.waitForSelector('.thumb.inked');

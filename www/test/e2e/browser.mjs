@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { FORMATS } from '../../js/tables.js';
 
 export const ADDRESS = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
 
@@ -40,7 +41,17 @@ export async function ready(page, drawing = '#stage.inked') {
 
 /** Serves the page's source modules, for tests that import one in the page. @param {Page} page */
 export const withModules = (page) =>
-    page.route('**/js/*.js', (route) => route.fulfill({ path: fileURLToPath(new URL(`../../js/${route.request().url().split('/').pop()}`, import.meta.url)) }));
+    page.route('**/js/**', (route) => route.fulfill({ path: fileURLToPath(new URL(`../../js/${route.request().url().split('/js/').pop()}`, import.meta.url)) }));
+
+/** Saves a file by the dialog, from the open section Save. @param {Page} page @param {import('../../js/protocol.js').Format} format */
+export async function saveFile(page, format) {
+    await page.click('#open-save');
+    await page.click(`.save-tile:has([value=${FORMATS[format].purpose}])`);
+    await page.click(`.save-tile:has([name=save-format][value=${format}])`);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
+    await page.waitForSelector('#save-dialog', { state: 'hidden' });
+    return download;
+}
 
 /**
  * Opens the page, or the page at `address`, lets `use` work with it, and checks that nothing failed except the

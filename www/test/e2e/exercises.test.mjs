@@ -191,7 +191,9 @@ test('saved pictures can leave the system out', () =>
     withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F%2BF&n=3&angle=77' }, async (page) => {
         await page.click('#tab-save');
         for (const [bare, expected] of [[false, true], [true, false]]) {
-            await page.setChecked('#save-bare', Boolean(bare));
+            await page.click('#open-save');
+            await page.setChecked('#option-bare', Boolean(bare));
+            await page.click('#save-cancel');
             for (const format of ['svg', 'png']) {
                 const [saved] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
                 assert.equal((await readFile(await saved.path(), 'latin1')).includes('F+F'), expected, format);

@@ -7,7 +7,7 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, picture, ready, stillPicture, until, withPage } from './browser.mjs';
+import { close, picture, ready, saveFile, stillPicture, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -102,7 +102,7 @@ test('after one visit, the page, gallery, exports, embedded drawings, course pag
             await page.waitForSelector('.thumb.inked');
             await page.click('#close-gallery');
             await page.click('#tab-save');
-            const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
+            const saved = await saveFile(page, 'json');
             assert.ok(JSON.parse(await readFile(await saved.path(), 'utf8')).initial);
             await page.goto(`${origin}index.html`);
             await ready(page);

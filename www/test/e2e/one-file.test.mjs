@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { PHONE, close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+import { PHONE, close, nextPicture, picture, saveFile, stillPicture, until, withPage } from './browser.mjs';
 
 const KOCH = '#v=1&title=Koch&axiom=F&rules=F%20-%3E%20F+F--F+F&n=4&angle=60&heading=0';
 
@@ -50,7 +50,7 @@ test('requests nothing, and contains the gallery and the exports', () =>
         await page.locator('.card:visible').first().click();
         await nextPicture(page, before);
         await page.click('#tab-save');
-        const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
+        const saved = await saveFile(page, 'json');
         assert.ok(JSON.parse(await readFile(await saved.path(), 'utf8')).initial);
         const [svg] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=svg]')]);
         assert.match(await readFile(await svg.path(), 'utf8'), /^(<\?xml[^>]*>\s*)?<svg/);

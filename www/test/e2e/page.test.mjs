@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
-import { PHONE, close, drag, nextPicture, picture, ready, sameAgain, stillPicture, until, withPage } from './browser.mjs';
+import { PHONE, close, drag, nextPicture, picture, ready, sameAgain, saveFile, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -445,7 +445,7 @@ test('counts are exact for any number of iterations, in short form and in full',
 test('files are saved under descriptive names', () =>
     withPage({ hash: KOCH }, async (page) => {
         await page.click('#tab-save');
-        for (const [format, starts] of /** @type {[string, RegExp][]} */ ([
+        for (const [format, starts] of /** @type {[import('../../js/protocol.js').Format, RegExp][]} */ ([
             ['svg', /^<(\?xml|svg)/],
             ['png', /^.PNG/],
             ['csv', /^x0,y0,x1,y1,level,colour\n/],
@@ -454,15 +454,19 @@ test('files are saved under descriptive names', () =>
             ['obj', /^# x, y, z/],
             ['glb', /^glTF/],
         ])) {
-            const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
+            const download = await saveFile(page, format);
             assert.equal(download.suggestedFilename(), `Koch_n4.${format}`);
             const content = (await readFile(String(await download.path()))).toString('latin1');
             assert.match(content, starts, format);
         }
-        const [compact] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=svg-compact]')]);
+        const compact = await saveFile(page, 'svg-compact');
         assert.equal(compact.suggestedFilename(), 'Koch_n4_compact.svg');
         assert.match(await readFile(String(await compact.path()), 'utf8'), /<use/);
-        await page.selectOption('#png-size', '2048');
+        await page.click('#open-save');
+        await page.click('.save-tile:has([value=png])');
+        await page.selectOption('#option-size', '2048');
+        await page.click('#save-cancel');
+        // Files saved at once have the options last chosen.
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=png]')]);
         const bytes = await readFile(String(await download.path()));
         assert.equal(Math.max(bytes.readUInt32BE(16), bytes.readUInt32BE(20)), 2048);
@@ -476,7 +480,7 @@ test('a title is shown under the drawing, in its link and in file names', () =>
         assert.equal(await text(page, '#caption-title'), 'Snow, by Ada');
         assert.ok(await page.isHidden('#edited'));
         await until(async () => (await hash(page)).includes('title=Snow,%20by%20Ada'), 'the link says so');
-        const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
+        const download = await saveFile(page, 'json');
         assert.equal(download.suggestedFilename(), 'Snow_by_Ada_n4.json');
         await page.click('#undo');
         assert.deepEqual([await page.inputValue('#title'), await text(page, '#specimen-title')], ['Koch', 'Koch']);
@@ -486,12 +490,12 @@ test('files of drawings in space have three dimensions', () =>
     withPage({ hash: '#v=1&title=Corner&axiom=F%26F&n=0&angle=90' }, async (page) => {
         await stillPicture(page);
         await page.click('#tab-save');
-        for (const [format, holds] of /** @type {[string, RegExp][]} */ ([
+        for (const [format, holds] of /** @type {[import('../../js/protocol.js').Format, RegExp][]} */ ([
             ['csv', /^x0,y0,z0,x1,y1,z1,level,colour\n0,0,0,0,1,0,0,0\n/],
             ['svg', /<path/],
             ['obj', /\no Corner\n/],
         ])) {
-            const [download] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
+            const download = await saveFile(page, format);
             assert.match(await readFile(String(await download.path()), 'utf8'), holds, format);
         }
     }));
@@ -500,7 +504,7 @@ test('saved files open again, and other files are refused with a message', () =>
     withPage({ hash: KOCH }, async (page) => {
         const before = await stillPicture(page);
         await page.click('#tab-save');
-        const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-save=json]')]);
+        const download = await saveFile(page, 'json');
         const saved = String(await download.path());
         await page.click('#tab-rules');
         await page.fill('#axiom', 'F+F');
@@ -509,9 +513,9 @@ test('saved files open again, and other files are refused with a message', () =>
         await until(async () => (await page.inputValue('#axiom')) === 'F', 'the file is open');
         assert.equal((await stillPicture(page)).digest, before.digest);
         // A picture contains its system.
-        for (const format of ['svg', 'svg-compact', 'png']) {
+        for (const format of /** @type {const} */ (['svg', 'svg-compact', 'png'])) {
             await page.click('#tab-save');
-            const [picture] = await Promise.all([page.waitForEvent('download'), page.click(`[data-save=${format}]`)]);
+            const picture = await saveFile(page, format);
             const bytes = await readFile(String(await picture.path()));
             await page.click('#tab-rules');
             await page.fill('#axiom', 'F+F');

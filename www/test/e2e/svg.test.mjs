@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, withPage } from './browser.mjs';
+import { close, withModules, withPage } from './browser.mjs';
 
 after(close);
 
@@ -12,27 +12,13 @@ after(close);
 async function compare({ definition, size }) {
     const global = /** @type {any} */ (window);
     if (!global.exports) {
-        const worker = new Worker('worker.js');
-        const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
-        let id = 0;
-        /** @type {(message: object, done: (answer: any) => boolean) => Promise<any>} */
-        const ask = (message, done) =>
-            new Promise((resolve, reject) => {
-                worker.onmessage = ({ data }) => {
-                    if (data.type === 'fatal') reject(new Error(data.message));
-                    else if (done(data)) resolve(data);
-                };
-                worker.postMessage({ ...message, id: ++id });
-            });
-        await ask({ type: 'init', wasm }, (answer) => answer.type === 'ready');
-        // The worker draws nothing before it has a view.
-        worker.postMessage({ type: 'view', id: 0, width: 16, height: 16, ratio: 1, view: { x: 0, y: 0, zoom: 1 } });
+        const { createExports } = await import(new URL('js/save/exports.js', document.baseURI).href);
+        const { make } = createExports();
         /** @param {object} system */
         global.exports = async (system) => {
-            await ask({ type: 'define', definition: system }, (answer) => answer.type === 'report' && answer.id === id && answer.report.blocks !== null);
             const texts = [];
             for (const format of ['svg', 'svg-compact']) {
-                const { blob, diagnostics } = await ask({ type: 'export', format }, (answer) => answer.type === 'export');
+                const { blob, diagnostics } = await make({ definition: system, format, options: {}, camera: null });
                 if (blob === null) throw new Error(JSON.stringify(diagnostics));
                 texts.push(await blob.text());
             }
@@ -84,7 +70,7 @@ const MEAN = 2;
 const TILE = 64;
 
 test('compact SVG pictures look like flat ones', () =>
-    withPage({}, async (page) => {
+    withPage({ before: withModules }, async (page) => {
         const entries = await page.evaluate(async () => (await fetch('gallery.json')).json());
         /** @type {any[]} */
         const found = [];

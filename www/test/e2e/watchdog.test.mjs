@@ -17,12 +17,9 @@ const WEED = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
 /** Ways to stop, as words in an axiom. In capitals the definition stops the worker, in small letters its file does. */
 const WAYS = ['HANG', 'CRASH', 'CLOSE'];
 
-/** Appended to the worker's script. The symbols of these words draw nothing in most systems. */
+/** Appended to the scripts of the page's worker and of the tool for files. The symbols of these words draw nothing in most systems. */
 const FAULTS = `
 (() => {
-    const { prototype } = wasm_bindgen.Playground;
-    const { define, export: write, snapshot, pick } = prototype;
-    let axiom = '';
     const fault = (text, [hang, crash, gone]) => {
         if (text.includes(hang)) for (;;);
         if (text.includes(crash)) throw new WebAssembly.RuntimeError('unreachable');
@@ -32,15 +29,24 @@ const FAULTS = `
         self.close();
         throw new Error('gone');
     };
+    const small = ['hang', 'crash', 'close'];
+    const { Export, Playground } = wasm_bindgen;
+    if (Export) {
+        wasm_bindgen.Export = class extends Export {
+            constructor(asked) {
+                fault(asked.definition.axiom, small);
+                super(asked);
+            }
+        };
+        return;
+    }
+    let axiom = '';
+    const { prototype } = Playground;
+    const { define, snapshot, pick } = prototype;
     prototype.define = function (definition) {
         axiom = definition.axiom;
         fault(axiom, ['HANG', 'CRASH', 'CLOSE']);
         return define.call(this, definition);
-    };
-    const small = ['hang', 'crash', 'close'];
-    prototype.export = function (...how) {
-        fault(axiom, small);
-        return write.apply(this, how);
     };
     prototype.snapshot = function (...how) {
         fault(axiom, small);
@@ -55,7 +61,7 @@ const FAULTS = `
 
 /** Adds the faults to the workers of a page, from files or inside a single-file page. @param {Page} page */
 async function withFaults(page) {
-    await page.route(/\/worker\.js$/, async (route) => {
+    await page.route(/\/(worker|export)\.js$/, async (route) => {
         try {
             const response = await route.fetch();
             await route.fulfill({ response, body: (await response.text()) + FAULTS });

@@ -24,7 +24,7 @@ const CHOICES = /** @type {const} */ ([
     ['#wells input', ['#ff0000', '#00ff00']],
 ]);
 const TABS = ['rules', 'grow', 'turtle', 'look', 'save'];
-const SAVES = ['svg', 'svg-compact', 'png', 'json', 'txt', 'csv', 'obj', 'glb'];
+const SAVES = ['[data-save=svg]', '[data-save=png]', '#open-save'];
 
 /** The texts in the fields, by field. @param {import('playwright-core').Frame} frame */
 export async function texts(frame) {
@@ -119,9 +119,12 @@ export const PAGE = [
         kind: 'save',
         weight: 2,
         async act(place, roll) {
-            const format = pick(roll, SAVES);
-            await open(place, `[data-save=${format}]`);
-            return click(place, `[data-save=${format}]`);
+            const save = pick(roll, SAVES);
+            await open(place, save);
+            const clicked = await click(place, save);
+            if (save !== '#open-save' || clicked === NOTHING) return clicked;
+            await click(place, pick(roll, ['#save-purposes .save-tile', '#save-formats .save-tile', '#save-options input']), whole(roll, 5));
+            return click(place, pick(roll, ['#save-now', '#save-cancel', '#close-save']));
         },
     },
     {

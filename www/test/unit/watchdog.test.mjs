@@ -26,7 +26,7 @@ test('a fresh worker gets the open questions, except the one that stopped the fo
     const thumb = { definition: definitionOf(DEFAULTS), width: 1, height: 1 };
     const bad = questions.ask('thumb', thumb);
     const good = questions.ask('thumb', thumb);
-    const file = questions.ask('export', { format: 'svg' });
+    const file = questions.ask('png', { width: 1, height: 1, definition: null });
     assert.deepEqual(put, []);
     assert.equal(questions.refuseOne(1), 'thumb');
     assert.equal(questions.refuseOne(7), undefined);

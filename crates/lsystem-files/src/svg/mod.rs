@@ -29,6 +29,8 @@ pub struct SvgOptions {
     pub form: SvgForm,
     /// The longer side of the picture, in CSS pixels.
     pub size: f64,
+    /// Whether the background is left out.
+    pub transparent: bool,
     /// The most segments and vertices of polygons to write. In the compact form, placed blocks count too.
     pub most: u64,
 }
@@ -87,6 +89,7 @@ impl Default for SvgOptions {
             system: String::new(),
             form: SvgForm::Flat,
             size: 1024.0,
+            transparent: false,
             most: 2_000_000,
         }
     }
@@ -139,12 +142,14 @@ impl ViewBox {
             }
         }
         super::embed::write_metadata(&mut text, &options.system);
-        text.push_str("<rect");
-        attribute(&mut text, "x", decimals, self.x);
-        attribute(&mut text, "y", decimals, self.y);
-        attribute(&mut text, "width", decimals, self.width);
-        attribute(&mut text, "height", decimals, self.height);
-        let _ = writeln!(text, " fill=\"{}\"/>", String::from(style.background));
+        if !options.transparent {
+            text.push_str("<rect");
+            attribute(&mut text, "x", decimals, self.x);
+            attribute(&mut text, "y", decimals, self.y);
+            attribute(&mut text, "width", decimals, self.width);
+            attribute(&mut text, "height", decimals, self.height);
+            let _ = writeln!(text, " fill=\"{}\"/>", String::from(style.background));
+        }
         let _ = writeln!(text, "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"{more}>");
         text
     }

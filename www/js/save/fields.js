@@ -1,0 +1,146 @@
+/** The options of a format as fields, made from the table of options. */
+
+import { make } from '../dom.js';
+import { admits, defaultOf, optionOf, pixelSize, sidesOf, sizeOf } from './choices.js';
+import { sheetOf } from './preview.js';
+
+/** @typedef {import('./choices.js').Value} Value */
+/** @typedef {import('./choices.js').FileOption} FileOption */
+
+/** Longer sides that are offered, in pixels. */
+const SIDES = [1024, 2048, 4096, 8192, 16_384, 32_768];
+
+/**
+ * @param {object} dialog
+ * @param {() => import('../protocol.js').Canvas} dialog.canvas
+ * @param {(name: string, value: Value) => void} dialog.choose
+ */
+export function optionFields({ canvas, choose }) {
+    /** @param {string} name @param {FileOption} option @param {Value} value */
+    function flag(name, option, value) {
+        const box = make('input', { type: 'checkbox', id: `option-${name}`, checked: value === true });
+        box.addEventListener('change', () => choose(name, box.checked));
+        return make('label', { class: 'check', title: option.help }, box, make('span', {}, option.label));
+    }
+
+    /** @param {string} name @param {FileOption} option @param {...HTMLElement} fields */
+    function row(name, option, ...fields) {
+        return make('div', { class: 'save-option' }, make('label', { for: `option-${name}`, title: option.help }, option.label), ...fields);
+    }
+
+    /** @param {string} name @param {Extract<FileOption, {kind: 'word'}>} option @param {Value} value */
+    function word(name, option, value) {
+        const list = make('select', { id: `option-${name}` }, ...Object.entries(option.words).map(([each, label]) => make('option', { value: each }, label)));
+        list.value = String(value);
+        list.addEventListener('change', () => choose(name, list.value));
+        return row(name, option, list);
+    }
+
+    /** @param {string} name @param {Extract<FileOption, {kind: 'number'}>} option @param {Value} value */
+    function number(name, option, value) {
+        let last = value;
+        const field = make('input', { id: `option-${name}`, class: 'number', type: 'number', inputmode: 'decimal', min: String(option.low), max: String(option.high), step: String(option.step), value: String(value) });
+        field.addEventListener('input', () => {
+            const typed = field.value === '' ? NaN : Number(field.value);
+            const isValid = admits(option, typed);
+            field.toggleAttribute('data-wrong', !isValid);
+            field.setAttribute('aria-invalid', String(!isValid));
+            if (!isValid) return;
+            last = typed;
+            choose(name, typed);
+        });
+        // A value that is not possible gives way to the last one that is.
+        field.addEventListener('change', () => {
+            if (admits(option, field.value === '' ? NaN : Number(field.value))) return;
+            field.value = String(last);
+            field.removeAttribute('data-wrong');
+            field.removeAttribute('aria-invalid');
+        });
+        return row(name, option, make('span', { class: 'save-number' }, field, ...(option.unit ? [make('span', { class: 'unit' }, option.unit)] : [])));
+    }
+
+    /**
+     * A list of sizes, whose last entry shows fields for both sides.
+     * @param {string} name @param {FileOption} option
+     * @param {{value: string, offered: [string, string][], sides: string[], unit: [string, string], step: string, isValid: (text: string) => boolean, range: string}} what
+     *   `sides` are shown first; `unit` is long and short; `range` tells what is valid
+     */
+    function sized(name, option, { value, offered, sides, unit, step, isValid, range }) {
+        const [long, short] = unit;
+        const isOwn = !offered.some(([each]) => each === value);
+        const list = make('select', { id: `option-${name}` }, ...[...offered, ['own', 'Other…']].map(([each = '', label = '']) => make('option', { value: each }, label)));
+        list.value = isOwn ? 'own' : value;
+        const fields = ['Width', 'Height'].map((side, at) => make('input', { class: 'number', type: 'number', inputmode: 'decimal', min: '1', step, 'aria-label': `${side}, in ${long}`, value: sides[at] ?? '' }));
+        const [width, height] = /** @type {[HTMLInputElement, HTMLInputElement]} */ (fields);
+        const both = make('span', { class: 'save-sides' }, width, make('span', { 'aria-hidden': 'true' }, '×'), height, make('span', { class: 'unit' }, short));
+        const note = make('p', { class: 'range-note', role: 'alert' }, range);
+        both.hidden = !isOwn;
+        note.hidden = true;
+        const text = () => `${width.value}x${height.value}`;
+        function check() {
+            const isFine = list.value !== 'own' || isValid(text());
+            for (const field of fields) field.toggleAttribute('data-wrong', !isFine);
+            note.hidden = isFine;
+            if (isFine) choose(name, list.value === 'own' ? text() : list.value);
+        }
+        list.addEventListener('change', () => {
+            both.hidden = list.value !== 'own';
+            check();
+            if (list.value === 'own') width.focus();
+        });
+        for (const field of fields) field.addEventListener('input', check);
+        return make('div', {}, row(name, option, list), both, note);
+    }
+
+    /** @param {string} name @param {Extract<FileOption, {kind: 'size'}>} option @param {Value} value */
+    function size(name, option, value) {
+        const shown = canvas();
+        const words = (/** @type {string} */ size) => pixelSize(size, shown).replace('x', ' × ');
+        const fits = SIDES.map(String).filter((side) => sizeOf(pixelSize(side, shown), option) !== null);
+        return sized(name, option, {
+            value: String(value),
+            offered: [['', `As on the page, ${words('')}`], ...fits.map((side) => /** @type {[string, string]} */ ([side, words(side)]))],
+            sides: pixelSize(value, shown).split('x'),
+            unit: ['pixels', 'px'],
+            step: '1',
+            isValid: (text) => sizeOf(text, option) !== null,
+            range: `At most ${option.most.toLocaleString('en')} pixels each way.`,
+        });
+    }
+
+    /** @param {string} name @param {Extract<FileOption, {kind: 'sheet'}>} option @param {Value} value */
+    function sheet(name, option, value) {
+        const { width, height } = sheetOf({ sheet: value });
+        return sized(name, option, {
+            value: String(value),
+            offered: Object.entries(option.words),
+            sides: [String(width), String(height)],
+            unit: ['millimetres', 'mm'],
+            step: 'any',
+            isValid: (text) => sidesOf(text, option) !== null,
+            range: `From ${option.low} to ${option.high.toLocaleString('en')} mm each way.`,
+        });
+    }
+
+    return {
+        /** The fields of some options. @param {string} format @param {readonly string[]} names @param {Record<string, Value>} values */
+        of(format, names, values) {
+            return names.map((name) => {
+                const option = optionOf(name);
+                const value = values[name] ?? defaultOf(option);
+                switch (option.kind) {
+                    case 'flag':
+                        return flag(name, option, value);
+                    case 'word':
+                        return word(name, option, value);
+                    case 'number':
+                        return number(name, option, value);
+                    case 'size':
+                        return size(name, option, value);
+                    case 'sheet':
+                        return sheet(name, option, value);
+                }
+            });
+        },
+    };
+}

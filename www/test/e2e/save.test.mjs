@@ -1,0 +1,160 @@
+/** The save dialog: choices, preview, size, problems, cancelling, memory of choices, keyboard, phone. */
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, test } from 'node:test';
+import { groupsOf } from '../../js/save/choices.js';
+import { PHONE, close, nextPicture, saveFile, stillPicture, until, withPage } from './browser.mjs';
+
+after(close);
+
+const WEED = '#v=1&title=Weed&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
+
+/** @param {import('playwright-core').Page} page */
+async function open(page) {
+    if ((await page.getAttribute('#tab-save', 'aria-selected')) !== 'true') await page.click('#tab-save');
+    await page.click('#open-save');
+    await page.waitForSelector('#save-preview > *');
+}
+
+/** @param {import('playwright-core').Page} page @param {string} value */
+const choose = (page, value) => page.click(`.save-tile:has([value=${value}])`);
+
+/** @param {import('playwright-core').Page} page */
+const size = (page) => page.innerText('#save-size');
+
+test('the dialog shows the file, its name and its size', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await open(page);
+        assert.deepEqual(await page.locator('#save-purposes .save-tile').allInnerTexts(), groupsOf([]).map(({ label }) => label));
+        await until(async () => /^\d+ kB$/.test(await size(page)), 'the size of the SVG is known');
+        assert.equal(await page.innerText('#save-name'), 'Weed_n4.svg');
+        assert.ok((await page.getAttribute('#save-preview img', 'src'))?.startsWith('blob:'));
+        await choose(page, 'png');
+        await page.waitForSelector('#option-size');
+        await until(async () => /× \d+ pixels$/.test(await size(page)), 'the size of the picture');
+        await choose(page, 'data');
+        await choose(page, 'csv');
+        await until(async () => (await page.locator('#save-preview pre').allInnerTexts())[0]?.startsWith('x0,y0,x1,y1,level,colour\n0,0,') ?? false, 'the first lines are shown');
+        const told = await size(page);
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
+        const bytes = await readFile(String(await download.path()));
+        assert.equal(bytes.toString().trim().split('\n').length, 5 ** 4 + 1);
+        assert.equal(told, `${Math.round(bytes.length / 1000)} kB`);
+        await page.waitForSelector('#save-dialog', { state: 'hidden' });
+        assert.match(await page.innerText('#toast'), /^Saved/);
+    }));
+
+test('options change the file, and all choices are remembered', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await open(page);
+        await page.check('#option-transparent');
+        await page.check('#option-bare');
+        await page.waitForSelector('#save-preview.clear img');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
+        const text = await readFile(String(await download.path()), 'utf8');
+        assert.ok(text.startsWith('<svg') && !text.includes('<rect') && !text.includes('F[+F]'));
+        await page.click('#open-save');
+        await choose(page, 'svg-compact');
+        await page.click('#save-cancel');
+        await page.reload();
+        await open(page);
+        assert.ok(await page.isChecked('[name=save-format][value=svg-compact]'));
+        assert.ok((await page.isChecked('#option-transparent')) && (await page.isChecked('#option-bare')));
+    }));
+
+test('a picture has the size that is asked for, and sizes out of range are told', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await open(page);
+        await choose(page, 'png');
+        await page.selectOption('#option-size', 'own');
+        await page.fill('.save-sides input >> nth=0', '9000');
+        await page.waitForSelector('.range-note:visible');
+        await page.fill('.save-sides input >> nth=0', '300');
+        await page.fill('.save-sides input >> nth=1', '200');
+        await until(async () => (await size(page)) === '300 × 200 pixels', 'the size is told');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
+        const bytes = await readFile(String(await download.path()));
+        assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [300, 200]);
+    }));
+
+test('limits and mistakes are told in the dialog, with hints', () =>
+    withPage({ hash: WEED.replace('n=4', 'n=30') }, async (page) => {
+        await open(page);
+        await page.waitForSelector('#save-problems .error');
+        assert.match(await page.innerText('#save-problems'), /segments/);
+        // The compact form has no such limit here.
+        await choose(page, 'svg-compact');
+        await until(async () => /kB$/.test(await size(page)), 'it is made');
+        assert.equal(await page.locator('#save-problems .error').count(), 0);
+        await page.click('#close-save');
+        await page.click('#tab-rules');
+        await page.fill('#rules', 'F = FF');
+        await open(page);
+        await choose(page, 'data');
+        await page.waitForSelector('#save-problems .problem-hint');
+        assert.match(await page.innerText('#save-problems'), /->/);
+    }));
+
+test('a large file shows its progress, and can be stopped', () =>
+    withPage({ hash: WEED.replace('n=4', 'n=9') }, async (page) => {
+        await open(page);
+        await choose(page, 'data');
+        await choose(page, 'csv');
+        await until(async () => /^More than/.test(await size(page)), 'the file is too large for the background', 60_000);
+        await page.click('#save-now');
+        await page.waitForSelector('#save-bar:visible');
+        await until(async () => /so far$/.test(await size(page)), 'progress is told');
+        await page.click('#save-stop');
+        await page.waitForSelector('#save-now:enabled');
+        assert.equal(await size(page), 'Cancelled');
+        // The page draws meanwhile, and the dialog closes.
+        await page.keyboard.press('Escape');
+        await page.waitForSelector('#save-dialog', { state: 'hidden' });
+        const before = await stillPicture(page);
+        await page.click('#tab-rules');
+        await page.fill('#axiom', 'F+F');
+        await nextPicture(page, before);
+    }));
+
+test('the dialog is used with the keyboard alone', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await page.keyboard.press('Control+s');
+        await page.waitForSelector('#save-dialog[open]');
+        assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('value')), 'screen');
+        for (let steps = 0; steps < 10 && !(await page.isChecked('[name=save-purpose][value=data]')); steps++) await page.keyboard.press('ArrowRight');
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('ArrowDown');
+        assert.ok(await page.isChecked('[name=save-format][value=txt]'));
+        await until(async () => (await page.locator('#save-preview pre').count()) === 1, 'the text is shown');
+        await page.focus('#save-now');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+        assert.equal(download.suggestedFilename(), 'Weed_n4.txt');
+        await page.keyboard.press('Control+s');
+        await page.waitForSelector('#save-dialog[open]');
+        await page.keyboard.press('Escape');
+        await page.waitForSelector('#save-dialog', { state: 'hidden' });
+        assert.equal(await page.evaluate(() => document.querySelectorAll('#save-dialog input:not([id]):not([name]):not([aria-label])').length), 0);
+    }));
+
+test('on a phone the dialog fills the screen and nothing is cut', () =>
+    withPage({ hash: WEED, options: PHONE }, async (page) => {
+        await page.tap('#tab-save');
+        await page.tap('#open-save');
+        await page.waitForSelector('#save-preview img');
+        for (const value of ['png', 'data', 'mesh']) await page.tap(`.save-tile:has([value=${value}])`);
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+        const wide = await page.evaluate(() => [...document.querySelectorAll('#save-dialog *')].filter((element) => element.getBoundingClientRect().right > 391).length);
+        assert.equal(wide, 0);
+        const button = await page.locator('#save-now').boundingBox();
+        assert.ok(button && button.y + button.height <= 844 && button.height >= 30);
+    }));
+
+test('works where the browser stores nothing', () =>
+    withPage({ hash: WEED, before: (page) => page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get: () => { throw new Error('refused'); } })) }, async (page) => {
+        await page.click('#tab-save');
+        assert.equal((await saveFile(page, 'json')).suggestedFilename(), 'Weed_n4.json');
+        // The choices hold for this visit.
+        await page.click('#open-save');
+        assert.ok(await page.isChecked('[name=save-format][value=json]'));
+    }));
