@@ -90,7 +90,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
     match command {
         Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::Expand { file, changes } => expand(&file, &changes),
-        Command::Draw { jobs, look, changes } => draw::draw(&jobs, &look, &changes),
+        Command::Draw { jobs, folder, look, changes } => draw::draw(&jobs, folder.as_deref(), &look, &changes),
         Command::Import { files, to } => import::import(&files, &to),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Find { text, known, json } => find::find(&text, &known, json),
