@@ -16,7 +16,13 @@ pub(crate) enum Command {
     /// Print the derived string.
     Expand { file: PathBuf, changes: Changes },
     /// Write or print pictures and other files.
-    Draw { jobs: Vec<Job>, look: Look, changes: Changes },
+    Draw {
+        jobs: Vec<Job>,
+        /// The folder for the output of every file, made if it is missing.
+        folder: Option<PathBuf>,
+        look: Look,
+        changes: Changes,
+    },
     /// Write a pyramid of tiles.
     Tiles { file: PathBuf, dir: PathBuf, options: TileOptions, changes: Changes },
     /// Convert files of other programs to JSON files in a folder.
@@ -73,7 +79,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
     match verb {
         Verb::Expand { file, changes } => Ok(Command::Expand { file, changes }),
         Verb::Draw { files, out_dir, look, changes } => match jobs(files, out_dir.as_deref(), &look, is_short) {
-            Ok(jobs) => Ok(Command::Draw { jobs, look, changes }),
+            Ok(jobs) => Ok(Command::Draw { jobs, folder: out_dir, look, changes }),
             Err(words) => Err(explain("draw", words)),
         },
         Verb::Info { files, json, growth, changes } => {
@@ -232,7 +238,7 @@ mod tests {
         let text = match parse(line.split_whitespace().map(OsString::from)) {
             Ok(Command::Expand { file, changes }) => format!("expand {file:?} {}", with(changes)),
             Ok(Command::Info { files, json, changes, .. }) => format!("info {files:?} json {json} {}", with(changes)),
-            Ok(Command::Draw { jobs, look: Look { flags, compact, .. }, changes }) => {
+            Ok(Command::Draw { jobs, look: Look { flags, compact, .. }, changes, .. }) => {
                 let jobs: Vec<String> = jobs.iter().map(|job| format!("{:?} to {:?}", job.file, job.target)).collect();
                 let size =
                     flags.options().size.map_or_else(String::new, |[width, height]| format!(" {width} by {height}"));

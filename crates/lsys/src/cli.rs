@@ -51,7 +51,7 @@ pub(crate) enum Verb {
     Draw {
         #[arg(help = FILE, value_name = "FILE", value_hint = ValueHint::FilePath, required = true)]
         files: Vec<PathBuf>,
-        /// Write the output of every FILE into DIR, named after the file
+        /// Write the output of every FILE into DIR, named after the file; DIR is made if it is missing
         #[arg(long, visible_alias = "to", value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true)]
         out_dir: Option<PathBuf>,
         #[command(flatten)]

@@ -11,10 +11,14 @@ use lsystem::files::{Content, FileOptions, Format, PngWriter, write_all};
 use lsystem::syntax::visible;
 use lsystem::{Mesh, write_json};
 use std::io::{self, IsTerminal, Write};
+use std::path::Path;
 use std::sync::Arc;
 
-/// Does all `jobs`. A failed job is reported, and the others are still done.
-pub(crate) fn draw(jobs: &[Job], look: &Look, changes: &Changes) -> Result<(), CommandFailure> {
+/// Does all `jobs`; their `folder` is made if it is missing. A failed job is reported, and the others are still done.
+pub(crate) fn draw(jobs: &[Job], folder: Option<&Path>, look: &Look, changes: &Changes) -> Result<(), CommandFailure> {
+    if let Some(folder) = folder {
+        std::fs::create_dir_all(folder).map_err(|error| CommandFailure::io(folder.display(), &error))?;
+    }
     match cores::in_order(jobs, |job, limits, say| draw_one(job, look, changes, limits, say))? {
         (_, true) => Ok(()),
         (_, false) => Err(CommandFailure::Said),

@@ -91,7 +91,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
     match command {
         Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::Expand { file, changes } => expand(&file, &changes),
-        Command::Draw { jobs, look, changes } => draw::draw(&jobs, &look, &changes),
+        Command::Draw { jobs, folder, look, changes } => draw::draw(&jobs, folder.as_deref(), &look, &changes),
         Command::Tiles { file, dir, options, changes } => tiles::tiles(&file, &dir, &options, &changes),
         Command::Import { files, to } => import::import(&files, &to),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),

@@ -571,7 +571,7 @@ fn good_files_are_done_beside_bad_ones() {
     let folder = Folder::new("beside");
     let files = "crates/lsys/tests/broken/empty.json data_in/abop/1.24a.json";
     bad(
-        &format!("draw {files} --to {} -n 1", folder.0.display()),
+        &format!("draw {files} --to {}/new/one -n 1", folder.0.display()),
         1,
         &expect![[r#"
             error: The file holds nothing
@@ -579,7 +579,8 @@ fn good_files_are_done_beside_bad_ones() {
               = help: It must hold an object: {"initial": "F"}.
         "#]],
     );
-    assert_eq!(folder.names(), ["1.24a.svg", "1.24a.txt"]);
+    let made = ["1.24a.svg", "1.24a.txt"].map(|name| folder.0.join("new/one").join(name).is_file());
+    assert_eq!(made, [true, true]);
     let output = lsys(&format!("info {files} --json").split(' ').collect::<Vec<_>>());
     assert!(text(&output.stdout).contains("1.24a") && output.status.code() == Some(1));
 }
