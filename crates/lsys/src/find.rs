@@ -48,7 +48,8 @@ pub(crate) struct Known {
     pub(crate) seconds: u32,
 }
 
-/// Finds rules that derive the string in a file, or the string itself, or that draw the picture in a file.
+/// Finds rules that derive the string in a file, or the string itself, or that draw the picture or the segments
+/// in a file.
 ///
 /// # Errors
 /// [`CommandFailure::Said`] if none are found; [`CommandFailure::Words`] if the string cannot be searched.
@@ -60,7 +61,12 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
             if picture::is_picture(&bytes) {
                 return picture::find(wanted, &bytes, known, json);
             }
-            String::from_utf8(bytes).map_err(|_| CommandFailure::Words(format!("{wanted}: this is no text")))?
+            let text = String::from_utf8(bytes);
+            let text = text.map_err(|_| CommandFailure::Words(format!("{wanted}: this is no text")))?;
+            if let Some(segments) = picture::segments(wanted, &text)? {
+                return picture::find_segments(wanted, &segments, known, json);
+            }
+            text
         }
         false => wanted.to_owned(),
     };

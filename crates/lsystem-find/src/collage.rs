@@ -20,8 +20,6 @@ const ON_INK: f64 = 0.7;
 const ROUGHLY: f64 = 0.5;
 /// A copy is given up after so many misses more than that.
 const SOME: f64 = 6.0;
-/// Where the ink covers more than this part of the hull, copies fit nearly everywhere, and no list of them helps.
-const DENSE: f64 = 0.5;
 /// Copies are different if they are so many pixels apart.
 const APART: f64 = 4.0;
 /// A base may be so many pixels from where the turtle comes by.
@@ -43,12 +41,16 @@ const MAX_NODES: usize = 120;
 const MAX_DEPTH: usize = 6;
 /// A stalk lies on ink with at least this part of its length.
 const STALK: f64 = 0.95;
-/// The part of the ink that may be left uncovered, and the part that no copy may cover.
-const UNCOVERED: usize = PLACES / 40;
+/// The part of the ink that a cover may leave, the part that is too small to look for more, and the part that no copy may
+/// cover.
+const UNCOVERED: usize = PLACES / 12;
+const RESIDUE: usize = PLACES / 60;
 const UNCOVERABLE: usize = PLACES / 12;
 /// The most elements of a cover, and the most covers that are looked at for one length.
 const MAX_ELEMENTS: usize = 9;
-const MAX_LOOKS: usize = 4000;
+const MAX_LOOKS: usize = 20_000;
+/// The most turns from one step to the next.
+const MAX_BEND: i32 = 4;
 
 /// What the letter of the successor that steps forward draws.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,7 +162,7 @@ impl Collage {
             base,
             on_ink: ON_INK + (1.0 - ON_INK) * density * density,
             places,
-            turns: if density > DENSE { Vec::new() } else { turns.clone() },
+            turns: turns.clone(),
             all_turns: turns,
             copies: Vec::new(),
             lengths: None,
@@ -217,13 +219,25 @@ impl Collage {
         is_on_ink.then_some(1.0 - misses / TESTS as f64)
     }
 
-    /// The copies with these turns that lie on ink, the best ones first.
+    /// The copies with these turns that lie on ink straight ahead of the base, the best ones first.
     fn find_copies(&self, turns: i32) -> Vec<Copy> {
         let offsets = self.offsets(turns);
         let mut found: Vec<Copy> = Vec::new();
-        for at in (0..SIDE * SIDE).filter(|at| self.picture.mask.has(at % SIDE, at / SIDE)) {
-            let at = [(at % SIDE) as f64 + 0.5, -((at / SIDE) as f64 + 0.5)];
-            found.extend(self.score(&offsets, at, self.on_ink).map(|score| Copy { at, score }));
+        for &ray in &self.all_turns {
+            let [x, y] = self.direction(ray);
+            let along = |length: usize, aside: f64| {
+                [self.base[0] + length as f64 * x - aside * y, self.base[1] + length as f64 * y + aside * x]
+            };
+            let is_on_ink = |length: &usize| {
+                let [x, y] = along(*length, 0.0);
+                is_inked(&self.picture, x, y)
+            };
+            for length in (1..SIDE).take_while(is_on_ink).filter(|&length| length as f64 >= SHORTEST) {
+                for aside in [-1.0, 0.0, 1.0] {
+                    let at = along(length, aside);
+                    found.extend(self.score(&offsets, at, self.on_ink).map(|score| Copy { at, score }));
+                }
+            }
         }
         found.sort_by(|a, b| b.score.total_cmp(&a.score));
         let mut best: Vec<Copy> = Vec::new();
@@ -251,13 +265,9 @@ impl Collage {
         for copy in &self.copies {
             let way = [copy.at[0] - self.base[0], copy.at[1] - self.base[1]];
             let length = libm::hypot(way[0], way[1]);
-            let is_ahead = self.all_turns.iter().any(|&turns| {
-                let [x, y] = self.direction(turns);
-                x * way[0] + y * way[1] > 0.0 && (x * way[1] - y * way[0]).abs() < NEAR
-            });
             for steps in 1..=MAX_STEPS {
                 let length = length / steps as f64;
-                if !is_ahead || length < SHORTEST {
+                if length < SHORTEST {
                     continue;
                 }
                 match lengths.iter_mut().find(|(other, _)| (other - length).abs() < NEAR / 2.0) {
@@ -331,7 +341,12 @@ impl Collage {
         let mut next = 0;
         while next < nodes.len() {
             let node = nodes[next].clone();
+            let (before, order) = (node.from.map_or(0, |(_, turns)| turns), self.alphabet.order as i32);
             for (&turns, offsets) in self.all_turns.iter().zip(&offsets) {
+                let bend = (turns - before).rem_euclid(order);
+                if bend.min(order - bend) > MAX_BEND {
+                    continue;
+                }
                 let copy = self.copy_at(offsets, node.at);
                 let cover = copy.map(|copy| self.cover_of(turns, copy.at));
                 if let (Some(cover), Step::Stalk) = (cover, self.step) {
@@ -508,11 +523,11 @@ impl Looking<'_> {
         self.looks += 1;
         let open = |place: usize| (coverable[place / 64] & !covered[place / 64]) >> (place % 64) & 1 == 1;
         let places = || (0..PLACES).filter(|&place| open(place));
-        if places().count() <= UNCOVERED {
+        let count = places().count();
+        if count <= UNCOVERED {
             self.covers.push(chosen.clone());
-            return;
         }
-        if chosen.len() == MAX_ELEMENTS {
+        if count <= RESIDUE || chosen.len() == MAX_ELEMENTS {
             return;
         }
         let Some(place) = places().min_by_key(|&place| self.by_place[place].count_ones()) else { return };

@@ -460,6 +460,8 @@ fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
             if DRAWN.contains(&a) || !UNDRAWN.contains(&a) {
                 let rank = if DRAWN.contains(&a) { 1 } else { 3 };
                 add(rank, format!("one rule for {a}"), vec![(a, true, Rule::Free)], true);
+                // Without branches there are so few successors that much longer ones are reached.
+                add(rank, format!("one rule for {a} without branches"), vec![(a, true, Rule::Free)], false);
                 for is_reversed in [false, true] {
                     let from = if is_reversed { " from its end" } else { "" };
                     let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Mirrored { is_reversed })];

@@ -110,10 +110,8 @@ fn joined(runs: &[Run], height: usize) -> Vec<usize> {
             let end = rows[y + 1].min(at);
             let row = &runs[rows[y].min(end)..end];
             let first = rows[y].min(end) + row.partition_point(|other| other.right + GAP < run.left);
-            for other in first..end {
-                if runs[other].left > run.right + GAP {
-                    break;
-                }
+            let near = runs[first..end].iter().take_while(|other| other.left <= run.right + GAP);
+            for other in first..first + near.count() {
                 let (a, b) = (root(&mut owners, at), root(&mut owners, other));
                 owners[a.max(b)] = a.min(b);
             }
@@ -129,4 +127,38 @@ fn root(owners: &mut [usize], mut at: usize) -> usize {
         at = owners[at];
     }
     at
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_frame_a_caption_and_specks_are_left_out() {
+        let mut ink = vec![false; 200 * 200];
+        let mut put = |x: usize, y: usize| ink[y * 200 + x] = true;
+        for at in 5..195 {
+            [(at, 5), (at, 194), (5, at), (194, at)].into_iter().for_each(|(x, y)| put(x, y));
+        }
+        // The drawing: two crossing lines, one with a gap.
+        for at in 40..140 {
+            [at, at + 1].into_iter().filter(|x| *x != 90).for_each(|x| put(x, at));
+            (0..12).for_each(|wide| put(at + wide.min(1), 180 - at));
+        }
+        (60..63).for_each(|x| put(x, 170));
+        let count = |ink: &[bool]| {
+            let runs = drawing(200, 200, |x, y| ink[y * 200 + x]);
+            (runs.iter().map(|run| run.right - run.left).sum::<usize>(), runs.iter().all(|run| run.y < 150))
+        };
+        let (own, is_alone) = count(&ink);
+        assert!(is_alone && (350..420).contains(&own), "{own}");
+        // A square is a drawing if nothing else is there.
+        let square: Vec<bool> = (0..200 * 200)
+            .map(|at| {
+                let (x, y) = (at % 200, at / 200);
+                (50..150).contains(&x) && (50..150).contains(&y) && ([50, 149].contains(&x) || [50, 149].contains(&y))
+            })
+            .collect();
+        assert_eq!(count(&square).0, 396);
+    }
 }

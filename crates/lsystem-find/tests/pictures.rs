@@ -1,6 +1,8 @@
 //! The rules of pictures that are drawn here, naively, with strokes of any width.
 
-use lsystem_find::{Drawn, FOUND, Known, Picture, PictureSearch, Searched};
+use lsystem_drawing::{System, draw};
+use lsystem_find::{Drawn, FOUND, Finder, Known, Picture, PictureSearch, Question, Searched, merged};
+use lsystem_syntax::Limits;
 use std::sync::Arc;
 
 /// Systems that are tried at most.
@@ -80,7 +82,7 @@ fn best(picture: Picture, axiom: &str, angle: f64, steps: &[u32]) -> (Option<Dra
 /// An axiom, its rules, the letters that draw, the angle and the number of steps.
 type Case = (&'static str, &'static [(char, &'static str)], &'static str, f64, u32);
 
-const CASES: [Case; 9] = [
+const CASES: [Case; 12] = [
     // The four pictures of the assignment.
     ("F", &[('F', "F[+F]F")], "F", 60.0, 6),
     ("F+F+F+F", &[('F', "F-FF+F+FF-F")], "F", 90.0, 3),
@@ -91,6 +93,10 @@ const CASES: [Case; 9] = [
     ("F", &[('F', "F+G"), ('G', "F-G")], "FG", 90.0, 8),
     ("F", &[('F', "G+F+G"), ('G', "F-G-F")], "FG", 60.0, 6),
     ("X", &[('X', "F[+X][-X]X"), ('F', "FF")], "F", 25.0, 5),
+    // Plants whose successors are too long to be tried one after the other.
+    ("F", &[('F', "F[+F]F[-F]F")], "F", 25.7, 4),
+    ("X", &[('X', "F[-X][X]F[-X]+FX"), ('F', "FF")], "F", 22.5, 5),
+    ("X", &[('X', "F[+X]F[-X]+X"), ('F', "FF")], "F", 20.0, 6),
     // An angle that leads to many headings.
     ("F", &[('F', "F[+F]F[-F]")], "F", 25.7, 4),
 ];
@@ -110,6 +116,32 @@ fn rules_of_pictures_are_found() {
             let again = drawn(&segments(&rules, &best.draws, best.found.n), width);
             assert!(picture.agreement(&again) > FOUND, "{axiom} {rules:?} {width}");
         }
+    }
+}
+
+#[test]
+fn systems_of_which_nothing_is_known_are_found() {
+    for (axiom, rules, angle, n) in [
+        ("F", [('F', "F[+F]F")], 60.0, 5),
+        ("F-F-F-F", [('F', "F-F+F+F-F")], 90.0, 3),
+        ("F", [('F', "F+F--F+F")], 60.0, 4),
+    ] {
+        let picture = Arc::new(drawn(&walk(&derive(axiom, &rules, n), "F", angle, 90.0), 2.0));
+        let mut finder = Finder::new(&picture, &Question::default(), (0, 1)).expect("a search");
+        let mut left = MOST;
+        while left > 0 && !finder.is_found() && finder.step(10_000) == Searched::More {
+            left -= 10_000;
+        }
+        assert!(finder.is_found(), "{axiom} {rules:?}: {:?} {}", finder.found(), finder.searched());
+        // The definition is a system that the whole library reads and draws.
+        let definition = finder.found()[0].definition();
+        let system = System::new(&definition).0.expect("a system");
+        let drawing = draw(&system, definition.iterations, &Limits::default()).expect("a drawing");
+        let segments: Vec<[f64; 4]> =
+            drawing.segments().map(|at| [at.from[0], at.from[1], at.to[0], at.to[1]]).collect();
+        assert!(picture.agreement(&drawn(&segments, 2.0)) >= FOUND, "{definition:?}");
+        let (merged, searched) = merged(&[&finder, &finder]);
+        assert_eq!((merged.first(), searched), (finder.found().first(), finder.searched()));
     }
 }
 

@@ -1,5 +1,5 @@
-//! `cargo xtask bench`: speed compared with other implementations and with plain copying, the times of pictures, and
-//! the page's response times and cost of opening.
+//! `cargo xtask bench`: speed compared with other implementations and with plain copying, the times of pictures,
+//! the page's response times and cost of opening, and which rules of pictures are found in which time.
 
 use crate::workspace::{Workspace, run};
 use crate::{bindgen, build, page, tools};
@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 use std::ffi::OsStr;
 use std::process::Command;
 
-const PARTS: [&str; 7] = ["native", "web", "pictures", "page", "load", "space", "shares"];
+const PARTS: [&str; 8] = ["native", "web", "pictures", "page", "load", "space", "shares", "find"];
 /// The parts that measure the built page, with their scripts.
 const PAGE: [(&str, &str); 4] =
     [("page", "drags.mjs"), ("load", "load.mjs"), ("space", "space.mjs"), ("shares", "shares.mjs")];
@@ -29,6 +29,9 @@ pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a s
     }
     if has("pictures") {
         browser(workspace, "pictures".as_ref())?;
+    }
+    if has("find") {
+        run(&mut workspace.cargo(["run", "--quiet", "--release", "--package=lsystem-find", "--example=table"]))?;
     }
     let mut scripts = PAGE.into_iter().filter(|(part, _)| has(part)).peekable();
     if scripts.peek().is_some() {

@@ -2,6 +2,7 @@
 
 use super::{Known, MAX_LISTED};
 use crate::{CommandFailure, print};
+use lsystem::files::{SegmentForm, read_segments};
 use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, merged};
 use serde::Serialize;
 use std::io::Cursor;
@@ -13,6 +14,8 @@ use std::time::{Duration, Instant};
 const SHARE: u64 = 4096;
 /// The most pixels of a picture.
 const MAX_PIXELS: usize = 100 << 20;
+/// The most segments of a file.
+const MAX_SEGMENTS: usize = 1_000_000;
 /// After the first find the search goes on for so many times as long, for other systems as short.
 const LONGER: u32 = 1;
 /// And at least so long.
@@ -48,7 +51,39 @@ pub(super) fn is_picture(bytes: &[u8]) -> bool {
 pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Result<(), CommandFailure> {
     let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
     let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
-    let picture = Arc::new(Picture::new(&grey, width, height).map_err(said)?);
+    let picture = Picture::new(&grey, width, height).map_err(said)?;
+    find_rules(name, picture, known, json)
+}
+
+/// The segments of an SVG picture or a table, with the y axis upwards, if the text is one.
+///
+/// # Errors
+/// [`CommandFailure::Words`] if a segment cannot be read.
+pub(super) fn segments(name: &str, text: &str) -> Result<Option<Vec<[f64; 4]>>, CommandFailure> {
+    let Some(read) = read_segments(text, MAX_SEGMENTS) else { return Ok(None) };
+    let read =
+        read.map_err(|error| CommandFailure::Words(format!("{name}: line {}: {}", error.line, error.message)))?;
+    let up = if read.form == SegmentForm::Svg { -1.0 } else { 1.0 };
+    Ok(Some(read.segments.iter().map(|[from, to]| [from[0], up * from[1], to[0], up * to[1]]).collect()))
+}
+
+/// Finds the rules that draw segments.
+///
+/// # Errors
+/// As [`find`].
+pub(super) fn find_segments(
+    name: &str,
+    segments: &[[f64; 4]],
+    known: &Known,
+    json: bool,
+) -> Result<(), CommandFailure> {
+    let picture = Picture::of_segments(segments).map_err(|why| CommandFailure::Words(format!("{name}: {why}")))?;
+    find_rules(name, picture, known, json)
+}
+
+fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result<(), CommandFailure> {
+    let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
+    let picture = Arc::new(picture);
     let Known { axiom, angle, heading, n, draws, .. } = known;
     let question = Question { axiom: axiom.clone(), angle: *angle, heading: *heading, n: *n, draws: draws.clone() };
     let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get) as u64;

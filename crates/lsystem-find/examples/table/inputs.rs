@@ -44,7 +44,7 @@ fn polyline(lines: &[[f64; 4]]) -> Definition {
     let line = |[x, y, u, v]: &[f64; 4]| {
         let (far, length) = (libm::hypot(*x, *y), libm::hypot(u - x, v - y));
         let (to, along) = (libm::atan2(*y, *x).to_degrees(), libm::atan2(v - y, u - x).to_degrees());
-        format!("[+({to})f({far})-({to})+({along})F({length})]")
+        format!("[+({to:.6})f({far:.6})-({to:.6})+({along:.6})F({length:.6})]")
     };
     let axiom = lines.iter().map(line).collect();
     Definition { axiom, heading: 0.0, iterations: 0, ..Definition::default() }
