@@ -43,7 +43,7 @@ for (const [size, options] of /** @type {[string, import('playwright-core').Brow
                     return root.scrollWidth > root.clientWidth;
                 });
                 assert.ok(!wide, name);
-                assert.equal(await page.locator('.line [aria-current]').count(), ['security.html', 'imports.html', 'growth.html'].includes(name) ? 0 : 1);
+                assert.equal(await page.locator('.line [aria-current]').count(), ['security.html', 'imports.html', 'growth.html', 'find.html'].includes(name) ? 0 : 1);
                 assert.ok(((await page.getAttribute('meta[name=description]', 'content')) ?? '').length > 20);
             });
         }

@@ -17,11 +17,11 @@ const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 /**
  * A picture of the Koch curve F -> F-F++F-F after three steps, as the browser encodes it.
  * @param {Page} page
- * @param {{type?: string, ink?: string, paper?: string, frame?: boolean}} [how]
+ * @param {{type?: string, ink?: string, paper?: string, frame?: boolean, scribble?: boolean}} [how]
  */
-async function koch(page, { type = 'image/png', ink = '#000', paper = '#fff', frame = false } = {}) {
+async function koch(page, { type = 'image/png', ink = '#000', paper = '#fff', frame = false, scribble = false } = {}) {
     const address = await page.evaluate(
-        ({ type, ink, paper, frame }) => {
+        ({ type, ink, paper, frame, scribble }) => {
             const canvas = document.createElement('canvas');
             [canvas.width, canvas.height] = [700, 320];
             const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
@@ -41,10 +41,12 @@ async function koch(page, { type = 'image/png', ink = '#000', paper = '#fff', fr
                 else if (symbol === '-') heading -= Math.PI / 3;
                 else context.lineTo((x += 20 * Math.cos(heading)), (y += 20 * Math.sin(heading)));
             }
+            // Lines to places that no rule gives.
+            if (scribble) for (let at = 1; at < 14; at++) context.lineTo(350 + 320 * Math.sin(at * at), 160 + 140 * Math.cos(3 * at * at));
             context.stroke();
             return canvas.toDataURL(type, 0.9);
         },
-        { type, ink, paper, frame },
+        { type, ink, paper, frame, scribble },
     );
     return Buffer.from(address.split(',')[1] ?? '', 'base64');
 }
@@ -146,9 +148,8 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
 
 test('the page answers while the search runs, and the search stops at once', () =>
     withPage({}, async (page) => {
-        // With its frame nothing is found, so the search goes on.
         await begin(page);
-        await page.setInputFiles('#find-file', { name: 'two.png', mimeType: 'image/png', buffer: await koch(page, { frame: true }) });
+        await page.setInputFiles('#find-file', { name: 'scribble.png', mimeType: 'image/png', buffer: await koch(page, { scribble: true }) });
         await page.waitForSelector('#find-picture:visible');
         await page.click('#find-start');
         await page.waitForSelector('#find-results:visible', { timeout: PATIENCE });

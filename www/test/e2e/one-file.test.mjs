@@ -57,6 +57,13 @@ test('requests nothing, and contains the gallery and the exports', () =>
         assert.deepEqual(asked, []);
     }));
 
+test('finds the rules of a picture', () =>
+    withPage({ address }, async (page) => {
+        await page.click('#section-rules [data-find]');
+        await page.click('[data-example=hexerode]');
+        await page.waitForSelector('#find-verdict.found', { timeout: 90_000 });
+    }));
+
 test('has no links to files that are not beside it', () =>
     withPage({ address, hash: KOCH }, async (page) => {
         const links = await page.locator('a').evaluateAll((all) => all.map((link) => link.getAttribute('href') ?? ''));

@@ -13,8 +13,8 @@ type Grey = (Vec<u8>, usize, usize);
 /// The picture of a case.
 pub(crate) fn picture(case: &Case, input: &str) -> Result<Picture, &'static str> {
     let definition = match &case.lines {
-        None => case.definition.clone(),
-        Some(lines) => polyline(lines),
+        Some(lines) if !lines.is_empty() => polyline(lines),
+        _ => case.definition.clone(),
     };
     let side = match input {
         "small" => 256,
