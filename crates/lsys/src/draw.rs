@@ -34,7 +34,7 @@ fn draw_one(
         Destination::Print(format) => core::slice::from_ref(format),
         Destination::Write(_, formats) => formats,
     };
-    if formats.iter().any(|format| !matches!(format.content, Content::System | Content::String))
+    if formats.iter().any(|format| !matches!(format.content, Content::System | Content::String | Content::Words(_)))
         && let Some(reason) = why_empty(&input.system, input.iterations)
     {
         say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
@@ -87,6 +87,10 @@ fn bytes_in(
         false => input.draw(shares).map_err(wrong),
     };
     let name = input.definition.label();
+    let options = || {
+        let (title, definition) = (name.to_owned(), write_json(&input.definition));
+        FileOptions { title, system: definition, most: limits.segments, ..FileOptions::default() }
+    };
     let mut writer = match format.content {
         Content::System => return Ok(write_json(&input.definition).into_bytes()),
         Content::String => return Ok((input.expand(shares)? + "\n").into_bytes()),
@@ -107,11 +111,8 @@ fn bytes_in(
             true => space(Arc::new(solid()?), limits.segments).map_err(wrong)?,
             false => plane(Arc::new(paper()?), limits.segments).map_err(wrong)?,
         },
-        Content::Paper(write) => {
-            let (title, definition) = (name.to_owned(), write_json(&input.definition));
-            let options = FileOptions { title, system: definition, most: limits.segments, ..FileOptions::default() };
-            write(Arc::new(paper()?), style.clone(), &options).map_err(wrong)?
-        }
+        Content::Words(write) => write(&input.definition, system, &options()).map_err(wrong)?,
+        Content::Paper(write) => write(Arc::new(paper()?), style.clone(), &options()).map_err(wrong)?,
     };
     let file = write_all(&mut *writer).map_err(wrong)?;
     writer.remark().iter().for_each(|remark| say(&input.message(remark)));

@@ -2,9 +2,12 @@
 //!
 //! A new format needs a writer in its own file and a row here.
 
-use super::{CsvWriter, FileOptions, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter};
-use lsystem_drawing::{Drawing, Mesh, Solid, Space};
-use lsystem_syntax::{Diagnostic, Progress, Style};
+use super::{
+    CsvWriter, FileOptions, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter, bibtex,
+    latex, markdown,
+};
+use lsystem_drawing::{Drawing, Mesh, Solid, Space, System};
+use lsystem_syntax::{Definition, Diagnostic, Progress, Style};
 use std::sync::Arc;
 
 /// An export format: a row of [`FORMATS`].
@@ -74,6 +77,8 @@ pub enum Content {
     System,
     /// The derived string.
     String,
+    /// A definition and its system, in another notation.
+    Words(fn(&Definition, &System, &FileOptions) -> WriterResult),
     /// Pixels, made by a renderer.
     Pixels,
     /// Strokes in the plane. A drawing in space is projected first.
@@ -104,7 +109,7 @@ pub trait Writer {
 }
 
 /// All formats, in the order of the page's list.
-pub static FORMATS: [Format; 8] = [
+pub static FORMATS: [Format; 13] = [
     Format {
         name: "svg",
         ending: "svg",
@@ -131,6 +136,55 @@ pub static FORMATS: [Format; 8] = [
         help: "Picture of pixels",
         purpose: Purpose::Screen,
         content: Content::Pixels,
+    },
+    Format {
+        name: "tikz",
+        ending: "tikz",
+        mime: "text/x-tex",
+        label: "TikZ",
+        help: "Picture of strokes for LaTeX",
+        purpose: Purpose::Paper,
+        content: Content::Paper(|drawing, style, options| {
+            TikzWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
+        }),
+    },
+    Format {
+        name: "tikz-library",
+        ending: "tikz",
+        mime: "text/x-tex",
+        label: "TikZ L-system",
+        help: "System for TikZ's library lindenmayersystems, which draws simple systems while LaTeX runs",
+        purpose: Purpose::Paper,
+        content: Content::Words(|definition, system, options| {
+            TikzLibraryWriter::new(definition, system, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
+        }),
+    },
+    Format {
+        name: "latex",
+        ending: "tex",
+        mime: "text/x-tex",
+        label: "LaTeX",
+        help: "System typeset as in books: axiom, productions, constants and angles",
+        purpose: Purpose::Paper,
+        content: Content::Words(|definition, system, _| text(latex(definition, system))),
+    },
+    Format {
+        name: "markdown",
+        ending: "md",
+        mime: "text/markdown",
+        label: "Markdown",
+        help: "System as a list: axiom, productions, constants and angles",
+        purpose: Purpose::Paper,
+        content: Content::Words(|definition, system, _| text(markdown(definition, system))),
+    },
+    Format {
+        name: "bibtex",
+        ending: "bib",
+        mime: "text/x-bibtex",
+        label: "BibTeX",
+        help: "Entries of the system's source and of its picture",
+        purpose: Purpose::Paper,
+        content: Content::Words(|definition, system, _| text(bibtex(definition, system))),
     },
     Format {
         name: "json",
@@ -229,6 +283,20 @@ fn append(
         file.append(&mut text.into_bytes());
     }
     Ok(progress)
+}
+
+/// A short text, written in one step: a system has texts of at most 1 MiB.
+struct TextWriter(Vec<u8>);
+
+fn text(text: String) -> WriterResult {
+    Ok(Box::new(TextWriter(text.into_bytes())))
+}
+
+impl Writer for TextWriter {
+    fn step(&mut self, file: &mut Vec<u8>, _: u64) -> Result<Progress, Diagnostic> {
+        file.append(&mut self.0);
+        Ok(Progress::Done)
+    }
 }
 
 struct SvgFile {

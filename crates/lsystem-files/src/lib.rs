@@ -1,5 +1,5 @@
-//! File formats: systems as JSON and in links, drawings as SVG and CSV, meshes as OBJ and glTF, and pictures that hold
-//! their system.
+//! File formats: systems as JSON, in links and typeset, drawings as SVG, PDF, TikZ and CSV, meshes as OBJ and glTF, and
+//! pictures that hold their system.
 
 mod csv;
 mod embed;
@@ -14,6 +14,7 @@ mod number;
 mod obj;
 mod options;
 pub mod packed;
+mod paper;
 mod png;
 mod segments;
 mod sheet;
@@ -30,6 +31,7 @@ pub use json_write::write_json;
 pub use link::{Link, LinkProblem, read_link};
 pub use obj::{ObjWriter, write_obj};
 pub use options::FileOptions;
+pub use paper::{TikzLibraryWriter, TikzWriter, bibtex, latex, markdown};
 pub use png::tag_png;
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use sheet::{INCH, SHEETS, Sheet};

@@ -162,6 +162,10 @@ impl Playground {
         let (style, name) = (system.style.clone(), self.definition.label().to_owned());
         export.stage = match (content, flat) {
             (Content::System, _) => Stage::Write(text_file(write_json(&self.definition))),
+            (Content::Words(write), _) => {
+                let written = write(&self.definition, system, &self.options(TEXT_SEGMENTS, bare));
+                export.advance(written, |writer, _| Stage::Write(writer))
+            }
             (Content::String | Content::Pixels, _) => {
                 let written = string_file(system.clone(), self.definition.iterations);
                 export.advance(written, |writer, _| Stage::Write(writer))
