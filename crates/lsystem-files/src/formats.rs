@@ -3,7 +3,7 @@
 //! A new format needs a writer in its own file and a row here.
 
 use super::{
-    CsvWriter, FileOptions, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter, bibtex,
+    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter, bibtex,
     latex, markdown,
 };
 use lsystem_drawing::{Drawing, Mesh, Solid, Space, System};
@@ -109,7 +109,7 @@ pub trait Writer {
 }
 
 /// All formats, in the order of the page's list.
-pub static FORMATS: [Format; 13] = [
+pub static FORMATS: [Format; 14] = [
     Format {
         name: "svg",
         ending: "svg",
@@ -136,6 +136,17 @@ pub static FORMATS: [Format; 13] = [
         help: "Picture of pixels",
         purpose: Purpose::Screen,
         content: Content::Pixels,
+    },
+    Format {
+        name: "pdf",
+        ending: "pdf",
+        mime: "application/pdf",
+        label: "PDF",
+        help: "Page of strokes",
+        purpose: Purpose::Paper,
+        content: Content::Paper(|drawing, style, options| {
+            PdfWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
+        }),
     },
     Format {
         name: "tikz",

@@ -1,6 +1,7 @@
 //! File formats: systems as JSON, in links and typeset, drawings as SVG, PDF, TikZ and CSV, meshes as OBJ and glTF, and
 //! pictures that hold their system.
 
+mod compact;
 mod csv;
 mod embed;
 mod formats;
@@ -18,6 +19,7 @@ mod paper;
 mod png;
 mod segments;
 mod sheet;
+mod strokes;
 mod svg;
 mod xml;
 
@@ -31,7 +33,7 @@ pub use json_write::write_json;
 pub use link::{Link, LinkProblem, read_link};
 pub use obj::{ObjWriter, write_obj};
 pub use options::FileOptions;
-pub use paper::{TikzLibraryWriter, TikzWriter, bibtex, latex, markdown};
+pub use paper::{PdfWriter, TikzLibraryWriter, TikzWriter, bibtex, latex, markdown};
 pub use png::tag_png;
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use sheet::{INCH, SHEETS, Sheet};

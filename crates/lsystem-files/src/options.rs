@@ -16,11 +16,13 @@ pub struct FileOptions {
     pub most: u64,
     /// The sheet of formats for paper.
     pub sheet: Sheet,
+    /// Whether a page ends at the picture's edge instead of the sheet's.
+    pub is_cropped: bool,
 }
 
 impl Default for FileOptions {
     fn default() -> Self {
         let (title, description, system) = <(String, String, String)>::default();
-        Self { title, description, system, most: 2_000_000, sheet: Sheet::default() }
+        Self { title, description, system, most: 2_000_000, sheet: Sheet::default(), is_cropped: true }
     }
 }

@@ -102,7 +102,7 @@ fn entry_of(source: &str, label: &str) -> (&'static str, String, Vec<(&'static s
         Some(Cited { authors, title, venue, year, rest }) if authors.is_some() || rest.is_empty() => {
             let authors = authors.unwrap_or_default();
             let first = authors.split(" and ").next().unwrap_or_default();
-            let last = first.split_whitespace().last().or(title.split_whitespace().last()).unwrap_or_default();
+            let last = first.split_whitespace().last().or(title.split_whitespace().next()).unwrap_or_default();
             let (pages, note) = pages(rest);
             let fields = vec![
                 ("author", authors.to_owned()),
@@ -275,7 +275,7 @@ mod tests {
               year = {1987}
             }"#]]);
         check("Lecture Computer Graphics, Assignment 8: Lindenmayer Systems (2019)", &expect![[r#"
-            @misc{systems2019-1.7a,
+            @misc{lecture2019-1.7a,
               title = {{Lecture Computer Graphics, Assignment 8: Lindenmayer Systems}},
               year = {2019}
             }"#]]);

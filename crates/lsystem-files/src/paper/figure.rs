@@ -2,6 +2,7 @@
 
 use crate::Sheet;
 use crate::number::Decimals;
+use crate::strokes::{StrokeLook, within};
 use lsystem_drawing::{Drawing, StyleChange};
 use lsystem_syntax::{Style, Tint};
 
@@ -31,7 +32,7 @@ impl Figure {
     }
 
     /// A figure of at most this width and height.
-    fn new(drawing: &Drawing, most: [f64; 2]) -> Self {
+    pub(super) fn new(drawing: &Drawing, most: [f64; 2]) -> Self {
         let [x, y] = drawing.start;
         let [x0, y0, x1, y1] = drawing.bounds().unwrap_or([x, y, x, y]).map(within);
         let margin = drawing.step.abs();
@@ -47,18 +48,14 @@ impl Figure {
         [0, 1].map(|axis| (within(point[axis]) - self.corner[axis]) * self.scale)
     }
 
-    /// The width of a stroke.
-    pub(super) fn width(&self, style: &Style, width: f64) -> f64 {
-        let width = (within(width) * self.scale).max(style.min_width * self.pixel);
-        // A stroke of width 0 is drawn one pixel wide, as on the screen.
-        if width > 0.0 { width } else { self.pixel }
+    /// The look of a stroke of this width in model units.
+    pub(super) fn look(&self, style: &Style, tint: Tint, width: f64) -> StrokeLook {
+        StrokeLook::new(style, tint, width * self.scale, self.pixel)
     }
 
-    /// The colour and the width of strokes at the drawing's start.
-    pub(super) fn start(&self, drawing: &Drawing, style: &Style) -> ([u8; 3], f64) {
-        let start = StyleChange::start(drawing.width);
-        let tint = Tint { index: start.colour.of(0), level: start.level, place: 0.0 };
-        (style.colour_of(tint).rgb, self.width(style, drawing.width * drawing.step.abs()))
+    /// The look of strokes at the drawing's start.
+    pub(super) fn start(&self, drawing: &Drawing, style: &Style) -> StrokeLook {
+        StrokeLook::of(style, &StyleChange::start(drawing.width), drawing.step.abs() * self.scale, self.pixel)
     }
 }
 
@@ -70,9 +67,4 @@ pub(super) fn coordinates() -> Decimals {
 /// Lengths that depend on the whole figure, such as stroke widths, exact to 0.0001 mm.
 pub(super) fn lengths() -> Decimals {
     Decimals::for_size(1e2)
-}
-
-/// Clamps a length so that sums of two lengths stay finite.
-fn within(length: f64) -> f64 {
-    length.clamp(-1e300, 1e300)
 }

@@ -2,6 +2,7 @@
 
 use super::figure::{Figure, coordinates, lengths};
 use crate::number::Decimals;
+use crate::strokes::StrokeLook;
 use crate::{FileOptions, Writer};
 use core::fmt::Write;
 use lsystem_drawing::{Drawing, Mark, MarkReader, Plane};
@@ -39,7 +40,7 @@ pub struct TikzWriter {
 /// The path being written.
 #[derive(Clone, Copy)]
 struct OpenPath {
-    look: ([u8; 3], f64),
+    look: StrokeLook,
     /// The end of the path so far, in units of the last decimal place.
     at: [f64; 2],
     /// The number of segments, and of points since the last line end.
@@ -55,7 +56,7 @@ impl TikzWriter {
     pub fn new(drawing: Arc<Drawing>, style: Style, options: &FileOptions) -> Result<Self, Diagnostic> {
         drawing.check_size(options.most.min(MOST))?;
         let figure = Figure::for_text(&drawing, &options.sheet);
-        let (_, usual) = figure.start(&drawing, &style);
+        let usual = figure.start(&drawing, &style).width;
         Ok(Self {
             reader: MarkReader::new(&drawing),
             head: head(&figure, &style, options, usual),
@@ -71,13 +72,13 @@ impl TikzWriter {
         })
     }
 
-    fn stroke(&mut self, text: &mut String, from: [f64; 2], to: [f64; 2], look: ([u8; 3], f64)) {
+    fn stroke(&mut self, text: &mut String, from: [f64; 2], to: [f64; 2], look: StrokeLook) {
         let [start, end] = [from, to].map(|point| point.map(|c| self.coordinates.round(c)));
         let mut open = match self.open {
             Some(open) if open.look == look && open.segments < PATH => open,
             _ => {
                 self.close(text);
-                self.begin(text, "draw", look.0, (look.1 != self.usual).then_some(look.1));
+                self.begin(text, "draw", look.rgb, (look.width != self.usual).then_some(look.width));
                 OpenPath { look, at: [f64::NAN; 2], segments: 0, points: 0 }
             }
         };
@@ -156,7 +157,7 @@ impl TikzWriter {
             meter.charge(mark.as_ref().map_or(8, Mark::work));
             match mark {
                 Some(Mark::Segment(segment, tint)) => {
-                    let look = (self.style.colour_of(tint).rgb, self.figure.width(&self.style, segment.width));
+                    let look = self.figure.look(&self.style, tint, segment.width);
                     self.stroke(text, self.figure.place(segment.from), self.figure.place(segment.to), look);
                 }
                 Some(Mark::Polygon(vertices, tint)) => {

@@ -61,7 +61,8 @@ impl TikzLibraryWriter {
     fn write(&self, drawing: &Drawing) -> String {
         let definition = &self.definition;
         let figure = Figure::for_text(drawing, &self.options.sheet);
-        let ([r, g, b], width) = figure.start(drawing, &definition.style);
+        let look = figure.start(drawing, &definition.style);
+        let [r, g, b] = look.rgb;
         let name = slug(&definition.name);
         let name = if name.is_empty() { "l-system" } else { &name };
         let mut text = title(&self.options.title);
@@ -82,7 +83,7 @@ impl TikzLibraryWriter {
         }
         let _ = writeln!(text, "}}\n\\begin{{tikzpicture}}\n\\definecolor{{stroke}}{{RGB}}{{{r},{g},{b}}}");
         text.push_str("\\draw[stroke,line cap=round,line join=round,line width=");
-        lengths().write(&mut text, width);
+        lengths().write(&mut text, look.width);
         let _ = write!(text, "mm,rotate={},\n  l-system={{{name}, ", degrees(definition.heading));
         let _ = write!(text, "axiom={{{}}}, order={}, ", symbols(&self.grammar.axiom), definition.iterations);
         let right = definition.right_angle.unwrap_or(definition.angle);
