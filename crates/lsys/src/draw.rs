@@ -40,7 +40,7 @@ fn draw_one(
         say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     match &job.target {
-        Destination::Print(format) if matches!(format.name, "png" | "glb") && std::io::stdout().is_terminal() => {
+        Destination::Print(format) if matches!(format.name, "png" | "glb" | "pdf" | "stl") && std::io::stdout().is_terminal() => {
             Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
         Destination::Print(format) => limits.make(|shares| {
@@ -106,7 +106,10 @@ fn bytes_in(
             };
             return picture.map_err(|error| CommandFailure::Words(format!("PNG: {error}")));
         }
-        Content::Mesh(write) => write(Mesh::new(&solid()?, style, MESH_SEGMENTS / shares).map_err(wrong)?, name),
+        Content::Mesh { is_printed, write } => {
+            let make = if is_printed { Mesh::for_printing } else { Mesh::new };
+            write(make(&solid()?, style, MESH_SEGMENTS / shares).map_err(wrong)?, name)
+        }
         Content::Segments { plane, space } => match system.is_solid() {
             true => space(Arc::new(solid()?), limits.segments).map_err(wrong)?,
             false => plane(Arc::new(paper()?), limits.segments).map_err(wrong)?,

@@ -3,7 +3,7 @@
 //! A new format needs a writer in its own file and a row here.
 
 use super::{
-    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter, bibtex,
+    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, StlWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter, bibtex,
     latex, markdown,
 };
 use lsystem_drawing::{Drawing, Mesh, Solid, Space, System};
@@ -90,8 +90,13 @@ pub enum Content {
         /// The writer for a drawing in space.
         space: fn(Arc<Drawing<Solid>>, u64) -> WriterResult,
     },
-    /// A mesh of coloured tubes, with its name.
-    Mesh(fn(Mesh, &str) -> Box<dyn Writer>),
+    /// A mesh of coloured tubes.
+    Mesh {
+        /// Whether polygons need a volume, as [`Mesh::for_printing`] gives them.
+        is_printed: bool,
+        /// The writer for a mesh and its name.
+        write: fn(Mesh, &str) -> Box<dyn Writer>,
+    },
 }
 
 /// A writer that makes a file in steps.
@@ -109,7 +114,7 @@ pub trait Writer {
 }
 
 /// All formats, in the order of the page's list.
-pub static FORMATS: [Format; 14] = [
+pub static FORMATS: [Format; 15] = [
     Format {
         name: "svg",
         ending: "svg",
@@ -231,7 +236,10 @@ pub static FORMATS: [Format; 14] = [
         label: "OBJ",
         help: "Mesh of coloured tubes, as text",
         purpose: Purpose::Mesh,
-        content: Content::Mesh(|mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh })),
+        content: Content::Mesh {
+            is_printed: false,
+            write: |mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh }),
+        },
     },
     Format {
         name: "glb",
@@ -240,7 +248,19 @@ pub static FORMATS: [Format; 14] = [
         label: "glTF",
         help: "Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines",
         purpose: Purpose::Mesh,
-        content: Content::Mesh(|mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh })),
+        content: Content::Mesh {
+            is_printed: false,
+            write: |mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh }),
+        },
+    },
+    Format {
+        name: "stl",
+        ending: "stl",
+        mime: "model/stl",
+        label: "STL",
+        help: "Mesh of closed tubes and slabs for printers, 100 mm long",
+        purpose: Purpose::Mesh,
+        content: Content::Mesh { is_printed: true, write: |mesh, _| Box::new(StlWriter::new(mesh)) },
     },
 ];
 

@@ -19,6 +19,7 @@ mod paper;
 mod png;
 mod segments;
 mod sheet;
+mod stl;
 mod strokes;
 mod svg;
 mod xml;
@@ -37,4 +38,5 @@ pub use paper::{PdfWriter, TikzLibraryWriter, TikzWriter, bibtex, latex, markdow
 pub use png::tag_png;
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use sheet::{INCH, SHEETS, Sheet};
+pub use stl::StlWriter;
 pub use svg::{Svg, SvgForm, SvgOptions, SvgWriter, write_svg};

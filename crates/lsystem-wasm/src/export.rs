@@ -186,8 +186,8 @@ impl Playground {
                 let write = move |drawing| write(drawing, style.clone(), &options);
                 self.solid_file(system, Box::new(move |drawing| projected_file(drawing, outlook, write)))
             }
-            (Content::Mesh(write), _) => {
-                let begin = move |drawing| mesh_file(drawing, style, move |mesh| write(mesh, &name));
+            (Content::Mesh { is_printed, write }, _) => {
+                let begin = move |drawing| mesh_file(drawing, style, is_printed, move |mesh| write(mesh, &name));
                 self.solid_file(system, Box::new(begin))
             }
         };
@@ -274,9 +274,11 @@ fn projected_file(
 fn mesh_file(
     drawing: Arc<Drawing<Solid>>,
     style: Style,
+    is_printed: bool,
     write: impl Fn(Mesh) -> FileWriter + 'static,
 ) -> Result<FileWriter, Diagnostic> {
-    let mut maker = Some(MeshMaker::new(&drawing, &style, FEW_SEGMENTS, MESH)?);
+    let maker = MeshMaker::new(&drawing, &style, FEW_SEGMENTS, MESH)?;
+    let mut maker = Some(if is_printed { maker.for_printing() } else { maker });
     let make = move || {
         if let Some(making) = &mut maker
             && making.step(&drawing, &style, WORK as u64)? == Progress::Done

@@ -63,6 +63,10 @@ pub fn bibtex(definition: &Definition, system: &System) -> String {
 fn entry(text: &mut String, kind: &str, key: &str, fields: &[(&str, String)]) {
     // Writing to a `String` cannot fail.
     let _ = write!(text, "@{kind}{{{key}");
+    if fields.iter().all(|(name, value)| *name != "author" || value.is_empty()) {
+        // BibTeX sorts entries without an author by this field.
+        let _ = write!(text, ",\n  key = {{{key}}}");
+    }
     for (name, value) in fields.iter().filter(|(_, value)| !value.trim().is_empty()) {
         let value = tex::text(value.trim());
         // Inner braces keep the capitals of titles.
