@@ -9,6 +9,7 @@ use crate::rotation::{Vector, cross, dot, minus, norm};
 use crate::triangulate::{Triangles, triangulate};
 use crate::{Drawing, Mark, Segment, Solid};
 use lsystem_syntax::{Diagnostic, LimitName, Meter, Progress, Style};
+use std::collections::HashSet;
 
 /// Triangles with colours, in model units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -102,14 +103,16 @@ impl MeshMaker {
             _ => 4,
         };
         let least = 0.5 * style.min_width.max(0.1) * extent / PICTURE;
-        let tubes = Tubes { mesh: Mesh::default(), sides, least, thickness: 0.0, last: None };
+        let tubes = Tubes { mesh: Mesh::default(), sides, least, thickness: 0.0, drawn: None, last: None };
         Ok(Self { reader: MarkReader::new(drawing), tubes, memory, spent: 0 })
     }
 
-    /// The maker for a printer: polygons become slabs as thick as the thinnest tube, so that every part has a volume.
+    /// The maker for a printer: polygons become slabs as thick as the thinnest tube, so that every part has a volume,
+    /// and a stroke at the place of an earlier stroke of the same width is left out.
     #[must_use]
     pub fn for_printing(mut self) -> Self {
         self.tubes.thickness = 2.0 * self.tubes.least;
+        self.tubes.drawn = Some(HashSet::new());
         self
     }
 
@@ -137,7 +140,7 @@ impl MeshMaker {
             }
             meter.charge(mark.as_ref().map_or(8, |mark| MARK_WORK * mark.work()));
             self.tubes.mesh.reserve(corners);
-            if self.tubes.mesh.bytes() > self.memory {
+            if self.tubes.bytes() > self.memory {
                 self.tubes.mesh = Mesh::default();
                 return Err(Diagnostic::limit(LimitName::Memory, self.memory, None));
             }
@@ -170,9 +173,14 @@ struct Tubes {
     least: f64,
     /// The thickness of polygons; 0 for two sides at the same place.
     thickness: f64,
+    /// The ends and radii of all strokes, where a stroke is drawn once.
+    drawn: Option<HashSet<StrokeKey>>,
     /// The stroke whose far end is still open.
     last: Option<OpenTube>,
 }
+
+/// The ends of a stroke, the lesser first, and its radius, as bits of `f32`.
+type StrokeKey = [u32; 7];
 
 /// A stroke that has its first ring.
 #[derive(Clone, Copy, Debug)]
@@ -189,6 +197,22 @@ struct OpenTube {
 }
 
 impl Tubes {
+    /// The bytes of the mesh and of what is remembered for it. A hash set leaves an eighth of its places free.
+    fn bytes(&self) -> u64 {
+        let places = self.drawn.as_ref().map_or(0, |drawn| drawn.capacity() / 7 * 8);
+        self.mesh.bytes() + (places * (size_of::<StrokeKey>() + 1)) as u64
+    }
+
+    /// Whether a stroke is drawn for the first time, if repeats are left out.
+    fn is_new(&mut self, segment: &Segment<Solid>, radius: f64) -> bool {
+        let Some(drawn) = &mut self.drawn else { return true };
+        // Zero has one sign, so that equal places have equal bits.
+        let bits = |value: f64| (value as f32 + 0.0).to_bits();
+        let [from, to] = [segment.from.map(bits), segment.to.map(bits)];
+        let ([a, b, c], [d, e, f]) = if from <= to { (from, to) } else { (to, from) };
+        drawn.insert([a, b, c, d, e, f, bits(radius)])
+    }
+
     /// Adds the two sides of a polygon.
     fn fill(&mut self, vertices: &[Vector], colour: [u8; 3]) {
         let outline = if self.thickness > 0.0 { without_repeats(vertices) } else { vertices.to_vec() };
@@ -225,6 +249,9 @@ impl Tubes {
         let along = way.map(|c| c / length);
         // Clamped to the range of `f32`, as coordinates are.
         let radius = (0.5 * segment.width).max(self.least).min(f64::from(f32::MAX));
+        if !self.is_new(segment, radius) {
+            return self.close();
+        }
         let gap = |last: &OpenTube| norm(minus(segment.from, last.to));
         let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
         let (across, ring) = match joined {
@@ -432,6 +459,17 @@ mod tests {
         // The least width is a tenth of the extent, which is 1; the outline is a square.
         assert!((volume(&leaf) - 0.1).abs() < 1e-6, "{}", volume(&leaf));
         assert_eq!(leaf.triangles.len(), 2 * 2 + 4 * 2);
+    }
+
+    #[test]
+    fn printed_strokes_are_drawn_once() {
+        let definition = Definition { axiom: "F[F]FF|FF".into(), ..Definition::default() };
+        let system = System::new(&definition).0.unwrap();
+        let drawing = draw_solid(&system, 0, &Limits::default()).unwrap();
+        let print = Mesh::for_printing(&drawing, &definition.style, 100).unwrap();
+        check_closed(&print);
+        // The first two strokes are one tube, with three rings; the last stroke but two is another.
+        assert_eq!(print.positions.len(), (3 * 8 + 2) + (2 * 8 + 2));
     }
 
     #[test]
