@@ -40,7 +40,9 @@ fn draw_one(
         say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     match &job.target {
-        Destination::Print(format) if matches!(format.name, "png" | "glb" | "pdf" | "stl") && std::io::stdout().is_terminal() => {
+        Destination::Print(format)
+            if matches!(format.name, "png" | "glb" | "pdf" | "stl") && std::io::stdout().is_terminal() =>
+        {
             Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
         Destination::Print(format) => limits.make(|shares| {

@@ -468,7 +468,7 @@ mod tests {
         let drawing = draw_solid(&system, 0, &Limits::default()).unwrap();
         let print = Mesh::for_printing(&drawing, &definition.style, 100).unwrap();
         check_closed(&print);
-        // The first two strokes are one tube, with three rings; the last stroke but two is another.
+        // Two tubes are left: from 0 to 2 with three rings, and from 2 to 3.
         assert_eq!(print.positions.len(), (3 * 8 + 2) + (2 * 8 + 2));
     }
 

@@ -3,8 +3,8 @@
 //! A new format needs a writer in its own file and a row here.
 
 use super::{
-    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, StlWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter, bibtex,
-    latex, markdown,
+    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, StlWriter, SvgForm, SvgOptions, SvgWriter,
+    TikzLibraryWriter, TikzWriter, bibtex, latex, markdown,
 };
 use lsystem_drawing::{Drawing, Mesh, Solid, Space, System};
 use lsystem_syntax::{Definition, Diagnostic, Progress, Style};

@@ -121,13 +121,8 @@ impl Compact {
         let step = finite(step * pixels);
         let around = StrokeLook::of(style, &StyleChange::start(drawing.width), step, 1.0);
         let features = Features::default();
-        let plan = CompactPlan::new(
-            &StyledDrawing { drawing, style, features: &features, step },
-            root,
-            scale,
-            SMALL[0],
-            most,
-        );
+        let plan =
+            CompactPlan::new(&StyledDrawing { drawing, style, features: &features, step }, root, scale, SMALL[0], most);
         Self {
             size,
             around,

@@ -149,9 +149,8 @@ fn cited(source: &str) -> Option<Cited<'_>> {
 /// begin as titles do. This is a guess.
 fn is_name(words: &str) -> bool {
     const PARTICLES: [&str; 7] = ["von", "van", "de", "der", "den", "la", "ten"];
-    const NO_NAMES: [&str; 12] = [
-        "A", "After", "An", "Assignment", "Course", "Exercise", "Figure", "From", "In", "Lecture", "Practical", "The",
-    ];
+    const NO_NAMES: [&str; 12] =
+        ["A", "After", "An", "Assignment", "Course", "Exercise", "Figure", "From", "In", "Lecture", "Practical", "The"];
     let capital = |word: &str| word.chars().next().is_some_and(char::is_uppercase);
     let letters = |word: &str| word.chars().all(|c| c.is_alphabetic() || matches!(c, '.' | '-' | '\''));
     let count = words.split(' ').count();
@@ -252,52 +251,74 @@ mod tests {
               note = {L-system after 2 derivation steps, seed 3},
               annote = {Notes \& more}
             }
-        "#]].assert_eq(&written(&definition));
+        "#]]
+        .assert_eq(&written(&definition));
     }
 
     #[test]
     fn sources() {
-        check("After figure 1.27 of The Algorithmic Beauty of Plants (1990), with widths", &expect![[r#"
+        check(
+            "After figure 1.27 of The Algorithmic Beauty of Plants (1990), with widths",
+            &expect![[r#"
             @book{prusinkiewicz1990-1.7a,
               author = {Prusinkiewicz, Przemyslaw and Lindenmayer, Aristid},
               title = {{The Algorithmic Beauty of Plants}},
               publisher = {Springer-Verlag, New York},
               year = {1990},
               note = {After figure 1.27 of The Algorithmic Beauty of Plants (1990), with widths}
-            }"#]]);
-        check("Wacław Sierpiński, Sur une nouvelle courbe continue qui remplit toute une aire plane (1912)", &expect![[r#"
+            }"#]],
+        );
+        check(
+            "Wacław Sierpiński, Sur une nouvelle courbe continue qui remplit toute une aire plane (1912)",
+            &expect![[r#"
             @misc{sierpinski1912-1.7a,
               author = {Wacław Sierpiński},
               title = {{Sur une nouvelle courbe continue qui remplit toute une aire plane}},
               year = {1912}
-            }"#]]);
-        check("McWorter and Tazelaar, Creating Fractals (Byte, August 1987)", &expect![[r#"
+            }"#]],
+        );
+        check(
+            "McWorter and Tazelaar, Creating Fractals (Byte, August 1987)",
+            &expect![[r#"
             @misc{mcworter1987-1.7a,
               author = {McWorter and Tazelaar},
               title = {{Creating Fractals}},
               howpublished = {Byte, August},
               year = {1987}
-            }"#]]);
-        check("Lecture Computer Graphics, Assignment 8: Lindenmayer Systems (2019)", &expect![[r#"
+            }"#]],
+        );
+        check(
+            "Lecture Computer Graphics, Assignment 8: Lindenmayer Systems (2019)",
+            &expect![[r#"
             @misc{lecture2019-1.7a,
               title = {{Lecture Computer Graphics, Assignment 8: Lindenmayer Systems}},
               year = {2019}
-            }"#]]);
-        check("Four of P. Lévy's curves (1938) around a square", &expect![[r#"
+            }"#]],
+        );
+        check(
+            "Four of P. Lévy's curves (1938) around a square",
+            &expect![[r#"
             @misc{source-1.7a,
               title = {{1.7a}},
               note = {Four of P. Lévy's curves (1938) around a square}
-            }"#]]);
-        check("(", &expect![[r#"
+            }"#]],
+        );
+        check(
+            "(",
+            &expect![[r#"
             @misc{source-1.7a,
               title = {{1.7a}},
               note = {(}
-            }"#]]);
-        check("x (é90)", &expect![[r#"
+            }"#]],
+        );
+        check(
+            "x (é90)",
+            &expect![[r#"
             @misc{source-1.7a,
               title = {{1.7a}},
               note = {x (é90)}
-            }"#]]);
+            }"#]],
+        );
     }
 
     #[test]
@@ -307,6 +328,7 @@ mod tests {
               howpublished = {Drawn with L-system playground},
               note = {L-system after 1 derivation step}
             }
-        "#]].assert_eq(&written(&Definition::default()));
+        "#]]
+        .assert_eq(&written(&Definition::default()));
     }
 }

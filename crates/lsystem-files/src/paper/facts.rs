@@ -50,7 +50,12 @@ pub(super) fn facts(definition: &Definition, system: &System) -> Vec<Fact> {
         add("elasticity e", "e", &[definition.elasticity], Unit::None);
     }
     if definition.length_factor != 1.0 {
-        add("length per branch level ×", r"\text{length per branch level} \times", &[definition.length_factor], Unit::None);
+        add(
+            "length per branch level ×",
+            r"\text{length per branch level} \times",
+            &[definition.length_factor],
+            Unit::None,
+        );
     }
     let variations = [
         ("angle variation", r"\text{angle variation}", definition.angle_variation),

@@ -127,7 +127,9 @@ fn escape(text: &str) -> String {
     for c in text.chars() {
         match c {
             c if c.is_control() => escaped.push(' '),
-            c if c.is_ascii_punctuation() && !matches!(c, ',' | ';' | ':' | '\'' | '"' | '/' | '?' | '%' | '=' | '@') => {
+            c if c.is_ascii_punctuation()
+                && !matches!(c, ',' | ';' | ':' | '\'' | '"' | '/' | '?' | '%' | '=' | '@') =>
+            {
                 // A point, a hyphen or a plus marks a list only at a line's start, where no text stands.
                 escaped.push_str(if matches!(c, '.' | '-' | '+' | '(' | ')' | '!') { "" } else { "\\" });
                 escaped.push(c);
@@ -174,7 +176,8 @@ mod tests {
             - `G`: move
 
             Prusinkiewicz and Lindenmayer (1990), page 1\_2
-        "#]].assert_eq(&markdown(&definition, &System::new(&definition).0.unwrap()));
+        "#]]
+        .assert_eq(&markdown(&definition, &System::new(&definition).0.unwrap()));
     }
 
     #[test]

@@ -151,16 +151,31 @@ mod tests {
 
     #[test]
     fn characters_are_escaped() {
-        assert_eq!(text("50% of {a_b} & #1 <x> C:\\~^|\"ω🌿é−-\n$"), "50\\% of \\textbraceleft{}a\\_b\\textbraceright{} \\& \\#1 \\textless{}x\\textgreater{} C:\\textbackslash{}\\textasciitilde{}\\textasciicircum{}\\textbar{}''$\\omega$[U+1F33F]é$-$- \\$");
+        assert_eq!(
+            text("50% of {a_b} & #1 <x> C:\\~^|\"ω🌿é−-\n$"),
+            "50\\% of \\textbraceleft{}a\\_b\\textbraceright{} \\& \\#1 \\textless{}x\\textgreater{} C:\\textbackslash{}\\textasciitilde{}\\textasciicircum{}\\textbar{}''$\\omega$[U+1F33F]é$-$- \\$"
+        );
         let word: String = "F+[&^\\/!']{.}$%#_~ 0é●🌿".chars().map(symbol).collect();
-        assert_eq!(word, "F{+}[\\&{\\wedge}{\\backslash}{/}{!}\\text{'}]\\{{.}\\}\\$\\%\\#\\_{\\sim}\\text{\\textvisiblespace}0\\text{é}{\\bullet}\\text{[U+1F33F]}");
+        assert_eq!(
+            word,
+            "F{+}[\\&{\\wedge}{\\backslash}{/}{!}\\text{'}]\\{{.}\\}\\$\\%\\#\\_{\\sim}\\text{\\textvisiblespace}0\\text{é}{\\bullet}\\text{[U+1F33F]}"
+        );
     }
 
     #[test]
     fn names_and_numbers() {
         let names = ["r", "r1", "r_1", "lr", "lr2", "_", "_1", "a_b", "δ"];
-        let expected =
-            ["r", "r_{1}", "r_{1}", r"\mathit{lr}", r"\mathit{lr}_{2}", r"\_", r"\__{1}", r"\mathit{a\_b}", r"{\delta}"];
+        let expected = [
+            "r",
+            "r_{1}",
+            "r_{1}",
+            r"\mathit{lr}",
+            r"\mathit{lr}_{2}",
+            r"\_",
+            r"\__{1}",
+            r"\mathit{a\_b}",
+            r"{\delta}",
+        ];
         assert_eq!(names.map(name), expected);
         assert_eq!([0.5, -2.0, 1.5e20, 1e-9].map(decimal), ["0.5", "-2", r"1.5\cdot10^{20}", r"1\cdot10^{-9}"]);
     }

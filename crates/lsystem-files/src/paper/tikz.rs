@@ -269,7 +269,8 @@ mod tests {
             iterations,
             ..Definition::default()
         };
-        let text = String::from_utf8(write_all(&mut writer(&koch(6), &FileOptions::default()).unwrap()).unwrap()).unwrap();
+        let text =
+            String::from_utf8(write_all(&mut writer(&koch(6), &FileOptions::default()).unwrap()).unwrap()).unwrap();
         assert_eq!((text.matches("\\draw").count(), text.matches("--").count()), (5, 4096));
         assert!(text.lines().all(|line| line.len() < 200));
         let over = writer(&koch(9), &FileOptions::default()).err().map(|error| error.kind);

@@ -263,7 +263,9 @@ mod tests {
 
     #[test]
     fn declarations() {
-        check(&plant(), &expect![[r#"
+        check(
+            &plant(),
+            &expect![[r#"
             % A plant
             % For documents with \usepackage{tikz} and \usetikzlibrary{lindenmayersystems}.
             \pgfdeclarelindenmayersystem{plant-1}{
@@ -277,7 +279,8 @@ mod tests {
             \draw[stroke,line cap=round,line join=round,line width=0.1563mm,rotate=90,
               l-system={plant-1, axiom={X}, order=4, angle=25, step=5.924mm}] lindenmayer system;
             \end{tikzpicture}
-        "#]]);
+        "#]],
+        );
         let koch = Definition {
             axiom: "F++F++F".into(),
             rules: "F -> F-F++F-F".into(),
@@ -287,7 +290,9 @@ mod tests {
             step: 2.0,
             ..Definition::default()
         };
-        check(&koch, &expect![[r#"
+        check(
+            &koch,
+            &expect![[r#"
             % For documents with \usepackage{tikz} and \usetikzlibrary{lindenmayersystems}.
             \pgfdeclarelindenmayersystem{l-system}{
               \rule{F -> F-F++F-F}
@@ -297,7 +302,8 @@ mod tests {
             \draw[stroke,line cap=round,line join=round,line width=0.1172mm,rotate=0,
               l-system={l-system, axiom={F++F++F}, order=1, left angle=60, right angle=359.5, step=29.8919mm}] lindenmayer system;
             \end{tikzpicture}
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]

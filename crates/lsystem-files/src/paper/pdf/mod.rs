@@ -236,7 +236,8 @@ mod tests {
             204.316 578.678 l
             h
             f
-        "#]].assert_eq(page);
+        "#]]
+        .assert_eq(page);
         assert_eq!(read_file(&file).definition, Some(definition.clone()));
         assert!(in_small_steps(&definition, &options) == file);
         let sheet = FileOptions { is_cropped: false, ..options };

@@ -1,8 +1,6 @@
 //! Page content, compressed while it is written.
 
-use miniz_oxide::deflate::core::{
-    CompressorOxide, TDEFLFlush, compress_to_output, create_comp_flags_from_zip_params,
-};
+use miniz_oxide::deflate::core::{CompressorOxide, TDEFLFlush, compress_to_output, create_comp_flags_from_zip_params};
 use pdf_writer::Content;
 
 /// The bytes of content that are compressed at a time.
