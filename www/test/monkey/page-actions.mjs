@@ -24,7 +24,9 @@ const CHOICES = /** @type {const} */ ([
     ['#wells input', ['#ff0000', '#00ff00']],
 ]);
 const TABS = ['rules', 'grow', 'turtle', 'look', 'save'];
-const SAVES = ['svg', 'svg-compact', 'png', 'json', 'txt', 'csv', 'obj', 'glb'];
+const SAVES = [
+    'svg', 'svg-compact', 'png', 'pdf', 'tikz', 'tikz-library', 'latex', 'markdown', 'bibtex', 'json', 'txt', 'csv', 'obj', 'glb', 'stl',
+];
 
 /** The texts in the fields, by field. @param {import('playwright-core').Frame} frame */
 export async function texts(frame) {
