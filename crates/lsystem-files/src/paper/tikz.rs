@@ -9,7 +9,7 @@ use lsystem_drawing::{Drawing, Mark, MarkReader, Plane};
 use lsystem_syntax::{Diagnostic, Field, Ink, Kind, Meter, Progress, Style};
 use std::sync::Arc;
 
-/// The most segments and vertices of a picture: LaTeX takes some seconds for them.
+/// The most segments and vertices of a picture: LaTeX takes about 15 seconds for them.
 const MOST: u64 = 100_000;
 /// The most segments of one path, which TeX holds in memory.
 const PATH: usize = 1_000;
