@@ -246,6 +246,7 @@ mod tests {
             }
 
             @misc{picture-1.7a,
+              key = {picture-1.7a},
               title = {{50\% of \textbraceleft{}an\textbraceright{} island}},
               howpublished = {Drawn with L-system playground},
               note = {L-system after 2 derivation steps, seed 3},
@@ -291,6 +292,7 @@ mod tests {
             "Lecture Computer Graphics, Assignment 8: Lindenmayer Systems (2019)",
             &expect![[r#"
             @misc{lecture2019-1.7a,
+              key = {lecture2019-1.7a},
               title = {{Lecture Computer Graphics, Assignment 8: Lindenmayer Systems}},
               year = {2019}
             }"#]],
@@ -299,6 +301,7 @@ mod tests {
             "Four of P. Lévy's curves (1938) around a square",
             &expect![[r#"
             @misc{source-1.7a,
+              key = {source-1.7a},
               title = {{1.7a}},
               note = {Four of P. Lévy's curves (1938) around a square}
             }"#]],
@@ -307,6 +310,7 @@ mod tests {
             "(",
             &expect![[r#"
             @misc{source-1.7a,
+              key = {source-1.7a},
               title = {{1.7a}},
               note = {(}
             }"#]],
@@ -315,6 +319,7 @@ mod tests {
             "x (é90)",
             &expect![[r#"
             @misc{source-1.7a,
+              key = {source-1.7a},
               title = {{1.7a}},
               note = {x (é90)}
             }"#]],
@@ -325,6 +330,7 @@ mod tests {
     fn without_a_source() {
         expect![[r#"
             @misc{picture,
+              key = {picture},
               howpublished = {Drawn with L-system playground},
               note = {L-system after 1 derivation step}
             }

@@ -129,20 +129,15 @@ impl TikzWriter {
 
     /// Writes the next vertex of the open polygon, or its end. Returns whether a polygon was open.
     fn vertex(&mut self, text: &mut String) -> bool {
-        let Some((vertices, written)) = &self.outline else { return false };
-        let mut points = written % LINE;
-        match vertices.get(*written).copied() {
-            Some(vertex) => {
-                points = if *written > 0 && points == 0 { LINE } else { points };
-                text.push_str(if *written > 0 { "--" } else { "" });
-                self.point(text, vertex, &mut points);
-                self.outline.as_mut().map(|(_, written)| *written += 1);
-            }
-            None => {
-                text.push_str("--cycle;\n");
-                self.outline = None;
-            }
-        }
+        let Some((vertices, written)) = self.outline.take() else { return false };
+        let Some(&vertex) = vertices.get(written) else {
+            text.push_str("--cycle;\n");
+            return true;
+        };
+        let mut points = if written > 0 && written.is_multiple_of(LINE) { LINE } else { written % LINE };
+        text.push_str(if written > 0 { "--" } else { "" });
+        self.point(text, vertex, &mut points);
+        self.outline = Some((vertices, written + 1));
         true
     }
 
