@@ -219,7 +219,7 @@ fn stem(file: &Path) -> Result<PathBuf, String> {
     let name = file.file_name().filter(|name| *name != "-").ok_or("give an OUT_BASE or a --format")?;
     let text = Path::new(name);
     // Other endings are part of the name, such as in `1.24d`.
-    let known = text.extension().is_some_and(|e| ["json", "svg", "png"].iter().any(|known| e == *known));
+    let known = text.extension().is_some_and(|e| ["json", "svg", "png", "pdf"].iter().any(|known| e == *known));
     Ok(if known { text.with_extension("") } else { text.to_owned() })
 }
 

@@ -38,13 +38,15 @@ fn draw_one(
         Destination::Print(format) => core::slice::from_ref(format),
         Destination::Write(_, formats) => formats,
     };
-    if formats.iter().any(|format| !matches!(format.content, Content::System | Content::String))
+    if formats.iter().any(|format| !matches!(format.content, Content::System | Content::String | Content::Words(_)))
         && let Some(reason) = why_empty(&input.system, input.iterations)
     {
         say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     match &job.target {
-        Destination::Print(format) if matches!(format.name, "png" | "glb") && io::stdout().is_terminal() => {
+        Destination::Print(format)
+            if matches!(format.name, "png" | "glb" | "pdf" | "stl") && io::stdout().is_terminal() =>
+        {
             Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
         Destination::Print(format) => limits.make(|shares| {
@@ -107,30 +109,34 @@ fn contents(
         false => input.draw(shares).map_err(wrong),
     };
     let name = input.definition.label();
-    let options = look.flags.options();
-    let bare = options.bare;
+    let choices = look.flags.options();
+    let bare = choices.bare;
     let stored = || if bare { String::new() } else { write_json(&input.definition) };
+    let options = || {
+        let (title, system) = (name.to_owned(), stored());
+        FileOptions { title, system, most: limits.segments, ..choices.clone() }
+    };
     let mut writer = match format.content {
         Content::System => return Ok(Contents::Bytes(write_json(&input.definition).into_bytes())),
         Content::String => return Ok(Contents::Bytes((input.expand(shares)? + "\n").into_bytes())),
         Content::Pixels => {
             let definition = stored();
             let picture = match system.is_solid() {
-                true => picture::solid_png(solid()?, style, &options, definition),
-                false => picture::png(paper()?, style, &options, definition),
+                true => picture::solid_png(solid()?, style, &choices, definition),
+                false => picture::png(paper()?, style, &choices, definition),
             };
             return picture.map(|picture| Contents::Picture(Box::new(picture))).map_err(wrong);
         }
-        Content::Mesh(write) => write(Mesh::new(&solid()?, style, MESH_SEGMENTS / shares).map_err(wrong)?, name),
+        Content::Mesh { is_printed, write } => {
+            let make = if is_printed { Mesh::for_printing } else { Mesh::new };
+            write(make(&solid()?, style, MESH_SEGMENTS / shares).map_err(wrong)?, name)
+        }
         Content::Segments { plane, space } => match system.is_solid() {
             true => space(Arc::new(solid()?), limits.segments).map_err(wrong)?,
             false => plane(Arc::new(paper()?), limits.segments).map_err(wrong)?,
         },
-        Content::Paper(write) => {
-            let (title, system) = (name.to_owned(), stored());
-            let options = FileOptions { title, system, most: limits.segments, ..options };
-            write(Arc::new(paper()?), style.clone(), &options).map_err(wrong)?
-        }
+        Content::Words(write) => write(&input.definition, system, &options()).map_err(wrong)?,
+        Content::Paper(write) => write(Arc::new(paper()?), style.clone(), &options()).map_err(wrong)?,
     };
     let file = write_all(&mut *writer).map_err(wrong)?;
     writer.remark().iter().for_each(|remark| say(&input.message(remark)));

@@ -640,7 +640,7 @@ fn usage() {
         2,
         &expect![[r#"
             error: invalid value 'gif' for '--format <FORMAT>'
-              [possible values: svg, svg-compact, png, json, txt, csv, obj, glb]
+              [possible values: svg, svg-compact, png, pdf, tikz, tikz-library, latex, markdown, bibtex, json, txt, csv, obj, glb, stl]
 
             For more information, try '--help'.
         "#]],
@@ -710,5 +710,5 @@ fn compact_pictures_stay_small_and_say_what_they_cost() {
     assert!(flat.len() > 10 * compact.len(), "{} {}", flat.len(), compact.len());
     let output = lsys(&["draw", "data_in/abop/1.24c.json", "-n", "40", "--format", "svg", "--compact"]);
     assert!(output.stdout.len() < 200_000 && output.status.success());
-    assert!(text(&output.stderr).starts_with("warning: This SVG may open slowly ("));
+    assert!(text(&output.stderr).starts_with("warning: This file may open slowly ("));
 }

@@ -1,13 +1,15 @@
 //! Drawings as triangles: strokes become tubes, polygons are triangulated.
 //!
 //! Strokes that join end to end share a ring of corners on the plane that halves the angle between them, so that a bent
-//! path is one closed tube. A tube tapers to the width of the next stroke.
+//! path is one closed tube. A tube tapers to the width of the next stroke. A branch is a closed tube of its own that
+//! begins inside its parent.
 
 use crate::drawing::MarkReader;
 use crate::rotation::{Vector, cross, dot, minus, norm};
 use crate::triangulate::{Triangles, triangulate};
 use crate::{Drawing, Mark, Segment, Solid};
 use lsystem_syntax::{Diagnostic, LimitName, Meter, Progress, Style};
+use std::collections::HashSet;
 
 /// Triangles with colours, in model units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,6 +42,16 @@ impl Mesh {
     /// polygons.
     pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
         let mut maker = MeshMaker::new(drawing, style, most, u64::MAX)?;
+        while maker.step(drawing, style, u64::MAX)? == Progress::More {}
+        Ok(maker.finish())
+    }
+
+    /// As [`Mesh::new`], with polygons as slabs ([`MeshMaker::for_printing`]).
+    ///
+    /// # Errors
+    /// As [`Mesh::new`].
+    pub fn for_printing(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
+        let mut maker = MeshMaker::new(drawing, style, most, u64::MAX)?.for_printing();
         while maker.step(drawing, style, u64::MAX)? == Progress::More {}
         Ok(maker.finish())
     }
@@ -91,8 +103,17 @@ impl MeshMaker {
             _ => 4,
         };
         let least = 0.5 * style.min_width.max(0.1) * extent / PICTURE;
-        let tubes = Tubes { mesh: Mesh::default(), sides, least, last: None };
+        let tubes = Tubes { mesh: Mesh::default(), sides, least, thickness: 0.0, drawn: None, last: None };
         Ok(Self { reader: MarkReader::new(drawing), tubes, memory, spent: 0 })
+    }
+
+    /// The maker for a printer: polygons become slabs as thick as the thinnest tube, so that every part has a volume,
+    /// and a stroke at the place of an earlier stroke of the same width is left out.
+    #[must_use]
+    pub fn for_printing(mut self) -> Self {
+        self.tubes.thickness = 2.0 * self.tubes.least;
+        self.tubes.drawn = Some(HashSet::new());
+        self
     }
 
     /// The units of work of all steps so far, as [`Meter`] counts them.
@@ -109,17 +130,17 @@ impl MeshMaker {
         let mut meter = Meter::new(work);
         let mut progress = Progress::More;
         while progress == Progress::More && !meter.is_spent() {
-            // A stroke has at most three rings and two ends, a polygon two sides.
+            // A stroke has at most three rings and two ends, a polygon two sides and the corners of its rim.
             let mut corners = 3 * self.tubes.sides as usize + 2;
             let mark = self.reader.next(drawing);
             match &mark {
-                Some(Mark::Polygon(vertices, _)) => corners += 2 * vertices.len(),
+                Some(Mark::Polygon(vertices, _)) => corners += 6 * vertices.len(),
                 Some(Mark::Segment(..)) => {}
                 None => progress = Progress::Done,
             }
             meter.charge(mark.as_ref().map_or(8, |mark| MARK_WORK * mark.work()));
             self.tubes.mesh.reserve(corners);
-            if self.tubes.mesh.bytes() > self.memory {
+            if self.tubes.bytes() > self.memory {
                 self.tubes.mesh = Mesh::default();
                 return Err(Diagnostic::limit(LimitName::Memory, self.memory, None));
             }
@@ -150,9 +171,16 @@ struct Tubes {
     sides: u32,
     /// The least radius of a tube.
     least: f64,
+    /// The thickness of polygons; 0 for two sides at the same place.
+    thickness: f64,
+    /// The ends and radii of all strokes, where a stroke is drawn once.
+    drawn: Option<HashSet<StrokeKey>>,
     /// The stroke whose far end is still open.
     last: Option<OpenTube>,
 }
+
+/// The ends of a stroke, the lesser first, and its radius, as bits of `f32`.
+type StrokeKey = [u32; 7];
 
 /// A stroke that has its first ring.
 #[derive(Clone, Copy, Debug)]
@@ -169,14 +197,45 @@ struct OpenTube {
 }
 
 impl Tubes {
+    /// The bytes of the mesh and of what is remembered for it. A hash set leaves an eighth of its places free.
+    fn bytes(&self) -> u64 {
+        let places = self.drawn.as_ref().map_or(0, |drawn| drawn.capacity() / 7 * 8);
+        self.mesh.bytes() + (places * (size_of::<StrokeKey>() + 1)) as u64
+    }
+
+    /// Whether a stroke is drawn for the first time, if repeats are left out.
+    fn is_new(&mut self, segment: &Segment<Solid>, radius: f64) -> bool {
+        let Some(drawn) = &mut self.drawn else { return true };
+        // Zero has one sign, so that equal places have equal bits.
+        let bits = |value: f64| (value as f32 + 0.0).to_bits();
+        let [from, to] = [segment.from.map(bits), segment.to.map(bits)];
+        let ([a, b, c], [d, e, f]) = if from <= to { (from, to) } else { (to, from) };
+        drawn.insert([a, b, c, d, e, f, bits(radius)])
+    }
+
     /// Adds the two sides of a polygon.
     fn fill(&mut self, vertices: &[Vector], colour: [u8; 3]) {
+        let outline = if self.thickness > 0.0 { without_repeats(vertices) } else { vertices.to_vec() };
+        let vertices = &outline[..];
         let Triangles { facing: Some(normal), corners: triangles, .. } = triangulate(vertices) else { return };
-        for (normal, order) in [(normal, [0, 1, 2]), (normal.map(|c| -c), [0, 2, 1])] {
+        let half = 0.5 * self.thickness;
+        let lifted = |vertex: Vector, normal: Vector| [0, 1, 2].map(|i| vertex[i] + half * normal[i]);
+        let back = normal.map(|c| -c);
+        for (normal, order) in [(normal, [0, 1, 2]), (back, [0, 2, 1])] {
             let first = self.mesh.positions.len() as u32;
-            vertices.iter().for_each(|&vertex| self.corner(vertex, normal, colour));
+            vertices.iter().for_each(|&vertex| self.corner(lifted(vertex, normal), normal, colour));
             let face = |triangle: &[usize; 3]| order.map(|corner| first + triangle[corner] as u32);
             self.mesh.triangles.extend(triangles.iter().map(face));
+        }
+        let count = if half > 0.0 { vertices.len() } else { 0 };
+        for at in 0..count {
+            let edge = [vertices[at], vertices[(at + 1) % count]];
+            let out = unit(cross(minus(edge[1], edge[0]), normal));
+            let first = self.mesh.positions.len() as u32;
+            for side in [normal, back] {
+                edge.iter().for_each(|&vertex| self.corner(lifted(vertex, side), out, colour));
+            }
+            self.mesh.triangles.extend([[1, 0, 2], [1, 2, 3]].map(|corners| corners.map(|corner| first + corner)));
         }
     }
 
@@ -190,6 +249,9 @@ impl Tubes {
         let along = way.map(|c| c / length);
         // Clamped to the range of `f32`, as coordinates are.
         let radius = (0.5 * segment.width).max(self.least).min(f64::from(f32::MAX));
+        if !self.is_new(segment, radius) {
+            return self.close();
+        }
         let gap = |last: &OpenTube| norm(minus(segment.from, last.to));
         let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
         let (across, ring) = match joined {
@@ -218,7 +280,11 @@ impl Tubes {
         if colour == last.colour {
             return (across, ring);
         }
-        (across, self.ring(last.to, along, across, half, radius, colour))
+        let own = self.ring(last.to, along, across, half, radius, colour);
+        // The same places to the last bit, so that programs that join corners by their places find no gap.
+        let [from, to] = [ring as usize, own as usize];
+        self.mesh.positions.copy_within(from..from + self.sides as usize, to);
+        (across, own)
     }
 
     /// Ends the open tube, if any.
@@ -270,6 +336,22 @@ impl Tubes {
             self.mesh.triangles.push([from + side, to + next, to + side]);
         }
     }
+}
+
+/// An outline without vertices at the place of the one before.
+fn without_repeats(vertices: &[Vector]) -> Vec<Vector> {
+    let size = vertices.iter().map(|&vertex| norm(minus(vertex, vertices[0]))).fold(0.0, f64::max);
+    let is_same = |a: &Vector, b: &Vector| norm(minus(*a, *b)) <= 1e-9 * size;
+    let mut outline: Vec<Vector> = Vec::with_capacity(vertices.len());
+    for vertex in vertices {
+        if outline.last().is_none_or(|last| !is_same(last, vertex)) {
+            outline.push(*vertex);
+        }
+    }
+    if outline.len() > 1 && is_same(&outline[0], &outline[outline.len() - 1]) {
+        outline.pop();
+    }
+    outline
 }
 
 /// A vector moved along `along` onto the plane through the origin across `plane`.
@@ -365,6 +447,29 @@ mod tests {
         let leaf = mesh("{-f+f+f-|-f+f+f}", "", 22.5, 0);
         check_closed(&leaf);
         assert!(leaf.triangles.len() >= 8 && volume(&leaf).abs() < 1e-9);
+    }
+
+    #[test]
+    fn printed_leaves_have_a_volume() {
+        let definition = Definition { axiom: "{f+f+f}".into(), angle: 90.0, ..Definition::default() };
+        let style = Style { min_width: 102.4, ..Style::default() };
+        let system = System::new(&definition).0.unwrap();
+        let leaf = Mesh::for_printing(&draw_solid(&system, 0, &Limits::default()).unwrap(), &style, 100).unwrap();
+        check_closed(&leaf);
+        // The least width is a tenth of the extent, which is 1; the outline is a square.
+        assert!((volume(&leaf) - 0.1).abs() < 1e-6, "{}", volume(&leaf));
+        assert_eq!(leaf.triangles.len(), 2 * 2 + 4 * 2);
+    }
+
+    #[test]
+    fn printed_strokes_are_drawn_once() {
+        let definition = Definition { axiom: "F[F]FF|FF".into(), ..Definition::default() };
+        let system = System::new(&definition).0.unwrap();
+        let drawing = draw_solid(&system, 0, &Limits::default()).unwrap();
+        let print = Mesh::for_printing(&drawing, &definition.style, 100).unwrap();
+        check_closed(&print);
+        // Two tubes are left: from 0 to 2 with three rings, and from 2 to 3.
+        assert_eq!(print.positions.len(), (3 * 8 + 2) + (2 * 8 + 2));
     }
 
     #[test]

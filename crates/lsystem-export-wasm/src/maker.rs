@@ -86,6 +86,11 @@ fn begin(Order { definition, format, options, view, camera, ratio }: Order, syst
     match format.content {
         Content::System => Ok(text_file(write_json(&definition))),
         Content::String => string_file(system, n),
+        Content::Words(write) => {
+            let stored = if options.bare { String::new() } else { write_json(&definition) };
+            let options = FileOptions { title: name, system: stored, most: TEXT_SEGMENTS, ..options };
+            write(&definition, &system, &options)
+        }
         Content::Pixels => {
             let [width, height] = options.size.unwrap_or([USUAL; 2]);
             let viewport = Viewport { width, height, ratio };
@@ -130,9 +135,9 @@ fn begin(Order { definition, format, options, view, camera, ratio }: Order, syst
                 })
             }))
         }
-        Content::Mesh(write) => {
-            Ok(solid_file(&system, n, move |drawing| mesh_file(drawing, style, move |mesh| write(mesh, &name))))
-        }
+        Content::Mesh { is_printed, write } => Ok(solid_file(&system, n, move |drawing| {
+            mesh_file(drawing, style, is_printed, move |mesh| write(mesh, &name))
+        })),
     }
 }
 

@@ -140,9 +140,12 @@ pub(crate) fn projected_file(
 pub(crate) fn mesh_file(
     drawing: Arc<Drawing<Solid>>,
     style: Style,
+    is_printed: bool,
     write: impl FnOnce(Mesh) -> FileWriter + 'static,
 ) -> Begun {
-    let mut making = Some((MeshMaker::new(&drawing, &style, FEW_SEGMENTS, MESH)?, drawing, write));
+    let maker = MeshMaker::new(&drawing, &style, FEW_SEGMENTS, MESH)?;
+    let maker = if is_printed { maker.for_printing() } else { maker };
+    let mut making = Some((maker, drawing, write));
     Ok(prepared(move || {
         if let Some((maker, drawing, _)) = &mut making
             && maker.step(drawing, &style, WORK)? == Progress::Done

@@ -18,7 +18,7 @@ pub struct FileContent {
     pub json: String,
 }
 
-/// Reads a system from a file's bytes: JSON ([`read_json`]), or a PNG or SVG picture with a system in its metadata. The
+/// Reads a system from a file's bytes: JSON ([`read_json`]), or a PNG, SVG or PDF picture with a system in it. The
 /// picture may be cut off after the system.
 #[must_use]
 pub fn read_file(bytes: &[u8]) -> FileContent {
@@ -27,6 +27,8 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
     let too_long = || Kind::Limit { limit: LimitName::Text, value: MAX_TEXT as u64, largest: None };
     let found = if png::is_png(bytes) {
         png::system_in(bytes).ok_or(Kind::NoSystem { picture: "PNG" })
+    } else if is_pdf(bytes) {
+        attachment_in(bytes).ok_or(Kind::NoSystem { picture: "PDF" })
     } else if is_xml(bytes) {
         metadata_in(bytes).ok_or(Kind::NoSystem { picture: "SVG" })
     } else if bytes.len() > MAX_TEXT {
@@ -53,7 +55,7 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
 #[must_use]
 pub fn import_file(bytes: &[u8]) -> Option<crate::Imported> {
     let plain = without_byte_order_mark(bytes);
-    if png::is_png(&plain) || is_xml(&plain) || plain.len() > MAX_TEXT {
+    if png::is_png(&plain) || is_pdf(&plain) || is_xml(&plain) || plain.len() > MAX_TEXT {
         return None;
     }
     crate::import(&String::from_utf8_lossy(&plain))
@@ -114,6 +116,19 @@ fn metadata_in(svg: &[u8]) -> Option<Cow<'_, str>> {
     // An escaped character takes at most ten bytes, so a longer content exceeds `MAX_TEXT` anyway.
     let content = &content[..content.len().min(10 * MAX_TEXT + 10)];
     Some(xml::unescape(&String::from_utf8_lossy(content)).into())
+}
+
+fn is_pdf(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"%PDF-")
+}
+
+/// The system in a PDF file of this library: the first attached file, which is not compressed.
+fn attachment_in(pdf: &[u8]) -> Option<Cow<'_, str>> {
+    let rest = &pdf[find(pdf, "/EmbeddedFile")?..];
+    let content = &rest[find(rest, "stream\n")? + "stream\n".len()..];
+    // No line of a system's JSON begins with this word.
+    let content = &content[..find(content, "\nendstream")?];
+    Some(String::from_utf8_lossy(content))
 }
 
 fn find(bytes: &[u8], text: &str) -> Option<usize> {

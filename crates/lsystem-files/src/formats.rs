@@ -2,9 +2,12 @@
 //!
 //! A new format needs a writer in its own file and a row here.
 
-use super::{CsvWriter, FileOptions, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter};
-use lsystem_drawing::{Drawing, Mesh, Solid, Space};
-use lsystem_syntax::{Diagnostic, Progress, Style};
+use super::{
+    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, StlWriter, SvgForm, SvgOptions, SvgWriter,
+    TikzLibraryWriter, TikzWriter, bibtex, latex, markdown,
+};
+use lsystem_drawing::{Drawing, Mesh, Solid, Space, System};
+use lsystem_syntax::{Definition, Diagnostic, Progress, Style};
 use std::sync::Arc;
 
 /// An export format: a row of [`FORMATS`].
@@ -90,6 +93,8 @@ pub enum Content {
     System,
     /// The derived string.
     String,
+    /// A definition and its system, in another notation.
+    Words(fn(&Definition, &System, &FileOptions) -> WriterResult),
     /// Pixels, made by a renderer.
     Pixels,
     /// Strokes in the plane. A drawing in space is projected first.
@@ -101,8 +106,13 @@ pub enum Content {
         /// The writer for a drawing in space.
         space: fn(Arc<Drawing<Solid>>, u64) -> WriterResult,
     },
-    /// A mesh of coloured tubes, with its name.
-    Mesh(fn(Mesh, &str) -> Box<dyn Writer>),
+    /// A mesh of coloured tubes.
+    Mesh {
+        /// Whether polygons need a volume, as [`Mesh::for_printing`] gives them.
+        is_printed: bool,
+        /// The writer for a mesh and its name.
+        write: fn(Mesh, &str) -> Box<dyn Writer>,
+    },
 }
 
 impl Content {
@@ -115,7 +125,8 @@ impl Content {
             Self::Pixels => "pixels",
             Self::Paper(_) => "strokes",
             Self::Segments { .. } => "segments",
-            Self::Mesh(_) => "mesh",
+            Self::Words(_) => "words",
+            Self::Mesh { .. } => "mesh",
         }
     }
 }
@@ -135,7 +146,7 @@ pub trait Writer {
 }
 
 /// All formats, in the order of the page's list.
-pub static FORMATS: [Format; 8] = [
+pub static FORMATS: [Format; 15] = [
     Format {
         name: "svg",
         ending: "svg",
@@ -165,6 +176,72 @@ pub static FORMATS: [Format; 8] = [
         purpose: Purpose::Screen,
         content: Content::Pixels,
         options: &["size", "dpi", "transparent", "bare"],
+    },
+    Format {
+        name: "pdf",
+        ending: "pdf",
+        mime: "application/pdf",
+        label: "PDF",
+        help: "Page of strokes",
+        purpose: Purpose::Paper,
+        content: Content::Paper(|drawing, style, options| {
+            PdfWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
+        }),
+        options: &["sheet", "landscape", "margin", "whole-sheet", "bare"],
+    },
+    Format {
+        name: "tikz",
+        ending: "tikz",
+        mime: "text/x-tex",
+        label: "TikZ",
+        help: "Picture of strokes for LaTeX",
+        purpose: Purpose::Paper,
+        content: Content::Paper(|drawing, style, options| {
+            TikzWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
+        }),
+        options: &[],
+    },
+    Format {
+        name: "tikz-library",
+        ending: "tikz",
+        mime: "text/x-tex",
+        label: "TikZ L-system",
+        help: "System for TikZ's library lindenmayersystems, which draws simple systems while LaTeX runs",
+        purpose: Purpose::Paper,
+        content: Content::Words(|definition, system, options| {
+            TikzLibraryWriter::new(definition, system, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
+        }),
+        options: &[],
+    },
+    Format {
+        name: "latex",
+        ending: "tex",
+        mime: "text/x-tex",
+        label: "LaTeX",
+        help: "System typeset as in books: axiom, productions, constants and angles",
+        purpose: Purpose::Paper,
+        content: Content::Words(|definition, system, _| text(latex(definition, system))),
+        options: &[],
+    },
+    Format {
+        name: "markdown",
+        ending: "md",
+        mime: "text/markdown",
+        label: "Markdown",
+        help: "System as a list: axiom, productions, constants and angles",
+        purpose: Purpose::Paper,
+        content: Content::Words(|definition, system, _| text(markdown(definition, system))),
+        options: &[],
+    },
+    Format {
+        name: "bibtex",
+        ending: "bib",
+        mime: "text/x-bibtex",
+        label: "BibTeX",
+        help: "Entries of the system's source and of its picture",
+        purpose: Purpose::Paper,
+        content: Content::Words(|definition, system, _| text(bibtex(definition, system))),
+        options: &[],
     },
     Format {
         name: "json",
@@ -203,7 +280,10 @@ pub static FORMATS: [Format; 8] = [
         label: "OBJ",
         help: "Mesh of coloured tubes, as text",
         purpose: Purpose::Mesh,
-        content: Content::Mesh(|mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh })),
+        content: Content::Mesh {
+            is_printed: false,
+            write: |mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh }),
+        },
         options: &[],
     },
     Format {
@@ -213,7 +293,20 @@ pub static FORMATS: [Format; 8] = [
         label: "glTF",
         help: "Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines",
         purpose: Purpose::Mesh,
-        content: Content::Mesh(|mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh })),
+        content: Content::Mesh {
+            is_printed: false,
+            write: |mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh }),
+        },
+        options: &[],
+    },
+    Format {
+        name: "stl",
+        ending: "stl",
+        mime: "model/stl",
+        label: "STL",
+        help: "Mesh of closed tubes and slabs for printers, 100 mm long",
+        purpose: Purpose::Mesh,
+        content: Content::Mesh { is_printed: true, write: |mesh, _| Box::new(StlWriter::new(mesh)) },
         options: &[],
     },
 ];
@@ -268,6 +361,20 @@ fn append(
         file.append(&mut text.into_bytes());
     }
     Ok(progress)
+}
+
+/// A short text, written in one step: a system has texts of at most 1 MiB.
+struct TextWriter(Vec<u8>);
+
+fn text(text: String) -> WriterResult {
+    Ok(Box::new(TextWriter(text.into_bytes())))
+}
+
+impl Writer for TextWriter {
+    fn step(&mut self, file: &mut Vec<u8>, _: u64) -> Result<Progress, Diagnostic> {
+        file.append(&mut self.0);
+        Ok(Progress::Done)
+    }
 }
 
 struct SvgFile {

@@ -1,6 +1,7 @@
-//! File formats: systems as JSON and in links, drawings as SVG and CSV, meshes as OBJ and glTF, and pictures that hold
-//! their system.
+//! File formats: systems as JSON, in links and typeset, drawings as SVG, PDF, TikZ and CSV, meshes as OBJ and glTF, and
+//! pictures that hold their system.
 
+mod compact;
 mod csv;
 mod embed;
 mod formats;
@@ -15,10 +16,13 @@ mod obj;
 mod option_table;
 mod options;
 pub mod packed;
+mod paper;
 mod png;
 mod png_writer;
 mod segments;
 mod sheet;
+mod stl;
+mod strokes;
 mod svg;
 mod xml;
 
@@ -33,8 +37,10 @@ pub use link::{Link, LinkProblem, read_link};
 pub use obj::{ObjWriter, write_obj};
 pub use option_table::{FILE_OPTIONS, FileOption, OptionKind, OptionValue};
 pub use options::FileOptions;
+pub use paper::{PdfWriter, TikzLibraryWriter, TikzWriter, bibtex, latex, markdown};
 pub use png::tag_png;
 pub use png_writer::{PngOptions, PngWriter};
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use sheet::{INCH, SHEETS, Sheet};
+pub use stl::StlWriter;
 pub use svg::{Svg, SvgForm, SvgOptions, SvgWriter, write_svg};

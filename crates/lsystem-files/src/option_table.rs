@@ -76,7 +76,7 @@ pub enum OptionValue {
 }
 
 /// All choices. Values are applied in this order.
-pub static FILE_OPTIONS: [FileOption; 7] = [
+pub static FILE_OPTIONS: [FileOption; 8] = [
     FileOption {
         name: "size",
         label: "Size",
@@ -147,6 +147,14 @@ pub static FILE_OPTIONS: [FileOption; 7] = [
         unit: "mm",
         kind: OptionKind::Number { low: 0.0, high: 100.0, step: 1.0, default: 10.0 },
         set: |options, value| options.sheet.margin = value.number(),
+    },
+    FileOption {
+        name: "whole-sheet",
+        label: "Whole sheet",
+        help: "Fill the sheet, instead of ending the page at the edge of the drawing",
+        unit: "",
+        kind: OptionKind::Flag,
+        set: |options, value| options.is_cropped = !value.flag(),
     },
     FileOption {
         name: "bare",

@@ -24,12 +24,24 @@ pub struct FileOptions {
     pub transparent: bool,
     /// Whether the system is left out of the file: then the caller leaves `system` empty.
     pub bare: bool,
+    /// Whether a page ends at the picture's edge instead of the sheet's.
+    pub is_cropped: bool,
 }
 
 impl Default for FileOptions {
     fn default() -> Self {
         let (title, description, system) = <(String, String, String)>::default();
-        let (size, sheet) = (None, Sheet::default());
-        Self { title, description, system, most: 2_000_000, sheet, size, dpi: None, transparent: false, bare: false }
+        Self {
+            title,
+            description,
+            system,
+            most: 2_000_000,
+            sheet: Sheet::default(),
+            is_cropped: true,
+            size: None,
+            dpi: None,
+            transparent: false,
+            bare: false,
+        }
     }
 }

@@ -15,6 +15,35 @@ pub struct Diagnostic {
     pub span: Range<usize>,
 }
 
+/// A thing that TikZ's library `lindenmayersystems` lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TikzObstacle {
+    /// Weights of productions, or varied angles and lengths.
+    Random,
+    /// Contexts.
+    Contexts,
+    /// Parameters, conditions or arguments.
+    Parameters,
+    /// Productions below `draw:`.
+    Images,
+    /// A symbol that is no letter, digit or bracket, and none of `+ - |`.
+    Symbol(char),
+    /// A symbol with an action other than forward steps, turns in the plane and branches.
+    Action(char),
+    /// Brackets that are rewritten, or are not closed in the text where they are opened.
+    Branches,
+    /// Branches in branches, more than TeX can nest.
+    Nesting,
+    /// More than one colour.
+    Colours,
+    /// Widths or lengths that depend on the branch level.
+    Levels,
+    /// A tropism.
+    Tropism,
+    /// A last derivation step that is partly grown.
+    Growth,
+}
+
 /// Whether the system is usable in spite of a problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
@@ -84,6 +113,11 @@ pub enum Kind {
     },
     /// A file format with opaque ink only, for a drawing with additive ink.
     CoveringInk,
+    /// A system that TikZ's library `lindenmayersystems` cannot express.
+    NotInTikz {
+        /// The first thing that the library lacks.
+        obstacle: TikzObstacle,
+    },
     /// The diagnostics beyond the most that are listed.
     More {
         /// The number of diagnostics left out.

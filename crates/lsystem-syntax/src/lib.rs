@@ -58,7 +58,7 @@ pub use class::Class;
 pub use classify::classify;
 pub use code::{Code, Meaning, Op, Unusable};
 pub use definition::Definition;
-pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Severity};
+pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Severity, TikzObstacle};
 pub use dialect::Dialect;
 pub use expr::{Expr, Function, Operator};
 pub use fields::{FIELDS, FieldSpec};

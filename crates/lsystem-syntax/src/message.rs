@@ -1,7 +1,7 @@
 //! The words of all diagnostics, in English, in one place.
 
 use crate::number::number;
-use crate::{Diagnostic, Expected, Function, JsonError, Kind, LimitName, MAX_PALETTE, Role};
+use crate::{Diagnostic, Expected, Function, JsonError, Kind, LimitName, MAX_PALETTE, Role, TikzObstacle};
 
 impl Diagnostic {
     /// The problem, as one English sentence.
@@ -14,6 +14,24 @@ impl Diagnostic {
     #[must_use]
     pub fn hint(&self) -> Option<String> {
         words(&self.kind).1
+    }
+}
+
+/// The thing that TikZ's library lacks, after "has no".
+fn missing_in_tikz(obstacle: TikzObstacle) -> String {
+    match obstacle {
+        TikzObstacle::Random => "seeded random choices".into(),
+        TikzObstacle::Contexts => "contexts".into(),
+        TikzObstacle::Parameters => "parameters and conditions".into(),
+        TikzObstacle::Images => "productions for drawing".into(),
+        TikzObstacle::Symbol(symbol) => format!("symbol `{symbol}`"),
+        TikzObstacle::Action(symbol) => format!("action for what `{symbol}` does"),
+        TikzObstacle::Branches => "brackets across productions".into(),
+        TikzObstacle::Nesting => "room for so many branches in branches".into(),
+        TikzObstacle::Colours => "colours within one drawing".into(),
+        TikzObstacle::Levels => "widths or lengths by branch level".into(),
+        TikzObstacle::Tropism => "tropism".into(),
+        TikzObstacle::Growth => "partly grown steps".into(),
     }
 }
 
@@ -49,12 +67,16 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             format!("Only {picture} files that were saved here carry the system they show."),
         ),
         Kind::Instances { count } => hinted(
-            format!("This SVG may open slowly ({} shapes)", grouped(&count.to_string())),
+            format!("This file may open slowly ({} shapes)", grouped(&count.to_string())),
             "Fewer iterations or a smaller size make fewer.".into(),
         ),
         Kind::CoveringInk => hinted(
-            "SVG has no additive blending: strokes cover each other in this file".into(),
+            "This format has no additive blending: strokes cover each other in the file".into(),
             "PNG keeps the blending.".into(),
+        ),
+        Kind::NotInTikz { obstacle } => hinted(
+            format!("TikZ's library lindenmayersystems has no {}", missing_in_tikz(*obstacle)),
+            "The TikZ picture holds any drawing, as paths.".into(),
         ),
         Kind::More { left_out } => said(format!("And {left_out} more")),
 

@@ -10,7 +10,7 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 11] = [
+const PAGES: [&str; 12] = [
     "lesson",
     "notation",
     "links",
@@ -18,6 +18,7 @@ const PAGES: [&str; 11] = [
     "exercises",
     "growth",
     "find",
+    "papers",
     "about",
     "security",
     "imports",

@@ -1,7 +1,8 @@
 //! The flat form: every segment, in drawing order.
 
-use super::paths::{Paths, StrokeLook, within};
+use super::paths::Paths;
 use super::{Decimals, SvgOptions, VERTEX_WORK, ViewBox};
+use crate::strokes::{StrokeLook, within};
 use lsystem_drawing::MarkReader;
 use lsystem_drawing::{Drawing, Mark, Plane};
 use lsystem_syntax::{Diagnostic, Meter, Progress, Style};

@@ -1,13 +1,11 @@
 //! Drawings as Scalable Vector Graphics, in two forms.
 
 mod compact;
-mod features;
 mod flat;
 mod paths;
-mod plan;
-mod styled_drawing;
 mod writer;
 
+use super::compact::MANY;
 use super::number::Decimals;
 use core::fmt::Write;
 use lsystem_drawing::Drawing;
@@ -59,8 +57,6 @@ pub struct Svg {
     pub ink: Ink,
 }
 
-/// The most copies without a warning. More take browsers several seconds.
-const MANY: u128 = 100_000;
 /// The units of work to write a vertex of a polygon.
 const VERTEX_WORK: u64 = 4;
 

@@ -3,8 +3,9 @@
 use super::compact::Compact;
 use super::flat::Flat;
 use super::{SvgForm, SvgOptions, warning};
+use crate::compact::is_shareable;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{ColourBy, Diagnostic, Ink, Meter, Progress, Style};
+use lsystem_syntax::{Diagnostic, Ink, Meter, Progress, Style};
 
 /// A writer of SVG in steps. It holds no drawing, and the caller may remove the written text between two steps.
 #[derive(Clone, Debug)]
@@ -27,7 +28,7 @@ impl SvgWriter {
     /// As [`write_svg`](crate::write_svg) with the flat form.
     pub fn new(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Self, Diagnostic> {
         let form = match (options.form, drawing.root) {
-            (SvgForm::Compact, Some(root)) if drawing.is_memoised() && style.colour_by != ColourBy::Path => {
+            (SvgForm::Compact, Some(root)) if is_shareable(drawing, style) => {
                 FormWriter::Compact(Box::new(Compact::new(drawing, root, style, options)))
             }
             _ => FormWriter::Flat(Box::new(Flat::new(drawing, style, options)?)),

@@ -1,7 +1,7 @@
 //! The plan of a compact file: its symbols, and the strokes, polygons and placed symbols in them.
 
-use super::paths::{PATH, StrokeLook};
 use super::styled_drawing::StyledDrawing;
+use crate::strokes::{PATH, StrokeLook};
 use core::ops::Range;
 use lsystem_drawing::{BlockId, Directions, Frame, Item, Line, StyleChange};
 use lsystem_syntax::{Heading, Meter, Progress};

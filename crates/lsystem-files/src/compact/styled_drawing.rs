@@ -1,7 +1,7 @@
 //! A drawing at the size of a picture, and the look of its parts.
 
 use super::features::Features;
-use super::paths::StrokeLook;
+use crate::strokes::StrokeLook;
 use lsystem_drawing::{BlockId, ColourChange, Drawing, StyleChange, WidthChange};
 use lsystem_syntax::{ColourBy, Style};
 

@@ -1,0 +1,18 @@
+//! Files for papers: figures, and systems typeset as in books.
+
+mod bibtex;
+mod facts;
+mod figure;
+mod latex;
+mod markdown;
+mod pdf;
+mod tex;
+mod tikz;
+mod tikz_library;
+
+pub use bibtex::bibtex;
+pub use latex::latex;
+pub use markdown::markdown;
+pub use pdf::PdfWriter;
+pub use tikz::TikzWriter;
+pub use tikz_library::TikzLibraryWriter;

@@ -1,0 +1,348 @@
+//! Systems as declarations of TikZ's library `lindenmayersystems`, where it can express them.
+//!
+//! The library has letters, `F f + - [ ]`, an angle for each side, a step and an order. It expands and draws while TeX
+//! runs, so that the file is short.
+
+use super::bibtex::slug;
+use super::figure::{Figure, lengths};
+use super::tikz::{covering, title};
+use crate::{FileOptions, Writer};
+use core::fmt::Write;
+use lsystem_drawing::{Drawer, Drawing, Plane, System, expand};
+use lsystem_syntax::number::number;
+use lsystem_syntax::{
+    Action, ColourBy, Definition, Diagnostic, Field, Grammar, Heading, Kind, Limits, Module, Progress, TikzObstacle,
+};
+
+/// The limits of a drawing by TeX, which draws some thousand symbols in a second.
+const LIMITS: Limits =
+    Limits { symbols: 100_000, modules: 1 << 20, segments: 100_000, work: 2_000_000, memory: 64 << 20 };
+/// The most branches in branches. TeX has at most 255 groups, and needs some for the document.
+const DEEPEST: usize = 200;
+
+/// The library's own symbols and their codes.
+const OWN: [(char, &str); 6] = [
+    ('F', "\\pgflsystemdrawforward"),
+    ('f', "\\pgflsystemmoveforward"),
+    ('+', "\\pgflsystemturnleft"),
+    ('-', "\\pgflsystemturnright"),
+    ('[', "\\pgflsystemsavestate"),
+    (']', "\\pgflsystemrestorestate"),
+];
+
+/// Writes the declaration of a system, and a picture with its drawing.
+pub struct TikzLibraryWriter {
+    definition: Definition,
+    options: FileOptions,
+    grammar: Grammar,
+    /// The symbols whose codes differ from the library's.
+    codes: Vec<(char, String)>,
+    /// Finds the size of the drawing; `None` when all is written.
+    drawer: Option<Drawer<Plane>>,
+}
+
+impl TikzLibraryWriter {
+    /// A writer for a definition and its system.
+    ///
+    /// # Errors
+    /// [`Kind::NotInTikz`] if the library cannot express the system, and [`Kind::Limit`] if TeX would take too long.
+    pub fn new(definition: &Definition, system: &System, options: &FileOptions) -> Result<Self, Diagnostic> {
+        if let Some(obstacle) = obstacle(definition, system) {
+            return Err(lacking(obstacle));
+        }
+        let codes = codes(system).map_err(lacking)?;
+        let word = expand(system, definition.iterations, &LIMITS)?;
+        check_branches(system, &word).map_err(lacking)?;
+        let drawer = Some(Drawer::new(system, definition.iterations, LIMITS));
+        let grammar = system.grammar.clone();
+        Ok(Self { definition: definition.clone(), options: options.clone(), grammar, codes, drawer })
+    }
+
+    fn write(&self, drawing: &Drawing) -> String {
+        let definition = &self.definition;
+        let figure = Figure::for_text(drawing, &self.options.sheet);
+        let look = figure.start(drawing, &definition.style);
+        let [r, g, b] = look.rgb;
+        let name = slug(&definition.name);
+        let name = if name.is_empty() { "l-system" } else { &name };
+        let mut text = title(&self.options.title);
+        text.push_str("% For documents with \\usepackage{tikz} and \\usetikzlibrary{lindenmayersystems}.\n");
+        // Writing to a `String` cannot fail.
+        let _ = writeln!(text, "\\pgfdeclarelindenmayersystem{{{name}}}{{");
+        for (symbol, code) in &self.codes {
+            let _ = writeln!(text, "  \\symbol{{{symbol}}}{{{code}}}");
+        }
+        let mut known = Vec::new();
+        for production in &self.grammar.productions {
+            let symbol = production.predecessor.symbol;
+            // Of several productions, the first one applies here and the last one in the library.
+            if !known.contains(&symbol) {
+                known.push(symbol);
+                let _ = writeln!(text, "  \\rule{{{symbol} -> {}}}", symbols(&production.successor));
+            }
+        }
+        let _ = writeln!(text, "}}\n\\begin{{tikzpicture}}\n\\definecolor{{stroke}}{{RGB}}{{{r},{g},{b}}}");
+        text.push_str("\\draw[stroke,line cap=round,line join=round,line width=");
+        lengths().write(&mut text, look.width);
+        let _ = write!(text, "mm,rotate={},\n  l-system={{{name}, ", degrees(definition.heading));
+        let _ = write!(text, "axiom={{{}}}, order={}, ", symbols(&self.grammar.axiom), definition.iterations);
+        let right = definition.right_angle.unwrap_or(definition.angle);
+        if right == definition.angle {
+            let _ = write!(text, "angle={}", degrees(right));
+        } else {
+            let _ = write!(text, "left angle={}, right angle={}", degrees(definition.angle), degrees(right));
+        }
+        text.push_str(", step=");
+        lengths().write(&mut text, figure.scale * definition.step);
+        text.push_str("mm}] lindenmayer system;\n\\end{tikzpicture}\n");
+        text
+    }
+}
+
+impl Writer for TikzLibraryWriter {
+    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
+        let Some(drawer) = &mut self.drawer else { return Ok(Progress::Done) };
+        if drawer.step(work) == Progress::Done
+            && let Some(drawer) = self.drawer.take()
+        {
+            let text = self.write(&drawer.finish()?);
+            file.append(&mut text.into_bytes());
+            return Ok(Progress::Done);
+        }
+        Ok(Progress::More)
+    }
+
+    fn remark(&self) -> Option<Diagnostic> {
+        covering(&self.definition.style)
+    }
+}
+
+fn lacking(obstacle: TikzObstacle) -> Diagnostic {
+    Diagnostic { kind: Kind::NotInTikz { obstacle }, field: Field::Numbers, span: 0..0 }
+}
+
+/// An angle in degrees that TeX can hold.
+fn degrees(angle: f64) -> String {
+    if angle.abs() <= 360.0 { number(angle) } else { number(Heading::from_degrees(angle).degrees()) }
+}
+
+fn symbols(modules: &[Module]) -> String {
+    modules.iter().map(|module| module.symbol).collect()
+}
+
+/// The first thing that the library lacks, except for symbols and branches.
+fn obstacle(definition: &Definition, system: &System) -> Option<TikzObstacle> {
+    let grammar = &system.grammar;
+    let productions = || grammar.productions.iter();
+    let has_parameters = productions().any(|p| p.condition.is_some() || !p.predecessor.parameters.is_empty())
+        || grammar.made().any(|module| !module.arguments.is_empty());
+    let style = &definition.style;
+    let is_one_colour = match style.colour_by {
+        ColourBy::Single | ColourBy::Density | ColourBy::Symbol => true,
+        _ => style.palette.len() == 1,
+    };
+    let found = [
+        (productions().any(lsystem_syntax::Production::is_context_sensitive), TikzObstacle::Contexts),
+        (has_parameters, TikzObstacle::Parameters),
+        (!grammar.images.is_empty(), TikzObstacle::Images),
+        (system.is_stochastic(), TikzObstacle::Random),
+        (!is_one_colour, TikzObstacle::Colours),
+        (definition.length_factor != 1.0 || style.width_factor != 1.0, TikzObstacle::Levels),
+        (definition.elasticity != 0.0, TikzObstacle::Tropism),
+        (definition.growth != 1.0, TikzObstacle::Growth),
+    ];
+    found.into_iter().find(|(is_found, _)| *is_found).map(|(_, obstacle)| obstacle)
+}
+
+/// The codes that differ from the library's, of all symbols that may occur.
+fn codes(system: &System) -> Result<Vec<(char, String)>, TikzObstacle> {
+    let mut codes = Vec::new();
+    let reachable = system.rules.reachable();
+    for ((letter, actions), _) in
+        system.rules.letters.iter().zip(&system.turtle.actions).zip(reachable).filter(|(_, reached)| *reached)
+    {
+        let symbol = letter.symbol;
+        if !symbol.is_ascii_alphanumeric() && !"+-[]|".contains(symbol) {
+            return Err(TikzObstacle::Symbol(symbol));
+        }
+        let code: Option<String> = actions.iter().map(|&action| code(action)).collect();
+        let code = code.ok_or(TikzObstacle::Action(symbol))?;
+        let own = OWN.iter().find(|(own, _)| *own == symbol).map_or("", |(_, code)| *code);
+        if code != own {
+            codes.push((symbol, code));
+        }
+    }
+    Ok(codes)
+}
+
+/// The code of an action; `None` if the library has none.
+fn code(action: Action) -> Option<String> {
+    let [draw, go, left, right, push, pop] = OWN.map(|(_, code)| code.to_owned());
+    Some(match action {
+        Action::Draw(None) => draw,
+        Action::Move(None) => go,
+        Action::TurnLeft(None) => left,
+        Action::TurnRight(None) => right,
+        Action::Push => push,
+        Action::Pop => pop,
+        Action::TurnRound => "\\pgftransformrotate{180}".into(),
+        Action::TurnLeft(Some(angle)) => format!("\\pgftransformrotate{{{}}}", degrees(angle)),
+        Action::TurnRight(Some(angle)) => format!("\\pgftransformrotate{{{}}}", degrees(-angle)),
+        _ => return None,
+    })
+}
+
+/// Checks that every branch is closed where it is opened, because a branch is a group of TeX, and that TeX has enough
+/// groups for the string `word`.
+fn check_branches(system: &System, word: &str) -> Result<(), TikzObstacle> {
+    let changes: Vec<(char, isize)> = (system.rules.letters.iter().zip(&system.turtle.actions))
+        .map(|(letter, actions)| {
+            let change = |action: &Action| match action {
+                Action::Push => 1,
+                Action::Pop => -1,
+                _ => 0,
+            };
+            (letter.symbol, actions.iter().map(change).sum())
+        })
+        .collect();
+    let change = |symbol: char| {
+        let at = changes.binary_search_by_key(&symbol, |(own, _)| *own);
+        at.map_or(0, |at| changes[at].1)
+    };
+    let grammar = &system.grammar;
+    let texts = core::iter::once(&grammar.axiom).chain(grammar.productions.iter().map(|p| &p.successor));
+    let is_rewritten = grammar.productions.iter().any(|p| change(p.predecessor.symbol) != 0);
+    let mut balanced = texts.map(|modules| deepest(modules.iter().map(|module| module.symbol), change));
+    if is_rewritten || balanced.any(|depth| depth.is_none()) {
+        return Err(TikzObstacle::Branches);
+    }
+    match deepest(word.chars(), change) {
+        Some(depth) if depth <= DEEPEST => Ok(()),
+        _ => Err(TikzObstacle::Nesting),
+    }
+}
+
+/// The most branches that are open at a time; `None` if one is not opened or not closed.
+fn deepest(symbols: impl Iterator<Item = char>, change: impl Fn(char) -> isize) -> Option<usize> {
+    let (mut depth, mut most) = (0_usize, 0);
+    for symbol in symbols {
+        depth = depth.checked_add_signed(change(symbol))?;
+        most = most.max(depth);
+    }
+    (depth == 0).then_some(most)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::write_all;
+    use expect_test::{Expect, expect};
+
+    fn written(definition: &Definition) -> Result<String, Diagnostic> {
+        let options = FileOptions { title: definition.title.clone(), ..FileOptions::default() };
+        let file = write_all(&mut TikzLibraryWriter::new(definition, &System::new(definition).0.unwrap(), &options)?)?;
+        Ok(String::from_utf8(file).unwrap())
+    }
+
+    fn check(definition: &Definition, expected: &Expect) {
+        expected.assert_eq(&written(definition).unwrap());
+    }
+
+    fn plant() -> Definition {
+        Definition {
+            name: "plant_1".into(),
+            title: "A plant".into(),
+            axiom: "X".into(),
+            rules: "X -> F-[[X]+X]+G[|FX]-X\nF -> FF\nF -> F".into(),
+            angle: 25.0,
+            iterations: 4,
+            overrides: "G: move\nf: nothing".into(),
+            ..Definition::default()
+        }
+    }
+
+    #[test]
+    fn declarations() {
+        check(
+            &plant(),
+            &expect![[r#"
+            % A plant
+            % For documents with \usepackage{tikz} and \usetikzlibrary{lindenmayersystems}.
+            \pgfdeclarelindenmayersystem{plant-1}{
+              \symbol{G}{\pgflsystemmoveforward}
+              \symbol{|}{\pgftransformrotate{180}}
+              \rule{X -> F-[[X]+X]+G[|FX]-X}
+              \rule{F -> FF}
+            }
+            \begin{tikzpicture}
+            \definecolor{stroke}{RGB}{31,92,58}
+            \draw[stroke,line cap=round,line join=round,line width=0.1563mm,rotate=90,
+              l-system={plant-1, axiom={X}, order=4, angle=25, step=5.924mm}] lindenmayer system;
+            \end{tikzpicture}
+        "#]],
+        );
+        let koch = Definition {
+            axiom: "F++F++F".into(),
+            rules: "F -> F-F++F-F".into(),
+            angle: 60.0,
+            right_angle: Some(-3600.5),
+            heading: 0.0,
+            step: 2.0,
+            ..Definition::default()
+        };
+        check(
+            &koch,
+            &expect![[r#"
+            % For documents with \usepackage{tikz} and \usetikzlibrary{lindenmayersystems}.
+            \pgfdeclarelindenmayersystem{l-system}{
+              \rule{F -> F-F++F-F}
+            }
+            \begin{tikzpicture}
+            \definecolor{stroke}{RGB}{31,92,58}
+            \draw[stroke,line cap=round,line join=round,line width=0.1172mm,rotate=0,
+              l-system={l-system, axiom={F++F++F}, order=1, left angle=60, right angle=359.5, step=29.8919mm}] lindenmayer system;
+            \end{tikzpicture}
+        "#]],
+        );
+    }
+
+    #[test]
+    fn a_declaration_reads_back() {
+        let plant = Definition {
+            rules: "X -> F-[[X]+X]+F[-FX]-X\nF -> FF".into(),
+            overrides: String::new(),
+            heading: 0.0,
+            ..plant()
+        };
+        let imported = crate::import(&written(&plant).unwrap()).unwrap();
+        let read = imported.entries[0].definition.clone().unwrap();
+        let string = |definition: &Definition| expand(&System::new(definition).0.unwrap(), 4, &LIMITS).unwrap();
+        assert_eq!((string(&read), read.angle, read.iterations), (string(&plant), plant.angle, plant.iterations));
+    }
+
+    #[test]
+    fn the_library_lacks() {
+        let check = |change: &dyn Fn(&mut Definition), expected: TikzObstacle| {
+            let mut definition = plant();
+            change(&mut definition);
+            let kind = written(&definition).err().map(|diagnostic| diagnostic.kind);
+            assert_eq!(kind, Some(Kind::NotInTikz { obstacle: expected }));
+        };
+        check(&|d| d.rules = "A < X -> F".into(), TikzObstacle::Contexts);
+        check(&|d| d.axiom = "F(2)".into(), TikzObstacle::Parameters);
+        check(&|d| d.rules = "draw:\nX -> F".into(), TikzObstacle::Images);
+        check(&|d| d.rules = "X -> F : 1\nX -> G : 1".into(), TikzObstacle::Random);
+        check(&|d| d.angle_variation = 5.0, TikzObstacle::Random);
+        check(&|d| d.style.colour_by = ColourBy::Level, TikzObstacle::Colours);
+        check(&|d| d.style.width_factor = 0.7, TikzObstacle::Levels);
+        check(&|d| d.elasticity = 0.1, TikzObstacle::Tropism);
+        check(&|d| d.growth = 0.5, TikzObstacle::Growth);
+        check(&|d| d.axiom = "{F}".into(), TikzObstacle::Symbol('{'));
+        check(&|d| d.overrides = "F: colour 2".into(), TikzObstacle::Action('F'));
+        check(&|d| d.rules = "X -> [F\nF -> F]".into(), TikzObstacle::Branches);
+        check(&|d| d.rules = "[ -> F[".into(), TikzObstacle::Branches);
+        check(&|d| (d.rules, d.iterations) = ("X -> [FX]".into(), 201), TikzObstacle::Nesting);
+        let huge = Definition { iterations: 30, ..plant() };
+        assert!(matches!(written(&huge).unwrap_err().kind, Kind::Limit { .. }));
+    }
+}
