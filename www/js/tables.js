@@ -117,6 +117,7 @@ export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n:
 export const FORMATS = /* @__PURE__ */ Object.freeze({
     'svg': { ending: 'svg', mime: 'image/svg+xml', label: 'SVG', help: 'Picture of strokes', picture: true, purpose: 'screen' },
     'svg-compact': { ending: 'svg', mime: 'image/svg+xml', label: 'Compact SVG', help: 'Picture of strokes with each reusable part written once: a small file at any number of iterations', picture: true, purpose: 'screen' },
+    'plotter': { ending: 'svg', mime: 'image/svg+xml', label: 'Plotter SVG', help: 'Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel', picture: true, purpose: 'plotter' },
     'png': { ending: 'png', mime: 'image/png', label: 'PNG', help: 'Picture of pixels', picture: true, purpose: 'screen' },
     'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false, purpose: 'data' },
     'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false, purpose: 'data' },

@@ -1,6 +1,6 @@
 //! The command line as a value.
 
-use crate::cli::{Changes, Cli, GrowthFormat, Look, Verb};
+use crate::cli::{Changes, Cli, GrowthFormat, Look, Plot, Verb};
 use crate::find::Known;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
@@ -133,10 +133,13 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString
 /// # Errors
 /// A message if options or files contradict each other.
 fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: Look, is_short: bool) -> Result<Vec<Job>, String> {
-    let Look { format, size, compact } = look;
+    let Look { format, size, compact, plot } = look;
     let is = |name| format.is_some_and(|format: &Format| format.name == name);
     if size.is_some() && !is("png") {
         return Err("--size needs --format png".to_owned());
+    }
+    if plot != Plot::default() && !is("plotter") {
+        return Err("the options for pen plotters need --format plotter".to_owned());
     }
     if compact && format.is_some() && !is("svg") {
         return Err("--compact needs --format svg or no --format".to_owned());
@@ -354,9 +357,16 @@ mod tests {
             "draw a --format gif",
             &expect![[r#"
                 error: invalid value 'gif' for '--format <FORMAT>'
-                  [possible values: svg, svg-compact, png, json, txt, csv, obj, glb]"#]],
+                  [possible values: svg, svg-compact, plotter, png, json, txt, csv, obj, glb]"#]],
         );
         check("draw a --size 10x10", &expect!["error: --size needs --format png"]);
+        check("draw a --pen 0.5", &expect!["error: the options for pen plotters need --format plotter"]);
+        check(
+            "draw a --format plotter --sheet b9",
+            &expect![
+                "error: invalid value 'b9' for '--sheet <SIZE>': expected a5, a4, a3, a2, a1, letter, legal, tabloid, or a width and a height of 10 to 10000 mm such as 300x400"
+            ],
+        );
         check("draw a --compact --format csv", &expect!["error: --compact needs --format svg or no --format"]);
         check("info a --compact", &expect!["error: unexpected argument '--compact' found"]);
         check(

@@ -5,7 +5,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 use lsystem::Viewport;
-use lsystem::files::{FORMATS, Format};
+use lsystem::files::{Corner, FORMATS, Format, PlotOptions, SHEETS, Sheet};
 use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -197,6 +197,97 @@ pub(crate) struct Look {
     /// Write a small SVG that defines each block once and places copies
     #[arg(long)]
     pub(crate) compact: bool,
+    #[command(flatten)]
+    pub(crate) plot: Plot,
+}
+
+/// The options for pen plotters. Lengths are in millimetres.
+#[derive(Args, Clone, Copy, Debug, Default, PartialEq)]
+#[command(next_help_heading = "Pen plotters (--format plotter)")]
+pub(crate) struct Plot {
+    /// Sheet: a5, a4, a3, a2, a1, letter, legal, tabloid, or its size in millimetres such as 300x400 [default: a4]
+    #[arg(long, value_name = "SIZE", value_parser = sheet)]
+    pub(crate) sheet: Option<Sheet>,
+    /// Use the sheet upright [default: as the drawing is larger]
+    #[arg(long, conflicts_with = "landscape")]
+    pub(crate) portrait: bool,
+    /// Use the sheet on its side [default: as the drawing is larger]
+    #[arg(long)]
+    pub(crate) landscape: bool,
+    /// Margin on every side [default: 10]
+    #[arg(long, value_name = "MM", value_parser = |text: &str| number(text, 0.0, 10_000.0))]
+    pub(crate) margin: Option<f64>,
+    /// Width of the pen's line; smaller parts of the drawing become one stroke [default: 0.3]
+    #[arg(long, value_name = "MM", value_parser = |text: &str| number(text, 0.05, 20.0))]
+    pub(crate) pen: Option<f64>,
+    /// Fill polygons and broad strokes with lines
+    #[arg(long)]
+    pub(crate) hatch: bool,
+    /// Corner where each pen starts and ends [default: top-left]
+    #[arg(long, value_name = "CORNER", value_parser = corners())]
+    pub(crate) start: Option<Corner>,
+    /// Leave out lines shorter than this [default: 0]
+    #[arg(long, value_name = "MM", value_parser = |text: &str| number(text, 0.0, 1000.0))]
+    pub(crate) min_length: Option<f64>,
+    /// Speed of the lowered pen in mm/s, for the estimate of time [default: 50]
+    #[arg(long, value_name = "MM/S", value_parser = |text: &str| number(text, 0.1, 10_000.0))]
+    pub(crate) speed: Option<f64>,
+    /// Speed of the raised pen in mm/s, for the estimate of time [default: 150]
+    #[arg(long, value_name = "MM/S", value_parser = |text: &str| number(text, 0.1, 10_000.0))]
+    pub(crate) travel_speed: Option<f64>,
+    /// Seconds to raise and lower the pen, for the estimate of time [default: 0.2]
+    #[arg(long, value_name = "S", value_parser = |text: &str| number(text, 0.0, 60.0))]
+    pub(crate) lift: Option<f64>,
+}
+
+impl Plot {
+    /// The sheet.
+    pub(crate) fn sheet(&self) -> Sheet {
+        let sheet = self.sheet.unwrap_or_default();
+        let is_upright = sheet.height >= sheet.width;
+        let turns = (self.portrait && !is_upright) || (self.landscape && is_upright);
+        let sheet = if turns { sheet.turned() } else { sheet };
+        Sheet { margin: self.margin.unwrap_or(sheet.margin), ..sheet }
+    }
+
+    /// The choices for the plot.
+    pub(crate) fn options(&self) -> PlotOptions {
+        let usual = PlotOptions::default();
+        PlotOptions {
+            pen: self.pen.unwrap_or(usual.pen),
+            turns: !self.portrait && !self.landscape,
+            hatch: self.hatch,
+            start: self.start.unwrap_or(usual.start),
+            least: self.min_length.unwrap_or(usual.least),
+            speed: self.speed.unwrap_or(usual.speed),
+            travel_speed: self.travel_speed.unwrap_or(usual.travel_speed),
+            lift: self.lift.unwrap_or(usual.lift),
+        }
+    }
+}
+
+/// A parser for the names of corners.
+fn corners() -> impl TypedValueParser<Value = Corner> {
+    PossibleValuesParser::new(Corner::ALL.map(Corner::name))
+        .try_map(|name| Corner::ALL.into_iter().find(|corner| corner.name() == name).ok_or("there is no such corner"))
+}
+
+/// A sheet by its name or its size in millimetres.
+fn sheet(text: &str) -> Result<Sheet, String> {
+    let side = |text: &str| number(text, 10.0, 10_000.0).ok();
+    let own = || {
+        let (width, height) = text.split_once('x')?;
+        Some(Sheet { width: side(width)?, height: side(height)?, ..Sheet::default() })
+    };
+    Sheet::named(&text.to_ascii_lowercase()).or_else(own).ok_or_else(|| {
+        let names = SHEETS.map(|(name, ..)| name).join(", ");
+        format!("expected {names}, or a width and a height of 10 to 10000 mm such as 300x400")
+    })
+}
+
+fn number(text: &str, least: f64, most: f64) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number| (least..=most).contains(number));
+    number.ok_or_else(|| format!("expected a number from {least} to {most}"))
 }
 
 /// A parser for the names of [`FORMATS`].

@@ -109,11 +109,13 @@ fn bytes_in(
         },
         Content::Paper(write) => {
             let (title, definition) = (name.to_owned(), write_json(&input.definition));
-            let options = FileOptions { title, system: definition, most: limits.segments, ..FileOptions::default() };
+            let (most, sheet, plot) = (limits.segments, look.plot.sheet(), look.plot.options());
+            let options = FileOptions { title, system: definition, most, sheet, plot, ..FileOptions::default() };
             write(Arc::new(paper()?), style.clone(), &options).map_err(wrong)?
         }
     };
     let file = write_all(&mut *writer).map_err(wrong)?;
     writer.remark().iter().for_each(|remark| say(&input.message(remark)));
+    writer.summary().iter().for_each(|summary| say(&format!("{}: {summary}\n", visible(&input.file.display().to_string()))));
     Ok(file)
 }

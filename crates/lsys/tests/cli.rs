@@ -639,7 +639,7 @@ fn usage() {
         2,
         &expect![[r#"
             error: invalid value 'gif' for '--format <FORMAT>'
-              [possible values: svg, svg-compact, png, json, txt, csv, obj, glb]
+              [possible values: svg, svg-compact, plotter, png, json, txt, csv, obj, glb]
 
             For more information, try '--help'.
         "#]],

@@ -2,7 +2,7 @@
 //!
 //! A new format needs a writer in its own file and a row here.
 
-use super::{CsvWriter, FileOptions, GlbWriter, ObjWriter, SvgForm, SvgOptions, SvgWriter};
+use super::{CsvWriter, FileOptions, GlbWriter, ObjWriter, PlotWriter, SvgForm, SvgOptions, SvgWriter};
 use lsystem_drawing::{Drawing, Mesh, Solid, Space};
 use lsystem_syntax::{Diagnostic, Progress, Style};
 use std::sync::Arc;
@@ -101,10 +101,15 @@ pub trait Writer {
     fn remark(&self) -> Option<Diagnostic> {
         None
     }
+
+    /// Facts about the file as a line of text, after all steps are done; `None` if there are none to tell.
+    fn summary(&self) -> Option<String> {
+        None
+    }
 }
 
 /// All formats, in the order of the page's list.
-pub static FORMATS: [Format; 8] = [
+pub static FORMATS: [Format; 9] = [
     Format {
         name: "svg",
         ending: "svg",
@@ -122,6 +127,15 @@ pub static FORMATS: [Format; 8] = [
         help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
         purpose: Purpose::Screen,
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Compact)),
+    },
+    Format {
+        name: "plotter",
+        ending: "svg",
+        mime: "image/svg+xml",
+        label: "Plotter SVG",
+        help: "Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel",
+        purpose: Purpose::Plotter,
+        content: Content::Paper(|drawing, style, options| Ok(Box::new(PlotWriter::new(drawing, style, options)))),
     },
     Format {
         name: "png",
@@ -216,7 +230,7 @@ pub fn write_all(writer: &mut dyn Writer) -> Result<Vec<u8>, Diagnostic> {
 }
 
 /// Appends text to a file of bytes.
-fn append(
+pub(super) fn append(
     file: &mut Vec<u8>,
     write: impl FnOnce(&mut String) -> Result<Progress, Diagnostic>,
 ) -> Result<Progress, Diagnostic> {

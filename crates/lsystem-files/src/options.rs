@@ -1,6 +1,6 @@
 //! The choices for a file. Each format reads those that it needs.
 
-use crate::Sheet;
+use crate::{PlotOptions, Sheet};
 
 /// What a file holds beside the drawing, and how the drawing is laid out.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,11 +16,13 @@ pub struct FileOptions {
     pub most: u64,
     /// The sheet of formats for paper.
     pub sheet: Sheet,
+    /// The choices for plots.
+    pub plot: PlotOptions,
 }
 
 impl Default for FileOptions {
     fn default() -> Self {
         let (title, description, system) = <(String, String, String)>::default();
-        Self { title, description, system, most: 2_000_000, sheet: Sheet::default() }
+        Self { title, description, system, most: 2_000_000, sheet: Sheet::default(), plot: PlotOptions::default() }
     }
 }

@@ -13,6 +13,7 @@ use core::fmt::Write;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Diagnostic, Field, Ink, Kind, Progress, Style};
 use paths::attribute;
+pub(super) use styled_drawing::visible;
 pub use writer::SvgWriter;
 
 /// Options of an SVG picture.
