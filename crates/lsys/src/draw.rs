@@ -116,6 +116,9 @@ fn bytes_in(
     };
     let file = write_all(&mut *writer).map_err(wrong)?;
     writer.remark().iter().for_each(|remark| say(&input.message(remark)));
-    writer.summary().iter().for_each(|summary| say(&format!("{}: {summary}\n", visible(&input.file.display().to_string()))));
+    writer
+        .summary()
+        .iter()
+        .for_each(|summary| say(&format!("{}: {summary}\n", visible(&input.file.display().to_string()))));
     Ok(file)
 }

@@ -11,10 +11,8 @@ use super::page::{Page, Point, distance};
 use crate::svg::visible;
 use core::ops::Range;
 use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Placed, StyleChange};
-use lsystem_syntax::{
-    ColourBy, Diagnostic, LimitName, MAX_PLOT_BLOCKS, Meter, Progress, Style, Tint,
-};
 use lsystem_syntax::style::gradient_step;
+use lsystem_syntax::{ColourBy, Diagnostic, LimitName, MAX_PLOT_BLOCKS, Meter, Progress, Style, Tint};
 use std::collections::{HashMap, HashSet};
 
 /// The distance up to which two placements of a block are the same, in millimetres: far above rounding errors and far
@@ -22,9 +20,9 @@ use std::collections::{HashMap, HashSet};
 const SAME: f64 = 1e-6;
 /// The side of a spot, in pens.
 const SPOT: f64 = 0.5;
-/// The most strokes in place of blocks that end in one spot. Blocks between half a pen and a pen across, side by side,
-/// make no more.
-const CROWD: u8 = 4;
+/// The most strokes in place of blocks with their middles in one spot. Squares of half a pen and more across, side by
+/// side, each with a stroke along one of its sides, make about as many at most.
+const CROWD: u8 = 6;
 /// Blocks smaller than this are passed over if all their spots are full, in pens.
 const LOCAL: f64 = 8.0;
 /// Blocks of fewer segments are read at each place: that takes no longer than to look them up.
@@ -58,7 +56,7 @@ pub(super) struct Gather {
     variants: HashMap<Variant, u32>,
     /// The placed blocks so far: the variant, and the position in steps of [`SAME`] or in spots.
     placed: HashSet<(u32, [i64; 2])>,
-    /// The strokes in place of blocks that end in a spot.
+    /// The strokes in place of blocks with their middles in a spot.
     spots: HashMap<[i64; 2], u8>,
     /// The polygon being hatched, and its layer.
     fill: Option<(u32, Fill)>,
@@ -135,7 +133,8 @@ impl Gather {
                     meter.charge(u64::from(polygon.count));
                     let vertices: Vec<Point> =
                         drawing.vertices_of(polygon).iter().map(|&vertex| self.down(frame.transform(vertex))).collect();
-                    let layer = self.layer(style, drawing, &frame.style.then(&drawing.styles[polygon.style.0 as usize]));
+                    let layer =
+                        self.layer(style, drawing, &frame.style.then(&drawing.styles[polygon.style.0 as usize]));
                     let ends = vertices.iter().copied().zip(vertices.iter().copied().cycle().skip(1));
                     ends.for_each(|(from, to)| self.stroke(layer, [from, to], strokes));
                     self.passed[1] = self.passed[1].saturating_add(1);
@@ -230,8 +229,7 @@ impl Gather {
             _ => visible(style, &frame.style),
         };
         let width = if is_broad { width } else { 0.0 };
-        let variant =
-            (block, frame.heading.units(), is_cut, frame.scale.to_bits(), width.to_bits(), colour, level);
+        let variant = (block, frame.heading.units(), is_cut, frame.scale.to_bits(), width.to_bits(), colour, level);
         let next = self.variants.len() as u32;
         let variant = *self.variants.entry(variant).or_insert(next);
         let cell = if is_cut { SPOT * self.options.pen } else { SAME };
@@ -258,7 +256,8 @@ impl Gather {
 
     /// Draws the stroke that stands for a block, unless its spot is full.
     fn dot(&mut self, about: (&Style, &Drawing), line: &Line, frame: &Frame, strokes: &mut impl Strokes) {
-        let spot = self.spot(self.down(frame.transform(line.to)));
+        let middle = [0, 1].map(|axis| f64::midpoint(line.from[axis], line.to[axis]));
+        let spot = self.spot(self.down(frame.transform(middle)));
         let crowd = self.spots.entry(spot).or_insert(0);
         if *crowd < CROWD {
             *crowd += 1;

@@ -65,12 +65,7 @@ impl Fill {
 
     /// Continues until the meter is spent, and hands each line to `draw`. `None` if there are more than `most`
     /// crossings.
-    pub(super) fn step(
-        &mut self,
-        most: u64,
-        meter: &mut Meter,
-        mut draw: impl FnMut([Point; 2]),
-    ) -> Option<Progress> {
+    pub(super) fn step(&mut self, most: u64, meter: &mut Meter, mut draw: impl FnMut([Point; 2])) -> Option<Progress> {
         while !meter.is_spent() {
             meter.charge(1);
             if let Some(sort) = &mut self.sort {

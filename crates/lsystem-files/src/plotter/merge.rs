@@ -1,4 +1,6 @@
-//! Strokes on the same line become one stretch wherever they touch or overlap, so that no ink is drawn twice.
+//! Strokes that overlap become pieces that do not, so that no ink is drawn twice.
+//!
+//! The pieces of a line end where strokes end, so that strokes of other lines that start there meet an end.
 
 use super::cells::Cells;
 use super::gather::Strokes;
@@ -21,19 +23,19 @@ pub(super) struct Piece {
     pub(super) ends: [Point; 2],
 }
 
-/// The lines that carry the strokes, and the stretches of ink along them.
+/// The lines that carry the strokes, and where strokes start and end along them.
 #[derive(Clone, Debug)]
 pub(super) struct Merge {
     centre: Point,
     numbers: Cells,
     lines: Vec<Line>,
-    stretches: Vec<Stretch>,
-    sort: Option<Sort<Stretch>>,
-    /// The number of stretches merged so far.
+    ends: Vec<End>,
+    sort: Option<Sort<End>>,
+    /// The number of ends passed so far.
     next: usize,
     pieces: Vec<Piece>,
-    /// The stretch that grows.
-    open: Option<Stretch>,
+    /// The last end of a piece, and the number of strokes there.
+    last: End,
 }
 
 /// A line of one layer: a unit vector along the line, and the distance to its left from the sheet's centre.
@@ -44,12 +46,13 @@ struct Line {
     aside: f64,
 }
 
-/// Ink between two places along a line.
+/// A place along a line where strokes start or end.
 #[derive(Clone, Copy, Debug)]
-struct Stretch {
+struct End {
     line: u32,
-    start: f64,
-    end: f64,
+    at: f64,
+    /// The number of strokes that start here, less those that end here.
+    starts: i32,
 }
 
 impl Strokes for Merge {
@@ -74,9 +77,11 @@ impl Strokes for Merge {
             self.lines.push(Line { layer, way, aside });
         }
         let line = self.lines[number as usize];
-        let along = |point: Point| line.way[0] * (point[0] - self.centre[0]) + line.way[1] * (point[1] - self.centre[1]);
+        let along =
+            |point: Point| line.way[0] * (point[0] - self.centre[0]) + line.way[1] * (point[1] - self.centre[1]);
         let (start, end) = (along(from), along(to));
-        self.stretches.push(Stretch { line: number, start: start.min(end), end: start.max(end) });
+        self.ends.push(End { line: number, at: start.min(end), starts: 1 });
+        self.ends.push(End { line: number, at: start.max(end), starts: -1 });
     }
 }
 
@@ -87,20 +92,21 @@ impl Merge {
             centre: size.map(|side| side / 2.0),
             numbers: Cells::new([DIRECTION, JOINT]),
             lines: Vec::new(),
-            stretches: Vec::new(),
+            ends: Vec::new(),
             sort: None,
             next: 0,
             pieces: Vec::new(),
-            open: None,
+            last: End { line: u32::MAX, at: 0.0, starts: 0 },
         }
     }
 
     /// Merges the strokes until the meter is spent. No strokes can be added any more.
     pub(super) fn step(&mut self, meter: &mut Meter) -> Progress {
-        if !self.stretches.is_empty() && self.sort.is_none() && self.next == 0 {
+        if !self.ends.is_empty() && self.sort.is_none() && self.next == 0 {
             self.numbers = Cells::new([DIRECTION, JOINT]);
-            let order = |a: &Stretch, b: &Stretch| a.line.cmp(&b.line).then(a.start.total_cmp(&b.start));
-            self.sort = Some(Sort::new(core::mem::take(&mut self.stretches), order));
+            let order =
+                |a: &End, b: &End| a.line.cmp(&b.line).then(a.at.total_cmp(&b.at)).then(b.starts.cmp(&a.starts));
+            self.sort = Some(Sort::new(core::mem::take(&mut self.ends), order));
         }
         if let Some(mut sort) = self.sort.take() {
             match sort.step(meter) {
@@ -108,27 +114,32 @@ impl Merge {
                     self.sort = Some(sort);
                     return Progress::More;
                 }
-                Progress::Done => self.stretches = sort.finish(),
+                Progress::Done => self.ends = sort.finish(),
             }
         }
         while !meter.is_spent() {
             meter.charge(1);
-            let next = self.stretches.get(self.next).copied();
+            let Some(&end) = self.ends.get(self.next) else { return Progress::Done };
             self.next += 1;
-            match (&mut self.open, next) {
-                (Some(open), Some(next)) if open.line == next.line && next.start < open.end + JOINT => {
-                    open.end = open.end.max(next.end);
-                }
-                (open, next) => {
-                    let ended = core::mem::replace(open, next);
-                    self.pieces.extend(ended.map(|stretch| self.lines[stretch.line as usize].piece(self.centre, stretch)));
-                    if next.is_none() {
-                        return Progress::Done;
-                    }
-                }
-            }
+            self.pass(end);
         }
         Progress::More
+    }
+
+    /// Passes an end, and adds the piece from the last one up to here if there is ink between them.
+    fn pass(&mut self, end: End) {
+        if end.line != self.last.line {
+            self.last = end;
+            return;
+        }
+        // Nearer ends are one end.
+        if end.at - self.last.at >= JOINT {
+            if self.last.starts > 0 {
+                self.pieces.push(self.lines[end.line as usize].piece(self.centre, [self.last.at, end.at]));
+            }
+            self.last.at = end.at;
+        }
+        self.last.starts += end.starts;
     }
 
     /// The pieces of ink, after all steps.
@@ -138,9 +149,9 @@ impl Merge {
 }
 
 impl Line {
-    fn piece(&self, centre: Point, stretch: Stretch) -> Piece {
+    fn piece(&self, centre: Point, places: [f64; 2]) -> Piece {
         let [x, y] = self.way;
         let at = |along: f64| [centre[0] + along * x - self.aside * y, centre[1] + along * y + self.aside * x];
-        Piece { layer: self.layer, ends: [at(stretch.start), at(stretch.end)] }
+        Piece { layer: self.layer, ends: places.map(at) }
     }
 }

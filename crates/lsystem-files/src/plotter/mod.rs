@@ -17,6 +17,7 @@ mod near;
 mod options;
 mod order;
 mod page;
+mod pair;
 mod pen;
 mod sort;
 mod write;
@@ -140,7 +141,7 @@ impl PlotWriter {
             }
             Stage::Merge(mut merge) => match merge.step(meter) {
                 Progress::More => Stage::Merge(merge),
-                Progress::Done => Stage::Join(Box::new(Join::new(merge.finish(), self.options.least))),
+                Progress::Done => Stage::Join(Box::new(Join::new(merge.finish(), self.options.least, self.page.size))),
             },
             Stage::Join(mut join) => match join.step(meter) {
                 Progress::More => Stage::Join(join),

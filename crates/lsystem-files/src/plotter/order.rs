@@ -1,4 +1,7 @@
-//! The order of the polylines of a layer and their directions: always the nearest one next, then improved.
+//! The order of the polylines of a layer and their directions.
+//!
+//! Two ways are made, and the shorter one is improved. Both go to the nearest end; one of them first follows the closed
+//! trails of which the polylines are parts.
 
 use super::improve::Improve;
 use super::join::Polylines;
@@ -17,10 +20,17 @@ pub(super) struct Order {
     /// The ends of these polylines: the first of polyline k at 2k, the last at 2k + 1. The start of the pen comes last.
     ends: Vec<Point>,
     stage: Stage,
+    /// By polyline: the number of its closed trail.
+    trails: Vec<u32>,
     /// The way so far: the end at which each polyline is entered.
     tour: Vec<u32>,
-    /// The position of the pen.
-    at: Point,
+    /// By polyline: whether it is in the way.
+    is_in: Vec<bool>,
+    start: Point,
+    /// The length of the travel so far.
+    travel: f64,
+    /// The way along the closed trails and its travel, once made.
+    along: Option<(Vec<u32>, f64)>,
 }
 
 #[derive(Clone, Debug)]
@@ -38,7 +48,18 @@ impl Order {
         let mut ends: Vec<Point> = numbers.iter().flat_map(|&number| polylines.ends(number as usize)).collect();
         let maker = NearMaker::new(ends.iter().copied(), size);
         ends.extend([start, start]);
-        Self { tour: Vec::with_capacity(numbers.len()), numbers, ends, stage: Stage::Prepare(maker), at: start }
+        let trails = numbers.iter().map(|&number| polylines.trails[number as usize]).collect();
+        Self {
+            tour: Vec::with_capacity(numbers.len()),
+            is_in: vec![false; numbers.len()],
+            trails,
+            numbers,
+            ends,
+            stage: Stage::Prepare(maker),
+            start,
+            travel: 0.0,
+            along: None,
+        }
     }
 
     /// Continues until the meter is spent.
@@ -53,20 +74,17 @@ impl Order {
                         Stage::Nearest(near, full)
                     }
                 },
-                Stage::Nearest(mut near, full) => {
-                    let [(_, end)] = near.nearest(self.at, meter, |_| true);
-                    if end == u32::MAX {
-                        near.restore(&full);
-                        let (ends, tour) = (core::mem::take(&mut self.ends), core::mem::take(&mut self.tour));
-                        Stage::Improve(Box::new(Improve::new(near, ends, tour)))
-                    } else {
+                Stage::Nearest(mut near, full) => match self.next(&mut near, meter) {
+                    Some(end) => {
+                        self.travel += distance(self.at(), self.ends[end as usize]);
                         self.tour.push(end);
+                        self.is_in[end as usize / 2] = true;
                         near.remove(end);
                         near.remove(end ^ 1);
-                        self.at = self.ends[end as usize ^ 1];
                         Stage::Nearest(near, full)
                     }
-                }
+                    None => self.next_way(near, full),
+                },
                 Stage::Improve(mut improve) => match improve.step(meter) {
                     Progress::More => Stage::Improve(improve),
                     Progress::Done => {
@@ -80,6 +98,53 @@ impl Order {
         Progress::More
     }
 
+    /// The position of the pen.
+    fn at(&self) -> Point {
+        self.tour.last().map_or(self.start, |&end| self.ends[end as usize ^ 1])
+    }
+
+    /// The end that comes next.
+    fn next(&self, near: &mut Near, meter: &mut Meter) -> Option<u32> {
+        meter.charge(1);
+        if let Some(end) = self.tour.last().filter(|_| self.along.is_none()).and_then(|&last| self.next_in_trail(last))
+        {
+            return Some(end);
+        }
+        let [(_, end)] = near.nearest(self.at(), meter, |_| true);
+        Some(end).filter(|&end| end != u32::MAX)
+    }
+
+    /// The end of the next polyline of a closed trail, in the direction of the last one.
+    fn next_in_trail(&self, last: u32) -> Option<u32> {
+        let (polyline, is_flipped) = (last as usize / 2, last % 2 == 1);
+        let trail = self.trails[polyline];
+        let is_own = |other: &usize| self.trails.get(*other) == Some(&trail);
+        // The first and the last polyline of a closed trail follow each other, too.
+        let next = match is_flipped {
+            false => {
+                Some(polyline + 1).filter(is_own).unwrap_or_else(|| self.trails.partition_point(|&own| own < trail))
+            }
+            true => (polyline.checked_sub(1).filter(is_own))
+                .unwrap_or_else(|| self.trails.partition_point(|&own| own <= trail) - 1),
+        };
+        (!self.is_in[next]).then_some(2 * next as u32 + u32::from(is_flipped))
+    }
+
+    /// Begins the second way, or the improvement of the shorter one.
+    fn next_way(&mut self, mut near: Near, full: Vec<[f64; 4]>) -> Stage {
+        near.restore(&full);
+        let travel = self.travel + distance(self.at(), self.start);
+        let tour = core::mem::take(&mut self.tour);
+        let Some((along, other)) = self.along.take() else {
+            self.along = Some((tour, travel));
+            self.is_in.fill(false);
+            self.travel = 0.0;
+            return Stage::Nearest(near, full);
+        };
+        let tour = if other < travel { along } else { tour };
+        Stage::Improve(Box::new(Improve::new(near, core::mem::take(&mut self.ends), tour)))
+    }
+
     /// The order, after all steps.
     pub(super) fn finish(self) -> Tour {
         self.tour.iter().map(|&end| (self.numbers[end as usize / 2], end % 2 == 1)).collect()
@@ -89,8 +154,9 @@ impl Order {
 /// The point of a closed polyline at which the way from `before` and on to `after` is shortest.
 pub(super) fn best_start(points: &[Point], before: Point, after: Point) -> usize {
     let way = |point: Point| distance(before, point) + distance(point, after);
-    let best = points.iter().enumerate().fold((0, f64::INFINITY), |best, (at, &point)| {
-        if way(point) < best.1 { (at, way(point)) } else { best }
-    });
+    let best = points
+        .iter()
+        .enumerate()
+        .fold((0, f64::INFINITY), |best, (at, &point)| if way(point) < best.1 { (at, way(point)) } else { best });
     best.0 % (points.len() - 1).max(1)
 }

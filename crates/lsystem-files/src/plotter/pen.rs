@@ -1,9 +1,8 @@
 //! Names of colours, to tell pens apart.
 
 /// The names of twelve hues, from red on, 30 degrees apart.
-const HUES: [&str; 12] = [
-    "red", "orange", "yellow", "lime", "green", "sea green", "cyan", "azure", "blue", "violet", "magenta", "pink",
-];
+const HUES: [&str; 12] =
+    ["red", "orange", "yellow", "lime", "green", "sea green", "cyan", "azure", "blue", "violet", "magenta", "pink"];
 /// The chroma below which a colour is a grey, of 255.
 const GREY: i32 = 24;
 
