@@ -84,15 +84,14 @@ impl BlockFacts {
         let longest = self.shapes[block.0 as usize].longest;
         let Way { ends: Some([from, end]), ink, .. } = self.ways[block.0 as usize] else { return longest };
         let corners = drawing.corners_of(&drawing.blocks[block.0 as usize]);
-        let to =
-            if distance(from, end) >= CLOSED * longest.length() {
-                end
-            } else {
-                corners
-                    .iter()
-                    .copied()
-                    .fold(end, |far, corner| if distance(from, corner) > distance(from, far) { corner } else { far })
-            };
+        let to = if distance(from, end) >= CLOSED * longest.length() {
+            end
+        } else {
+            corners
+                .iter()
+                .copied()
+                .fold(end, |far, corner| if distance(from, corner) > distance(from, far) { corner } else { far })
+        };
         let part = (ink / distance(from, to)).min(1.0);
         let to = if part < 1.0 { [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis])) } else { to };
         Line { from, to, style: longest.style }

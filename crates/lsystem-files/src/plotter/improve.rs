@@ -213,9 +213,9 @@ impl Improve {
         let count = last + 1 - first;
         let part = &mut self.tour[from..=to];
         if gap > last {
-            part.rotate_left(count)
+            part.rotate_left(count);
         } else {
-            part.rotate_right(count)
+            part.rotate_right(count);
         }
         self.number(from, to);
     }

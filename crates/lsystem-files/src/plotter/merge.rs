@@ -58,8 +58,7 @@ struct End {
 impl Strokes for Merge {
     fn add(&mut self, layer: u32, [from, to]: [Point; 2]) {
         let length = distance(from, to);
-        // The comparison is false for NaN, too.
-        if !(length > LEAST) {
+        if length.is_nan() || length <= LEAST {
             return;
         }
         let mut way = [0, 1].map(|axis| (to[axis] - from[axis]) / length);
