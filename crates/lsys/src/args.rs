@@ -385,9 +385,16 @@ mod tests {
             "draw a --format gif",
             &expect![[r#"
                 error: invalid value 'gif' for '--format <FORMAT>'
-                  [possible values: svg, svg-compact, png, json, txt, csv, obj, glb]"#]],
+                  [possible values: svg, svg-compact, plotter, png, json, txt, csv, obj, glb]"#]],
         );
         check("draw a --size 10x10", &expect!["error: --size needs --format png"]);
+        check("draw a --pen 0.5", &expect!["error: the options for pen plotters need --format plotter"]);
+        check(
+            "draw a --format plotter --sheet b9",
+            &expect![
+                "error: invalid value 'b9' for '--sheet <SIZE>': expected a5, a4, a3, a2, a1, letter, legal, tabloid, or a width and a height of 10 to 10000 mm such as 300x400"
+            ],
+        );
         check("draw a --compact --format csv", &expect!["error: --compact needs --format svg or no --format"]);
         check("info a --compact", &expect!["error: unexpected argument '--compact' found"]);
         check(

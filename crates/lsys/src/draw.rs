@@ -140,5 +140,7 @@ fn contents(
     };
     let file = write_all(&mut *writer).map_err(wrong)?;
     writer.remark().iter().for_each(|remark| say(&input.message(remark)));
+    let name = || visible(&input.file.display().to_string());
+    writer.summary().iter().for_each(|summary| say(&format!("{}: {summary}\n", name())));
     Ok(Contents::Bytes(file))
 }

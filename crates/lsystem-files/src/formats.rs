@@ -3,7 +3,7 @@
 //! A new format needs a writer in its own file and a row here.
 
 use super::{
-    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, StlWriter, SvgForm, SvgOptions, SvgWriter,
+    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, PlotWriter, StlWriter, SvgForm, SvgOptions, SvgWriter,
     TikzLibraryWriter, TikzWriter, bibtex, latex, markdown,
 };
 use lsystem_drawing::{Drawing, Mesh, Solid, Space, System};
@@ -143,10 +143,15 @@ pub trait Writer {
     fn remark(&self) -> Option<Diagnostic> {
         None
     }
+
+    /// Facts about the file as a line of text, after all steps are done; `None` if there are none to tell.
+    fn summary(&self) -> Option<String> {
+        None
+    }
 }
 
 /// All formats, in the order of the page's list.
-pub static FORMATS: [Format; 15] = [
+pub static FORMATS: [Format; 16] = [
     Format {
         name: "svg",
         ending: "svg",
@@ -166,6 +171,28 @@ pub static FORMATS: [Format; 15] = [
         purpose: Purpose::Screen,
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Compact)),
         options: &["transparent", "bare"],
+    },
+    Format {
+        name: "plotter",
+        ending: "svg",
+        mime: "image/svg+xml",
+        label: "Plotter SVG",
+        help: "Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel",
+        purpose: Purpose::Plotter,
+        content: Content::Paper(|drawing, style, options| Ok(Box::new(PlotWriter::new(drawing, style, options)))),
+        options: &[
+            "sheet",
+            "portrait",
+            "landscape",
+            "margin",
+            "pen",
+            "hatch",
+            "start",
+            "min-length",
+            "speed",
+            "travel-speed",
+            "lift",
+        ],
     },
     Format {
         name: "png",
@@ -348,7 +375,7 @@ pub fn write_all(writer: &mut dyn Writer) -> Result<Vec<u8>, Diagnostic> {
 }
 
 /// Appends text to a file of bytes.
-fn append(
+pub(super) fn append(
     file: &mut Vec<u8>,
     write: impl FnOnce(&mut String) -> Result<Progress, Diagnostic>,
 ) -> Result<Progress, Diagnostic> {

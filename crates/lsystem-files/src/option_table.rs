@@ -2,7 +2,7 @@
 //!
 //! A new choice needs a member of [`FileOptions`], a row here, and its name in the rows of the formats that read it.
 
-use crate::{FileOptions, SHEETS, Sheet};
+use crate::{Corner, FileOptions, SHEETS, Sheet};
 use lsystem_syntax::MAX_PICTURE_SIDE;
 use lsystem_syntax::message::grouped;
 use lsystem_syntax::number::number;
@@ -76,7 +76,7 @@ pub enum OptionValue {
 }
 
 /// All choices. Values are applied in this order.
-pub static FILE_OPTIONS: [FileOption; 8] = [
+pub static FILE_OPTIONS: [FileOption; 16] = [
     FileOption {
         name: "size",
         label: "Size",
@@ -129,14 +129,32 @@ pub static FILE_OPTIONS: [FileOption; 8] = [
         },
     },
     FileOption {
+        name: "portrait",
+        label: "Portrait",
+        help: "Keep a plot's sheet upright, even if the drawing is larger on its side",
+        unit: "",
+        kind: OptionKind::Flag,
+        set: |options, value| {
+            if value.flag() {
+                options.plot.turns = false;
+                if options.sheet.width > options.sheet.height {
+                    options.sheet = options.sheet.turned();
+                }
+            }
+        },
+    },
+    FileOption {
         name: "landscape",
         label: "Landscape",
         help: "Turn the sheet, so that it is wider than tall",
         unit: "",
         kind: OptionKind::Flag,
         set: |options, value| {
-            if value.flag() && options.sheet.width < options.sheet.height {
-                options.sheet = options.sheet.turned();
+            if value.flag() {
+                options.plot.turns = false;
+                if options.sheet.width < options.sheet.height {
+                    options.sheet = options.sheet.turned();
+                }
             }
         },
     },
@@ -147,6 +165,74 @@ pub static FILE_OPTIONS: [FileOption; 8] = [
         unit: "mm",
         kind: OptionKind::Number { low: 0.0, high: 100.0, step: 1.0, default: 10.0 },
         set: |options, value| options.sheet.margin = value.number(),
+    },
+    FileOption {
+        name: "pen",
+        label: "Pen width",
+        help: "Width of the pen's line; smaller parts of the drawing become one stroke",
+        unit: "mm",
+        kind: OptionKind::Number { low: 0.05, high: 20.0, step: 0.05, default: 0.3 },
+        set: |options, value| options.plot.pen = value.number(),
+    },
+    FileOption {
+        name: "hatch",
+        label: "Hatch",
+        help: "Fill polygons and broad strokes with lines",
+        unit: "",
+        kind: OptionKind::Flag,
+        set: |options, value| options.plot.hatch = value.flag(),
+    },
+    FileOption {
+        name: "start",
+        label: "Start corner",
+        help: "Corner where each pen starts and ends",
+        unit: "",
+        kind: OptionKind::Word {
+            words: &[
+                ("top-left", "Top left"),
+                ("top-right", "Top right"),
+                ("bottom-left", "Bottom left"),
+                ("bottom-right", "Bottom right"),
+            ],
+            default: "top-left",
+        },
+        set: |options, value| {
+            if let Some(corner) = Corner::ALL.into_iter().find(|corner| corner.name() == value.text()) {
+                options.plot.start = corner;
+            }
+        },
+    },
+    FileOption {
+        name: "min-length",
+        label: "Shortest line",
+        help: "Length under which lines are left out",
+        unit: "mm",
+        kind: OptionKind::Number { low: 0.0, high: 1000.0, step: 0.1, default: 0.0 },
+        set: |options, value| options.plot.least = value.number(),
+    },
+    FileOption {
+        name: "speed",
+        label: "Drawing speed",
+        help: "Speed of the lowered pen, for the estimate of time",
+        unit: "mm/s",
+        kind: OptionKind::Number { low: 0.1, high: 10_000.0, step: 1.0, default: 50.0 },
+        set: |options, value| options.plot.speed = value.number(),
+    },
+    FileOption {
+        name: "travel-speed",
+        label: "Travel speed",
+        help: "Speed of the raised pen, for the estimate of time",
+        unit: "mm/s",
+        kind: OptionKind::Number { low: 0.1, high: 10_000.0, step: 1.0, default: 150.0 },
+        set: |options, value| options.plot.travel_speed = value.number(),
+    },
+    FileOption {
+        name: "lift",
+        label: "Lift time",
+        help: "Seconds to raise and lower the pen, for the estimate of time",
+        unit: "s",
+        kind: OptionKind::Number { low: 0.0, high: 60.0, step: 0.1, default: 0.2 },
+        set: |options, value| options.plot.lift = value.number(),
     },
     FileOption {
         name: "whole-sheet",

@@ -1,6 +1,6 @@
 //! The choices for a file. Each format reads those that it needs.
 
-use crate::Sheet;
+use crate::{PlotOptions, Sheet};
 
 /// What a file holds beside the drawing, and how the drawing is laid out.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +26,8 @@ pub struct FileOptions {
     pub bare: bool,
     /// Whether a page ends at the picture's edge instead of the sheet's.
     pub is_cropped: bool,
+    /// The choices for plots.
+    pub plot: PlotOptions,
 }
 
 impl Default for FileOptions {
@@ -38,6 +40,7 @@ impl Default for FileOptions {
             most: 2_000_000,
             sheet: Sheet::default(),
             is_cropped: true,
+            plot: PlotOptions::default(),
             size: None,
             dpi: None,
             transparent: false,

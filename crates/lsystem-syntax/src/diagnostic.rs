@@ -633,6 +633,10 @@ pub enum LimitName {
     Segments,
     /// Symbols derived for a drawing without shared blocks ([`Limits::work`](crate::Limits::work)).
     Work,
+    /// Strokes of a file for plotters ([`Limits::segments`](crate::Limits::segments)).
+    PlotStrokes,
+    /// Parts of a drawing that are read for a plotter ([`MAX_PLOT_BLOCKS`](crate::MAX_PLOT_BLOCKS)).
+    PlotBlocks,
     /// Bytes of a drawing under construction, or of a derivation ([`Limits::memory`](crate::Limits::memory)).
     Memory,
     /// Iterations (1,000).

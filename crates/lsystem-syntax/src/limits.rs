@@ -37,7 +37,8 @@ impl Limits {
         match name {
             LimitName::Symbols => self.symbols,
             LimitName::Modules => self.modules,
-            LimitName::Segments => self.segments,
+            LimitName::Segments | LimitName::PlotStrokes => self.segments,
+            LimitName::PlotBlocks => MAX_PLOT_BLOCKS,
             LimitName::Work => self.work,
             LimitName::Memory => self.memory,
             LimitName::Iterations => u64::from(MAX_ITERATIONS),
@@ -67,6 +68,9 @@ pub const MAX_PICTURE_SIDE: u32 = 1 << 15;
 
 /// The most pixels of a picture. Drawing such a picture takes up to 2 GB.
 pub const MAX_PICTURE_PIXELS: u32 = 100_000_000;
+
+/// The most blocks of a drawing that are read for a plotter: some seconds.
+pub const MAX_PLOT_BLOCKS: u64 = 100_000_000;
 
 /// The most different symbols in a system: a letter's number has 16 bits.
 pub const MAX_LETTERS: usize = 1 << 16;

@@ -51,6 +51,8 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 LimitName::Symbols => format!("The string would be longer than {value} symbols"),
                 LimitName::Segments => format!("The drawing would have more than {value} segments"),
                 LimitName::Work => format!("Deriving it would pass through more than {value} symbols"),
+                LimitName::PlotStrokes => format!("The plot would have more than {value} strokes"),
+                LimitName::PlotBlocks => format!("The plot would be made of more than {value} parts of the drawing"),
                 LimitName::Memory => format!("The drawing would take more than {mebibytes} MiB of memory"),
                 LimitName::Iterations => format!("There can be at most {value} iterations"),
                 LimitName::Text => format!("The text is longer than {value} bytes"),
@@ -59,7 +61,13 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 LimitName::Context => format!("A context can have at most {value} modules"),
                 LimitName::Actions => format!("A symbol can have at most {value} actions"),
             };
-            (text, largest.map(|n| format!("Up to {n} iterations fit.")))
+            let hint = match limit {
+                LimitName::PlotStrokes | LimitName::PlotBlocks => {
+                    Some("A broader pen, a smaller sheet or fewer iterations make fewer.".into())
+                }
+                _ => largest.map(|n| format!("Up to {n} iterations fit.")),
+            };
+            (text, hint)
         }
         Kind::NotText { line } => said(format!("Line {line} is not UTF-8 text")),
         Kind::NoSystem { picture } => hinted(

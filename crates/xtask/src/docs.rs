@@ -10,7 +10,7 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 12] = [
+const PAGES: [&str; 13] = [
     "lesson",
     "notation",
     "links",
@@ -19,6 +19,7 @@ const PAGES: [&str; 12] = [
     "growth",
     "find",
     "papers",
+    "plotting",
     "about",
     "security",
     "imports",

@@ -1,0 +1,102 @@
+//! The facts about a drawing's blocks that decide how they are plotted.
+
+use super::page::{Point, distance};
+use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Shape, StyleChange};
+use lsystem_syntax::{Meter, Progress};
+
+/// The facts about all blocks, as far as computed.
+#[derive(Clone, Debug, Default)]
+pub(super) struct BlockFacts {
+    shapes: Vec<Shape>,
+    ways: Vec<Way>,
+    directions: Directions,
+}
+
+/// The pen's way through a block, in block units.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    /// Where the first stroke starts and the last one ends; `None` without strokes.
+    ends: Option<[Point; 2]>,
+    /// The length of all strokes.
+    ink: f64,
+    /// The least diameter of the blocks inside that are not straight, or of this block.
+    finest: f64,
+}
+
+impl BlockFacts {
+    /// Computes the facts about further blocks until the meter is spent.
+    pub(super) fn step(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+        while let Some(block) = drawing.blocks.get(self.shapes.len()) {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            meter.charge(1 + Shape::work(block, drawing));
+            let shape = Shape::new(block, &self.shapes, drawing, &mut self.directions);
+            let diameter = if shape.straight.is_some() { f64::INFINITY } else { shape.longest.length() };
+            let mut way = Way { ends: None, ink: 0.0, finest: diameter };
+            let home = Frame::new(1.0, StyleChange::NONE);
+            for item in drawing.contents(block) {
+                let ends = match item {
+                    Item::Polygon(_) => None,
+                    Item::Stroke(stroke) => {
+                        way.ink += distance(stroke.from, stroke.to);
+                        Some([stroke.from, stroke.to])
+                    }
+                    Item::Block(placed) => {
+                        let inner = self.ways[placed.block.0 as usize];
+                        let scale = placed.scale.abs();
+                        way.ink += inner.ink * scale;
+                        way.finest = way.finest.min(inner.finest * scale);
+                        let frame = home.place(placed, drawing, &mut self.directions);
+                        inner.ends.map(|ends| ends.map(|end| frame.transform(end)))
+                    }
+                };
+                way.ends = match (way.ends, ends) {
+                    (Some([start, _]), Some([_, end])) => Some([start, end]),
+                    (before, next) => before.or(next),
+                };
+            }
+            self.shapes.push(shape);
+            self.ways.push(way);
+        }
+        Progress::Done
+    }
+
+    /// The stroke equal to a block, if there is one.
+    pub(super) fn straight(&self, block: BlockId) -> Option<&Line> {
+        self.shapes[block.0 as usize].straight.as_ref()
+    }
+
+    /// The block's longest diagonal, in block units.
+    pub(super) fn diameter(&self, block: BlockId) -> f64 {
+        self.shapes[block.0 as usize].longest.length()
+    }
+
+    /// The least diameter of the blocks in `block` that are not straight, in units of `block`.
+    pub(super) fn finest(&self, block: BlockId) -> f64 {
+        self.ways[block.0 as usize].finest
+    }
+
+    /// One stroke that stands for a block smaller than the pen. It leads from the start of the block's first stroke to
+    /// the end of the last one, so that the strokes of consecutive blocks meet as the blocks do. The stroke of a closed
+    /// block leads to the farthest corner. No stroke is longer than the ink that it stands for.
+    pub(super) fn chord(&self, block: BlockId, drawing: &Drawing) -> Line {
+        let longest = self.shapes[block.0 as usize].longest;
+        let Way { ends: Some([from, end]), ink, .. } = self.ways[block.0 as usize] else { return longest };
+        let corners = drawing.corners_of(&drawing.blocks[block.0 as usize]);
+        let to = if distance(from, end) >= CLOSED * longest.length() {
+            end
+        } else {
+            corners
+                .iter()
+                .copied()
+                .fold(end, |far, corner| if distance(from, corner) > distance(from, far) { corner } else { far })
+        };
+        let part = (ink / distance(from, to)).min(1.0);
+        let to = if part < 1.0 { [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis])) } else { to };
+        Line { from, to, style: longest.style }
+    }
+}
+
+/// The part of a block's diameter between the ends of its way, below which the block counts as closed.
+const CLOSED: f64 = 0.25;

@@ -1,0 +1,156 @@
+//! Strokes that overlap become pieces that do not, so that no ink is drawn twice.
+//!
+//! The pieces of a line end where strokes end, so that strokes of other lines that start there meet an end.
+
+use super::cells::Cells;
+use super::gather::Strokes;
+use super::page::{Point, distance};
+use super::sort::Sort;
+use lsystem_syntax::{Meter, Progress};
+
+/// Points nearer than a tenth of this are one point, in millimetres; a plotter's step is at least ten times as long.
+pub(super) const JOINT: f64 = 1e-3;
+/// Directions nearer than a tenth of this are one direction, as the sine of the angle or twice that. Along a sheet of
+/// A4 this is less than [`JOINT`].
+const DIRECTION: f64 = 2e-6;
+/// Shorter strokes are points: their directions would be rounding errors.
+const LEAST: f64 = 1e-5;
+
+/// A straight piece of ink.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Piece {
+    pub(super) layer: u32,
+    pub(super) ends: [Point; 2],
+}
+
+/// The lines that carry the strokes, and where strokes start and end along them.
+#[derive(Clone, Debug)]
+pub(super) struct Merge {
+    centre: Point,
+    numbers: Cells,
+    lines: Vec<Line>,
+    ends: Vec<End>,
+    sort: Option<Sort<End>>,
+    /// The number of ends passed so far.
+    next: usize,
+    pieces: Vec<Piece>,
+    /// The last end of a piece, and the number of strokes there.
+    last: End,
+}
+
+/// A line of one layer: a unit vector along the line, and the distance to its left from the sheet's centre.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    layer: u32,
+    way: Point,
+    aside: f64,
+}
+
+/// A place along a line where strokes start or end.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    line: u32,
+    at: f64,
+    /// The number of strokes that start here, less those that end here.
+    starts: i32,
+}
+
+impl Strokes for Merge {
+    fn add(&mut self, layer: u32, [from, to]: [Point; 2]) {
+        let length = distance(from, to);
+        if length.is_nan() || length <= LEAST {
+            return;
+        }
+        let mut way = [0, 1].map(|axis| (to[axis] - from[axis]) / length);
+        // Both ways along a line are the same line. Nearly vertical lines lead downwards.
+        if way[0] < -DIRECTION || (way[0] <= DIRECTION && way[1] < 0.0) {
+            way = way.map(|part| -part);
+        }
+        // Grows with the angle, and is nearly proportional to it.
+        let sum = way[0].abs() + way[1].abs();
+        let direction = if way[0] >= 0.0 { way[1] / sum } else { 1.0 - way[0] / sum };
+        let middle = [0, 1].map(|axis| f64::midpoint(from[axis], to[axis]) - self.centre[axis]);
+        let aside = way[0] * middle[1] - way[1] * middle[0];
+        let (number, is_new) = self.numbers.number(layer, [direction, aside]);
+        if is_new {
+            self.lines.push(Line { layer, way, aside });
+        }
+        let line = self.lines[number as usize];
+        let along =
+            |point: Point| line.way[0] * (point[0] - self.centre[0]) + line.way[1] * (point[1] - self.centre[1]);
+        let (start, end) = (along(from), along(to));
+        self.ends.push(End { line: number, at: start.min(end), starts: 1 });
+        self.ends.push(End { line: number, at: start.max(end), starts: -1 });
+    }
+}
+
+impl Merge {
+    /// No ink, on a sheet of this size.
+    pub(super) fn new(size: [f64; 2]) -> Self {
+        Self {
+            centre: size.map(|side| side / 2.0),
+            numbers: Cells::new([DIRECTION, JOINT]),
+            lines: Vec::new(),
+            ends: Vec::new(),
+            sort: None,
+            next: 0,
+            pieces: Vec::new(),
+            last: End { line: u32::MAX, at: 0.0, starts: 0 },
+        }
+    }
+
+    /// Merges the strokes until the meter is spent. No strokes can be added any more.
+    pub(super) fn step(&mut self, meter: &mut Meter) -> Progress {
+        if !self.ends.is_empty() && self.sort.is_none() && self.next == 0 {
+            self.numbers = Cells::new([DIRECTION, JOINT]);
+            let order =
+                |a: &End, b: &End| a.line.cmp(&b.line).then(a.at.total_cmp(&b.at)).then(b.starts.cmp(&a.starts));
+            self.sort = Some(Sort::new(core::mem::take(&mut self.ends), order));
+        }
+        if let Some(mut sort) = self.sort.take() {
+            match sort.step(meter) {
+                Progress::More => {
+                    self.sort = Some(sort);
+                    return Progress::More;
+                }
+                Progress::Done => self.ends = sort.finish(),
+            }
+        }
+        while !meter.is_spent() {
+            meter.charge(1);
+            let Some(&end) = self.ends.get(self.next) else { return Progress::Done };
+            self.next += 1;
+            self.pass(end);
+        }
+        Progress::More
+    }
+
+    /// Passes an end, and adds the piece from the last one up to here if there is ink between them.
+    fn pass(&mut self, end: End) {
+        if end.line != self.last.line {
+            self.last = end;
+            return;
+        }
+        // Nearer ends are one end.
+        if end.at - self.last.at >= JOINT {
+            if self.last.starts > 0 {
+                self.pieces.push(self.lines[end.line as usize].piece(self.centre, [self.last.at, end.at]));
+            }
+            self.last.at = end.at;
+        }
+        self.last.starts += end.starts;
+    }
+
+    /// The pieces of ink, after all steps.
+    pub(super) fn finish(self) -> Vec<Piece> {
+        self.pieces
+    }
+}
+
+impl Line {
+    fn piece(&self, centre: Point, places: [f64; 2]) -> Piece {
+        let [x, y] = self.way;
+        let at = |along: f64| [centre[0] + along * x - self.aside * y, centre[1] + along * y + self.aside * x];
+        Piece { layer: self.layer, ends: places.map(at) }
+    }
+}
