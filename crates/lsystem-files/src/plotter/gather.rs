@@ -6,6 +6,7 @@
 
 use super::facts::BlockFacts;
 use super::hatch::{self, Fill};
+use super::merge::LEAST;
 use super::options::PlotOptions;
 use super::page::{Page, Point, distance};
 use crate::compact::visible;
@@ -283,8 +284,11 @@ impl Gather {
         let last = &mut self.last[layer as usize];
         self.travel += distance(*last, ends[0]);
         *last = ends[1];
-        self.count += 1;
-        strokes.add(layer, ends);
+        // After many iterations, the strokes between blocks are points.
+        if distance(ends[0], ends[1]) > LEAST {
+            self.count += 1;
+            strokes.add(layer, ends);
+        }
     }
 
     /// The layer of a stroke in this style, after the marks passed so far.

@@ -14,7 +14,7 @@ pub(super) const JOINT: f64 = 1e-3;
 /// A4 this is less than [`JOINT`].
 const DIRECTION: f64 = 2e-6;
 /// Shorter strokes are points: their directions would be rounding errors.
-const LEAST: f64 = 1e-5;
+pub(super) const LEAST: f64 = 1e-5;
 
 /// A straight piece of ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
