@@ -68,8 +68,9 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
 /// Packs the crates as for the registry, and makes their documentation as docs.rs does.
 fn crates(workspace: &Workspace) -> Result<()> {
     let names = || CRATES.iter().flat_map(|name| ["--package", name]);
-    // The crates use each other, and none is in the registry yet: packing finds the others in the workspace.
-    run(&mut workspace.cargo(["package", "--allow-dirty", "--no-verify"].into_iter().chain(names())))?;
+    // The crates use each other, and none is in the registry yet: packing finds the others in the workspace. Other crates are in
+    // the cache, because this workspace has been built.
+    run(&mut workspace.cargo(["package", "--offline", "--allow-dirty", "--no-verify"].into_iter().chain(names())))?;
     run(workspace.cargo(["doc", "--no-deps"].into_iter().chain(names())).env("RUSTDOCFLAGS", "-D warnings"))
 }
 
