@@ -63,10 +63,11 @@ pub const MAX_PALETTE: usize = 256;
 /// The most bytes that counting takes for its intermediate numbers.
 pub const MAX_COUNTING: u64 = 16 << 20;
 
-/// The most pixels along a side of a picture.
+/// The most pixels along a side of a picture. The program's PNG has this limit alone, because the picture is painted in
+/// panes while it is written.
 pub const MAX_PICTURE_SIDE: u32 = 1 << 15;
 
-/// The most pixels of a picture. Drawing such a picture takes up to 2 GB.
+/// The most pixels that are painted at a time: of a whole picture, as on the page, or of a pane. They take up to 2 GB.
 pub const MAX_PICTURE_PIXELS: u32 = 100_000_000;
 
 /// The most blocks of a drawing that are read for a plotter: some seconds.

@@ -2,8 +2,7 @@
 
 use crate::workspace::{Workspace, run};
 use crate::{bindgen, files, tools};
-use anyhow::{Context, Result};
-use serde_json::Value;
+use anyhow::Result;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -57,9 +56,9 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
         copy(&workspace.root.join(licence), &package.join(licence))?;
     }
     let list = package.join("package.json");
-    let mut value: Value = serde_json::from_slice(&files::read(&list)?).context("reading package.json")?;
-    value["version"] = env!("CARGO_PKG_VERSION").into();
-    files::write(&list, format!("{value:#}\n"))?;
+    // As text, because the order of conditions in `exports` counts.
+    let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    files::write(&list, files::read_text(&list)?.replacen("\"version\": \"0.0.0\"", &version, 1))?;
     let test = workspace.target.join("npm/test.mjs");
     copy(&source.join("test.mjs"), &test)?;
     run(Command::new(tools::node()?).arg("--test").arg(&test))
@@ -68,8 +67,9 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
 /// Packs the crates as for the registry, and makes their documentation as docs.rs does.
 fn crates(workspace: &Workspace) -> Result<()> {
     let names = || CRATES.iter().flat_map(|name| ["--package", name]);
-    // The crates use each other, and none is in the registry yet: packing finds the others in the workspace.
-    run(&mut workspace.cargo(["package", "--allow-dirty", "--no-verify"].into_iter().chain(names())))?;
+    // The crates use each other, and none is in the registry yet: packing finds the others in the workspace. Other crates are in
+    // the cache, because this workspace has been built.
+    run(&mut workspace.cargo(["package", "--offline", "--allow-dirty", "--no-verify"].into_iter().chain(names())))?;
     run(workspace.cargo(["doc", "--no-deps"].into_iter().chain(names())).env("RUSTDOCFLAGS", "-D warnings"))
 }
 

@@ -85,7 +85,8 @@ impl TopDown {
         self.outlined = outlined;
         let is_free = upto.is_none() && !descent.path.counts();
         let is_plain = matches!(painter.inks.of(root.block.0 as usize), Inks::One(_));
-        if is_free && is_plain && (BROAD..f64::INFINITY).contains(&painter.widest(drawing, &root)) {
+        let widest = painter.widest(drawing, &root);
+        if is_free && is_plain && widest > BROAD && widest.is_finite() {
             self.passes.begin(root);
         } else {
             self.stack.push(root);
