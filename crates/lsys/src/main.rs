@@ -1,6 +1,7 @@
 //! `lsys`: derives, draws, compares and inspects L-systems from JSON files and from files of other programs. The library
 //! `lsystem` does the work; this program reads arguments and files and writes results and messages.
 
+mod animate;
 mod answers;
 mod args;
 mod check;
@@ -90,6 +91,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::Expand { file, changes } => expand(&file, &changes),
         Command::Draw { jobs, look, changes } => draw::draw(&jobs, look, &changes),
+        Command::Animate { file, to, film, changes } => animate::animate(&file, &to, &film, &changes),
         Command::Import { files, to } => import::import(&files, &to),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Find { text, known, json } => find::find(&text, &known, json),
