@@ -53,6 +53,14 @@ impl Film {
         Ok(Self { script, definition, view, camera, constants })
     }
 
+    /// A film of the same system with another script.
+    ///
+    /// # Errors
+    /// As [`Film::new`].
+    pub fn with(&self, script: Script) -> Result<Self, FilmError> {
+        Self::new(script, self.definition.clone(), self.view, self.camera)
+    }
+
     /// The film's script.
     #[must_use]
     pub fn script(&self) -> &Script {

@@ -10,8 +10,8 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 9] =
-    ["lesson", "notation", "links", "embedding", "exercises", "growth", "about", "security", "imports"];
+const PAGES: [&str; 10] =
+    ["lesson", "notation", "links", "embedding", "exercises", "growth", "films", "about", "security", "imports"];
 /// The pages in the navigation line, with their names there.
 const NAVIGATION: [(&str, &str); 6] = [
     ("lesson", "Lesson"),

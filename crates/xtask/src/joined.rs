@@ -10,6 +10,12 @@ use std::path::Path;
 /// (after `./`), and their files.
 const APART: [(&str, &str); 1] = [("dialogs.js", "js/course/dialogs.js")];
 
+/// Copies the licence of the library that the site carries.
+pub(crate) fn write_licence(www: &Path, site: &Path) -> Result<()> {
+    let [from, to] = LICENCE;
+    files::write(&site.join(to), files::read(&www.join(from))?)
+}
+
 /// Writes `page.js` and `page.css` into the folder of the site, and makes the page load them.
 pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()> {
     let file = site.join(page);
@@ -34,7 +40,7 @@ pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()>
     let entry = entry.with_context(|| format!("{page} has no module"))?;
     files::write(&site.join("page.js"), bundler.module(entry, &APART.map(|(name, _)| name))?)?;
     for (name, file) in APART {
-        files::write(&site.join(name), bundler.module(file, &[])?)?;
+        files::write(&site.join(name), bundler.module(file, &APART.map(|(name, _)| name))?)?;
     }
     files::write(&site.join("page.css"), bundler.styles(&styles)?)?;
     files::write(&file, text)
@@ -68,7 +74,7 @@ mod tests {
                         <link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
         assert_eq!(files::read_text(&site.join("index.html")).unwrap(), expected);
         assert_eq!(files::read_text(&site.join("page.css")).unwrap(), "a.css b.css");
-        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js without 1");
+        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js without 3");
         files::write(&site.join("index.html"), "</head>\n").unwrap();
         assert!(join(site, "index.html", &NameBundler).is_err());
     }

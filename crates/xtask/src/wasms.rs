@@ -20,10 +20,11 @@ pub(crate) struct Wasm {
 }
 
 /// All wasms: the core, and the tools that few visits need.
-pub(crate) const WASMS: [Wasm; 3] = [
+pub(crate) const WASMS: [Wasm; 4] = [
     Wasm { package: "lsystem-wasm", file: "lsystem.wasm", script: "worker.js", worker: "worker/worker.js" },
     Wasm { package: "lsystem-import-wasm", file: "import.wasm", script: "import.js", worker: "worker/import.js" },
     Wasm { package: "lsystem-course-wasm", file: "course.wasm", script: "course.js", worker: "worker/course.js" },
+    Wasm { package: "lsystem-film-wasm", file: "film.wasm", script: "film.js", worker: "worker/film.js" },
 ];
 
 impl Wasm {
