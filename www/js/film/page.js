@@ -49,7 +49,9 @@ async function open() {
     document.title = `${title} – film`;
     canvas.setAttribute('aria-label', `Film: ${title}`);
     document.documentElement.style.setProperty('--sheet', state.background);
-    html('film-open').setAttribute('href', `${new URL('./', location.href).href}${await bestLink(state)}&film=${guarded(text)}`);
+    // Without a server, a folder address does not open its page.
+    const place = new URL(location.protocol === 'file:' ? 'playground.html' : './', location.href).href;
+    html('film-open').setAttribute('href', `${place}${await bestLink(state)}&film=${guarded(text)}`);
     try {
         const script = await tool.call('read', { text });
         frames = script.frames;
