@@ -85,7 +85,7 @@ function createFilms(store, stage) {
     const credit = make('p', { class: 'note film-credit' }, 'WebM and MP4 files are written by ', make('a', { href: 'https://mediabunny.dev', target: '_blank', rel: 'noopener' }, 'Mediabunny'), ' (Mozilla Public License 2.0).');
     const dialog = make(
         'dialog',
-        { id: 'film-dialog', class: 'dialog film', 'aria-labelledby': 'h-film' },
+        { id: 'film-dialog', class: 'dialog fitted film', 'aria-labelledby': 'h-film' },
         make('header', { class: 'dialog-head' }, make('h2', { id: 'h-film' }, 'Film'), close),
         make(
             'div',
@@ -126,6 +126,7 @@ function createFilms(store, stage) {
             if (!script) return;
             setText(problem, '');
             slider.value = String(frame);
+            slider.style.setProperty('--at', String(script.frames > 1 ? frame / (script.frames - 1) : 0));
             timeline.at(script.frames > 1 ? timeOf(frame) / script.seconds : 0);
             setText(clock, `${(frame / script.rate).toFixed(1)} of ${(script.frames / script.rate).toFixed(1)} s`);
             showPlay();
