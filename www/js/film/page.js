@@ -47,6 +47,7 @@ async function open() {
     const { state } = link;
     const title = state.title || state.name || 'L-system';
     document.title = `${title} – film`;
+    setText(html('film-title'), document.title);
     canvas.setAttribute('aria-label', `Film: ${title}`);
     document.documentElement.style.setProperty('--sheet', state.background);
     // Without a server, a folder address does not open its page.
