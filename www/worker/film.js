@@ -17,7 +17,7 @@ const SMALL = 16;
 /** The open film. @type {{key: string, text: string, player: InstanceType<typeof wasm_bindgen.FilmPlayer>} | null} */
 let open = null;
 
-/** Opens a film, and keeps the drawing if only the text has changed. @param {Film} film */
+/** Opens a film for one frame at a time, and keeps the drawing if only the text has changed. @param {Film} film */
 function opened({ definition, view, camera, text }) {
     const key = JSON.stringify([definition, view, camera]);
     if (open?.key === key) {
@@ -71,9 +71,14 @@ serve((module) => wasm_bindgen.initSync({ module }), {
         return player.pixels();
     },
     *place({ film }) {
-        const player = opened({ ...film, text: '1' });
-        yield* painted(player, 0, SMALL, SMALL);
-        return player.placeOfSegment();
+        // A frame may be in the making, so this is another player.
+        const player = new wasm_bindgen.FilmPlayer(film.definition, film.view, film.camera, '1');
+        try {
+            yield* painted(player, 0, SMALL, SMALL);
+            return player.placeOfSegment();
+        } finally {
+            player.free();
+        }
     },
     gif,
 });

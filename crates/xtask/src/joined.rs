@@ -7,8 +7,11 @@ use anyhow::{Context, Result};
 use std::path::Path;
 
 /// The modules that the page imports when they are first needed: their names on the site, which are those in the import
-/// (after `./`), and their files.
-const APART: [(&str, &str); 1] = [("dialogs.js", "js/course/dialogs.js")];
+/// (after `./`), and their files. One of these modules may import another.
+const APART: [(&str, &str); 3] =
+    [("dialogs.js", "js/course/dialogs.js"), ("films.js", "js/film/films.js"), ("video.js", "js/film/video.js")];
+/// The licence of the library in `video.js`, in `www`, and its name on the site.
+const LICENCE: [&str; 2] = ["node_modules/mediabunny/LICENSE", "video.LICENSE.txt"];
 
 /// Copies the licence of the library that the site carries.
 pub(crate) fn write_licence(www: &Path, site: &Path) -> Result<()> {
