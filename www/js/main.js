@@ -7,6 +7,7 @@ import { button, html, setText, setWords } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
 import { createLater } from './course/later.js';
 import { createFind } from './find/later.js';
+import { createFilms } from './film/later.js';
 import { createGallery } from './gallery.js';
 import { createGrowing } from './growing.js';
 import { createImporting } from './importing.js';
@@ -85,6 +86,7 @@ const showAddress = followAddress(store, { open: opened });
 const share = createShare(store, engine);
 const favourites = favouritesPanel(store, engine, { storage, session });
 const course = createLater(store, engine, reader.readAt);
+createFilms(store, stage);
 const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 const find = createFind(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 savePanel(store, engine, {

@@ -199,6 +199,22 @@ export {};
  *     search: {asked: {until: number}, answer: FindReport},
  * }} FindCalls
  */
+/** A film: a system with the view that it begins with, and the text of its tracks (docs/films.md). @typedef {{definition: Definition, view: View | null, camera: Camera | null, text: string}} Film */
+/** A key of a track; `easing` is the pace to the next key. @typedef {{time: number, value: number[], easing: string}} FilmKey */
+/** @typedef {{subject: string, keys: FilmKey[]}} FilmTrack */
+/** The text of a film, read. `width` and `height` are in pixels. @typedef {{seconds: number, rate: number, width: number, height: number, ending: string, easing: string, frames: number, tracks: FilmTrack[]}} FilmScript */
+/** A number of a system that a track can change; `value` is the present one, and `expected` the range in words. @typedef {{name: string, label: string, value: number[] | null, expected: string}} FilmSubject */
+/**
+ * The calls of the tool for films. `place` are the numbers of a key that shows the segment in the middle; the progress
+ * of a GIF is the number of finished frames, with the next bytes of the file.
+ * @typedef {{
+ *     read: {asked: {text: string}, answer: FilmScript},
+ *     subjects: {asked: {definition: Definition}, answer: FilmSubject[]},
+ *     frame: {asked: {film: Film, number: number, width: number, height: number}, answer: Uint8Array<ArrayBuffer>},
+ *     place: {asked: {film: Film}, answer: number[] | null},
+ *     gif: {asked: {film: Film, script: FilmScript}, answer: null},
+ * }} FilmCalls
+ */
 /** From the page to a tool: calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
 /** From a tool to the page. `fatal`: the tool has crashed. @typedef {{type: 'pong'} | {type: 'answer', id: number, value: unknown} | {type: 'progress', id: number, value: unknown} | {type: 'refused', id: number, reason: unknown} | {type: 'fatal', id: number, reason: unknown}} FromTool */
 

@@ -97,6 +97,11 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         /** Turns a drawing in space smoothly. */
         glideTo: moves.glideToCamera,
 
+        /** Whether the drawing is in space. */
+        get space() {
+            return space;
+        },
+
         /** Notes whether the drawing is in space. @param {import('./protocol.js').Report} report */
         report(report) {
             hold.forget();

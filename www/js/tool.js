@@ -87,6 +87,10 @@ export function createTool(name) {
     }
 
     return {
+        /** Stops the worker. The next call starts another one. */
+        close() {
+            if (worker) end('it was closed');
+        },
         /**
          * @template {keyof Calls & string} T
          * @param {T} call

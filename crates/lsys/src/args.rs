@@ -1,6 +1,6 @@
 //! The command line as a value.
 
-use crate::cli::{Changes, Cli, GrowthFormat, Look, TileOptions, Verb};
+use crate::cli::{Changes, Cli, FilmOptions, GrowthFormat, Look, TileOptions, Verb};
 use crate::find::Known;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
@@ -25,6 +25,8 @@ pub(crate) enum Command {
     },
     /// Write a pyramid of tiles.
     Tiles { file: PathBuf, dir: PathBuf, options: TileOptions, changes: Changes },
+    /// Make a film.
+    Animate { file: PathBuf, to: PathBuf, film: Box<FilmOptions>, changes: Changes },
     /// Convert files of other programs to JSON files in a folder.
     Import { files: Vec<PathBuf>, to: PathBuf },
     /// Compare the output of a program with a system.
@@ -89,6 +91,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             }
         }
         Verb::Tiles { file, dir, options, changes } => Ok(Command::Tiles { file, dir, options, changes }),
+        Verb::Animate { file, to, film, changes } => Ok(Command::Animate { file, to, film: Box::new(film), changes }),
         Verb::Import { files, to } => Ok(Command::Import { files, to }),
         Verb::Check { file, output, changes } => match file == output && file.as_os_str() == "-" {
             false => Ok(Command::Check { file, output, changes }),
@@ -249,6 +252,9 @@ mod tests {
                 let TileOptions { levels, scheme, size, part, under, .. } = options;
                 format!("tiles {file:?} to {dir:?} {levels:?} {scheme:?} {size} {part:?} {under:?} {}", with(changes))
             }
+            Ok(Command::Animate { file, to, film, .. }) => {
+                format!("animate {file:?} to {to:?} dive {:?} track {:?}", film.dive, film.track)
+            }
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
             Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
@@ -264,6 +270,10 @@ mod tests {
     #[test]
     fn commands() {
         check("expand a.json -n 3", &expect![[r#"expand "a.json" n Some(3) seed None"#]]);
+        check(
+            "animate --dive a.json --to a.gif --track angle=0:-20,5:30",
+            &expect![[r#"animate "a.json" to "a.gif" dive Some(Dive(None)) track ["angle=0:-20,5:30"]"#]],
+        );
         check("a.json out", &expect![[r#"draw "a.json" to Write("out", [txt, svg]) n None seed None"#]]);
         check("draw a.json", &expect![[r#"draw "a.json" to Write("a", [txt, svg]) n None seed None"#]]);
         check(

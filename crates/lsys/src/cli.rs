@@ -6,8 +6,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 use lsystem::files::{FORMATS, Format};
+use lsystem::film::{Easing, Ending};
 use lsystem::render::{Share, TilePlace};
-use lsystem::syntax::MAX_ITERATIONS;
+use lsystem::syntax::{MAX_ITERATIONS, MAX_PICTURE_SIDE};
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -27,6 +28,12 @@ lsys draw [OPTIONS] FILE [OUT_BASE]
 const DRAW_NOTES: &str = "\
 Without --format, two files are written: OUT_BASE.txt (the string) and OUT_BASE.svg (the picture).
 Without OUT_BASE, the files are named after FILE, or the format asked for is printed.";
+
+const ANIMATE_NOTES: &str = "\
+Examples:
+  lsys animate fern.json --to fern.gif -n 7
+  lsys animate fern.json --to - --dive -n 40 --size 1920x1080 | ffmpeg -i - fern.mp4
+  lsys animate fern.json --to frames --track angle=0:20,5:30~smooth --track hue=0:0,10:90";
 
 /// Derives, draws and inspects L-systems
 #[derive(Parser)]
@@ -73,6 +80,21 @@ pub(crate) enum Verb {
         dir: PathBuf,
         #[command(flatten)]
         options: TileOptions,
+        #[command(flatten)]
+        changes: Changes,
+    },
+    /// Make films: animated GIF, numbered PNG pictures, or frames for another program
+    ///
+    /// Without a film, a preset or a track, the film shows growth from the axiom to the last generation.
+    #[command(after_help = ANIMATE_NOTES)]
+    Animate {
+        #[arg(help = FILE, value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+        /// A file such as out.gif, a folder for numbered PNG pictures, or - for standard output
+        #[arg(long, value_name = "OUT", value_hint = ValueHint::AnyPath, allow_hyphen_values = true)]
+        to: PathBuf,
+        #[command(flatten)]
+        film: FilmOptions,
         #[command(flatten)]
         changes: Changes,
     },
@@ -316,10 +338,128 @@ fn tile_size(text: &str) -> Result<u32, String> {
     size.ok_or_else(|| "expected 256 or 512".to_owned())
 }
 
+/// The options of a film.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+pub(crate) struct FilmOptions {
+    /// The film as text, as in links of the page, or a file with the text
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) film: Option<String>,
+    /// Growth from the axiom to the last generation
+    #[arg(long)]
+    pub(crate) growth: bool,
+    /// The turtle's way, segment by segment
+    #[arg(long)]
+    pub(crate) turtle: bool,
+    /// One turn of the camera about a drawing in space
+    #[arg(long)]
+    pub(crate) turntable: bool,
+    /// A dive from the whole drawing to a segment, by its number from 1 [default: the one in the middle]
+    #[arg(long, value_name = "SEGMENT", num_args = 0..=1, require_equals = true, default_missing_value = "")]
+    pub(crate) dive: Option<Dive>,
+    /// A number that changes: its values at times in seconds, such as angle=0:20,5:30; may be repeated
+    ///
+    /// NAME is n, drawn, view, camera, a key of links such as angle, seed or hue, or a constant such as
+    /// rules.r. A value may be followed by the pace to the next one: 0:20~smooth.
+    #[arg(long, value_name = "NAME=KEYS", verbatim_doc_comment)]
+    pub(crate) track: Vec<String>,
+    /// Length in seconds [default: 10]
+    #[arg(long, value_name = "S")]
+    pub(crate) seconds: Option<f64>,
+    /// Frames a second, 1 to 60 [default: 25]
+    #[arg(long, value_name = "N")]
+    pub(crate) fps: Option<u32>,
+    /// Size in pixels [default: 1280x720]
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<PictureSize>,
+    /// What follows the end: once, repeat or bounce [default: repeat]
+    #[arg(long = "loop", value_name = "LOOP")]
+    pub(crate) ending: Option<EndingName>,
+    /// Pace between the keys: linear, smooth, in, out or hold [default: linear]
+    #[arg(long, value_name = "PACE")]
+    pub(crate) easing: Option<EasingName>,
+    /// Format [default: gif for OUT.gif, y4m for -, png for a folder]
+    #[arg(long)]
+    pub(crate) format: Option<FilmFormat>,
+}
+
+/// The formats of films.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum FilmFormat {
+    /// Animated GIF
+    Gif,
+    /// Numbered pictures in a folder, or one after the other on standard output
+    Png,
+    /// YUV4MPEG2 with full colour, on standard output
+    Y4m,
+    /// Raw pixels, four bytes each, on standard output
+    Rgba,
+}
+
+/// The segment at the end of a dive, from 1; `None` for the one in the middle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Dive(pub(crate) Option<u128>);
+
+impl FromStr for Dive {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.is_empty() {
+            return Ok(Self(None));
+        }
+        let number = text.parse().ok().filter(|&number| number > 0);
+        number.map(|number| Self(Some(number))).ok_or_else(|| "expected a number of a segment, from 1".to_owned())
+    }
+}
+
+/// An [`Ending`] by its name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct EndingName(pub(crate) Ending);
+
+impl FromStr for EndingName {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Ending::named(text).map(Self).ok_or_else(|| format!("expected one of {}", Ending::NAMES.join(", ")))
+    }
+}
+
+/// An [`Easing`] by its name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct EasingName(pub(crate) Easing);
+
+impl FromStr for EasingName {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Easing::named(text).map(Self).ok_or_else(|| format!("expected one of {}", Easing::NAMES.join(", ")))
+    }
+}
+
 /// A parser for the names of [`FORMATS`].
 fn formats() -> impl TypedValueParser<Value = &'static Format> {
     let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.help));
     PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
+}
+
+/// The size of a picture, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PictureSize {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+impl FromStr for PictureSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
+        let (width, height) = sides.ok_or("expected a width and a height such as 1600x1200")?;
+        let sides = 1..=MAX_PICTURE_SIDE;
+        if !sides.contains(&width) || !sides.contains(&height) {
+            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way"));
+        }
+        Ok(Self { width, height })
+    }
 }
 
 fn whole(text: &str, most: u32) -> Result<u32, String> {

@@ -41,6 +41,7 @@ pub use lsystem_compare as compare;
 pub use lsystem_derive as derive;
 pub use lsystem_drawing as drawing;
 pub use lsystem_files as files;
+pub use lsystem_film as film;
 pub use lsystem_find as find;
 pub use lsystem_growth as growth;
 pub use lsystem_render as render;

@@ -31,6 +31,8 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     let exercise = site.join("exercise.html");
     let text = include::include(&files::read_text(&exercise)?, "embed.html", &files::read_text(&embed)?)?;
     files::write(&exercise, include::include(&text, index, &whole)?)?;
+    let film = site.join("film.html");
+    files::write(&film, include::include(&files::read_text(&film)?, index, &whole)?)?;
     files::write(&embed, include::include(&files::read_text(&embed)?, index, &whole)?)?;
     // These pages become single files, with the files that they would fetch inside.
     let all: Vec<_> = wasms::WASMS
@@ -47,6 +49,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
         (index, "playground.html", all),
         ("embed.html", "embed.html", drawing),
         ("exercise.html", "exercise.html", marking),
+        ("film.html", "film.html", of("film").collect()),
     ] {
         let carried = &carried;
         let text = one_file::one_file(&site, page, carried, &esbuild)?;
@@ -54,6 +57,7 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
     }
     docs::write_pages(&workspace.root.join("docs"), &www, &site, &esbuild)?;
     joined::join(&site, index, &esbuild)?;
+    joined::write_licence(&www, &site)?;
     offline::list_files(&site)?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
 }

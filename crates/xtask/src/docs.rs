@@ -10,7 +10,7 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 13] = [
+const PAGES: [&str; 14] = [
     "lesson",
     "notation",
     "links",
@@ -18,6 +18,7 @@ const PAGES: [&str; 13] = [
     "exercises",
     "growth",
     "find",
+    "films",
     "papers",
     "plotting",
     "about",

@@ -7,12 +7,22 @@ use anyhow::{Context, Result};
 use std::path::Path;
 
 /// The modules that the page imports when they are first needed: their names on the site, which are those in the import
-/// (after `./`), and their files.
-const APART: [(&str, &str); 3] = [
+/// (after `./`), and their files. One of these modules may import another.
+const APART: [(&str, &str); 5] = [
     ("dialogs.js", "js/course/dialogs.js"),
     ("finding.js", "js/find/finding.js"),
     ("save-dialog.js", "js/save/save-dialog.js"),
+    ("films.js", "js/film/films.js"),
+    ("video.js", "js/film/video.js"),
 ];
+/// The licence of the library in `video.js`, in `www`, and its name on the site.
+const LICENCE: [&str; 2] = ["node_modules/mediabunny/LICENSE", "video.LICENSE.txt"];
+
+/// Copies the licence of the library that the site carries.
+pub(crate) fn write_licence(www: &Path, site: &Path) -> Result<()> {
+    let [from, to] = LICENCE;
+    files::write(&site.join(to), files::read(&www.join(from))?)
+}
 
 /// Writes `page.js` and `page.css` into the folder of the site, and makes the page load them.
 pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()> {
@@ -38,7 +48,7 @@ pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()>
     let entry = entry.with_context(|| format!("{page} has no module"))?;
     files::write(&site.join("page.js"), bundler.module(entry, &APART.map(|(name, _)| name))?)?;
     for (name, file) in APART {
-        files::write(&site.join(name), bundler.module(file, &[])?)?;
+        files::write(&site.join(name), bundler.module(file, &APART.map(|(name, _)| name))?)?;
     }
     files::write(&site.join("page.css"), bundler.styles(&styles)?)?;
     files::write(&file, text)
@@ -72,7 +82,7 @@ mod tests {
                         <link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
         assert_eq!(files::read_text(&site.join("index.html")).unwrap(), expected);
         assert_eq!(files::read_text(&site.join("page.css")).unwrap(), "a.css b.css");
-        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js without 2");
+        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js without 5");
         files::write(&site.join("index.html"), "</head>\n").unwrap();
         assert!(join(site, "index.html", &NameBundler).is_err());
     }

@@ -20,12 +20,13 @@ pub(crate) struct Wasm {
 }
 
 /// All wasms: the core, and the tools that few visits need.
-pub(crate) const WASMS: [Wasm; 5] = [
+pub(crate) const WASMS: [Wasm; 6] = [
     Wasm { package: "lsystem-wasm", file: "lsystem.wasm", script: "worker.js", worker: "worker/worker.js" },
     Wasm { package: "lsystem-import-wasm", file: "import.wasm", script: "import.js", worker: "worker/import.js" },
     Wasm { package: "lsystem-course-wasm", file: "course.wasm", script: "course.js", worker: "worker/course.js" },
     Wasm { package: "lsystem-find-wasm", file: "find.wasm", script: "find.js", worker: "worker/find.js" },
     Wasm { package: "lsystem-export-wasm", file: "export.wasm", script: "export.js", worker: "worker/export.js" },
+    Wasm { package: "lsystem-film-wasm", file: "film.wasm", script: "film.js", worker: "worker/film.js" },
 ];
 
 impl Wasm {

@@ -1,0 +1,123 @@
+//! `lsys animate`: films as animated GIF, as numbered PNG pictures, or as frames for another program.
+
+mod pool;
+mod sink;
+
+use crate::CommandFailure;
+use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
+use crate::input::{self, InputSystem};
+use lsystem::film::{
+    Film, LIMITS, Painter, Script, camera_of_segment, dive, dive_in_space, growth, turntable, turtle, view_of_segment,
+};
+use lsystem::render::Detail;
+use lsystem::{Camera, Limits, Progress, View};
+use pool::Pool;
+use std::fs;
+use std::path::Path;
+
+/// The units of work between two looks at other workers.
+const WORK: u64 = 1 << 20;
+
+/// Makes a film of the system in `file`.
+///
+/// # Errors
+/// Problems of the file, of the film's text, and of the output.
+pub(crate) fn animate(file: &Path, to: &Path, options: &FilmOptions, changes: &Changes) -> Result<(), CommandFailure> {
+    let input = input::read(file, changes, &mut crate::say)?;
+    let limits = Limits { memory: changes.memory.unwrap_or(LIMITS.memory), ..LIMITS };
+    let film = film(&input, options, limits)?;
+    let format = options.format.unwrap_or_else(|| match to.to_str() {
+        Some("-") => FilmFormat::Y4m,
+        Some(name) if name.to_ascii_lowercase().ends_with(".gif") => FilmFormat::Gif,
+        _ => FilmFormat::Png,
+    });
+    let pool = Pool::new(&film, limits);
+    match (format, to.as_os_str() == "-") {
+        (FilmFormat::Gif, true) => sink::gif_to_stdout(&pool),
+        (_, true) => sink::frames_to_stdout(&pool, format),
+        (FilmFormat::Gif, false) => sink::gif_to_file(&pool, to),
+        (FilmFormat::Png, false) => sink::pngs_to_folder(&pool, to),
+        (_, false) => Err(words("y4m and rgba are for standard output: give --to -")),
+    }
+}
+
+fn words(text: impl std::fmt::Display) -> CommandFailure {
+    CommandFailure::Words(text.to_string())
+}
+
+/// The film of the options: its text, then the presets and the tracks, each in place of a track of the same subject.
+fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Film, CommandFailure> {
+    let mut script = match &options.film {
+        Some(text) => text_of(text)?.parse::<Script>().map_err(words)?,
+        None => Script::default(),
+    };
+    let size = options.size.map_or(script.size, |size| [size.width, size.height]);
+    let (seconds, rate) = (options.seconds.unwrap_or(script.seconds), options.fps.unwrap_or(script.rate));
+    script.set(seconds, rate, size).map_err(words)?;
+    script.ending = options.ending.map_or(script.ending, |ending| ending.0);
+    script.easing = options.easing.map_or(script.easing, |easing| easing.0);
+    let is_solid = input.system.is_solid();
+    let camera = Camera::default();
+    let has_preset = options.turtle || options.turntable || options.dive.is_some();
+    let shows_growth = options.film.is_none() && !has_preset && options.track.is_empty();
+    let mut tracks = Vec::new();
+    if options.growth || shows_growth {
+        tracks.push(growth(&script, input.iterations));
+    }
+    if options.turtle {
+        tracks.push(turtle(&script));
+    }
+    if options.turntable {
+        if !is_solid {
+            return Err(words("--turntable is for drawings in space, and this drawing is in the plane"));
+        }
+        tracks.push(turntable(&script, &camera));
+    }
+    if let Some(Dive(number)) = options.dive {
+        let painter = painted(input, limits)?;
+        let segments = painter.drawing().map_or(0, lsystem::Drawing::segment_count);
+        let segments = painter.solid().map_or(segments, lsystem::Drawing::segment_count);
+        let number = number.unwrap_or(segments.div_ceil(2).max(1));
+        let missing = || words(format!("--dive={number}: the drawing has {segments} segments"));
+        let place = number.checked_sub(1).ok_or_else(missing)?;
+        tracks.push(match (painter.drawing(), painter.solid()) {
+            (Some(drawing), _) => dive(&script, view_of_segment(drawing, place).ok_or_else(missing)?),
+            (_, Some(drawing)) => {
+                dive_in_space(&script, &camera_of_segment(drawing, place, &camera).ok_or_else(missing)?)
+            }
+            _ => return Err(missing()),
+        });
+    }
+    for track in tracks {
+        script.tracks.retain(|other| other.subject != track.subject);
+        script.tracks.push(track);
+    }
+    for track in &options.track {
+        script.add(track).map_err(words)?;
+    }
+    Film::new(script, input.definition.clone(), View::default(), camera).map_err(words)
+}
+
+/// The text of a script: the text itself, or the text of a file.
+fn text_of(text: &str) -> Result<String, CommandFailure> {
+    let is_file = !text.contains(';') && Path::new(text).exists();
+    if !is_file {
+        return Ok(text.to_owned());
+    }
+    fs::read_to_string(text).map_err(|error| CommandFailure::io(text, &error))
+}
+
+/// A painter with the drawing of the system as a whole.
+fn painted(input: &InputSystem, limits: Limits) -> Result<Painter, CommandFailure> {
+    let film = Film::new(Script::default(), input.definition.clone(), View::default(), Camera::default());
+    let frame = film.map_err(words)?.frame(0);
+    let mut painter = Painter::new(limits);
+    let wrong = |limit| input.limit(&limit);
+    painter.begin(&frame, [16, 16], Detail::Coarse).map_err(wrong)?;
+    while painter.drawing().is_none() && painter.solid().is_none() {
+        if painter.step(WORK).map_err(wrong)? == Progress::Done {
+            break;
+        }
+    }
+    Ok(painter)
+}

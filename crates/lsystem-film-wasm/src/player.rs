@@ -1,0 +1,183 @@
+//! A film whose frames are made in steps.
+
+use crate::{from_js, to_js, words};
+use lsystem_film::{Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, camera_of_segment, view_of_segment};
+use lsystem_render::{Camera, Detail, View};
+use lsystem_syntax::{Definition, Diagnostic, Progress};
+use serde::Deserialize;
+use wasm_bindgen::prelude::*;
+
+/// A view of the page's state.
+#[derive(Deserialize)]
+struct ViewObject {
+    x: f64,
+    y: f64,
+    zoom: f64,
+    #[serde(default)]
+    fx: f64,
+    #[serde(default)]
+    fy: f64,
+}
+
+/// A camera of the page's state.
+#[derive(Deserialize)]
+struct CameraObject {
+    azimuth: f64,
+    elevation: f64,
+    zoom: f64,
+    x: f64,
+    y: f64,
+    z: f64,
+    perspective: bool,
+    fade: f64,
+}
+
+/// A GIF in the making.
+enum Gif {
+    None,
+    /// Frames whose colours make the palette.
+    Colours(PaletteMaker),
+    Frames(Box<GifWriter>, lsystem_film::Palette),
+}
+
+/// A film, and its frame in the making.
+#[wasm_bindgen]
+pub struct FilmPlayer {
+    film: Film,
+    painter: Painter,
+    gif: Gif,
+}
+
+/// A problem of a frame in words.
+fn problem(error: &Diagnostic) -> JsValue {
+    let hint = error.hint().map_or_else(String::new, |hint| format!(" {hint}"));
+    format!("{}{hint}", error.message()).into()
+}
+
+#[wasm_bindgen]
+impl FilmPlayer {
+    /// A film of a definition, which begins with a view and a camera (null for the usual ones), by its text.
+    ///
+    /// # Errors
+    /// Throws the words of the first problem.
+    #[wasm_bindgen(constructor)]
+    pub fn new(definition: JsValue, view: JsValue, camera: JsValue, text: &str) -> Result<Self, JsValue> {
+        let definition: Definition = from_js(definition)?;
+        let view = from_js::<Option<ViewObject>>(view)?.map_or_else(View::default, |view| View {
+            x: view.x,
+            y: view.y,
+            zoom: view.zoom,
+            fine: [view.fx, view.fy],
+        });
+        let camera = from_js::<Option<CameraObject>>(camera)?.map_or_else(Camera::default, |camera| Camera {
+            azimuth: camera.azimuth,
+            elevation: camera.elevation,
+            zoom: camera.zoom,
+            target: [camera.x, camera.y, camera.z],
+            perspective: camera.perspective,
+            fade: camera.fade,
+        });
+        let script: Script = text.parse().map_err(words)?;
+        let film = Film::new(script, definition, view, camera).map_err(words)?;
+        Ok(Self { film, painter: Painter::new(LIMITS), gif: Gif::None })
+    }
+
+    /// Changes the film's text, and keeps the drawing.
+    ///
+    /// # Errors
+    /// As [`FilmPlayer::new`].
+    pub fn change(&mut self, text: &str) -> Result<(), JsValue> {
+        let script: Script = text.parse().map_err(words)?;
+        self.film = self.film.with(script).map_err(words)?;
+        Ok(())
+    }
+
+    /// Starts a frame of `width` x `height` pixels, in coarse detail for a preview of large drawings.
+    ///
+    /// # Errors
+    /// Throws the words of the first error of the frame's system.
+    pub fn begin(&mut self, number: u32, width: u32, height: u32, is_coarse: bool) -> Result<(), JsValue> {
+        let detail = if is_coarse { Detail::Coarse } else { Detail::Fine };
+        let frame = self.film.frame(number);
+        self.painter.begin(&frame, [width, height], detail).map_err(|error| problem(&error))
+    }
+
+    /// Goes on with the frame for about `work` units. Returns whether it is finished.
+    ///
+    /// # Errors
+    /// Throws the words of the limit that the frame's drawing exceeds.
+    pub fn step(&mut self, work: u32) -> Result<bool, JsValue> {
+        let progress = self.painter.step(u64::from(work)).map_err(|error| problem(&error))?;
+        Ok(progress == Progress::Done)
+    }
+
+    /// The pixels of the finished frame: RGBA, row by row.
+    #[must_use]
+    pub fn pixels(&self) -> Vec<u8> {
+        self.painter.pixels().to_vec()
+    }
+
+    /// The numbers of a key that shows one segment of the finished frame's drawing: those of a view in the plane, or of
+    /// a camera in space (azimuth, elevation, zoom, x, y, z); the segment in the middle without a number (from 0). Null
+    /// if there is no such segment.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    #[wasm_bindgen(js_name = placeOfSegment)]
+    pub fn place_of_segment(&self, number: Option<u128>) -> Result<JsValue, JsValue> {
+        if let Some(drawing) = self.painter.drawing() {
+            let view = view_of_segment(drawing, number.unwrap_or(drawing.segment_count() / 2));
+            return to_js(&view.map(|view| vec![view.x, view.y, view.zoom, view.fine[0], view.fine[1]]));
+        }
+        let Some(drawing) = self.painter.solid() else { return Ok(JsValue::NULL) };
+        let from = self.film.frame(0).camera;
+        let camera = camera_of_segment(drawing, number.unwrap_or(drawing.segment_count() / 2), &from);
+        let numbers =
+            |Camera { azimuth, elevation, zoom, target: [x, y, z], .. }| vec![azimuth, elevation, zoom, x, y, z];
+        to_js(&camera.map(numbers))
+    }
+
+    /// Begins a GIF: counts the colours of the finished frame. Some frames that are spread over the film should be
+    /// counted.
+    #[wasm_bindgen(js_name = countColours)]
+    pub fn count_colours(&mut self) {
+        if !matches!(self.gif, Gif::Colours(_)) {
+            self.gif = Gif::Colours(PaletteMaker::default());
+        }
+        if let Gif::Colours(maker) = &mut self.gif {
+            maker.add(self.painter.pixels());
+        }
+    }
+
+    /// Adds the finished frame to the GIF, and returns the next bytes of the file.
+    ///
+    /// # Errors
+    /// Throws if the frame has another size.
+    #[wasm_bindgen(js_name = addToGif)]
+    pub fn add_to_gif(&mut self, number: u32) -> Result<Vec<u8>, JsValue> {
+        let script = self.film.script();
+        self.gif = match core::mem::replace(&mut self.gif, Gif::None) {
+            Gif::Colours(maker) => {
+                let palette = maker.finish();
+                let writer = GifWriter::new(script.size, script.ending, palette.clone()).map_err(words)?;
+                Gif::Frames(Box::new(writer), palette)
+            }
+            other => other,
+        };
+        let Gif::Frames(writer, palette) = &mut self.gif else { return Err("no colours are counted".into()) };
+        writer.add(&palette.sheet(self.painter.pixels()), script.delay_of(number)).map_err(words)?;
+        Ok(writer.take())
+    }
+
+    /// Ends the GIF, and returns its last bytes.
+    ///
+    /// # Errors
+    /// Throws only if memory is full.
+    #[wasm_bindgen(js_name = endGif)]
+    pub fn end_gif(&mut self) -> Result<Vec<u8>, JsValue> {
+        match core::mem::replace(&mut self.gif, Gif::None) {
+            Gif::Frames(writer, _) => writer.finish().map_err(words),
+            _ => Ok(Vec::new()),
+        }
+    }
+}

@@ -1,0 +1,309 @@
+//! From frames to pixels.
+
+use crate::Frame;
+use lsystem_drawing::{Drawer, Drawing, Plane, Solid, Space, System};
+use lsystem_render::{Detail, Quality, Renderer, SolidRenderer, Viewport};
+use lsystem_syntax::{Diagnostic, Limits, Progress};
+use std::sync::Arc;
+
+/// The limits of the drawings of a film: those of the page. They decide which drawings are made, so that they are the
+/// same wherever frames must be.
+pub const LIMITS: Limits =
+    Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
+
+/// The length of the longer side, in pixels, at which a stroke's least width is in pixels. Larger pictures scale it.
+const USUAL: f64 = 1024.0;
+
+/// A finished drawing.
+#[derive(Clone)]
+enum Shown {
+    Plane(Arc<Drawing>),
+    Space(Arc<Drawing<Solid>>),
+}
+
+/// A drawing in the making.
+enum Making {
+    Plane(Drawer<Plane>),
+    Space(Drawer<Solid>),
+}
+
+/// What the painter works on.
+enum Task {
+    /// The frame's drawing.
+    Drawing(Box<Making>),
+    /// The frame's pixels.
+    Pixels,
+    Done,
+}
+
+/// Makes pixels of frames, one after the other, in the same memory. A frame's drawing is the drawing of the frame before
+/// if only the view, the style or the drawn part differ.
+///
+/// The pixels do not depend on the frames before: each frame is painted by a renderer that remembers nothing.
+pub struct Painter {
+    limits: Limits,
+    system: Option<(System, u32)>,
+    shown: Option<Shown>,
+    task: Task,
+    frame: Option<Frame>,
+    viewport: Viewport,
+    detail: Detail,
+    plane: Renderer,
+    space: SolidRenderer,
+}
+
+impl Painter {
+    /// A painter of drawings within `limits`: [`LIMITS`], unless frames need not be the same everywhere.
+    #[must_use]
+    pub fn new(limits: Limits) -> Self {
+        Self {
+            limits,
+            system: None,
+            shown: None,
+            task: Task::Done,
+            frame: None,
+            viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
+            detail: Detail::Fine,
+            plane: Renderer::new(),
+            space: SolidRenderer::new(),
+        }
+    }
+
+    /// Starts a frame of `size` pixels. An unfinished frame is given up.
+    ///
+    /// # Errors
+    /// The first error of the frame's system.
+    pub fn begin(&mut self, frame: &Frame, size: [u32; 2], detail: Detail) -> Result<(), Diagnostic> {
+        let [width, height] = size;
+        self.viewport = Viewport { width, height, ratio: (f64::from(width.max(height)) / USUAL).max(1.0) };
+        self.detail = detail;
+        let (system, diagnostics) = System::new(&frame.definition);
+        self.frame = Some(frame.clone());
+        let Some(system) = system else {
+            self.task = Task::Done;
+            let error = diagnostics.into_iter().find(Diagnostic::is_error);
+            return error.map_or(Ok(()), Err);
+        };
+        let n = frame.definition.iterations;
+        let is_shown = self.shown.is_some()
+            && self.system.as_ref().is_some_and(|(former, steps)| {
+                *steps == n
+                    && former.seed == system.seed
+                    && former.rules == system.rules
+                    && former.turtle == system.turtle
+            });
+        if is_shown {
+            self.start();
+        } else {
+            // The former drawing is dropped first, so that one drawing is in memory at a time.
+            self.forget();
+            self.task = Task::Drawing(Box::new(match system.is_solid() {
+                true => Making::Space(Drawer::solid(&system, n, self.limits)),
+                false => Making::Plane(Drawer::new(&system, n, self.limits)),
+            }));
+        }
+        self.system = Some((system, n));
+        Ok(())
+    }
+
+    /// Forgets the drawing.
+    fn forget(&mut self) {
+        self.shown = None;
+        self.plane = Renderer::new();
+        self.space = SolidRenderer::new();
+    }
+
+    /// Goes on with the frame for about `work` units of work.
+    ///
+    /// # Errors
+    /// The limit that the frame's drawing exceeds.
+    pub fn step(&mut self, work: u64) -> Result<Progress, Diagnostic> {
+        match &mut self.task {
+            Task::Drawing(making) => {
+                let progress = match &mut **making {
+                    Making::Plane(drawer) => drawer.step(work),
+                    Making::Space(drawer) => drawer.step(work),
+                };
+                if progress == Progress::Done
+                    && let Task::Drawing(making) = core::mem::replace(&mut self.task, Task::Done)
+                {
+                    self.shown = Some(match *making {
+                        Making::Plane(drawer) => Shown::Plane(Arc::new(drawer.finish()?)),
+                        Making::Space(drawer) => Shown::Space(Arc::new(drawer.finish()?)),
+                    });
+                    self.start();
+                }
+            }
+            Task::Pixels => {
+                let work = usize::try_from(work).unwrap_or(usize::MAX);
+                let progress = match self.shown {
+                    Some(Shown::Space(_)) => self.space.step(work),
+                    _ => self.plane.step(work),
+                };
+                if progress == Progress::Done {
+                    self.task = Task::Done;
+                }
+            }
+            Task::Done => {}
+        }
+        Ok(if matches!(self.task, Task::Done) { Progress::Done } else { Progress::More })
+    }
+
+    /// Starts the pixels of the frame.
+    fn start(&mut self) {
+        let (Some(frame), Some(shown)) = (&self.frame, &self.shown) else { return };
+        let style = &frame.definition.style;
+        match shown {
+            Shown::Plane(drawing) => {
+                let upto = first_part(drawing, frame.drawn);
+                self.plane.load(drawing.clone());
+                self.plane.begin_with(style, self.viewport, frame.view, self.detail, upto);
+            }
+            Shown::Space(drawing) => {
+                let upto = first_part(drawing, frame.drawn);
+                let quality = if self.detail == Detail::Fine { Quality::FINEST } else { Quality::MOVING };
+                self.space.load(drawing.clone());
+                self.space.play(upto);
+                self.space.begin(style, self.viewport, &frame.camera, quality);
+            }
+        }
+        self.task = Task::Pixels;
+    }
+
+    /// The pixels of the finished frame: RGBA, 8 bits each, opaque, from the upper left corner row by row.
+    #[must_use]
+    pub fn pixels(&self) -> &[u8] {
+        match self.shown {
+            Some(Shown::Space(_)) => self.space.pixels(),
+            _ => self.plane.pixels(),
+        }
+    }
+
+    /// The drawing of the last frame in the plane.
+    #[must_use]
+    pub fn drawing(&self) -> Option<&Drawing> {
+        if let Some(Shown::Plane(drawing)) = &self.shown { Some(drawing) } else { None }
+    }
+
+    /// The drawing of the last frame in space.
+    #[must_use]
+    pub fn solid(&self) -> Option<&Drawing<Solid>> {
+        if let Some(Shown::Space(drawing)) = &self.shown { Some(drawing) } else { None }
+    }
+}
+
+/// The number of segments in the first part of a drawing; `None` for all.
+fn first_part<S: Space>(drawing: &Drawing<S>, part: f64) -> Option<u128> {
+    /// Parts are counted in 2^-53, the resolution of `f64` below 1.
+    const BITS: u32 = 53;
+    if part >= 1.0 {
+        return None;
+    }
+    let all = drawing.segment_count();
+    let part = libm::round(part.max(0.0) * (1_u64 << BITS) as f64) as u128;
+    let (high, low) = (all >> BITS, all & ((1 << BITS) - 1));
+    Some((high * part).saturating_add((low * part) >> BITS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Film, Script};
+    use lsystem_render::{Camera, View};
+    use lsystem_syntax::Definition;
+
+    const SIZE: [u32; 2] = [160, 120];
+
+    fn bush() -> Definition {
+        let rules = "X -> F-[[X]+X]+F[+FX]-X\nF -> FF";
+        Definition { axiom: "X".into(), rules: rules.into(), angle: 22.5, iterations: 5, ..Definition::default() }
+    }
+
+    fn film(script: &str, definition: Definition) -> Film {
+        let script: Script = script.parse().unwrap();
+        Film::new(script, definition, View::default(), Camera::default()).unwrap()
+    }
+
+    fn paint(painter: &mut Painter, film: &Film, number: u32) -> Vec<u8> {
+        painter.begin(&film.frame(number), SIZE, Detail::Fine).unwrap();
+        while painter.step(10_000).unwrap() == Progress::More {}
+        painter.pixels().to_vec()
+    }
+
+    #[test]
+    fn frames_do_not_depend_on_the_frames_before() {
+        let solid = Definition { rules: "X -> F&[X]/[X]\nF -> FF".into(), iterations: 6, ..bush() };
+        let films = [
+            film("1;1s;8fps;n=0:0,1:5;angle=0:10,1:40;hue=0:0,1:90", bush()),
+            film("1;1s;8fps;view=0:0/0/1,1:0.1/0.2/50", bush()),
+            film("1;1s;8fps;view=0:0/0/3,1:0.1/0.2/3", Definition { iterations: 9, ..bush() }),
+            film("1;1s;8fps;drawn=0:0,1:1", bush()),
+            film("1;1s;8fps;camera=0:0,1:360;drawn=0:1,1:0.5", solid),
+        ];
+        for film in &films {
+            let mut painter = Painter::new(LIMITS);
+            let frames: Vec<Vec<u8>> = (0..8).map(|number| paint(&mut painter, film, number)).collect();
+            assert!(frames.iter().all(|frame| frame.len() == 4 * 160 * 120));
+            assert!(frames.windows(2).all(|pair| pair[0] != pair[1]), "{}", film.script());
+            for number in [6, 1, 4, 4, 0] {
+                assert_eq!(paint(&mut painter, film, number), frames[number as usize], "{} {number}", film.script());
+                assert_eq!(paint(&mut Painter::new(LIMITS), film, number), frames[number as usize]);
+            }
+        }
+    }
+
+    /// The part of the pixels that differ between two pictures by more than a tenth of the range.
+    fn difference(a: &[u8], b: &[u8]) -> f64 {
+        let differ = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 25);
+        let count = a.chunks(4).zip(b.chunks(4)).filter(|&pair| differ(pair)).count();
+        4.0 * count as f64 / a.len() as f64
+    }
+
+    #[test]
+    fn generations_grow_into_each_other() {
+        // At 0.001 of a generation before and after a whole one, the picture is that of the whole generation.
+        let film = film("1;6s;1fps;once;n=0:0,6:6", bush());
+        let mut painter = Painter::new(LIMITS);
+        let mut at = |time: f64| {
+            painter.begin(&film.frame_at(time), SIZE, Detail::Fine).unwrap();
+            while painter.step(100_000).unwrap() == Progress::More {}
+            painter.pixels().to_vec()
+        };
+        for generation in 1..=5 {
+            let time = f64::from(generation);
+            let whole = at(time);
+            for near in [time - 1e-3, time + 1e-3] {
+                let near = difference(&whole, &at(near));
+                // A tenth of the pixels would be a large part of the plant.
+                assert!(near < 0.02, "{generation}: {near}");
+            }
+            assert!(difference(&whole, &at(time + 0.5)) > 0.005, "{generation}");
+        }
+    }
+
+    #[test]
+    fn parts_of_large_drawings_are_exact() {
+        let system = System::new(&Definition { axiom: "F".into(), rules: "F -> FFFF".into(), ..Definition::default() });
+        let system = system.0.unwrap();
+        let count = |n, part| first_part(&lsystem_drawing::draw(&system, n, &Limits::default()).unwrap(), part);
+        assert_eq!((count(3, 0.5), count(3, 0.0), count(3, 1.0)), (Some(32), Some(0), None));
+        assert_eq!(count(60, 0.75), Some(3 << 118));
+    }
+
+    #[test]
+    fn errors_are_told() {
+        let mut painter = Painter::new(LIMITS);
+        let broken = film("1;1s", Definition { axiom: "F(".into(), ..Definition::default() });
+        assert!(painter.begin(&broken.frame(0), SIZE, Detail::Fine).is_err());
+        let random = Definition { axiom: "F".into(), rules: "F -> FFF : 0.5\nF -> FFFF : 0.5".into(), ..bush() };
+        let large = film("1;1s;n=0:40", random);
+        painter.begin(&large.frame(0), SIZE, Detail::Fine).unwrap();
+        let end = loop {
+            match painter.step(1 << 20) {
+                Ok(Progress::More) => {}
+                end => break end,
+            }
+        };
+        assert!(end.is_err());
+    }
+}

@@ -1,0 +1,118 @@
+//! Tracks for the usual films.
+
+use crate::{Easing, Key, Script, Subject, Track};
+use lsystem_drawing::{Drawing, Solid};
+use lsystem_render::{Camera, View, fitted_ends, fitted_solid_ends};
+
+/// The part of the time after which growth, the turtle's way and a dive are over, so that the end can be seen.
+const END: f64 = 0.9;
+/// The part of the time before a dive begins, so that the whole drawing can be seen.
+const REST: f64 = 0.05;
+/// The part of the picture that the segment at the end of a dive takes.
+const SHARE: f64 = 0.25;
+/// The largest zoom of a view in the plane, and in space, as in links.
+const MAX_ZOOM: [f64; 2] = [1e25, 1e4];
+
+/// The growth from the axiom to generation `n`.
+#[must_use]
+pub fn growth(script: &Script, n: u32) -> Track {
+    let end = [(0.0, vec![0.0]), (END, vec![f64::from(n)])];
+    track(script, Subject::Generation, &end, script.easing)
+}
+
+/// The turtle's way: the drawing is drawn segment by segment.
+#[must_use]
+pub fn turtle(script: &Script) -> Track {
+    track(script, Subject::Drawn, &[(0.0, vec![0.0]), (END, vec![1.0])], script.easing)
+}
+
+/// One turn of the camera about a drawing in space.
+#[must_use]
+pub fn turntable(script: &Script, camera: &Camera) -> Track {
+    let keys = [(0.0, vec![camera.azimuth]), (1.0, vec![camera.azimuth + 360.0])];
+    track(script, Subject::Camera, &keys, script.easing)
+}
+
+/// A dive from the whole drawing in the plane to a view.
+#[must_use]
+pub fn dive(script: &Script, to: View) -> Track {
+    let end =
+        if to.fine == [0.0; 2] { vec![to.x, to.y, to.zoom] } else { vec![to.x, to.y, to.zoom, to.fine[0], to.fine[1]] };
+    track(script, Subject::View, &[(REST, vec![0.0, 0.0, 1.0]), (END, end)], Easing::Smooth)
+}
+
+/// A dive from the whole drawing in space to a camera.
+#[must_use]
+pub fn dive_in_space(script: &Script, to: &Camera) -> Track {
+    let [x, y, z] = to.target;
+    let from = vec![to.azimuth, to.elevation, 1.0, 0.0, 0.0, 0.0];
+    let end = vec![to.azimuth, to.elevation, to.zoom, x, y, z];
+    track(script, Subject::Camera, &[(REST, from), (END, end)], Easing::Smooth)
+}
+
+/// The view of one segment of a drawing in the plane (0-based); `None` if there are fewer segments.
+#[must_use]
+pub fn view_of_segment(drawing: &Drawing, number: u128) -> Option<View> {
+    let [from, to] = fitted_ends(drawing, number)?;
+    let [across, up] = [0, 1].map(|axis| to[axis] - from[axis] + (to[2 + axis] - from[2 + axis]));
+    let middle = [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) / 2.0);
+    let fine = [0, 1].map(|axis| from[2 + axis] + (to[2 + axis] - from[2 + axis]) / 2.0);
+    let zoom = zoom_to(libm::hypot(across, up), MAX_ZOOM[0]);
+    Some(View { x: middle[0], y: middle[1], zoom, fine })
+}
+
+/// The camera before one segment of a drawing in space (0-based), from the direction of `camera`; `None` if there are
+/// fewer segments.
+#[must_use]
+pub fn camera_of_segment(drawing: &Drawing<Solid>, number: u128, camera: &Camera) -> Option<Camera> {
+    let [from, to] = fitted_solid_ends(drawing, number)?;
+    let along = [0, 1, 2].map(|axis| to[axis] - from[axis]);
+    let target = [0, 1, 2].map(|axis| from[axis] + along[axis] / 2.0);
+    let length = libm::sqrt(along.iter().map(|part| part * part).sum());
+    Some(Camera { target, zoom: zoom_to(length, MAX_ZOOM[1]), ..*camera })
+}
+
+/// The zoom at which a length in fitted extents takes its share of the picture.
+fn zoom_to(length: f64, most: f64) -> f64 {
+    let zoom = SHARE / length;
+    // A segment without a length has no zoom.
+    if zoom.is_finite() { zoom.clamp(1.0, most) } else { most }
+}
+
+/// A track with keys at parts of the script's time.
+fn track(script: &Script, subject: Subject, keys: &[(f64, Vec<f64>)], easing: Easing) -> Track {
+    // A thousandth of a second is enough, and makes short texts.
+    let time = |part: f64| libm::round(part * script.seconds * 1e3) / 1e3;
+    let key = |(part, value): &(f64, Vec<f64>)| Key { time: time(*part), value: value.clone(), easing };
+    Track { subject, keys: keys.iter().map(key).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lsystem_drawing::{System, draw};
+    use lsystem_syntax::{Definition, Limits};
+
+    #[test]
+    fn presets_are_scripts() {
+        let usual = Script { seconds: 7.0, ..Script::default() };
+        let dived = dive(&usual, View { x: 0.25, y: -0.5, zoom: 1e19, fine: [1e-18, 0.0] });
+        let tracks = [growth(&usual, 40), turtle(&usual), turntable(&usual, &Camera::default()), dived];
+        let script = Script { tracks: tracks.into(), ..usual };
+        let text = "1;7s;25fps;1280x720;repeat;n=0:0,6.3:40;drawn=0:0,6.3:1;camera=0:25,7:385;\
+                    view=0.35:0/0/1~smooth,6.3:0.25/-0.5/1e19/1e-18/0~smooth";
+        assert_eq!(script.to_string().replace("10000000000000000000", "1e19"), text);
+        assert_eq!(text.parse::<Script>().unwrap(), script);
+    }
+
+    #[test]
+    fn a_segment_fills_its_share() {
+        let curve =
+            Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
+        let drawing = draw(&System::new(&curve).0.unwrap(), 30, &Limits::default()).unwrap();
+        let view = view_of_segment(&drawing, drawing.segment_count() / 3).unwrap();
+        // A segment is a 3^30th of the width.
+        assert!((view.zoom / (SHARE * libm::pow(3.0, 30.0)) - 1.0).abs() < 1e-6, "{}", view.zoom);
+        assert!(view_of_segment(&drawing, u128::MAX).is_none());
+    }
+}

@@ -1,0 +1,116 @@
+/** Scripts of films as text, their usual tracks, and values between keys. Pure functions. docs/films.md describes the text. */
+
+/** @typedef {import('../protocol.js').FilmScript} FilmScript */
+/** @typedef {import('../protocol.js').FilmTrack} FilmTrack */
+/** @typedef {import('../protocol.js').FilmKey} FilmKey */
+
+/** The names of paces and endings, with their words on the page. @type {readonly (readonly [string, string])[]} */
+export const EASINGS = [['linear', 'Linear'], ['smooth', 'Smooth'], ['in', 'Slow start'], ['out', 'Slow end'], ['hold', 'Hold']];
+/** @type {readonly (readonly [string, string])[]} */
+export const ENDINGS = [['repeat', 'Repeat'], ['bounce', 'Back and forth'], ['once', 'Play once']];
+/** @type {readonly (readonly [string, string])[]} */
+export const SIZES = [['640x360', '640 × 360'], ['1280x720', '1280 × 720'], ['1920x1080', '1920 × 1080'], ['720x720', '720 × 720'], ['1080x1080', '1080 × 1080'], ['1080x1920', '1080 × 1920']];
+
+/** The part of the time after which growth, the turtle's way and a dive are over, so that the end can be seen; as in crates/lsystem-film/src/preset.rs. */
+const END = 0.9;
+/** The part of the time before a dive begins. */
+const REST = 0.05;
+
+/** @param {number} value */
+const numeral = (value) => String(Math.abs(value) < 1e21 ? value : value.toExponential()).replace('e+', 'e');
+/** A time to a thousandth of a second. @param {number} seconds */
+export const rounded = (seconds) => Math.round(seconds * 1000) / 1000;
+
+/** The text of a script. @param {Omit<FilmScript, 'frames'>} script */
+export function written({ seconds, rate, width, height, ending, easing, tracks }) {
+    const key = (/** @type {FilmKey} */ { time, value, easing: own }) => `${numeral(time)}:${value.map(numeral).join('/')}${own === easing ? '' : `~${own}`}`;
+    const parts = tracks.map(({ subject, keys }) => `${subject}=${keys.map(key).join()}`);
+    return ['1', `${numeral(seconds)}s`, `${rate}fps`, `${width}x${height}`, ending, ...(easing === 'linear' ? [] : [`ease=${easing}`]), ...parts].join(';');
+}
+
+/**
+ * A track with keys at parts of the time.
+ * @param {FilmScript} script
+ * @param {string} subject
+ * @param {[number, number[]][]} keys
+ * @param {string} [easing]
+ * @returns {FilmTrack}
+ */
+function track({ seconds, easing: usual }, subject, keys, easing = usual) {
+    return { subject, keys: keys.map(([part, value]) => ({ time: rounded(part * seconds), value, easing })) };
+}
+
+/** Growth from the axiom to generation `n`. @param {FilmScript} script @param {number} n */
+export const growth = (script, n) => track(script, 'n', [[0, [0]], [END, [n]]]);
+/** The turtle's way. @param {FilmScript} script */
+export const turtle = (script) => track(script, 'drawn', [[0, [0]], [END, [1]]]);
+/** One turn of the camera. @param {FilmScript} script @param {number} azimuth in degrees */
+export const turntable = (script, azimuth) => track(script, 'camera', [[0, [azimuth]], [1, [azimuth + 360]]]);
+
+/** A dive from the whole drawing to a place: the numbers of a view, or of a camera in space. @param {FilmScript} script @param {number[]} place @param {boolean} space */
+export function dive(script, place, space) {
+    const [azimuth = 0, elevation = 0] = place;
+    const start = space ? [azimuth, elevation, 1, 0, 0, 0] : [0, 0, 1];
+    const end = !space && place.slice(3).every((fine) => fine === 0) ? place.slice(0, 3) : place;
+    return track(script, space ? 'camera' : 'view', [[REST, start], [END, end]], 'smooth');
+}
+
+/** A script with a track in place of the one of the same subject. @param {FilmScript} script @param {FilmTrack} track @returns {FilmScript} */
+export function withTrack(script, track) {
+    const others = script.tracks.filter(({ subject }) => subject !== track.subject);
+    return { ...script, tracks: [...others, track] };
+}
+
+/** A script whose length is changed together with the times of its keys. @param {FilmScript} script @param {number} seconds @returns {FilmScript} */
+export function stretched(script, seconds) {
+    const factor = seconds / script.seconds;
+    const longer = (/** @type {FilmKey} */ key) => ({ ...key, time: rounded(key.time * factor) });
+    return { ...script, seconds, tracks: script.tracks.map((track) => ({ ...track, keys: track.keys.map(longer) })) };
+}
+
+/**
+ * A track with a key moved in time, but not beyond its neighbours.
+ * @param {FilmTrack} track
+ * @param {number} at
+ * @param {number} time
+ * @param {number} seconds of the film
+ * @returns {FilmTrack}
+ */
+export function moved(track, at, time, seconds) {
+    const low = at > 0 ? (track.keys[at - 1]?.time ?? 0) + 0.001 : 0;
+    const high = (track.keys[at + 1]?.time ?? seconds + 0.001) - 0.001;
+    const keys = track.keys.map((key, index) => (index === at ? { ...key, time: rounded(Math.max(low, Math.min(high, time))) } : key));
+    return { ...track, keys };
+}
+
+/**
+ * A track with a further key at a time, whose value lies between its neighbours'; the track itself if a key is there.
+ * @param {FilmTrack} track
+ * @param {number} time
+ * @returns {FilmTrack}
+ */
+export function added(track, time) {
+    const next = track.keys.findIndex((key) => key.time >= time);
+    const [before, after] = next === -1 ? [track.keys.at(-1), undefined] : [track.keys[next - 1], track.keys[next]];
+    if (!before && !after) return track;
+    if (after && Math.abs(after.time - time) < 0.001) return track;
+    const one = before ?? after;
+    const part = before && after ? (time - before.time) / (after.time - before.time) : 0;
+    const value = before && after && before.value.length === after.value.length ? before.value.map((from, at) => from + ((after.value[at] ?? from) - from) * part) : [...(one?.value ?? [])];
+    // A thousandth of the range is as fine as a key needs to be.
+    const short = value.map((number) => Number(number.toPrecision(6)));
+    const keys = [...track.keys, { time: rounded(time), value: track.subject === 'seed' ? short.map(Math.floor) : short, easing: one?.easing ?? 'linear' }];
+    return { ...track, keys: keys.sort((a, b) => a.time - b.time) };
+}
+
+/** The frame at a time of playing, in seconds since the start. @param {FilmScript} script @param {number} time */
+export function frameAt({ frames, rate, ending }, time) {
+    const frame = Math.max(0, Math.floor(time * rate));
+    return ending === 'once' ? Math.min(frames - 1, frame) : frame % frames;
+}
+
+/** Numbers as typed, separated by blanks, commas or slashes; null if one is no number. @param {string} text */
+export function numbersOf(text) {
+    const numbers = text.trim().split(/[\s,/]+/).map((part) => (part === '' ? NaN : Number(part)));
+    return numbers.every(Number.isFinite) ? numbers : null;
+}
