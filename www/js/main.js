@@ -86,7 +86,7 @@ const showAddress = followAddress(store, { open: opened });
 const share = createShare(store, engine);
 const favourites = favouritesPanel(store, engine, { storage, session });
 const course = createLater(store, engine, reader.readAt);
-createFilms(store, stage);
+const openFilm = createFilms(store, stage);
 const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 const find = createFind(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
 savePanel(store, engine, {
@@ -95,7 +95,11 @@ savePanel(store, engine, {
     address: async () => new URL(await bestLink(store.state), location.href).href,
     select: share.select,
     favourites: favourites.take,
-    save: createSave(store, engine, { storage, canvas: stage.resolution, custom: [] }),
+    save: createSave(store, engine, {
+        storage,
+        canvas: stage.resolution,
+        custom: [{ name: 'film', purpose: 'film', label: 'Film', help: 'Growth, the turtle\'s way, a turn, or any numbers that change: as GIF or video', action: 'Make a film…', open: () => openFilm() }],
+    }),
 });
 createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme, tool: course });
 createSeeds(store, engine);
