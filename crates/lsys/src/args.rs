@@ -338,7 +338,7 @@ mod tests {
             let told = parse(line.split_whitespace().map(OsString::from)).unwrap_err();
             assert!(told.contains(words), "{told}");
         }
-        check("draw a --dpi 300", &expect!["error: --dpi and --transparent need --format png"]);
+        check("draw a --dpi 300", &expect!["error: --dpi needs --format png"]);
         check("expand a -n 3 -n 4", &expect![[r#"expand "a" n Some(4) seed None"#]]);
         check(
             "expand a --set tropism=-1 --set -x",
@@ -395,7 +395,7 @@ mod tests {
             "draw a --format gif",
             &expect![[r#"
                 error: invalid value 'gif' for '--format <FORMAT>'
-                  [possible values: svg, svg-compact, plotter, png, json, txt, csv, obj, glb]"#]],
+                  [possible values: svg, svg-compact, plotter, png, pdf, tikz, tikz-library, latex, markdown, bibtex, json, txt, csv, obj, glb, stl]"#]],
         );
         check("draw a --size 10x10", &expect!["error: --size needs --format png"]);
         check("draw a --pen 0.5", &expect!["error: the options for pen plotters need --format plotter"]);

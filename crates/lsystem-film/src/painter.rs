@@ -8,8 +8,7 @@ use std::sync::Arc;
 
 /// The limits of the drawings of a film: those of the page. They decide which drawings are made, so that they are the
 /// same wherever frames must be.
-pub const LIMITS: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
+pub const LIMITS: Limits = Limits::PAGE;
 
 /// The length of the longer side, in pixels, at which a stroke's least width is in pixels. Larger pictures scale it.
 const USUAL: f64 = 1024.0;

@@ -6,18 +6,15 @@ use crate::Source;
 use lsystem::syntax::{ColourBy, Ink};
 use lsystem::{Definition, Dialect, Limits, System};
 
-/// The limits of the page, as in `crates/lsystem-wasm`.
-const PAGE: Limits =
-    Limits { symbols: 64 << 20, modules: 16 << 20, segments: u32::MAX as u64, work: 100_000_000, memory: 70 << 20 };
 /// The limits of most executions; small, so that there are many executions.
 const SMALL: Limits = Limits { symbols: 100_000, modules: 20_000, segments: 5_000, work: 200_000, memory: 70 << 20 };
 
 /// Random limits, mostly [`SMALL`].
 pub(crate) fn limits(source: &mut Source<'_>) -> Limits {
     match source.below(100) {
-        99 => PAGE,
-        90..99 => Limits { symbols: 1 << 20, modules: 200_000, segments: 50_000, work: 2_000_000, ..PAGE },
-        89 => Limits { symbols: 10, modules: 10, segments: 10, work: 10, ..PAGE },
+        99 => Limits::PAGE,
+        90..99 => Limits { symbols: 1 << 20, modules: 200_000, segments: 50_000, work: 2_000_000, ..Limits::PAGE },
+        89 => Limits { symbols: 10, modules: 10, segments: 10, work: 10, ..Limits::PAGE },
         _ => SMALL,
     }
 }
@@ -113,20 +110,5 @@ fn change_field(source: &mut Source<'_>, definition: &mut Definition) {
         16 => definition.style.colour_by = source.pick(&ColourBy::ALL),
         17 => definition.style.ink = Ink::Density,
         _ => definition.angle = near(source, &DEGREES),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    /// The limits stand in two crates, because the page's crate cannot be compiled here.
-    #[test]
-    fn the_limits_are_those_of_the_page() {
-        let text = |path: &str| {
-            let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-            let text = std::fs::read_to_string(folder.join(path)).unwrap();
-            let limits = text.split("Limits { symbols: 64 << 20").nth(1).unwrap();
-            limits.split('}').next().unwrap().to_owned()
-        };
-        assert_eq!(text("fuzz/src/make/definition.rs"), text("lsystem-wasm/src/budget.rs"));
     }
 }
