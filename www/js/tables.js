@@ -151,22 +151,22 @@ export const PURPOSES = /* @__PURE__ */ Object.freeze({
 
 /** Choices for files by name; each format lists those that it reads. @type {Readonly<Record<string, FileOption>>} */
 export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
-    size: { kind: 'size', most: 32768, label: 'Size', help: 'Width and height of a picture', unit: 'pixels' },
-    dpi: { kind: 'number', low: 0, high: 100000, step: 1, default: 0, label: 'Resolution', help: 'Pixels of an inch on paper, told in the file; 0 for none', unit: 'pixels per inch' },
-    transparent: { kind: 'flag', label: 'Transparent background', help: 'Leave the background out', unit: '' },
-    sheet: { kind: 'sheet', words: { 'a5': 'A5', 'a4': 'A4', 'a3': 'A3', 'a2': 'A2', 'a1': 'A1', 'letter': 'Letter', 'legal': 'Legal', 'tabloid': 'Tabloid' }, default: 'a4', low: 10, high: 10000, label: 'Sheet', help: 'Size of the paper', unit: '' },
-    portrait: { kind: 'flag', label: 'Portrait', help: 'Keep a plot\'s sheet upright, even if the drawing is larger on its side', unit: '' },
-    landscape: { kind: 'flag', label: 'Landscape', help: 'Turn the sheet, so that it is wider than tall', unit: '' },
-    margin: { kind: 'number', low: 0, high: 100, step: 1, default: 10, label: 'Margin', help: 'Margin on every side of the sheet', unit: 'mm' },
-    pen: { kind: 'number', low: 0.05, high: 20, step: 0.05, default: 0.3, label: 'Pen width', help: 'Width of the pen\'s line; smaller parts of the drawing become one stroke', unit: 'mm' },
-    hatch: { kind: 'flag', label: 'Hatch', help: 'Fill polygons and broad strokes with lines', unit: '' },
-    start: { kind: 'word', words: { 'top-left': 'Top left', 'top-right': 'Top right', 'bottom-left': 'Bottom left', 'bottom-right': 'Bottom right' }, default: 'top-left', label: 'Start corner', help: 'Corner where each pen starts and ends', unit: '' },
-    min-length: { kind: 'number', low: 0, high: 1000, step: 0.1, default: 0, label: 'Shortest line', help: 'Length under which lines are left out', unit: 'mm' },
-    speed: { kind: 'number', low: 0.1, high: 10000, step: 1, default: 50, label: 'Drawing speed', help: 'Speed of the lowered pen, for the estimate of time', unit: 'mm/s' },
-    travel-speed: { kind: 'number', low: 0.1, high: 10000, step: 1, default: 150, label: 'Travel speed', help: 'Speed of the raised pen, for the estimate of time', unit: 'mm/s' },
-    lift: { kind: 'number', low: 0, high: 60, step: 0.1, default: 0.2, label: 'Lift time', help: 'Seconds to raise and lower the pen, for the estimate of time', unit: 's' },
-    whole-sheet: { kind: 'flag', label: 'Whole sheet', help: 'Fill the sheet, instead of ending the page at the edge of the drawing', unit: '' },
-    bare: { kind: 'flag', label: 'Leave the system out', help: 'Leave the system out of the file; the file cannot be opened again as a system', unit: '' },
+    'size': { kind: 'size', most: 32768, label: 'Size', help: 'Width and height of a picture', unit: 'pixels' },
+    'dpi': { kind: 'number', low: 0, high: 100000, step: 1, default: 0, label: 'Resolution', help: 'Pixels of an inch on paper, told in the file; 0 for none', unit: 'pixels per inch' },
+    'transparent': { kind: 'flag', label: 'Transparent background', help: 'Leave the background out', unit: '' },
+    'sheet': { kind: 'sheet', words: { 'a5': 'A5', 'a4': 'A4', 'a3': 'A3', 'a2': 'A2', 'a1': 'A1', 'letter': 'Letter', 'legal': 'Legal', 'tabloid': 'Tabloid' }, default: 'a4', low: 10, high: 10000, label: 'Sheet', help: 'Size of the paper', unit: '' },
+    'portrait': { kind: 'flag', label: 'Portrait', help: 'Keep a plot\'s sheet upright, even if the drawing is larger on its side', unit: '' },
+    'landscape': { kind: 'flag', label: 'Landscape', help: 'Turn the sheet, so that it is wider than tall', unit: '' },
+    'margin': { kind: 'number', low: 0, high: 100, step: 1, default: 10, label: 'Margin', help: 'Margin on every side of the sheet', unit: 'mm' },
+    'pen': { kind: 'number', low: 0.05, high: 20, step: 0.05, default: 0.3, label: 'Pen width', help: 'Width of the pen\'s line; smaller parts of the drawing become one stroke', unit: 'mm' },
+    'hatch': { kind: 'flag', label: 'Hatch', help: 'Fill polygons and broad strokes with lines', unit: '' },
+    'start': { kind: 'word', words: { 'top-left': 'Top left', 'top-right': 'Top right', 'bottom-left': 'Bottom left', 'bottom-right': 'Bottom right' }, default: 'top-left', label: 'Start corner', help: 'Corner where each pen starts and ends', unit: '' },
+    'min-length': { kind: 'number', low: 0, high: 1000, step: 0.1, default: 0, label: 'Shortest line', help: 'Length under which lines are left out', unit: 'mm' },
+    'speed': { kind: 'number', low: 0.1, high: 10000, step: 1, default: 50, label: 'Drawing speed', help: 'Speed of the lowered pen, for the estimate of time', unit: 'mm/s' },
+    'travel-speed': { kind: 'number', low: 0.1, high: 10000, step: 1, default: 150, label: 'Travel speed', help: 'Speed of the raised pen, for the estimate of time', unit: 'mm/s' },
+    'lift': { kind: 'number', low: 0, high: 60, step: 0.1, default: 0.2, label: 'Lift time', help: 'Seconds to raise and lower the pen, for the estimate of time', unit: 's' },
+    'whole-sheet': { kind: 'flag', label: 'Whole sheet', help: 'Fill the sheet, instead of ending the page at the edge of the drawing', unit: '' },
+    'bare': { kind: 'flag', label: 'Leave the system out', help: 'Leave the system out of the file; the file cannot be opened again as a system', unit: '' },
 });
 
 /** Sheets of paper in portrait by name: width and height in millimetres. */

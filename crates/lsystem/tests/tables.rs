@@ -174,8 +174,8 @@ fn tables() -> String {
     for option in &FILE_OPTIONS {
         let [label, help, unit] = [option.label, option.help, option.unit].map(quoted);
         let kind = option_kind(option);
-        writeln!(script_text, "    {}: {{ {kind}, label: {label}, help: {help}, unit: {unit} }},", option.name)
-            .unwrap();
+        let name = quoted(option.name);
+        writeln!(script_text, "    {name}: {{ {kind}, label: {label}, help: {help}, unit: {unit} }},").unwrap();
     }
     script_text += "});\n\n/** Sheets of paper in portrait by name: width and height in millimetres. */\n\
         export const SHEETS = /* @__PURE__ */ Object.freeze({\n";
