@@ -123,8 +123,8 @@ export function optionFields({ canvas, choose }) {
     }
 
     return {
-        /** The fields of some options. @param {string} format @param {readonly string[]} names @param {Record<string, Value>} values */
-        of(format, names, values) {
+        /** The fields of some options. @param {readonly string[]} names @param {Record<string, Value>} values */
+        of(names, values) {
             return names.map((name) => {
                 const option = optionOf(name);
                 const value = values[name] ?? defaultOf(option);

@@ -90,7 +90,7 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     function showOptions() {
         const name = format();
         const names = name ? FORMATS[name].options : [];
-        html('save-options').replaceChildren(...(name ? fields.of(name, names, choices.values) : []));
+        html('save-options').replaceChildren(...(name ? fields.of(names, choices.values) : []));
         html('save-options-set').hidden = names.length === 0;
         const custom = customRow();
         setText(save, custom ? custom.action : 'Save');
