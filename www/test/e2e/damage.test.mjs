@@ -113,7 +113,7 @@ const BOMBS = {
     '8 MB of brackets': ['file', () => written('deep.json', [], '[', 8 << 20), /too large/],
     '2 MB of brackets': ['file', () => written('less deep.json', [], '[', 2 << 20), /could not be read/],
     '2 MB of favourites in brackets': ['favourites', () => written('deep favourites.json', [HEAD, 'null]}'], '[', 1_900_000), /no favourites/],
-    '60 MB that are no picture': ['file', () => written('noise.png', [], 'abcdefgh', (60 << 20) / 8), /could not be read/],
+    '60 MB that are no picture': ['file', () => written('noise.png', [], 'abcdefgh', (60 << 20) / 8), /has no system inside/],
     '80 MB that are no picture': ['file', () => written('more.svg', ['<svg>'], '<g>\n', 20 << 20), /too large/],
 };
 
