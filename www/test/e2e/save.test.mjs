@@ -26,7 +26,7 @@ const size = (page) => page.innerText('#save-size');
 test('the dialog shows the file, its name and its size', () =>
     withPage({ hash: WEED }, async (page) => {
         await open(page);
-        assert.deepEqual(await page.locator('#save-purposes .save-tile').allInnerTexts(), groupsOf([]).map(({ label }) => label));
+        assert.deepEqual(await page.locator('#save-purposes .save-tile').allInnerTexts(), groupsOf([{ name: 'film', purpose: 'film', label: 'Film', help: '', action: '', open: () => {} }]).map(({ label }) => label));
         await until(async () => /^\d+ kB$/.test(await size(page)), 'the size of the SVG is known');
         assert.equal(await page.innerText('#save-name'), 'Weed_n4.svg');
         assert.ok((await page.getAttribute('#save-preview img', 'src'))?.startsWith('blob:'));
@@ -68,7 +68,7 @@ test('a picture has the size that is asked for, and sizes out of range are told'
         await open(page);
         await choose(page, 'png');
         await page.selectOption('#option-size', 'own');
-        await page.fill('.save-sides input >> nth=0', '9000');
+        await page.fill('.save-sides input >> nth=0', '40000');
         await page.waitForSelector('.range-note:visible');
         await page.fill('.save-sides input >> nth=0', '300');
         await page.fill('.save-sides input >> nth=1', '200');
@@ -76,6 +76,22 @@ test('a picture has the size that is asked for, and sizes out of range are told'
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
         const bytes = await readFile(String(await download.path()));
         assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [300, 200]);
+    }));
+
+test('a picture larger than a canvas, without a background, is made piece by piece', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await open(page);
+        await choose(page, 'png');
+        await page.selectOption('#option-size', 'own');
+        await page.fill('.save-sides input >> nth=0', '5000');
+        await page.fill('.save-sides input >> nth=1', '300');
+        await page.check('#option-transparent');
+        await page.fill('#option-dpi', '300');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
+        const bytes = await readFile(String(await download.path()));
+        // Width, height, and the colour type for RGB with alpha.
+        assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20), bytes[25]], [5000, 300, 6]);
+        assert.ok(bytes.includes('pHYs') && bytes.includes('F[+F]F[-F]F'));
     }));
 
 test('limits and mistakes are told in the dialog, with hints', () =>
