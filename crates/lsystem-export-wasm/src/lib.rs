@@ -8,7 +8,7 @@ mod stages;
 mod string;
 
 use lsystem_files::{FileOptions, Format, OptionValue};
-use lsystem_render::{Camera, View};
+use lsystem_render::{PageCamera, PageView};
 use lsystem_syntax::{Definition, Problem, Progress};
 use maker::{FileMaker, Order};
 use serde::{Deserialize, Serialize};
@@ -25,9 +25,9 @@ struct Asked {
     #[serde(default)]
     options: BTreeMap<String, OptionValue>,
     /// The place of pictures of pixels in the plane; the whole drawing if it is missing.
-    view: Option<Place>,
+    view: Option<PageView>,
     /// The camera on drawings in space; the page's first one if it is missing.
-    camera: Option<Eye>,
+    camera: Option<PageCamera>,
     /// Device pixels in a CSS pixel, for pictures of pixels.
     #[serde(default = "one")]
     ratio: f64,
@@ -35,43 +35,6 @@ struct Asked {
 
 const fn one() -> f64 {
     1.0
-}
-
-/// A [`View`] as the page writes it.
-#[derive(Deserialize)]
-struct Place {
-    x: f64,
-    y: f64,
-    zoom: f64,
-    #[serde(default)]
-    fx: f64,
-    #[serde(default)]
-    fy: f64,
-}
-
-impl From<Place> for View {
-    fn from(Place { x, y, zoom, fx, fy }: Place) -> Self {
-        Self { x, y, zoom, fine: [fx, fy] }
-    }
-}
-
-/// A [`Camera`] as the page writes it.
-#[derive(Deserialize)]
-struct Eye {
-    azimuth: f64,
-    elevation: f64,
-    zoom: f64,
-    x: f64,
-    y: f64,
-    z: f64,
-    perspective: bool,
-    fade: f64,
-}
-
-impl From<Eye> for Camera {
-    fn from(Eye { azimuth, elevation, zoom, x, y, z, perspective, fade }: Eye) -> Self {
-        Self { azimuth, elevation, zoom, target: [x, y, z], perspective, fade }
-    }
 }
 
 /// The report on a finished file.
@@ -96,8 +59,7 @@ impl Export {
         let Asked { definition, format, options, view, camera, ratio } = serde_wasm_bindgen::from_value(asked)?;
         let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
         let options = FileOptions::from_values(&options)?;
-        let (view, camera) =
-            (view.map_or_else(View::default, View::from), camera.map_or_else(Camera::default, Camera::from));
+        let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into).unwrap_or_default());
         Ok(Self(FileMaker::new(Order { definition, format, options, view, camera, ratio })))
     }
 

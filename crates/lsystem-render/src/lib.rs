@@ -5,9 +5,11 @@
 //!
 //! `plane` and `space` each descend the graph of the drawing, in steps of counted work.
 
+mod page;
 mod plane;
 mod space;
 
+pub use page::{PageCamera, PageView};
 pub use plane::{
     Detail, Fitted, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target, TilePlace, TileRenderer,
     Tiles, View, Viewport, fit, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick,
