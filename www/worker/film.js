@@ -7,10 +7,6 @@ import { serve } from './tool.js';
 
 /** The units of work between two looks at messages: some ten milliseconds. */
 const WORK = 1_000_000;
-/** The frames whose colours make the palette of a GIF. */
-const SAMPLES = 12;
-/** The longer side of these frames, in pixels. Smaller pictures have the same colours. */
-const SAMPLE_SIDE = 640;
 /** The side of a frame that is made for its drawing only, in pixels. */
 const SMALL = 16;
 
@@ -47,11 +43,9 @@ function* painted(player, number, width, height) {
 /** @param {{film: Film, script: FilmScript}} asked */
 function* gif({ film, script: { frames, width, height } }) {
     const player = opened(film);
-    const count = Math.min(frames, SAMPLES);
-    const scale = Math.min(1, SAMPLE_SIDE / Math.max(width, height));
-    for (let at = 0; at < count; at++) {
-        const number = Math.floor((at * (frames - 1)) / Math.max(1, count - 1));
-        yield* painted(player, number, Math.max(1, Math.floor(width * scale)), Math.max(1, Math.floor(height * scale)));
+    const samples = player.paletteSamples();
+    for (const number of samples.numbers) {
+        yield* painted(player, number, samples.width, samples.height);
         player.countColours();
     }
     for (let number = 0; number < frames; number++) {

@@ -1,35 +1,20 @@
 //! A film whose frames are made in steps.
 
 use crate::{from_js, to_js, words};
-use lsystem_film::{Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, camera_of_segment, view_of_segment};
-use lsystem_render::{Camera, Detail, View};
+use lsystem_film::{
+    Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, camera_of_segment, palette_samples, view_of_segment,
+};
+use lsystem_render::{Camera, Detail, PageCamera, PageView};
 use lsystem_syntax::{Definition, Diagnostic, Progress};
-use serde::Deserialize;
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-/// A view of the page's state.
-#[derive(Deserialize)]
-struct ViewObject {
-    x: f64,
-    y: f64,
-    zoom: f64,
-    #[serde(default)]
-    fx: f64,
-    #[serde(default)]
-    fy: f64,
-}
-
-/// A camera of the page's state.
-#[derive(Deserialize)]
-struct CameraObject {
-    azimuth: f64,
-    elevation: f64,
-    zoom: f64,
-    x: f64,
-    y: f64,
-    z: f64,
-    perspective: bool,
-    fade: f64,
+/// The frames whose colours make a palette: their numbers and their size in pixels.
+#[derive(Serialize)]
+struct Samples {
+    numbers: Vec<u32>,
+    width: u32,
+    height: u32,
 }
 
 /// A GIF in the making.
@@ -63,20 +48,8 @@ impl FilmPlayer {
     #[wasm_bindgen(constructor)]
     pub fn new(definition: JsValue, view: JsValue, camera: JsValue, text: &str) -> Result<Self, JsValue> {
         let definition: Definition = from_js(definition)?;
-        let view = from_js::<Option<ViewObject>>(view)?.map_or_else(View::default, |view| View {
-            x: view.x,
-            y: view.y,
-            zoom: view.zoom,
-            fine: [view.fx, view.fy],
-        });
-        let camera = from_js::<Option<CameraObject>>(camera)?.map_or_else(Camera::default, |camera| Camera {
-            azimuth: camera.azimuth,
-            elevation: camera.elevation,
-            zoom: camera.zoom,
-            target: [camera.x, camera.y, camera.z],
-            perspective: camera.perspective,
-            fade: camera.fade,
-        });
+        let view = from_js::<Option<PageView>>(view)?.map(Into::into).unwrap_or_default();
+        let camera = from_js::<Option<PageCamera>>(camera)?.map(Into::into).unwrap_or_default();
         let script: Script = text.parse().map_err(words)?;
         let film = Film::new(script, definition, view, camera).map_err(words)?;
         Ok(Self { film, painter: Painter::new(LIMITS), gif: Gif::None })
@@ -137,8 +110,17 @@ impl FilmPlayer {
         to_js(&camera.map(numbers))
     }
 
-    /// Begins a GIF: counts the colours of the finished frame. Some frames that are spread over the film should be
-    /// counted.
+    /// The frames to count before the first one is added to a GIF: `{numbers, width, height}`.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    #[wasm_bindgen(js_name = paletteSamples)]
+    pub fn palette_samples(&self) -> Result<JsValue, JsValue> {
+        let (numbers, [width, height]) = palette_samples(self.film.script());
+        to_js(&Samples { numbers, width, height })
+    }
+
+    /// Begins a GIF: counts the colours of the finished frame, one of [`FilmPlayer::palette_samples`].
     #[wasm_bindgen(js_name = countColours)]
     pub fn count_colours(&mut self) {
         if !matches!(self.gif, Gif::Colours(_)) {

@@ -48,7 +48,7 @@ pub use error::{FilmError, ScriptError, ScriptProblem};
 pub use film::{Film, Frame};
 pub use gif::GifWriter;
 pub use painter::{LIMITS, Painter};
-pub use palette::{Palette, PaletteMaker, Sheet};
+pub use palette::{Palette, PaletteMaker, Sheet, palette_samples};
 pub use preset::{camera_of_segment, dive, dive_in_space, growth, turntable, turtle, view_of_segment};
 pub use script::{Ending, MAX_FRAME_PIXELS, MAX_KEYS, MAX_RATE, MAX_SCRIPT, MAX_SECONDS, MAX_SIDE, MAX_TRACKS, Script};
 pub use subject::Subject;

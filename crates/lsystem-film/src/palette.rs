@@ -1,5 +1,6 @@
 //! The colours of a GIF: at most 255, and one for pixels that stay.
 
+use crate::Script;
 use color_quant::NeuQuant;
 use std::collections::HashMap;
 
@@ -16,6 +17,22 @@ const CACHE: usize = 1 << 12;
 
 /// A colour: red, green and blue.
 pub(crate) type Rgb = [u8; 3];
+
+/// The frames whose colours make the palette of a film.
+const SAMPLES: u32 = 12;
+/// The longer side of these frames, in pixels. Smaller pictures have the same colours.
+const SAMPLE_SIDE: u32 = 640;
+
+/// The numbers of the frames whose colours make the palette of a film, spread over its time, and their size in pixels.
+#[must_use]
+pub fn palette_samples(script: &Script) -> (Vec<u32>, [u32; 2]) {
+    let count = script.frames().min(SAMPLES);
+    let last = u64::from(script.frames() - 1);
+    let spread = |at: u32| (u64::from(at) * last / u64::from(count.max(2) - 1)) as u32;
+    let longer = script.size[0].max(script.size[1]);
+    let size = script.size.map(|side| if longer > SAMPLE_SIDE { (side * SAMPLE_SIDE / longer).max(1) } else { side });
+    ((0..count).map(spread).collect(), size)
+}
 
 /// Makes the palette of a film from some of its frames.
 #[derive(Default)]

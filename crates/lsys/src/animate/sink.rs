@@ -5,15 +5,10 @@ use super::words;
 use crate::cli::FilmFormat;
 use crate::pending::Pending;
 use crate::{CommandFailure, print};
-use lsystem::film::{GifWriter, Palette, PaletteMaker};
+use lsystem::film::{GifWriter, Palette, PaletteMaker, palette_samples};
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-
-/// The frames whose colours make the palette of a GIF.
-const SAMPLES: u32 = 12;
-/// The longer side of these frames, in pixels. Smaller pictures have the same colours.
-const SAMPLE_SIDE: u32 = 640;
 
 /// Runs `work` as the writer of an output, and returns its failure unless the output itself fails.
 fn within(
@@ -60,14 +55,7 @@ fn refuse_terminal() -> Result<(), CommandFailure> {
 
 /// The palette of a film, from frames that are spread over its time.
 fn palette(pool: &Pool<'_>) -> Result<Palette, CommandFailure> {
-    let frames = pool.film.frames();
-    let count = frames.min(SAMPLES);
-    let last = u64::from(frames - 1);
-    let spread = |at: u32| (u64::from(at) * last / u64::from(count.max(2) - 1)) as u32;
-    let numbers: Vec<u32> = (0..count).map(spread).collect();
-    let size = pool.film.script().size;
-    let longer = size[0].max(size[1]);
-    let size = size.map(|side| if longer > SAMPLE_SIDE { (side * SAMPLE_SIDE / longer).max(1) } else { side });
+    let (numbers, size) = palette_samples(pool.film.script());
     let mut maker = PaletteMaker::default();
     pool.run(
         &numbers,
