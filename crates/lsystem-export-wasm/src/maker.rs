@@ -83,25 +83,17 @@ fn begin(Order { definition, format, options, view, camera, ratio }: Order, syst
     let n = definition.iterations;
     let outlook = Outlook { azimuth: camera.azimuth, elevation: camera.elevation };
     let (style, name) = (system.style.clone(), definition.label().to_owned());
+    let stored = if options.bare { String::new() } else { write_json(&definition) };
+    let options = FileOptions { title: name.clone(), system: stored, most: TEXT_SEGMENTS, ..options };
     match format.content {
         Content::System => Ok(text_file(write_json(&definition))),
         Content::String => string_file(system, n),
-        Content::Words(write) => {
-            let stored = if options.bare { String::new() } else { write_json(&definition) };
-            let options = FileOptions { title: name, system: stored, most: TEXT_SEGMENTS, ..options };
-            write(&definition, &system, &options)
-        }
+        Content::Words(write) => write(&definition, &system, &options),
         Content::Pixels => {
             let [width, height] = options.size.unwrap_or([USUAL; 2]);
             let viewport = Viewport { width, height, ratio };
-            let stored = if options.bare { String::new() } else { write_json(&definition) };
-            let png = PngOptions {
-                viewport,
-                dpi: options.dpi,
-                is_transparent: options.transparent,
-                system: stored,
-                band: BAND,
-            };
+            let FileOptions { dpi, transparent: is_transparent, system: stored, .. } = options;
+            let png = PngOptions { viewport, dpi, is_transparent, system: stored, band: BAND };
             Ok(match system.is_solid() {
                 true => {
                     solid_file(&system, n, move |drawing| Ok(Box::new(PngWriter::solid(drawing, style, camera, &png)?)))
@@ -116,8 +108,6 @@ fn begin(Order { definition, format, options, view, camera, ratio }: Order, syst
         }
         Content::Segments { plane, .. } => Ok(plane_file(&system, n, move |drawing| plane(drawing, TEXT_SEGMENTS))),
         Content::Paper(write) => {
-            let stored = if options.bare { String::new() } else { write_json(&definition) };
-            let options = FileOptions { title: name, system: stored, ..options };
             let most = if format.name == "svg-compact" && !system.is_solid() { FEW_SEGMENTS } else { TEXT_SEGMENTS };
             let with = move |description| FileOptions { description, most, ..options };
             if !system.is_solid() {

@@ -27,7 +27,7 @@ const PREVIEW = [640, 420];
 /** The camera's first azimuth, in degrees. */
 const AZIMUTH = 25;
 
-/** @type {Promise<ReturnType<typeof createFilms>> | null} */
+/** @type {ReturnType<typeof createFilms> | null} */
 let made = null;
 
 /**
@@ -37,8 +37,8 @@ let made = null;
  * @param {string} [text] the film to open; the last one if left out
  */
 export async function openFilm(store, stage, text) {
-    made ??= Promise.resolve(createFilms(store, stage));
-    await (await made).open(text);
+    made ??= createFilms(store, stage);
+    await made.open(text);
 }
 
 /** @param {string} id @param {readonly (readonly [string, string])[]} choices @param {string} label */
@@ -322,12 +322,12 @@ function createFilms(store, stage) {
 
     embed.addEventListener('click', async () => {
         if (!script) return;
+        if (location.protocol === 'file:' || isWhole()) return toast('This page was opened from a disk. Put it on a web server to get code that works in other pages.');
         const { width, height } = script;
         const [most = width] = FRAMES.large ?? [];
         const scale = Math.min(1, most / width);
         const page = new URL('film.html', location.href).href;
         const code = filmCode(store.state, await bestLink(store.state), film.text, page, Math.round(width * scale), Math.round(height * scale));
-        if (location.protocol === 'file:' || isWhole()) return toast('This page was opened from a disk. Put it on a web server to get code that works in other pages.');
         toast((await copyText(code)) ? 'Embed code copied' : 'The browser refused to copy.');
     });
 

@@ -16,15 +16,6 @@ import { pixelSize, sizeOf } from './choices.js';
 const CANVAS_SIDE = 4096;
 
 /**
- * Whether the page's worker makes a file: an opaque picture without a resolution, small enough for a canvas.
- * @param {FileWanted} wanted @param {import('../protocol.js').Canvas} canvas
- */
-export function isQuick({ format, values }, canvas) {
-    const size = sizeOf(pixelSize(values['size'], canvas), { most: CANVAS_SIDE });
-    return FORMATS[format].content === 'pixels' && !values['transparent'] && !values['dpi'] && size !== null;
-}
-
-/**
  * @param {object} page
  * @param {import('../store.js').Store} page.store
  * @param {import('../engine.js').Engine} page.engine
@@ -32,16 +23,16 @@ export function isQuick({ format, values }, canvas) {
  * @param {() => import('../protocol.js').Canvas} page.canvas
  */
 export function createSaveFile({ store, engine, exports, canvas }) {
-    /** A picture of the view on the page. @param {import('./choices.js').Value | undefined} size @param {boolean} isBare */
-    async function picture(size, isBare) {
-        const sides = sizeOf(pixelSize(size, canvas()), { most: CANVAS_SIDE });
-        if (!sides) throw new Error(`a canvas has at most ${CANVAS_SIDE.toLocaleString('en')} pixels each way`);
-        return engine.png(...sides, isBare ? null : definitionOf(store.state));
+    /** The width and the height of a picture that is asked for. @param {import('./choices.js').Value | undefined} size @returns {[number, number]} */
+    function sidesOf(size) {
+        const sides = sizeOf(pixelSize(size, canvas()), { most: Infinity });
+        if (!sides) throw new Error('the size is not a width and a height');
+        return sides;
     }
 
     return {
         /** A small picture of the view, with a longer side of `side` pixels. @param {number} side */
-        small: (side) => picture(String(side), true),
+        small: (side) => engine.png(...sidesOf(String(side)), null),
 
         /** The whole drawing in a picture of this size; throws if there is none. @param {number} width @param {number} height @returns {Promise<HTMLElement>} */
         async fitted(width, height) {
@@ -60,21 +51,23 @@ export function createSaveFile({ store, engine, exports, canvas }) {
          * @returns {Promise<import('./exports.js').Exported>}
          */
         async make({ format, values }, how = {}) {
-            const { mime } = FORMATS[format];
-            const shown = canvas();
-            if (isQuick({ format, values }, shown)) {
-                const blob = await picture(values['size'], values['bare'] === true);
+            const { mime, content } = FORMATS[format];
+            const { state } = store;
+            const { view, camera } = state;
+            const definition = definitionOf(state);
+            const isPicture = content === 'pixels';
+            const sides = sidesOf(isPicture ? values['size'] : '');
+            // A canvas holds neither larger pictures nor a resolution, and the page's picture has a background.
+            if (isPicture && Math.max(...sides) <= CANVAS_SIDE && !values['transparent'] && !values['dpi']) {
+                const blob = await engine.png(...sides, values['bare'] === true ? null : definition);
                 if (how.signal?.aborted) throw new Cancelled();
                 return { blob, diagnostics: [] };
             }
-            const { state } = store;
-            const size = FORMATS[format].options.some((name) => name === 'size') ? pixelSize(values['size'], shown) : null;
-            const options = size === null ? values : { ...values, size };
-            const [width] = size === null ? [shown.width] : (sizeOf(size, { most: Infinity }) ?? [shown.width]);
+            const options = isPicture ? { ...values, size: sides.join('x') } : values;
             // Lines are as wide in a larger picture as on the page, in proportion.
-            const ratio = (shown.ratio * width) / Math.max(shown.width, 1);
-            const { view, camera } = state;
-            const { blob, diagnostics } = await exports.make({ definition: definitionOf(state), format, options, view, camera, ratio }, how);
+            const shown = canvas();
+            const ratio = (shown.ratio * sides[0]) / Math.max(shown.width, 1);
+            const { blob, diagnostics } = await exports.make({ definition, format, options, view, camera, ratio }, how);
             return { blob: blob && new Blob([blob], { type: mime }), diagnostics };
         },
     };
