@@ -5,17 +5,18 @@ use lsystem_compare::SIDE;
 
 /// The angles that are tried where none is known, in degrees: those of the field's books.
 const USUAL: [f64; 14] = [90.0, 60.0, 120.0, 45.0, 30.0, 36.0, 72.0, 22.5, 25.0, 20.0, 25.7, 15.0, 18.0, 85.0];
-/// Other whole degrees are tried if they explain the strokes so much better than all usual angles.
+/// The least advantage, as a share of the strokes, by which another whole number of degrees must explain the strokes
+/// better than all usual angles; and the most such angles that are tried.
 const BETTER: f64 = 0.1;
 const OTHERS: usize = 2;
-/// The ink is looked at in about so many places.
+/// The number of places in which the ink is sampled, roughly.
 const PLACES: usize = 3000;
 /// The shortest and the longest stroke, in pixels each way.
 const SHORTEST: usize = 5;
 const LONGEST: usize = 40;
-/// A direction is known up to so many degrees.
+/// The error of a stroke's direction, in degrees.
 const OFF: f64 = 3.0;
-/// The most turns from the first heading that are thought of.
+/// The most turns from the first heading that are considered.
 const TURNS: i32 = 8;
 
 /// The angles in degrees, those first that explain the directions of the strokes best, with one of the headings.

@@ -10,7 +10,7 @@ use lsystem_compare::SIDE;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// The ink is looked at in so many places where a copy is laid on it, and where it is to be covered.
+/// The number of places that are sampled to lay a copy on the ink, and to see whether the ink is covered.
 const TESTS: usize = 240;
 const PLACES: usize = 1024;
 /// The least part of a copy that lies on ink. Its smallest twigs lie beside it: the copy has one generation more. Where
@@ -18,19 +18,19 @@ const PLACES: usize = 1024;
 const ON_INK: f64 = 0.7;
 /// The same part where the base is up to two pixels off.
 const ROUGHLY: f64 = 0.5;
-/// A copy is given up after so many misses more than that.
+/// The misses beyond the allowed ones after which a copy is given up.
 const SOME: f64 = 6.0;
-/// Copies are different if they are so many pixels apart.
+/// The least distance of two different copies, in pixels.
 const APART: f64 = 4.0;
-/// A base may be so many pixels from where the turtle comes by.
+/// The largest distance of a base from the turtle's path, in pixels.
 const NEAR: f64 = 3.0;
 /// The most copies with the same turns, the most lengths of a step, and the shortest one in pixels.
 const MAX_COPIES: usize = 24;
 const MAX_LENGTHS: usize = 12;
 const SHORTEST: f64 = 8.0;
-/// A length that leads to this part of the most copies is as promising.
+/// A length is promising if it leads to at least this share of the copies to which the best length leads.
 const PROMISING: f64 = 0.6;
-/// A step may go so many times into the way from the base to a copy.
+/// The most steps in the way from the base to a copy.
 const MAX_STEPS: usize = 4;
 /// The most turns each way that are tried at angles that lead to many headings.
 const MAX_TURNS: i32 = 6;
@@ -278,7 +278,7 @@ impl Collage {
         }
         lengths.sort_by(|a, b| b.1.total_cmp(&a.1));
         lengths.truncate(MAX_LENGTHS);
-        // Of those that are about as promising the longest one makes the shortest word.
+        // Among promising lengths, the longest one makes the shortest word.
         let enough = lengths.first().map_or(0.0, |best| best.1 * PROMISING);
         lengths.sort_by(|a, b| (b.1 > enough).cmp(&(a.1 > enough)).then(b.0.total_cmp(&a.0)));
         if self.step == Step::Copy {

@@ -12,7 +12,7 @@ const MAX_ALPHABET: usize = 60;
 const MAX_STEPS: u32 = 30;
 /// The most systems that are kept.
 const MAX_FOUND: usize = 100;
-/// A task works for so many symbols before another one is looked at.
+/// The number of symbols that a task reads before the next task's turn.
 const SHARE: u64 = 4096;
 /// The most symbols of one successor.
 const MAX_SUCCESSOR: usize = 64;

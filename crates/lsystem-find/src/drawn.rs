@@ -23,9 +23,9 @@ const MAX_SYMBOLS: usize = 24;
 /// The most symbols of the axiom, and the most derivation steps.
 const MAX_AXIOM: usize = 200;
 const MAX_STEPS: u32 = 12;
-/// A drawing with more segments is not drawn once more.
+/// The most segments of a drawing that is drawn again to confirm a system.
 const MAX_CONFIRMED: u64 = 100_000;
-/// A family tries so many systems before another one is looked at.
+/// The number of systems that a family tries before the next family's turn.
 const SHARE: u64 = 256;
 /// The sizes of the copies in collages.
 const RATIOS: [f64; 4] = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0];

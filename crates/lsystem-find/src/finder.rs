@@ -13,7 +13,7 @@ const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 const AXIOMS: [&str; 2] = ["F", "X"];
 /// The fewest and the most sides of polygons that are tried as axioms.
 const SIDES: [usize; 2] = [3, 6];
-/// A search tries so many systems before another one is looked at.
+/// The number of systems that a search tries before the next search's turn.
 const SHARE: u64 = 2048;
 
 /// What is known of a picture's system; `None` is to be found out.

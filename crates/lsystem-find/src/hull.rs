@@ -309,7 +309,7 @@ impl Hulls {
         let last = steps.last().copied().unwrap_or(0);
         let mut fits = Vec::new();
         let letters = system.draws.len();
-        // Often only the last letter's rule is the same as before, and without other letters its blocks are the same.
+        // Often the last letter's rule has not changed. If the rule has no other letters, its blocks have not changed either.
         let (word, draws) = (&system.words[letters - 1], system.draws[letters - 1]);
         let is_known = self.letters == letters
             && (&self.last.0, self.last.1, self.last.2) == (word, draws, last)

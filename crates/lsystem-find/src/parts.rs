@@ -1,8 +1,8 @@
 //! The parts of a picture that belong to its drawing: no frame around it, no caption, no specks.
 
-/// Runs of ink are of the same part if they are at most so many pixels apart. Thin lines may have gaps.
+/// The largest gap, in pixels, between two runs of ink of the same part. Thin lines may have gaps.
 const GAP: usize = 2;
-/// A part is a frame if so much of its ink lies near the sides of its box.
+/// The least share of a frame's ink that lies near the sides of the frame's box.
 const FRAME: f64 = 0.9;
 /// The width of a frame, as a part of its box.
 const FRAME_WIDTH: f64 = 0.02;
@@ -10,7 +10,7 @@ const FRAME_WIDTH: f64 = 0.02;
 const SMALLEST_FRAME: usize = 40;
 /// Parts beside the largest one are left out if they have less than this part of its ink.
 const SMALL: f64 = 0.02;
-/// Parts with at most so many pixels are specks if the largest one has at least a thousand times as many.
+/// The most pixels of a speck, if the largest part has at least a thousand times as many.
 const SPECK: usize = 6;
 
 /// Ink side by side in one row of pixels, from `left` to before `right`.

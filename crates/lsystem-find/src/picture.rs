@@ -10,7 +10,7 @@ const MARGIN: usize = 4;
 const MOST_COVERED: f64 = 0.85;
 /// Half the width of the lines that segments are drawn with, in pixels.
 const THIN: f64 = 0.75;
-/// One of so many pixels lies on a line of the usual width or a thinner one.
+/// One in this many pixels of ink lies on a line of at most the usual width.
 const USUAL: usize = 3;
 /// The directions of the hull whose area is measured.
 const DIRECTIONS: usize = 360;

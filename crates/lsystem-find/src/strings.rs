@@ -8,7 +8,7 @@ const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 const MAX_AXIOMS: usize = 8;
 /// The most symbols of all successors.
 const MOST: usize = 60;
-/// A search works for so many symbols before another one is looked at.
+/// The number of symbols that a search reads before the next search's turn.
 const SHARE: usize = 4096;
 /// The most systems that are kept.
 const MAX_KEPT: usize = 20;

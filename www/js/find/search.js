@@ -17,9 +17,9 @@ const MOST_WORKERS = 4;
  * string. One worker does the latter in 10 to 20 s on a laptop.
  */
 const WORK = { picture: { first: 65_536, most: 1 << 21 }, string: { first: 1 << 20, most: 1 << 28 } };
-/** A thorough search of a picture tries so many systems, whatever it finds. */
+/** The number of systems that a thorough search of a picture tries, whatever it finds. */
 const THOROUGH = 1 << 20;
-/** "Search longer" does so many times the work so far. */
+/** The work of "Search longer", as a multiple of the work so far. */
 const LONGER = 4;
 
 /** The workers of a search: one core is left to the page. @param {{hardwareConcurrency?: number}} machine */

@@ -21,8 +21,8 @@ use std::collections::{HashMap, HashSet};
 const SAME: f64 = 1e-6;
 /// The side of a spot, in pens.
 const SPOT: f64 = 0.5;
-/// The most strokes in place of blocks with their middles in one spot. Squares of half a pen and more across, side by
-/// side, each with a stroke along one of its sides, make about as many at most.
+/// The most strokes that stand in for blocks and have their middles in one spot. Adjacent squares of at least half a pen,
+/// each with a stroke along one side, make about six.
 const CROWD: u8 = 6;
 /// Blocks smaller than this are passed over if all their spots are full, in pens.
 const LOCAL: f64 = 8.0;

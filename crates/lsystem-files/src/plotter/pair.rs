@@ -35,10 +35,10 @@ pub(super) struct Pair {
 #[derive(Clone, Debug)]
 enum Stage {
     Prepare(NearMaker),
-    /// Collecting near points for the points that are left, from this one of them on.
+    /// Finds near points for the remaining points; the number is the next one's place in the list.
     Collect(Tree, Vec<u32>, usize, Vec<Couple>),
     Sort(Tree, Sort<Couple>),
-    /// Joining the couples, from this one on.
+    /// Joins the couples; the number is the next couple's place in the list.
     Join(Tree, Vec<Couple>, usize),
     Exchange(Tree, VecDeque<u32>),
     Done,

@@ -6,8 +6,7 @@ use crate::plane::inks::Choice;
 use crate::plane::view::{Detail, Measure, ViewTransform};
 use lsystem_drawing::Item;
 
-/// The most items that a search visits. A search for a tile with ink ends after about as many as blocks are inside each
-/// other.
+/// The most items that a search visits. In a tile with ink, a search ends after about as many items as the graph is deep.
 const MOST_ITEMS: usize = 1 << 14;
 /// The part of a coordinate that may be rounding.
 const ROUNDING: f64 = 1e-12;

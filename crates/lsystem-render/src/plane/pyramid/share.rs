@@ -12,7 +12,7 @@ pub struct Share {
     level: u32,
 }
 
-/// The tiles of the middle level for each part, at least: with so many, parts take about the same time.
+/// The least number of tiles of the middle level for each part, so that all parts take about the same time.
 const TILES_OF_A_PART: u64 = 64;
 
 impl Share {
