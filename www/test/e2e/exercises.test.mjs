@@ -94,6 +94,37 @@ test('a wrong answer gets a hint, the differences, and a link that keeps it', ()
         assert.deepEqual([await page.inputValue('#rules'), await page.inputValue('#student-name')], ['F -> F+F--F+F', 'Ada & Co']);
     }));
 
+/** Solves the Koch curve and hands the answer in; the link has exercise, answer and name. @param {Page} page @param {Page | Frame} [where] */
+async function handsIn(page, where = page) {
+    await where.fill('#rules', 'F -> F+F--F+F');
+    await where.waitForSelector('#mark.solved');
+    await where.fill('#student-name', 'Ada');
+    await where.click('#hand-in');
+    await until(async () => /Your answer is copied/.test((await where.textContent('#toast')) ?? ''), 'the answer is copied');
+    const link = await page.evaluate(() => navigator.clipboard.readText());
+    assert.match(link, /exercise\.html#v=1&x=[\w-]+&rules=F%20-%3E%20F%2BF--F%2BF&by=Ada$/);
+    assert.ok(link.includes(codeOf('koch')));
+}
+
+/** @type {import('playwright-core').BrowserContextOptions} */
+const CLIPBOARD = { permissions: ['clipboard-read', 'clipboard-write'] };
+
+test('an answer is handed in on a phone', () => withPage({ address: ADDRESS, hash: linkOf('koch'), options: { ...PHONE, ...CLIPBOARD } }, (page) => handsIn(page)));
+
+test('an answer is handed in from an exercise in another page', () =>
+    withPage({ address: ADDRESS, hash: 'docs/about.html', drawing: null, options: { ...DESKTOP, ...CLIPBOARD } }, async (page) => {
+        await page.evaluate((source) => {
+            const frame = document.createElement('iframe');
+            frame.src = source;
+            frame.allow = 'clipboard-write';
+            frame.style.cssText = 'width: 900px; height: 800px';
+            document.body.prepend(frame);
+        }, ADDRESS + linkOf('koch'));
+        const frame = await until(async () => page.frames().find((frame) => frame.url().includes('exercise.html')), 'the frame');
+        await frame.waitForSelector('#mark:visible');
+        await handsIn(page, frame);
+    }));
+
 for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a phone', PHONE]])) {
     test(`an exercise is made in the share dialog on ${name}, and hides what is to be found`, () =>
         withPage({ hash: '#v=1&title=Weed&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D-X%0AF%20-%3E%20FF&n=4&angle=25', options }, async (page) => {
@@ -218,10 +249,7 @@ test('exercises work from a disk', async () => {
     try {
         await copyFile(new URL('exercise.html', DIST), join(folder, 'exercise.html'));
         const address = pathToFileURL(join(folder, 'exercise.html')).href;
-        await withPage({ address, hash: `#v=1&x=${codeOf('koch')}` }, async (page) => {
-            await page.fill('#rules', 'F -> F+F--F+F');
-            await page.waitForSelector('#mark.solved');
-        });
+        await withPage({ address, hash: `#v=1&x=${codeOf('koch')}`, options: { ...DESKTOP, ...CLIPBOARD } }, (page) => handsIn(page));
     } finally {
         await rm(folder, { recursive: true });
     }
