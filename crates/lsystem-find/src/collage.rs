@@ -5,6 +5,7 @@
 //! where the turtle comes by; each cover is a successor. Whether the successor draws the picture is for others to say.
 
 use crate::picture::Picture;
+use crate::source::Told;
 use crate::words::{Alphabet, Symbol};
 use lsystem_compare::SIDE;
 use std::collections::HashSet;
@@ -116,13 +117,6 @@ pub(crate) struct Collage {
     told: HashSet<Vec<Symbol>>,
 }
 
-/// What a step of the search gives.
-pub(crate) enum Collected {
-    More,
-    /// A successor that may draw the picture.
-    Word(Vec<Symbol>),
-}
-
 impl Collage {
     /// `heading` and `angle` are in degrees.
     pub(crate) fn new(
@@ -171,27 +165,22 @@ impl Collage {
         })
     }
 
-    pub(crate) fn is_done(&self) -> bool {
-        self.words.is_empty() && self.turns.is_empty() && self.lengths.as_ref().is_some_and(Vec::is_empty)
-    }
-
     /// Works for some milliseconds at most.
-    pub(crate) fn advance(&mut self) -> Collected {
+    pub(crate) fn advance(&mut self) -> Told {
         if let Some(word) = self.words.pop() {
-            return Collected::Word(word);
+            return Told::Word(word);
         }
         if let Some(turns) = self.turns.pop() {
             let copies = self.find_copies(turns);
             self.copies.extend(copies);
-            return Collected::More;
+            return Told::More;
         }
         let mut lengths = self.lengths.take().unwrap_or_else(|| self.find_lengths());
         let length = lengths.pop();
         self.lengths = Some(lengths);
-        if let Some(length) = length {
-            self.cover(length);
-        }
-        Collected::More
+        let Some(length) = length else { return Told::Done };
+        self.cover(length);
+        Told::More
     }
 
     fn direction(&self, turns: i32) -> [f64; 2] {

@@ -1,8 +1,8 @@
 //! The search for the rules of a picture of which something is known, and the rest is to be found out.
 
 use crate::angles::suggested;
-use crate::drawn::{Drawn, FOUND, Known, PictureSearch, keep};
-use crate::{Picture, Searched};
+use crate::drawn::{Drawn, FOUND, keep};
+use crate::{Known, Picture, PictureSearch, Searched};
 use std::sync::Arc;
 
 /// The first headings that are tried where none is known, in degrees.

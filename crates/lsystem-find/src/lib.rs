@@ -9,20 +9,27 @@
 
 mod angles;
 mod collage;
+mod curve;
+mod curve_letters;
 mod derivation;
 mod drawn;
+mod family;
 mod finder;
 mod hull;
+mod lattice;
 mod parts;
 mod picture;
+mod picture_search;
+mod source;
 mod strings;
 mod strokes;
 mod words;
 
 pub use derivation::{Search, Searched};
-pub use drawn::{Drawn, FOUND, Known, PictureSearch};
+pub use drawn::{Drawn, FOUND};
 pub use finder::{Finder, Question, merged};
 pub use picture::Picture;
+pub use picture_search::{Known, PictureSearch};
 pub use strings::StringFinder;
 
 use lsystem_syntax::print_module;

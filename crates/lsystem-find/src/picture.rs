@@ -120,6 +120,15 @@ impl Picture {
         reach + 0.5
     }
 
+    /// The middle of the line at the corner of the hull that lies furthest in a direction, in turns.
+    pub(crate) fn corner(&self, direction: f64) -> [f64; 2] {
+        let (sin, cos) = libm::sincos(direction * std::f64::consts::TAU);
+        let along = |[x, y]: &[f64; 2]| x * cos + y * sin;
+        let furthest = self.outline.iter().max_by(|a, b| along(a).total_cmp(&along(b)));
+        let [x, y] = furthest.copied().unwrap_or_default();
+        [x - (self.stroke - 0.5) * cos, y - (self.stroke - 0.5) * sin]
+    }
+
     /// The area of the hull, by Cauchy's formula.
     pub(crate) fn hull_area(&self) -> f64 {
         let step = std::f64::consts::TAU / DIRECTIONS as f64;

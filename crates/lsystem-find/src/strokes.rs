@@ -18,6 +18,8 @@ const SOME: f64 = 8.0;
 const SAME: f64 = 0.25;
 /// A first agreement that is less is not worth a better fit.
 const PROMISING: f64 = 0.7;
+/// As many pixels are tested in the time in which a system is found to be unlike the picture, by its hull.
+const PIXELS: u64 = 256;
 /// The changes of a fit, in pixels, that are tried one after the other.
 const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
 
@@ -67,6 +69,14 @@ impl Strokes {
         Self(segments.map(stroke).collect())
     }
 
+    /// The work of a measure of the agreement, in systems that are unlike the picture.
+    pub(crate) fn work(&self, fit: Fit) -> u64 {
+        let across = 2.0 * fit.stroke + 2.0;
+        let length = |[x1, y1, x2, y2]: &[f64; 4]| libm::hypot(x2 - x1, y2 - y1) * fit.unit + across;
+        let pixels = self.0.iter().map(length).sum::<f64>() * 2.0 * across;
+        pixels as u64 * (1 + CHANGES.len() as u64 * 8) / PIXELS
+    }
+
     /// The part of the ink that agrees, with the best of the fits near this one.
     pub(crate) fn agreement(&self, target: &Target, picture: &Picture, fit: Fit) -> f64 {
         let agreement = |fit: Fit| self.mask(target, fit).agreement(&picture.mask);
@@ -109,10 +119,15 @@ pub(crate) fn put_stroke(mask: &mut Mask, [[x1, y1], [x2, y2]]: [[f64; 2]; 2], r
     let last = (SIDE - 1) as f64;
     let (dx, dy) = (x2 - x1, y2 - y1);
     let length = (dx * dx + dy * dy).max(1e-12);
-    let rows = |low: f64, high: f64| (low - reach).clamp(0.0, last) as usize..=(high + reach).clamp(0.0, last) as usize;
-    for y in rows(y1.min(y2), y1.max(y2)) {
-        for x in rows(x1.min(x2), x1.max(x2)) {
-            let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
+    let pixels = |low: f64, high: f64| low.clamp(0.0, last) as usize..=high.clamp(0.0, last) as usize;
+    for y in pixels(y1.min(y2) - reach, y1.max(y2) + reach) {
+        let middle = y as f64 + 0.5;
+        // The part of the stroke whose rows are near.
+        let part = |row: f64| ((row - y1) / dy).clamp(0.0, 1.0);
+        let [from, to] = if dy == 0.0 { [0.0, 1.0] } else { [part(middle - reach), part(middle + reach)] };
+        let [from, to] = [x1 + dx * from, x1 + dx * to];
+        for x in pixels(from.min(to) - reach - 0.5, from.max(to) + reach + 0.5) {
+            let (px, py) = (x as f64 + 0.5 - x1, middle - y1);
             let along = ((px * dx + py * dy) / length).clamp(0.0, 1.0);
             let (px, py) = (px - along * dx, py - along * dy);
             if px * px + py * py <= reach * reach {
@@ -195,5 +210,37 @@ impl Tracer<'_> {
         }
         self.strokes.push(stroke);
         Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stroke_has_the_pixels_near_it() {
+        let mut state = 3_u32;
+        let mut random = |most: f64| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state >> 8) / f64::from(1 << 24) * most
+        };
+        for case in 0..60 {
+            let [x1, y1, x2, mut y2] = [(); 4].map(|()| random(600.0) - 40.0);
+            if case % 4 == 0 {
+                y2 = y1;
+            }
+            let reach = random(4.0);
+            let mut mask = Mask::default();
+            put_stroke(&mut mask, [[x1, y1], [x2, y2]], reach);
+            let (dx, dy) = (x2 - x1, y2 - y1);
+            for (x, y) in (0..SIDE * SIDE).map(|at| (at % SIDE, at / SIDE)) {
+                let (px, py) = (x as f64 + 0.5 - x1, y as f64 + 0.5 - y1);
+                let along = ((px * dx + py * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+                let far = libm::hypot(px - along * dx, py - along * dy);
+                if (far - reach).abs() > 1e-9 {
+                    assert_eq!(mask.has(x, y), far < reach, "{x1} {y1} {x2} {y2} {reach}: {x} {y}");
+                }
+            }
+        }
     }
 }

@@ -82,7 +82,7 @@ fn best(picture: Picture, axiom: &str, angle: f64, steps: &[u32]) -> (Option<Dra
 /// An axiom, its rules, the letters that draw, the angle and the number of steps.
 type Case = (&'static str, &'static [(char, &'static str)], &'static str, f64, u32);
 
-const CASES: [Case; 12] = [
+const CASES: [Case; 16] = [
     // The four pictures of the assignment.
     ("F", &[('F', "F[+F]F")], "F", 60.0, 6),
     ("F+F+F+F", &[('F', "F-FF+F+FF-F")], "F", 90.0, 3),
@@ -99,6 +99,11 @@ const CASES: [Case; 12] = [
     ("X", &[('X', "F[+X]F[-X]+X"), ('F', "FF")], "F", 20.0, 6),
     // An angle that leads to many headings.
     ("F", &[('F', "F[+F]F[-F]")], "F", 25.7, 4),
+    // Curves whose successors are read from their edges: figure 1.7a, and those of Gosper, Hilbert and Peano.
+    ("F-F-F-F", &[('F', "F+FF-FF-F-F+F+FF-F-F+F+FF+FF-F")], "F", 90.0, 2),
+    ("F", &[('F', "F+G++G-F--FF-G+"), ('G', "-F+GG++G+F--F-G")], "FG", 60.0, 3),
+    ("X", &[('X', "+YF-XFX-FY+"), ('Y', "-XF+YFY+FX-")], "F", 90.0, 5),
+    ("X", &[('X', "XFYFX+F+YFXFY-F-XFYFX"), ('Y', "YFXFY-F-XFYFX+F+YFXFY")], "F", 90.0, 2),
 ];
 
 #[test]

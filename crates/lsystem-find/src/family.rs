@@ -1,0 +1,251 @@
+//! Families of systems: those with the same letters, whose rules are free, fixed, or the mirror image of another one.
+
+use crate::words::{Alphabet, Symbol, Words};
+
+/// The most symbols of the successors.
+pub(crate) const MAX_SYMBOLS: usize = 24;
+/// The most symbols of the axiom.
+const MAX_AXIOM: usize = 200;
+/// Other letters that draw, and letters that do not.
+const DRAWN: [char; 2] = ['F', 'G'];
+const UNDRAWN: [char; 2] = ['X', 'Y'];
+
+/// How the rule of a letter is found.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Rule {
+    /// All successors are tried.
+    Free,
+    /// All successors are tried that have no other letters.
+    Own,
+    Fixed(Vec<Symbol>),
+    /// The successor of the first letter with both letters exchanged, as a mirror shows it; also from its end.
+    Mirrored {
+        is_reversed: bool,
+    },
+}
+
+/// Systems with the same letters.
+#[derive(Clone, Debug)]
+pub(crate) struct Family {
+    pub(crate) name: String,
+    pub(crate) letters: Vec<(char, bool, Rule)>,
+    pub(crate) draws: Vec<bool>,
+    pub(crate) axiom: Vec<Symbol>,
+    pub(crate) alphabet: Alphabet,
+    /// The symbols of all free successors in this round.
+    pub(crate) round: usize,
+    /// The successors of the free letters.
+    words: Vec<Words>,
+    pub(crate) tried: u64,
+    /// The work so far, in systems that are unlike the picture.
+    pub(crate) spent: u64,
+    /// A family gets a part of the work that is smaller by this factor than that of the most usual ones.
+    pub(crate) rank: u64,
+}
+
+impl Family {
+    pub(crate) fn character(&self, symbol: Symbol) -> char {
+        match self.letters.get(usize::from(symbol)) {
+            Some((letter, ..)) => *letter,
+            None => ['+', '-', '[', ']'][usize::from(symbol - self.alphabet.letters)],
+        }
+    }
+
+    /// Goes to the next system. The first word changes first, so that the blocks of the other one are used again.
+    pub(crate) fn advance(&mut self) {
+        self.tried += 1;
+        self.spent += 1;
+        while self.round <= MAX_SYMBOLS {
+            if self.words[0].advance() {
+                return;
+            }
+            if self.words.len() > 1 && self.words[1].advance() {
+                self.words[0] = self.words[0].again();
+            } else {
+                self.share();
+            }
+        }
+    }
+
+    /// Moves one symbol from the second word to the first one, or begins the next round.
+    fn share(&mut self) {
+        let first = match &self.words[..] {
+            [first, second] if second.length() > 1 => first.length() + 1,
+            _ => {
+                self.round += 1;
+                1
+            }
+        };
+        let second = self.letters.iter().position(|(_, _, rule)| *rule == Rule::Own).unwrap_or(0);
+        let free = self.letters.iter().filter(|(_, _, rule)| matches!(rule, Rule::Free | Rule::Own)).count();
+        self.words = match free {
+            1 => vec![Words::new(self.alphabet, self.round)],
+            _ => {
+                let rest = Words::new(self.alphabet, self.round.saturating_sub(first)).from(second as Symbol);
+                vec![Words::new(self.alphabet, first), rest]
+            }
+        };
+        if let [_, rest] = &mut self.words[..] {
+            rest.advance();
+        }
+    }
+
+    /// The successors of all letters if the first one's is this. Other letters without a rule of their own are constant.
+    pub(crate) fn successors(&self, first: &[Symbol]) -> Vec<Vec<Symbol>> {
+        let successor = |(at, (_, _, rule)): (usize, &(char, bool, Rule))| match rule {
+            Rule::Fixed(word) => word.clone(),
+            Rule::Mirrored { is_reversed } => mirrored(self.alphabet, first, *is_reversed),
+            _ if at == 0 => first.to_vec(),
+            _ => vec![at as Symbol],
+        };
+        self.letters.iter().enumerate().map(successor).collect()
+    }
+
+    /// Writes the successors of all letters. Whether the system is worth a try: all letters with rules that are searched
+    /// are used.
+    pub(crate) fn set_successors(&self, all: &mut Vec<Vec<Symbol>>) -> bool {
+        let mut free = self.words.iter();
+        let Some(first) = self.words.first().map(Words::word) else { return false };
+        let abc = self.alphabet;
+        all.resize(self.letters.len(), Vec::new());
+        for (at, ((_, _, rule), word)) in self.letters.iter().zip(&mut *all).enumerate() {
+            let is_used = self.axiom.contains(&(at as Symbol)) || first.contains(&(at as Symbol));
+            if !is_used {
+                return false;
+            }
+            word.clear();
+            match rule {
+                Rule::Free | Rule::Own => word.extend_from_slice(free.next().map_or(&[], Words::word)),
+                Rule::Fixed(fixed) => word.extend_from_slice(fixed),
+                Rule::Mirrored { is_reversed: true } => word.extend(first.iter().rev().map(|&at| swapped(abc, at))),
+                Rule::Mirrored { is_reversed: false } => word.extend(first.iter().map(|&at| swapped(abc, at))),
+            }
+            // A letter that becomes itself is no rule, and another family has it.
+            if word.len() == 1 && matches!(rule, Rule::Free | Rule::Own) {
+                return false;
+            }
+        }
+        true
+    }
+}
+
+/// A word as a mirror shows it, with the first two letters exchanged; also from its end.
+pub(crate) fn mirrored(abc: Alphabet, word: &[Symbol], is_reversed: bool) -> Vec<Symbol> {
+    let mut word: Vec<Symbol> = word.iter().map(|&symbol| swapped(abc, symbol)).collect();
+    if is_reversed {
+        word.reverse();
+    }
+    word
+}
+
+/// The other one of the first two letters, or of the two turns.
+const fn swapped(abc: Alphabet, symbol: Symbol) -> Symbol {
+    match symbol {
+        0 => 1,
+        1 => 0,
+        turn if turn == abc.left() => abc.right(),
+        turn if turn == abc.right() => abc.left(),
+        other => other,
+    }
+}
+
+/// The families of systems with an axiom.
+pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
+    let mut letters: Vec<char> = Vec::new();
+    for symbol in axiom.chars().filter(|symbol| !symbol.is_whitespace()) {
+        match symbol {
+            '+' | '-' | '[' | ']' => {}
+            _ if symbol.is_ascii_alphabetic() && !letters.contains(&symbol) => letters.push(symbol),
+            _ if symbol.is_ascii_alphabetic() => {}
+            _ => return Err("an axiom of letters, turns + and -, and branches [ ] is expected"),
+        }
+    }
+    let depths = axiom.chars().scan(0, |depth, at| {
+        *depth += i32::from(at == '[') - i32::from(at == ']');
+        Some(*depth)
+    });
+    if depths.clone().any(|depth| depth < 0) || depths.last().is_some_and(|depth| depth != 0) || axiom.len() > MAX_AXIOM
+    {
+        return Err("an axiom of at most 200 symbols whose branches are closed is expected");
+    }
+    let other = |names: [char; 2]| names.into_iter().find(|name| !letters.contains(name)).unwrap_or('Z');
+    let (drawn, undrawn) = (other(DRAWN), other(UNDRAWN));
+    let mut families = Vec::new();
+    let mut add = |rank: u64, name: String, letters: Vec<(char, bool, Rule)>, has_branches: bool| {
+        let alphabet = Alphabet { letters: letters.len() as u8, has_branches, order };
+        let symbol = |at: char| match letters.iter().position(|(letter, ..)| *letter == at) {
+            Some(letter) => letter as Symbol,
+            None => alphabet.letters + "+-[]".find(at).unwrap_or(0) as Symbol,
+        };
+        let axiom = axiom.chars().filter(|at| !at.is_whitespace()).map(symbol).collect();
+        families.push(Family {
+            name,
+            draws: letters.iter().map(|(_, draws, _)| *draws).collect(),
+            letters,
+            axiom,
+            alphabet,
+            round: 1,
+            words: vec![Words::new(alphabet, 0)],
+            tried: 0,
+            spent: 0,
+            rank,
+        });
+    };
+    let (constant, doubled) = (|at| Rule::Fixed(vec![at]), |at| Rule::Fixed(vec![at, at]));
+    match letters[..] {
+        [a] => {
+            if DRAWN.contains(&a) || !UNDRAWN.contains(&a) {
+                let rank = if DRAWN.contains(&a) { 1 } else { 3 };
+                add(rank, format!("one rule for {a}"), vec![(a, true, Rule::Free)], true);
+                // Without branches there are so few successors that much longer ones are reached.
+                add(rank, format!("one rule for {a} without branches"), vec![(a, true, Rule::Free)], false);
+                for is_reversed in [false, true] {
+                    let from = if is_reversed { " from its end" } else { "" };
+                    let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Mirrored { is_reversed })];
+                    add(2 * rank, format!("a rule for {a} and its mirror image{from} for {drawn}"), pair, false);
+                }
+                let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Free)];
+                add(2 * rank, format!("rules for {a} and {drawn}"), pair, true);
+            }
+            if !DRAWN.contains(&a) {
+                for draws in [false, true] {
+                    let (kind, rank) = if draws { (", which draws", 4) } else { ("", 1) };
+                    let pair = vec![(a, draws, Rule::Free), (drawn, true, doubled(1))];
+                    add(rank, format!("{drawn} -> {drawn}{drawn} and a rule for {a}{kind}"), pair, true);
+                    let pair = vec![(a, draws, Rule::Free), (drawn, true, constant(1))];
+                    add(2 * rank, format!("a rule for {a}{kind}, with {drawn}"), pair, true);
+                }
+                let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Own)];
+                add(1, format!("rules for {a} and {drawn}, {a} without drawing, {drawn} without {a}"), pair, true);
+                let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Free)];
+                add(3, format!("rules for {a} and {drawn}, {a} without drawing"), pair, true);
+                for is_reversed in [false, true] {
+                    let from = if is_reversed { " from its end" } else { "" };
+                    let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
+                    let three = vec![(a, false, Rule::Free), mirrored, (drawn, true, constant(2))];
+                    let name = format!("a rule for {a} and its mirror image{from} for {undrawn}, with {drawn}");
+                    add(2, name, three, false);
+                }
+            }
+        }
+        [a, b] => {
+            let (f, x) = if DRAWN.contains(&b) { (b, a) } else { (a, b) };
+            let draws = DRAWN.contains(&x);
+            let pair = |rule: Rule| vec![(x, draws, Rule::Free), (f, true, rule)];
+            add(2, format!("a rule for {x}, with {f}"), pair(constant(1)), true);
+            add(1, format!("{f} -> {f}{f} and a rule for {x}"), pair(doubled(1)), true);
+            add(1, format!("rules for {f} and {x}, {f} without {x}"), pair(Rule::Own), true);
+            add(2, format!("rules for {f} and {x}"), pair(Rule::Free), true);
+            if !draws {
+                for is_reversed in [false, true] {
+                    let from = if is_reversed { " from its end" } else { "" };
+                    let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
+                    let three = vec![(x, false, Rule::Free), mirrored, (f, true, constant(2))];
+                    add(2, format!("a rule for {x} and its mirror image{from} for {undrawn}, with {f}"), three, false);
+                }
+            }
+        }
+        _ => return Err("an axiom with one or two letters is expected"),
+    }
+    Ok(families)
+}

@@ -1,0 +1,172 @@
+//! The search for the rules of a picture.
+
+use crate::drawn::{Drawn, FOUND, keep};
+use crate::family::{Family, MAX_SYMBOLS, families};
+use crate::hull::{Fit, Hulls, System, Target};
+use crate::picture::Picture;
+use crate::source::Sources;
+use crate::strokes::Strokes;
+use crate::words::Symbol;
+use crate::{Found, Searched};
+use std::sync::Arc;
+
+/// A system that agrees less is not kept.
+const NEAR: f64 = 0.8;
+/// The most derivation steps.
+const MAX_STEPS: u32 = 12;
+/// The work of a family, in systems, before the next family's turn.
+const SHARE: u64 = 256;
+
+/// What is known of a picture's system.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    /// Letters, turns and branches.
+    pub axiom: String,
+    /// In degrees.
+    pub angle: f64,
+    /// The first headings to try, in degrees counter-clockwise from the right.
+    pub headings: Vec<f64>,
+    /// The numbers of derivation steps to try, in ascending order.
+    pub steps: Vec<u32>,
+    /// The letters that draw, if they are known.
+    pub draws: Option<String>,
+}
+
+/// A search for the rules of a picture, in steps. It can be dropped at any time.
+///
+/// Each family of systems is searched by itself, with one symbol more in each round, so its shortest systems are found
+/// first.
+#[derive(Clone, Debug)]
+pub struct PictureSearch {
+    picture: Arc<Picture>,
+    /// The picture as seen with each heading.
+    targets: Vec<Target>,
+    known: Known,
+    families: Vec<Family>,
+    sources: Sources,
+    hulls: Hulls,
+    /// The successors of the present system.
+    words: Vec<Vec<Symbol>>,
+    kept: Vec<Drawn>,
+    /// Which of how many searches beside each other this one is.
+    part: (u64, u64),
+}
+
+impl PictureSearch {
+    /// `part` is which of how many searches beside each other this one is, such as (0, 1).
+    ///
+    /// # Errors
+    /// Why this cannot be searched.
+    pub fn new(picture: Arc<Picture>, known: Known, part: (u64, u64)) -> Result<Self, &'static str> {
+        if !(known.angle >= 0.01 && known.angle <= 360.0 && known.headings.iter().all(|heading| heading.is_finite())) {
+            return Err("an angle from 0.01 to 360 degrees is expected");
+        }
+        if known.steps.is_empty() || known.steps.iter().any(|&n| n == 0 || n > MAX_STEPS) {
+            return Err("1 to 12 derivation steps are expected");
+        }
+        let targets =
+            known.headings.iter().map(|&heading| Target::new(&picture, known.angle, heading)).collect::<Vec<_>>();
+        let Some(first) = targets.first() else { return Err("a first heading is expected") };
+        let mut families = families(&known.axiom, first.headings.order())?;
+        if let Some(draws) = &known.draws {
+            families.retain(|family| family.letters.iter().all(|(letter, drawn, _)| *drawn == draws.contains(*letter)));
+            if families.is_empty() {
+                return Err("the letters that draw are expected to be in the axiom, or F or G");
+            }
+        }
+        let sources = Sources::new(&picture, &known, &targets, &families, part);
+        Ok(Self {
+            picture,
+            targets,
+            known,
+            families,
+            sources,
+            hulls: Hulls::default(),
+            words: Vec::new(),
+            kept: Vec::new(),
+            part,
+        })
+    }
+
+    /// Tries about `systems` systems, or fewer that are like the picture: those are more work.
+    pub fn step(&mut self, systems: u64) -> Searched {
+        for _ in 0..2 {
+            let (picture, steps) = (&self.picture, &self.known.steps);
+            if let Some((family, word)) = self.sources.advance(picture, &self.families, steps) {
+                let words = self.families[family].successors(&word);
+                self.compare(family, &words);
+            }
+        }
+        let is_told = self.sources.is_done();
+        let mut work = 0;
+        while work < systems {
+            let open = self.families.iter().enumerate().filter(|(_, family)| family.round <= MAX_SYMBOLS);
+            let Some((at, _)) = open.min_by_key(|(_, family)| family.spent * family.rank) else {
+                return if is_told { Searched::All } else { Searched::More };
+            };
+            let before = self.families[at].spent;
+            while self.families[at].spent - before < SHARE && self.families[at].round <= MAX_SYMBOLS {
+                self.families[at].advance();
+                if self.families[at].tried % self.part.1 == self.part.0 {
+                    self.families[at].spent += self.test(at);
+                }
+            }
+            work += self.families[at].spent - before;
+        }
+        Searched::More
+    }
+
+    /// The systems that draw the picture or nearly do, best first.
+    #[must_use]
+    pub fn found(&self) -> &[Drawn] {
+        &self.kept
+    }
+
+    /// What was searched: each family, and up to how many symbols of its successors.
+    #[must_use]
+    pub fn searched(&self) -> Vec<(String, usize)> {
+        self.families.iter().map(|family| (family.name.clone(), family.round - 1)).collect()
+    }
+
+    /// Compares the present system of a family with the picture. The work beyond that for a system that is unlike it.
+    fn test(&mut self, at: usize) -> u64 {
+        let mut words = std::mem::take(&mut self.words);
+        let work = if self.families[at].set_successors(&mut words) { self.compare(at, &words) } else { 0 };
+        self.words = words;
+        work
+    }
+
+    /// Compares the system of a family that has these successors with the picture. The work is as for a test.
+    fn compare(&mut self, at: usize, words: &[Vec<Symbol>]) -> u64 {
+        let family = &self.families[at];
+        let system = System { alphabet: family.alphabet, axiom: &family.axiom, words, draws: &family.draws };
+        let (targets, picture) = (&self.targets, &self.picture);
+        let mut best: Option<(f64, u32, usize, Fit)> = None;
+        let mut work = 0;
+        self.hulls.search(targets, system, &self.known.steps, |hulls, n, at, fit| {
+            let target = &targets[at];
+            let Some(strokes) = Strokes::on_ink(system, hulls, n, target, picture, fit) else { return };
+            work += strokes.work(fit);
+            let agreement = strokes.agreement(target, picture, fit);
+            if agreement >= NEAR && best.is_none_or(|(most, ..)| agreement > most) {
+                best = Some((agreement, n, at, fit));
+            }
+        });
+        let Some((agreement, n, at, fit)) = best else { return work };
+        let text = |word: &[Symbol]| word.iter().map(|&symbol| family.character(symbol)).collect::<String>();
+        let is_constant = |at: usize| words[at] == [at as Symbol];
+        let rules = (0..words.len())
+            .filter(|&at| !is_constant(at))
+            .map(|at| (family.letters[at].0, text(&words[at])))
+            .collect();
+        let draws = family.letters.iter().filter(|(_, draws, _)| *draws).map(|(letter, ..)| *letter).collect();
+        let axiom = self.known.axiom.clone();
+        let (angle, heading) = (self.known.angle, self.known.headings[at]);
+        let mut drawn = Drawn { axiom, found: Found { rules, n }, draws, angle, heading, agreement };
+        if agreement >= FOUND {
+            drawn.confirm(&targets[at], picture, fit);
+        }
+        keep(&mut self.kept, drawn);
+        work
+    }
+}

@@ -1,0 +1,118 @@
+//! Successors that the picture itself tells, beside those that are tried one after the other.
+
+use crate::collage::{Collage, Step};
+use crate::curve::CurveSearch;
+use crate::family::{Family, Rule};
+use crate::hull::Target;
+use crate::lattice::LatticeSearch;
+use crate::picture::Picture;
+use crate::picture_search::Known;
+use crate::words::Symbol;
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// The sizes of the copies in collages.
+const RATIOS: [f64; 4] = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0];
+
+/// What tells successors, in steps.
+#[derive(Clone, Debug)]
+pub(crate) enum Source {
+    /// A plant of a family, covered with copies.
+    Collage(usize, Box<Collage>),
+    /// The lattice of the picture, as seen with a heading.
+    Lattice(LatticeSearch),
+    /// A curve of a family.
+    Curve(usize, Box<CurveSearch>),
+}
+
+/// What a step of a source gives.
+pub(crate) enum Told {
+    More,
+    Done,
+    /// A successor of the letter whose rule is free.
+    Word(Vec<Symbol>),
+}
+
+/// All sources: those of curves and those of plants by turns, each one to its end before the next one.
+#[derive(Clone, Debug)]
+pub(crate) struct Sources([VecDeque<Source>; 2]);
+
+impl Sources {
+    /// The collages are for an axiom of one letter that draws, or of one that does not with another letter that is
+    /// doubled. Each of the searches beside each other has its `part` of the sources.
+    pub(crate) fn new(
+        picture: &Arc<Picture>,
+        known: &Known,
+        targets: &[Target],
+        families: &[Family],
+        part: (u64, u64),
+    ) -> Self {
+        let lattices: Vec<Source> = targets.iter().map(LatticeSearch::new).map(Source::Lattice).collect();
+        let mut collages = Vec::new();
+        for (at, family) in families.iter().enumerate() {
+            let (step, ratios) = match &family.letters[..] {
+                [(_, true, Rule::Free)] => (Step::Copy, &RATIOS[..]),
+                [(_, false, Rule::Free), (_, true, Rule::Fixed(word))] if word.len() == 2 => {
+                    (Step::Stalk, &RATIOS[..1])
+                }
+                _ => continue,
+            };
+            if family.axiom != [0] || !family.alphabet.has_branches {
+                continue;
+            }
+            for &heading in &known.headings {
+                for &ratio in ratios {
+                    let collage = Collage::new(picture, step, ratio, family.alphabet, heading, known.angle);
+                    collages.extend(collage.map(|collage| Source::Collage(at, Box::new(collage))));
+                }
+            }
+        }
+        let own = |all: Vec<Source>| {
+            let own = all.into_iter().zip(0_u64..).filter(|(_, number)| number % part.1 == part.0);
+            own.map(|(source, _)| source).collect()
+        };
+        Self([own(lattices), own(collages)])
+    }
+
+    pub(crate) fn is_done(&self) -> bool {
+        self.0.iter().all(VecDeque::is_empty)
+    }
+
+    /// Works for some milliseconds at most. A successor that may draw the picture, with its family.
+    pub(crate) fn advance(
+        &mut self,
+        picture: &Picture,
+        families: &[Family],
+        steps: &[u32],
+    ) -> Option<(usize, Vec<Symbol>)> {
+        self.0.rotate_left(1);
+        let own = &mut self.0[1];
+        let source = own.front_mut()?;
+        let (family, told) = match source {
+            Source::Collage(family, collage) => (*family, collage.advance()),
+            Source::Curve(family, curve) => (*family, curve.advance()),
+            Source::Lattice(search) => {
+                let lattice = search.advance(picture).map(Arc::new);
+                if search.is_done() {
+                    own.pop_front();
+                }
+                if let Some(lattice) = lattice {
+                    let is_first = |at: &usize| families[..*at].iter().all(|one| one.letters != families[*at].letters);
+                    for at in (0..families.len()).filter(is_first) {
+                        let curve = CurveSearch::new(&lattice, &families[at], steps);
+                        curve.into_iter().for_each(|curve| own.push_front(Source::Curve(at, Box::new(curve))));
+                    }
+                }
+                return None;
+            }
+        };
+        match told {
+            Told::More => None,
+            Told::Word(word) => Some((family, word)),
+            Told::Done => {
+                own.pop_front();
+                None
+            }
+        }
+    }
+}
