@@ -39,7 +39,8 @@ pub(crate) struct Family {
     pub(crate) tried: u64,
     /// The work so far, in systems that are unlike the picture.
     pub(crate) spent: u64,
-    /// A family gets a part of the work that is smaller by this factor than that of the most usual ones.
+    /// A family gets a part of the work that is smaller by this factor than that of the most usual ones, or of those with
+    /// all its systems.
     pub(crate) rank: u64,
 }
 
@@ -198,18 +199,18 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
                 let rank = if DRAWN.contains(&a) { 1 } else { 3 };
                 add(rank, format!("one rule for {a}"), vec![(a, true, Rule::Free)], true);
                 // Without branches there are so few successors that much longer ones are reached.
-                add(rank, format!("one rule for {a} without branches"), vec![(a, true, Rule::Free)], false);
+                add(2 * rank, format!("one rule for {a} without branches"), vec![(a, true, Rule::Free)], false);
                 for is_reversed in [false, true] {
                     let from = if is_reversed { " from its end" } else { "" };
                     let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Mirrored { is_reversed })];
-                    add(2 * rank, format!("a rule for {a} and its mirror image{from} for {drawn}"), pair, false);
+                    add(4 * rank, format!("a rule for {a} and its mirror image{from} for {drawn}"), pair, false);
                 }
                 let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Free)];
-                add(2 * rank, format!("rules for {a} and {drawn}"), pair, true);
+                add(4 * rank, format!("rules for {a} and {drawn}"), pair, true);
             }
             if !DRAWN.contains(&a) {
                 for draws in [false, true] {
-                    let (kind, rank) = if draws { (", which draws", 4) } else { ("", 1) };
+                    let (kind, rank) = if draws { (", which draws", 8) } else { ("", 2) };
                     let pair = vec![(a, draws, Rule::Free), (drawn, true, doubled(1))];
                     add(rank, format!("{drawn} -> {drawn}{drawn} and a rule for {a}{kind}"), pair, true);
                     let pair = vec![(a, draws, Rule::Free), (drawn, true, constant(1))];
@@ -218,13 +219,13 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
                 let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Own)];
                 add(1, format!("rules for {a} and {drawn}, {a} without drawing, {drawn} without {a}"), pair, true);
                 let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Free)];
-                add(3, format!("rules for {a} and {drawn}, {a} without drawing"), pair, true);
+                add(4, format!("rules for {a} and {drawn}, {a} without drawing"), pair, true);
                 for is_reversed in [false, true] {
                     let from = if is_reversed { " from its end" } else { "" };
                     let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
                     let three = vec![(a, false, Rule::Free), mirrored, (drawn, true, constant(2))];
                     let name = format!("a rule for {a} and its mirror image{from} for {undrawn}, with {drawn}");
-                    add(2, name, three, false);
+                    add(8, name, three, false);
                 }
             }
         }
@@ -232,16 +233,16 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
             let (f, x) = if DRAWN.contains(&b) { (b, a) } else { (a, b) };
             let draws = DRAWN.contains(&x);
             let pair = |rule: Rule| vec![(x, draws, Rule::Free), (f, true, rule)];
-            add(2, format!("a rule for {x}, with {f}"), pair(constant(1)), true);
-            add(1, format!("{f} -> {f}{f} and a rule for {x}"), pair(doubled(1)), true);
+            add(4, format!("a rule for {x}, with {f}"), pair(constant(1)), true);
+            add(2, format!("{f} -> {f}{f} and a rule for {x}"), pair(doubled(1)), true);
             add(1, format!("rules for {f} and {x}, {f} without {x}"), pair(Rule::Own), true);
-            add(2, format!("rules for {f} and {x}"), pair(Rule::Free), true);
+            add(4, format!("rules for {f} and {x}"), pair(Rule::Free), true);
             if !draws {
                 for is_reversed in [false, true] {
                     let from = if is_reversed { " from its end" } else { "" };
                     let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
                     let three = vec![(x, false, Rule::Free), mirrored, (f, true, constant(2))];
-                    add(2, format!("a rule for {x} and its mirror image{from} for {undrawn}, with {f}"), three, false);
+                    add(8, format!("a rule for {x} and its mirror image{from} for {undrawn}, with {f}"), three, false);
                 }
             }
         }

@@ -9,7 +9,7 @@ use crate::words::{Alphabet, Symbol};
 use std::f64::consts::TAU;
 
 /// The fewest and the most directions of a hull.
-const FEWEST: usize = 24;
+const FEWEST: usize = 12;
 const MOST: usize = 72;
 /// How far a hull reaches that is empty.
 const NOWHERE: f32 = -1e15;

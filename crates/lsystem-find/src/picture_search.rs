@@ -5,13 +5,11 @@ use crate::family::{Family, MAX_SYMBOLS, families};
 use crate::hull::{Fit, Hulls, System, Target};
 use crate::picture::Picture;
 use crate::source::Sources;
-use crate::strokes::Strokes;
+use crate::strokes::{NEAR, Strokes};
 use crate::words::Symbol;
 use crate::{Found, Searched};
 use std::sync::Arc;
 
-/// A system that agrees less is not kept.
-const NEAR: f64 = 0.8;
 /// The most derivation steps.
 const MAX_STEPS: u32 = 12;
 /// The work of a family, in systems, before the next family's turn.

@@ -98,7 +98,8 @@ impl Sources {
                 }
                 if let Some(lattice) = lattice {
                     let is_first = |at: &usize| families[..*at].iter().all(|one| one.letters != families[*at].letters);
-                    for at in (0..families.len()).filter(is_first) {
+                    // The last one comes to the front: the first family.
+                    for at in (0..families.len()).rev().filter(is_first) {
                         let curve = CurveSearch::new(&lattice, &families[at], steps);
                         curve.into_iter().for_each(|curve| own.push_front(Source::Curve(at, Box::new(curve))));
                     }

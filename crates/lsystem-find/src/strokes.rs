@@ -16,12 +16,16 @@ const BESIDE: f64 = 0.03;
 const SOME: f64 = 8.0;
 /// Parts of a drawing whose places differ by less than this many pixels are the same part.
 const SAME: f64 = 0.25;
+/// A system that agrees less is not kept.
+pub(crate) const NEAR: f64 = 0.8;
 /// A first agreement that is less is not worth a better fit.
 const PROMISING: f64 = 0.7;
 /// As many pixels are tested in the time in which a system is found to be unlike the picture, by its hull.
 const PIXELS: u64 = 256;
 /// The changes of a fit, in pixels, that are tried one after the other.
 const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
+/// How often each change is tried at most, as long as it makes the fit better.
+const MAX_ROUNDS: usize = 6;
 
 /// Strokes from place to place, in steps.
 pub(crate) struct Strokes(Vec<[f64; 4]>);
@@ -74,7 +78,8 @@ impl Strokes {
         let across = 2.0 * fit.stroke + 2.0;
         let length = |[x1, y1, x2, y2]: &[f64; 4]| libm::hypot(x2 - x1, y2 - y1) * fit.unit + across;
         let pixels = self.0.iter().map(length).sum::<f64>() * 2.0 * across;
-        pixels as u64 * (1 + CHANGES.len() as u64 * 8) / PIXELS
+        // Each change is tried eight times in a round, and mostly in two rounds.
+        pixels as u64 * (1 + CHANGES.len() as u64 * 16) / PIXELS
     }
 
     /// The part of the ink that agrees, with the best of the fits near this one.
@@ -86,19 +91,28 @@ impl Strokes {
             return most;
         }
         for change in CHANGES {
-            for by in [change, -change] {
-                let near = [
-                    Fit { x: best.x + by, ..best },
-                    Fit { y: best.y + by, ..best },
-                    Fit { stroke: (best.stroke + by).max(0.5), ..best },
-                    Fit { unit: best.unit + by / size, ..best },
-                ];
-                for fit in near {
-                    let value = agreement(fit);
-                    if value > most {
-                        (best, most) = (fit, value);
+            for _ in 0..MAX_ROUNDS {
+                let before = most;
+                for by in [change, -change] {
+                    let near = [
+                        Fit { x: best.x + by, ..best },
+                        Fit { y: best.y + by, ..best },
+                        Fit { stroke: (best.stroke + by).max(0.5), ..best },
+                        Fit { unit: best.unit + by / size, ..best },
+                    ];
+                    for fit in near {
+                        let value = agreement(fit);
+                        if value > most {
+                            (best, most) = (fit, value);
+                        }
                     }
                 }
+                if most == before {
+                    break;
+                }
+            }
+            if most < NEAR {
+                return most;
             }
         }
         most

@@ -1,6 +1,7 @@
 //! A table of what is found in pictures: how many systems of each family, from which inputs, in which time.
 //!
-//! `table [FAMILY ...] [inputs=clean,blur] [known=all,n,angle] [seconds=10] [of=100] [verbose]`. Times are those of one thread,
+//! `table [FAMILY ...] [inputs=clean,blur] [known=all,n,angle] [seconds=10] [of=100] [name=PART]
+//! [verbose]`. Times are those of one thread,
 //! on the processor where the system tells that.
 
 mod cases;
@@ -29,7 +30,9 @@ fn main() {
         "family", "input", "known", "found", "of", "median s", "most s"
     );
     for family in cases::FAMILIES.into_iter().filter(|family| is_wanted(family)) {
-        let cases = cases::family(family, count);
+        let mut cases = cases::family(family, count);
+        let wanted = option("name").unwrap_or_default();
+        cases.retain(|case| case.name.contains(&wanted));
         for input in list("inputs", "clean") {
             for known in list("known", "all") {
                 let mut times = Vec::new();
