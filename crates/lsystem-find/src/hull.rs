@@ -282,7 +282,7 @@ pub(crate) struct System<'a> {
 /// The hulls of a system, level by level; kept so that each system uses the memory of the one before.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Hulls {
-    /// The blocks of all letters after no step, after one step, and so on, and at last that of the axiom.
+    /// The blocks of all letters after no step, after one step, and so on.
     blocks: Vec<Block>,
     letters: usize,
     /// The successor of the last letter that the blocks are of, whether it draws, and the number of steps.
@@ -296,18 +296,8 @@ impl Hulls {
         &self.blocks[n * self.letters..(n + 1) * self.letters]
     }
 
-    /// Gives each number of steps in `steps`, in ascending order, after which the system has the hull of the picture, and
-    /// for which of the `targets`, all of the same angle.
-    pub(crate) fn search(
-        &mut self,
-        targets: &[Target],
-        system: System,
-        steps: &[u32],
-        mut found: impl FnMut(&Self, u32, usize, Fit),
-    ) {
-        let Some(Target { headings, .. }) = targets.first() else { return };
-        let last = steps.last().copied().unwrap_or(0);
-        let mut fits = Vec::new();
+    /// Finds the blocks of all letters after up to `last` steps.
+    pub(crate) fn set(&mut self, headings: &Headings, system: System, last: u32) {
         let letters = system.draws.len();
         // Often the last letter's rule has not changed. If the rule has no other letters, its blocks have not changed either.
         let (word, draws) = (&system.words[letters - 1], system.draws[letters - 1]);
@@ -320,39 +310,50 @@ impl Hulls {
         }
         let changed = if is_known { letters - 1 } else { letters };
         self.letters = letters;
-        self.blocks.resize((last as usize + 1) * self.letters + 1, Block::EMPTY);
+        self.blocks.resize((last as usize + 1) * self.letters, Block::EMPTY);
         for (block, &draws) in self.blocks.iter_mut().zip(system.draws).take(changed) {
             block.set_letter(headings, draws);
         }
-        for n in 0..=last {
-            let (below, above) = self.blocks.split_at_mut((n as usize + 1) * self.letters);
-            let blocks = &below[n as usize * self.letters..];
-            if n < last {
-                for (block, word) in above.iter_mut().zip(system.words).take(changed) {
-                    block.set_word(headings, system.alphabet, word, blocks, &mut self.stack);
-                }
+        for n in 0..last as usize {
+            let (below, above) = self.blocks.split_at_mut((n + 1) * letters);
+            let blocks = &below[n * letters..];
+            for (block, word) in above.iter_mut().zip(system.words).take(changed) {
+                block.set_word(headings, system.alphabet, word, blocks, &mut self.stack);
             }
-            if steps.contains(&n) {
-                let mut axiom = Block::EMPTY;
-                let whole = match system.axiom {
-                    &[letter] if letter < system.alphabet.letters => &blocks[usize::from(letter)],
-                    word => {
-                        axiom.set_word(headings, system.alphabet, word, blocks, &mut self.stack);
-                        &axiom
-                    }
-                };
-                let reach = &whole.reach[..headings.cos.len()];
-                let moments = Moments::of(reach, headings);
-                if reach[0] <= NOWHERE / 2.0 || moments.own == 0.0 {
-                    continue;
+        }
+    }
+
+    /// Gives each number of steps in `steps`, in ascending order, after which the system has the hull of the picture, and
+    /// for which of the `targets`, all of the same angle.
+    pub(crate) fn search(
+        &mut self,
+        targets: &[Target],
+        system: System,
+        steps: &[u32],
+        mut found: impl FnMut(&Self, u32, usize, Fit),
+    ) {
+        let Some(Target { headings, .. }) = targets.first() else { return };
+        self.set(headings, system, steps.last().copied().unwrap_or(0));
+        let mut axiom = Block::EMPTY;
+        for &n in steps {
+            let blocks = &self.blocks[n as usize * self.letters..(n as usize + 1) * self.letters];
+            let whole = match system.axiom {
+                &[letter] if letter < system.alphabet.letters => &blocks[usize::from(letter)],
+                word => {
+                    axiom.set_word(headings, system.alphabet, word, blocks, &mut self.stack);
+                    &axiom
                 }
-                fits.clear();
-                for (at, target) in targets.iter().enumerate() {
-                    fits.extend(target.fits(whole, &moments).into_iter().flatten().map(|fit| (at, fit)));
-                }
-                for &(at, fit) in &fits {
-                    found(self, n, at, fit);
-                }
+            };
+            let reach = &whole.reach[..headings.cos.len()];
+            let moments = Moments::of(reach, headings);
+            if reach[0] <= NOWHERE / 2.0 || moments.own == 0.0 {
+                continue;
+            }
+            let fits =
+                targets.iter().zip(0..).flat_map(|(target, at)| target.fits(whole, &moments).map(|fit| (at, fit)));
+            let fits: Vec<(usize, Fit)> = fits.filter_map(|(at, fit)| Some((at, fit?))).collect();
+            for (at, fit) in fits {
+                found(self, n, at, fit);
             }
         }
     }

@@ -8,13 +8,13 @@
 //! system's drawing is found without drawing it; only where it is that of the picture, the strokes are laid on the ink.
 
 mod angles;
-mod collage;
 mod curve;
 mod curve_letters;
 mod derivation;
 mod drawn;
 mod family;
 mod finder;
+mod growth;
 mod hull;
 mod lattice;
 mod parts;

@@ -1,8 +1,8 @@
 //! Successors that the picture itself tells, beside those that are tried one after the other.
 
-use crate::collage::{Collage, Step};
 use crate::curve::CurveSearch;
-use crate::family::{Family, Rule};
+use crate::family::Family;
+use crate::growth::GrowthSearch;
 use crate::hull::Target;
 use crate::lattice::LatticeSearch;
 use crate::picture::Picture;
@@ -11,14 +11,11 @@ use crate::words::Symbol;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// The sizes of the copies in collages.
-const RATIOS: [f64; 4] = [1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0];
-
 /// What tells successors, in steps.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
-    /// A plant of a family, covered with copies.
-    Collage(usize, Box<Collage>),
+    /// A plant of a family, grown on the ink.
+    Growth(usize, Box<GrowthSearch>),
     /// The lattice of the picture, as seen with a heading.
     Lattice(LatticeSearch),
     /// A curve of a family.
@@ -38,8 +35,7 @@ pub(crate) enum Told {
 pub(crate) struct Sources([VecDeque<Source>; 2]);
 
 impl Sources {
-    /// The collages are for an axiom of one letter that draws, or of one that does not with another letter that is
-    /// doubled. Each of the searches beside each other has its `part` of the sources.
+    /// Each of the searches beside each other has its `part` of the sources.
     pub(crate) fn new(
         picture: &Arc<Picture>,
         known: &Known,
@@ -48,30 +44,18 @@ impl Sources {
         part: (u64, u64),
     ) -> Self {
         let lattices: Vec<Source> = targets.iter().map(LatticeSearch::new).map(Source::Lattice).collect();
-        let mut collages = Vec::new();
+        let mut plants = Vec::new();
         for (at, family) in families.iter().enumerate() {
-            let (step, ratios) = match &family.letters[..] {
-                [(_, true, Rule::Free)] => (Step::Copy, &RATIOS[..]),
-                [(_, false, Rule::Free), (_, true, Rule::Fixed(word))] if word.len() == 2 => {
-                    (Step::Stalk, &RATIOS[..1])
-                }
-                _ => continue,
-            };
-            if family.axiom != [0] || !family.alphabet.has_branches {
-                continue;
-            }
-            for &heading in &known.headings {
-                for &ratio in ratios {
-                    let collage = Collage::new(picture, step, ratio, family.alphabet, heading, known.angle);
-                    collages.extend(collage.map(|collage| Source::Collage(at, Box::new(collage))));
-                }
+            for target in targets {
+                let growth = GrowthSearch::new(picture, family, target, &known.steps);
+                plants.extend(growth.map(|growth| Source::Growth(at, Box::new(growth))));
             }
         }
         let own = |all: Vec<Source>| {
             let own = all.into_iter().zip(0_u64..).filter(|(_, number)| number % part.1 == part.0);
             own.map(|(source, _)| source).collect()
         };
-        Self([own(lattices), own(collages)])
+        Self([own(lattices), own(plants)])
     }
 
     pub(crate) fn is_done(&self) -> bool {
@@ -89,7 +73,7 @@ impl Sources {
         let own = &mut self.0[1];
         let source = own.front_mut()?;
         let (family, told) = match source {
-            Source::Collage(family, collage) => (*family, collage.advance()),
+            Source::Growth(family, growth) => (*family, growth.advance()),
             Source::Curve(family, curve) => (*family, curve.advance()),
             Source::Lattice(search) => {
                 let lattice = search.advance(picture).map(Arc::new);

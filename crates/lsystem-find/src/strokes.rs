@@ -119,7 +119,7 @@ impl Strokes {
     }
 
     /// The pixels of the strokes.
-    fn mask(&self, target: &Target, fit: Fit) -> Mask {
+    pub(crate) fn mask(&self, target: &Target, fit: Fit) -> Mask {
         let mut mask = Mask::default();
         for [x1, y1, x2, y2] in &self.0 {
             put_stroke(&mut mask, [pixel(target, fit, *x1, *y1), pixel(target, fit, *x2, *y2)], fit.stroke);
@@ -152,7 +152,7 @@ pub(crate) fn put_stroke(mask: &mut Mask, [[x1, y1], [x2, y2]]: [[f64; 2]; 2], r
 }
 
 /// A place of the turtle in the picture, from the upper left corner.
-fn pixel(target: &Target, fit: Fit, x: f64, y: f64) -> [f64; 2] {
+pub(crate) fn pixel(target: &Target, fit: Fit, x: f64, y: f64) -> [f64; 2] {
     let (cos, sin) = target.first;
     // The fit is given in the frame of the first heading.
     let (x, y) = (fit.unit * x + fit.x, fit.unit * y + fit.y);

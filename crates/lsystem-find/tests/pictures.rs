@@ -82,7 +82,7 @@ fn best(picture: Picture, axiom: &str, angle: f64, steps: &[u32]) -> (Option<Dra
 /// An axiom, its rules, the letters that draw, the angle and the number of steps.
 type Case = (&'static str, &'static [(char, &'static str)], &'static str, f64, u32);
 
-const CASES: [Case; 16] = [
+const CASES: [Case; 17] = [
     // The four pictures of the assignment.
     ("F", &[('F', "F[+F]F")], "F", 60.0, 6),
     ("F+F+F+F", &[('F', "F-FF+F+FF-F")], "F", 90.0, 3),
@@ -97,6 +97,7 @@ const CASES: [Case; 16] = [
     ("F", &[('F', "F[+F]F[-F]F")], "F", 25.7, 4),
     ("X", &[('X', "F[-X][X]F[-X]+FX"), ('F', "FF")], "F", 22.5, 5),
     ("X", &[('X', "F[+X]F[-X]+X"), ('F', "FF")], "F", 20.0, 6),
+    ("F", &[('F', "FF-[-F+F+F]+[+F-F-F]")], "F", 22.5, 4),
     // An angle that leads to many headings.
     ("F", &[('F', "F[+F]F[-F]")], "F", 25.7, 4),
     // Curves whose successors are read from their edges: figure 1.7a, and those of Gosper, Hilbert and Peano.

@@ -1,0 +1,384 @@
+//! Successors of plants, grown branch by branch on the ink of a picture.
+//!
+//! A branch in brackets moves nothing else, so the drawing of a word is a part of the drawing of the same word with one
+//! more branch, after any number of steps. A branch that leaves the ink is therefore in no successor that has the other
+//! branches too. So words grow from their trunk: each branch that stays on the ink is tried, those first after which most
+//! of the ink is covered. The scale is that of the trunk, whose end lies somewhere straight ahead of the base.
+
+use crate::family::{Family, Rule};
+use crate::hull::{Fit, Hulls, System, Target};
+use crate::picture::Picture;
+use crate::source::Told;
+use crate::strokes::{Strokes, pixel};
+use crate::words::{Alphabet, Symbol};
+use lsystem_compare::SIDE;
+use std::cmp::Reverse;
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// The shortest trunk, in pixels.
+const SHORTEST: usize = 16;
+/// The most letters of a trunk that is made of copies.
+const MAX_TRUNK: usize = 4;
+/// The most turns each way from one letter to the next.
+const MAX_BEND: i32 = 4;
+/// The most letters of a word.
+const MAX_LETTERS: usize = 12;
+/// One in this many places of the ink may be uncovered.
+const UNCOVERED: usize = 40;
+/// The number of places that tell how much is covered.
+const PLACES: usize = 1024;
+/// The most words of one trunk, and the most branches that are tried after each of them.
+const MAX_WORDS: usize = 40;
+const MAX_BRANCHES: usize = 3;
+/// The number of words that a step of the search lays on the ink.
+const SHARE: usize = 200;
+/// One in this many places of a straight line may lie beside the ink.
+const GAPS: usize = 10;
+
+/// What a plant is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    /// Copies of itself, which the turtle leaves at their ends: `F -> F[+F]F[-F]F`.
+    Copies,
+    /// Stalks with copies at their ends: `X -> F[+X][-X]FX`, `F -> FF`.
+    Stalks,
+}
+
+/// A search for the words of one family on one picture, in steps.
+#[derive(Clone, Debug)]
+pub(crate) struct GrowthSearch {
+    picture: Arc<Picture>,
+    target: Target,
+    alphabet: Alphabet,
+    axiom: Vec<Symbol>,
+    draws: Vec<bool>,
+    /// The successors of the letters; the first one is searched.
+    words: Vec<Vec<Symbol>>,
+    kind: Kind,
+    /// Where the turtle begins, in the frame of the first heading, in pixels.
+    base: [f64; 2],
+    /// The places of the ink that tell how much is covered.
+    places: Vec<[usize; 2]>,
+    /// The trunks that are still to be tried.
+    trunks: Vec<Trunk>,
+    /// The words of the present trunk that are still to grow, and those that were seen.
+    open: Vec<Plant>,
+    seen: HashSet<Vec<Symbol>>,
+    /// The words that cover the ink.
+    covering: Vec<Vec<Symbol>>,
+    /// The number of words that were laid on the ink.
+    tested: usize,
+    scale: Scale,
+    left: usize,
+    hulls: Hulls,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Trunk {
+    n: u8,
+    letters: u8,
+    /// In half pixels: a plant may be some times as high as its trunk.
+    length: u16,
+}
+
+/// The number of steps, and the length of a line in pixels.
+#[derive(Clone, Copy, Debug, Default)]
+struct Scale {
+    n: u32,
+    unit: f64,
+    /// The length of a letter that steps forward, in pixels.
+    step: f64,
+    /// The letters of the trunk; they come first.
+    trunk: usize,
+}
+
+/// A letter of a word, on a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Branch {
+    /// The letter at whose end it begins, or none at the base.
+    from: Option<usize>,
+    /// The turns from the first heading.
+    turns: i32,
+    /// Whether it is a copy at the end of a branch, from which nothing grows.
+    is_leaf: bool,
+}
+
+/// A word as a tree.
+#[derive(Clone, Debug)]
+struct Plant {
+    branches: Vec<Branch>,
+    /// The branches that may come next.
+    next: Vec<Branch>,
+}
+
+impl GrowthSearch {
+    /// A search for words of a family whose axiom is one letter that draws, or one that does not with another letter that
+    /// is doubled.
+    pub(crate) fn new(picture: &Arc<Picture>, family: &Family, target: &Target, steps: &[u32]) -> Option<Self> {
+        let kind = match &family.letters[..] {
+            [(_, true, Rule::Free)] => Kind::Copies,
+            [(_, false, Rule::Free), (_, true, Rule::Fixed(word))] if word.len() == 2 => Kind::Stalks,
+            _ => return None,
+        };
+        if family.axiom != [0] || !family.alphabet.has_branches {
+            return None;
+        }
+        let ink: Vec<[usize; 2]> =
+            (0..SIDE * SIDE).map(|at| [at % SIDE, at / SIDE]).filter(|&[x, y]| picture.mask.has(x, y)).collect();
+        // Each one of a row of places that lie everywhere.
+        let places = (0..PLACES).map(|at| ink[(at * ink.len() + ink.len() / 2) / PLACES]).collect();
+        let base = base(&ink, target, picture.stroke)?;
+        let mut search = Self {
+            picture: picture.clone(),
+            target: target.clone(),
+            alphabet: family.alphabet,
+            axiom: family.axiom.clone(),
+            draws: family.draws.clone(),
+            words: family.successors(&[]),
+            kind,
+            base,
+            places,
+            trunks: Vec::new(),
+            open: Vec::new(),
+            seen: HashSet::new(),
+            covering: Vec::new(),
+            tested: 0,
+            scale: Scale::default(),
+            left: 0,
+            hulls: Hulls::default(),
+        };
+        let straight = (SHORTEST..SIDE).take_while(|&length| search.is_inked([0.0, 0.0], length as f64, 0)).last()?;
+        for length in 2 * SHORTEST..=2 * straight + 2 {
+            let letters = if kind == Kind::Copies { 1..=MAX_TRUNK } else { 1..=1 };
+            for (letters, &n) in letters.flat_map(|letters| steps.iter().map(move |n| (letters, n))) {
+                let (n, letters, length) = (n as u8, letters as u8, length as u16);
+                search.trunks.push(Trunk { n, letters, length });
+            }
+        }
+        // Those with the longest lines come first: they have the fewest strokes.
+        let mut trunks = std::mem::take(&mut search.trunks);
+        trunks.sort_by(|a, b| search.scale_of(*a).unit.total_cmp(&search.scale_of(*b).unit));
+        search.trunks = trunks;
+        Some(search)
+    }
+
+    /// Works for some milliseconds at most.
+    pub(crate) fn advance(&mut self) -> Told {
+        self.tested = 0;
+        while self.tested < SHARE {
+            if let Some(word) = self.covering.pop() {
+                return Told::Word(word);
+            }
+            if let Some(plant) = self.open.pop().filter(|_| self.left > 0) {
+                self.left -= 1;
+                self.grow(&plant);
+                continue;
+            }
+            let Some(trunk) = self.trunks.pop() else { return Told::Done };
+            self.left = MAX_WORDS;
+            self.begin(trunk);
+        }
+        Told::More
+    }
+
+    fn scale_of(&self, trunk: Trunk) -> Scale {
+        let (length, letters) = (f64::from(trunk.length) / 2.0, f64::from(trunk.letters));
+        let unit = match self.kind {
+            Kind::Copies => length / libm::pow(letters, f64::from(trunk.n)),
+            Kind::Stalks => length / libm::ldexp(1.0, i32::from(trunk.n) - 1),
+        };
+        Scale { n: trunk.n.into(), unit, step: length / letters, trunk: trunk.letters.into() }
+    }
+
+    /// Begins with a trunk, if it stays on the ink.
+    fn begin(&mut self, trunk: Trunk) {
+        let letters = usize::from(trunk.letters);
+        self.scale = self.scale_of(trunk);
+        self.open.clear();
+        self.seen.clear();
+        let branches: Vec<Branch> =
+            (0..letters).map(|at| Branch { from: at.checked_sub(1), turns: 0, is_leaf: false }).collect();
+        if self.scale.unit >= 1.0 && self.covered(&branches).is_some() {
+            let bases = std::iter::once(None).chain((0..letters).map(Some));
+            let next = bases.flat_map(|from| self.branches_from(from, 0)).collect();
+            let plant = self.kept(branches, next);
+            self.open.push(plant);
+        }
+    }
+
+    /// The branches that may begin at the end of a letter with this heading.
+    fn branches_from(&self, from: Option<usize>, turns: i32) -> Vec<Branch> {
+        let order = self.alphabet.order as i32;
+        let most = MAX_BEND.min(order / 2);
+        let bends = (-most..=most).filter(move |bend| 2 * bend != -order);
+        let kinds: &[bool] = if self.kind == Kind::Copies { &[false] } else { &[false, true] };
+        bends.flat_map(|bend| kinds.iter().map(move |&is_leaf| Branch { from, turns: turns + bend, is_leaf })).collect()
+    }
+
+    /// A plant with those of the next branches that stay on the ink.
+    fn kept(&mut self, branches: Vec<Branch>, next: Vec<Branch>) -> Plant {
+        let is_kept = |search: &mut Self, branch: &Branch| {
+            if branches.contains(branch) {
+                return false;
+            }
+            let from = search.end(&branches, branch.from);
+            let length = if branch.is_leaf { 0.0 } else { search.scale.step };
+            if !search.is_inked(from, length, branch.turns) {
+                return false;
+            }
+            let all: Vec<Branch> = branches.iter().copied().chain([*branch]).collect();
+            search.strokes(&all).is_some()
+        };
+        let next = next.into_iter().filter(|branch| is_kept(self, branch)).collect();
+        Plant { branches, next }
+    }
+
+    /// Grows each of the best branches on a plant.
+    fn grow(&mut self, plant: &Plant) {
+        if plant.branches.len() == MAX_LETTERS {
+            return;
+        }
+        let mut best: Vec<(usize, Branch)> = Vec::new();
+        for &branch in &plant.next {
+            let branches: Vec<Branch> = plant.branches.iter().copied().chain([branch]).collect();
+            best.extend(self.covered(&branches).map(|covered| (covered, branch)));
+        }
+        best.sort_by_key(|(covered, _)| Reverse(*covered));
+        best.truncate(MAX_BRANCHES);
+        for &(covered, branch) in best.iter().rev() {
+            let branches: Vec<Branch> = plant.branches.iter().copied().chain([branch]).collect();
+            let word = self.word(&branches);
+            if !self.seen.insert(word.clone()) {
+                continue;
+            }
+            if (PLACES - covered) * UNCOVERED <= PLACES {
+                self.covering.push(word);
+            }
+            let new =
+                if branch.is_leaf { Vec::new() } else { self.branches_from(Some(branches.len() - 1), branch.turns) };
+            let next = plant.next.iter().copied().chain(new).collect();
+            let plant = self.kept(branches, next);
+            self.open.push(plant);
+        }
+    }
+
+    fn fit(&self) -> Fit {
+        Fit { unit: self.scale.unit, x: self.base[0], y: self.base[1], stroke: self.picture.stroke }
+    }
+
+    /// The strokes of a plant, if they stay on the ink.
+    fn strokes(&mut self, branches: &[Branch]) -> Option<Strokes> {
+        self.tested += 1;
+        self.words[0] = self.word(branches);
+        let Self { hulls, words, axiom, draws, alphabet, target, picture, scale, .. } = self;
+        let system = System { alphabet: *alphabet, axiom, words, draws };
+        hulls.set(&target.headings, system, scale.n);
+        let fit = Fit { unit: scale.unit, x: self.base[0], y: self.base[1], stroke: picture.stroke };
+        Strokes::on_ink(system, hulls, scale.n, target, picture, fit)
+    }
+
+    /// How many places the strokes of a plant cover, if they stay on the ink.
+    fn covered(&mut self, branches: &[Branch]) -> Option<usize> {
+        let fit = self.fit();
+        let strokes = self.strokes(branches)?;
+        let mask = strokes.mask(&self.target, Fit { stroke: fit.stroke + 1.0, ..fit });
+        Some(self.places.iter().filter(|&&[x, y]| mask.has(x, y)).count())
+    }
+
+    /// Where a letter ends, from the base, in the frame of the first heading, in pixels.
+    fn end(&self, branches: &[Branch], mut at: Option<usize>) -> [f64; 2] {
+        let mut end = [0.0, 0.0];
+        while let Some(branch) = at.map(|at| branches[at]) {
+            let (cos, sin) = self.direction(branch.turns);
+            end = [end[0] + cos * self.scale.step, end[1] + sin * self.scale.step];
+            at = branch.from;
+        }
+        end
+    }
+
+    fn direction(&self, turns: i32) -> (f64, f64) {
+        let all = &self.target.headings.all;
+        let (cos, sin, ..) = all[turns.rem_euclid(all.len() as i32) as usize];
+        (cos, sin)
+    }
+
+    /// Whether a straight line from a place, in the frame of the first heading, lies on the ink.
+    fn is_inked(&self, from: [f64; 2], length: f64, turns: i32) -> bool {
+        let (cos, sin) = self.direction(turns);
+        let fit = Fit { unit: 1.0, x: self.base[0], y: self.base[1], stroke: 0.0 };
+        let steps = length.ceil() as usize;
+        let is_missing = |at: &usize| {
+            let far = *at as f64;
+            let [x, y] = pixel(&self.target, fit, from[0] + cos * far, from[1] + sin * far);
+            !(x >= 0.0
+                && y >= 0.0
+                && x < SIDE as f64
+                && y < SIDE as f64
+                && self.picture.close.has(x as usize, y as usize))
+        };
+        (0..=steps).filter(is_missing).count() * GAPS <= steps
+    }
+
+    /// The word of a tree. The turtle leaves a plant of copies at the end of its trunk; elsewhere it does not come back from
+    /// the last branch.
+    fn word(&self, branches: &[Branch]) -> Vec<Symbol> {
+        let mut word = Vec::new();
+        self.write(branches, None, 0, &mut word);
+        word
+    }
+
+    fn write(&self, branches: &[Branch], at: Option<usize>, heading: i32, word: &mut Vec<Symbol>) {
+        let mut from: Vec<usize> = (0..branches.len()).filter(|&branch| branches[branch].from == at).collect();
+        from.sort_by_key(|&branch| (branches[branch].turns, branches[branch].is_leaf));
+        let is_on_trunk = self.kind == Kind::Copies && at.is_none_or(|at| at < self.scale.trunk);
+        let last = match is_on_trunk {
+            true => from.iter().position(|&branch| branch < self.scale.trunk),
+            // As books do, the stalk that goes on most straight comes last.
+            false => (0..from.len()).max_by_key(|&at| {
+                let branch = branches[from[at]];
+                (!branch.is_leaf, Reverse((branch.turns - heading).abs()), at)
+            }),
+        };
+        let last = last.map(|last| from.remove(last));
+        let letter = |branch: usize| match (self.kind, branches[branch].is_leaf) {
+            (Kind::Copies, _) | (_, true) => 0,
+            (Kind::Stalks, false) => 1,
+        };
+        for branch in from {
+            word.push(self.alphabet.open());
+            self.turn(branches[branch].turns - heading, word);
+            word.push(letter(branch));
+            self.write(branches, Some(branch), branches[branch].turns, word);
+            word.push(self.alphabet.close());
+        }
+        if let Some(branch) = last {
+            self.turn(branches[branch].turns - heading, word);
+            word.push(letter(branch));
+            self.write(branches, Some(branch), branches[branch].turns, word);
+        }
+    }
+
+    fn turn(&self, turns: i32, word: &mut Vec<Symbol>) {
+        let order = self.alphabet.order as i32;
+        let turns = (turns + order / 2).rem_euclid(order) - order / 2;
+        let symbol = if turns > 0 { self.alphabet.left() } else { self.alphabet.right() };
+        word.extend(std::iter::repeat_n(symbol, turns.unsigned_abs() as usize));
+    }
+}
+
+/// Where a turtle begins, in the frame of the first heading: at the ink that reaches furthest against its heading, if that
+/// is one stroke.
+fn base(ink: &[[usize; 2]], target: &Target, stroke: f64) -> Option<[f64; 2]> {
+    let (cos, sin) = target.first;
+    let place = |&[x, y]: &[usize; 2]| (x as f64 + 0.5, -(y as f64 + 0.5));
+    let along = |at: &[usize; 2]| place(at).0 * cos + place(at).1 * sin;
+    let across = |at: &[usize; 2]| place(at).1 * cos - place(at).0 * sin;
+    let least = ink.iter().map(along).fold(f64::INFINITY, f64::min);
+    let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+    for at in ink.iter().filter(|at| along(at) < least + 1.0) {
+        (left, right) = (left.min(across(at)), right.max(across(at)));
+    }
+    let is_one_stroke = right - left <= 2.0 * stroke + 3.0;
+    is_one_stroke.then_some([least + stroke - 0.5, f64::midpoint(left, right)])
+}
