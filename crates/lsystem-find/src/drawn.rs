@@ -10,6 +10,9 @@ use std::iter::once;
 
 /// From this agreement on a system is told as found.
 pub const FOUND: f64 = 0.985;
+/// Of systems that draw the picture, those whose agreement is less than the best one's by at least this come after the
+/// others, however short they are.
+const AS_GOOD: f64 = 0.005;
 /// The most systems that are kept.
 const MAX_KEPT: usize = 20;
 /// The most segments of a drawing that is drawn again to confirm a system.
@@ -83,12 +86,30 @@ pub(crate) fn keep(kept: &mut Vec<Drawn>, drawn: Drawn) {
         return;
     }
     kept.push(drawn);
+    let best = kept.iter().map(|drawn| drawn.agreement).fold(0.0, f64::max);
     kept.sort_by(|a, b| {
-        let found = |drawn: &Drawn| drawn.agreement >= FOUND;
+        let found = |drawn: &Drawn| drawn.agreement >= FOUND && drawn.agreement > best - AS_GOOD;
         let by_size = a.found.symbols().cmp(&b.found.symbols());
         let by_agreement = b.agreement.total_cmp(&a.agreement);
         let order = if found(a) { by_size.then(by_agreement) } else { by_agreement.then(by_size) };
         found(b).cmp(&found(a)).then(order).then_with(|| a.found.text().cmp(&b.found.text()))
     });
     kept.truncate(MAX_KEPT);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_systems_come_first_if_they_are_as_good() {
+        let mut kept = Vec::new();
+        for (successor, agreement) in [("FFF+F", 1.0), ("F+F", 0.986), ("F[+F]F", 0.998), ("FF", 0.9)] {
+            let found = Found { rules: vec![('F', successor.to_owned())], n: 4 };
+            let (axiom, draws) = ("F".to_owned(), "F".to_owned());
+            keep(&mut kept, Drawn { axiom, found, draws, angle: 60.0, heading: 90.0, agreement });
+        }
+        let order: Vec<&str> = kept.iter().map(|drawn| drawn.found.rules[0].1.as_str()).collect();
+        assert_eq!(order, ["FFF+F", "F[+F]F", "F+F", "FF"]);
+    }
 }
