@@ -11,7 +11,7 @@ const SHARE = { picture: 2048, string: 65_536 };
 /** Reports are at least this far apart, in milliseconds. */
 const BEAT = 250;
 
-/** The present search; `work` is what it did so far. @type {{finder: wasm_bindgen.RuleFinder, share: number, work: number, isMore: boolean} | null} */
+/** The present search; `work` is what it did so far. @type {{finder: wasm_bindgen.RuleFinder, share: number, isString: boolean, work: number, isMore: boolean} | null} */
 let search = null;
 
 /** @returns {FindReport} */
@@ -28,7 +28,7 @@ serve((module) => wasm_bindgen.initSync({ module }), {
         const finder = isString
             ? wasm_bindgen.RuleFinder.ofString(source.text, question)
             : wasm_bindgen.RuleFinder.ofPicture(source.grey, source.width, source.height, question, part, parts);
-        search = { finder, share: isString ? SHARE.string : SHARE.picture, work: 0, isMore: true };
+        search = { finder, isString, share: isString ? SHARE.string : SHARE.picture, work: 0, isMore: true };
         return null;
     },
     *search({ until }) {
@@ -37,7 +37,8 @@ serve((module) => wasm_bindgen.initSync({ module }), {
             const end = performance.now() + STEP_MS;
             do {
                 search.isMore = search.finder.step(search.share);
-                search.work += search.share;
+                // Systems that are like the picture are more work, so a step may try fewer.
+                search.work = search.isString ? search.work + search.share : search.finder.tried();
             } while (search.isMore && search.work < until && performance.now() < end);
             const now = performance.now();
             if (now - last < BEAT) yield;

@@ -95,6 +95,15 @@ impl RuleFinder {
         searched == Searched::More
     }
 
+    /// How many systems of a picture were tried so far, by all searches beside each other, if each is as far as this one.
+    #[must_use]
+    pub fn tried(&self) -> f64 {
+        match &self.search {
+            Search::Picture(finder) => finder.tried() as f64,
+            Search::String(_) => 0.0,
+        }
+    }
+
     /// What was found and searched so far: `{candidates: [{definition, symbols, agreement, isFound}], searched}`.
     ///
     /// # Errors

@@ -37,8 +37,6 @@ pub(crate) struct Family {
     /// The successors of the free letters.
     words: Vec<Words>,
     pub(crate) tried: u64,
-    /// The work so far, in systems that are unlike the picture.
-    pub(crate) spent: u64,
     /// A family gets a part of the work that is smaller by this factor than that of the most usual ones, or of those with
     /// all its systems.
     pub(crate) rank: u64,
@@ -55,7 +53,6 @@ impl Family {
     /// Goes to the next system. The first word changes first, so that the blocks of the other one are used again.
     pub(crate) fn advance(&mut self) {
         self.tried += 1;
-        self.spent += 1;
         while self.round <= MAX_SYMBOLS {
             if self.words[0].advance() {
                 return;
@@ -188,7 +185,6 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
             round: 1,
             words: vec![Words::new(alphabet, 0)],
             tried: 0,
-            spent: 0,
             rank,
         });
     };

@@ -39,6 +39,8 @@ pub struct Finder {
     searches: Vec<Part>,
     steps: Vec<u32>,
     kept: Vec<Drawn>,
+    /// The search that goes on now, and how many systems are left before the next one's turn.
+    turn: (usize, u64),
 }
 
 /// The search of one axiom with one angle.
@@ -47,10 +49,8 @@ struct Part {
     axiom: String,
     angle: f64,
     search: PictureSearch,
-    /// The work so far, times how unusual the axiom and the angle are.
-    spent: u64,
+    /// How unusual the axiom and the angle are.
     rank: u64,
-    is_done: bool,
 }
 
 impl Finder {
@@ -76,24 +76,42 @@ impl Finder {
                 let (headings, steps, draws) = (headings.clone(), steps.clone(), question.draws.clone());
                 let known = Known { axiom: axiom.clone(), angle, headings, steps, draws };
                 let search = PictureSearch::new(picture.clone(), known, part)?;
-                searches.push(Part { axiom, angle, search, spent: 0, rank: rank * usual, is_done: false });
+                searches.push(Part { axiom, angle, search, rank: rank * usual });
             }
         }
-        Ok(Self { searches, steps, kept: Vec::new() })
+        Ok(Self { searches, steps, kept: Vec::new(), turn: (0, 0) })
     }
 
-    /// Tries about `systems` systems.
+    /// Tries about `systems` systems, or fewer that are like the picture: those are more work.
     pub fn step(&mut self, systems: u64) -> Searched {
-        for _ in 0..systems.div_ceil(SHARE) {
-            let open = self.searches.iter_mut().filter(|part| !part.is_done);
-            let Some(part) = open.min_by_key(|part| part.spent) else { return Searched::All };
-            part.spent += part.rank;
-            part.is_done = part.search.step(SHARE.min(systems)) == Searched::All;
-            for drawn in part.search.found() {
+        let mut work = systems;
+        while work > 0 {
+            if self.turn.1 == 0 {
+                let open = self.searches.iter().enumerate().filter(|(_, part)| !part.search.is_done());
+                let Some((at, _)) = open.min_by_key(|(_, part)| part.search.tried() * part.rank) else {
+                    return Searched::All;
+                };
+                self.turn = (at, SHARE);
+            }
+            let search = &mut self.searches[self.turn.0].search;
+            let before = search.tried();
+            search.advance(self.turn.1.min(work), &mut work);
+            let tried = search.tried() - before;
+            // A search that has no more systems may still have plants and curves.
+            work = if tried == 0 { work.saturating_sub(SHARE) } else { work };
+            self.turn.1 = if tried == 0 { 0 } else { self.turn.1 - tried };
+            for drawn in search.found() {
                 keep(&mut self.kept, drawn.clone());
             }
         }
         Searched::More
+    }
+
+    /// The number of systems that all searches beside each other tried, if each is as far as this one. Those that tried as
+    /// many tried the same.
+    #[must_use]
+    pub fn tried(&self) -> u64 {
+        self.searches.iter().map(|part| part.search.tried()).sum()
     }
 
     /// The systems that draw the picture or nearly do, best first.
@@ -156,7 +174,7 @@ fn searched(finders: &[&Finder]) -> String {
     let mut angles: Vec<f64> = Vec::new();
     for (at, part) in first.searches.iter().enumerate() {
         let searches = || finders.iter().filter_map(|finder| finder.searches.get(at));
-        if searches().any(|part| part.spent == 0) {
+        if searches().any(|part| part.search.tried() == 0) {
             continue;
         }
         if !angles.contains(&part.angle) {

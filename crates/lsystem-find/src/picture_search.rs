@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// The most derivation steps.
 const MAX_STEPS: u32 = 12;
-/// The work of a family, in systems, before the next family's turn.
+/// The number of systems that a family tries before the next family's turn.
 const SHARE: u64 = 256;
 
 /// What is known of a picture's system.
@@ -46,6 +46,8 @@ pub struct PictureSearch {
     /// The successors of the present system.
     words: Vec<Vec<Symbol>>,
     kept: Vec<Drawn>,
+    /// The family that is searched now, and how many systems are left before the next one's turn.
+    turn: (usize, u64),
     /// Which of how many searches beside each other this one is.
     part: (u64, u64),
 }
@@ -82,36 +84,54 @@ impl PictureSearch {
             hulls: Hulls::default(),
             words: Vec::new(),
             kept: Vec::new(),
+            turn: (0, 0),
             part,
         })
     }
 
     /// Tries about `systems` systems, or fewer that are like the picture: those are more work.
     pub fn step(&mut self, systems: u64) -> Searched {
+        self.advance(systems, &mut { systems });
+        if self.is_done() { Searched::All } else { Searched::More }
+    }
+
+    pub(crate) fn is_done(&self) -> bool {
+        self.sources.is_done() && self.families.iter().all(|family| family.round > MAX_SYMBOLS)
+    }
+
+    /// The number of systems that were tried, or that others beside this search tried.
+    pub(crate) fn tried(&self) -> u64 {
+        self.families.iter().map(|family| family.tried).sum()
+    }
+
+    /// Tries at most so many systems, and ends where the work is done: in which order systems are tried does not depend on
+    /// it.
+    pub(crate) fn advance(&mut self, systems: u64, work: &mut u64) {
         for _ in 0..2 {
             let (picture, steps) = (&self.picture, &self.known.steps);
             if let Some((family, word)) = self.sources.advance(picture, &self.families, steps) {
                 let words = self.families[family].successors(&word);
-                self.compare(family, &words);
+                *work = work.saturating_sub(self.compare(family, &words));
             }
         }
-        let is_told = self.sources.is_done();
-        let mut work = 0;
-        while work < systems {
-            let open = self.families.iter().enumerate().filter(|(_, family)| family.round <= MAX_SYMBOLS);
-            let Some((at, _)) = open.min_by_key(|(_, family)| family.spent * family.rank) else {
-                return if is_told { Searched::All } else { Searched::More };
+        for _ in 0..systems {
+            if self.turn.1 == 0 {
+                let open = self.families.iter().enumerate().filter(|(_, family)| family.round <= MAX_SYMBOLS);
+                let Some((at, _)) = open.min_by_key(|(_, family)| family.tried * family.rank) else { return };
+                self.turn = (at, SHARE);
+            }
+            let at = self.turn.0;
+            self.families[at].advance();
+            self.turn.1 = if self.families[at].round > MAX_SYMBOLS { 0 } else { self.turn.1 - 1 };
+            let spent = match self.families[at].tried % self.part.1 == self.part.0 {
+                true => self.test(at),
+                false => 0,
             };
-            let before = self.families[at].spent;
-            while self.families[at].spent - before < SHARE && self.families[at].round <= MAX_SYMBOLS {
-                self.families[at].advance();
-                if self.families[at].tried % self.part.1 == self.part.0 {
-                    self.families[at].spent += self.test(at);
-                }
+            *work = work.saturating_sub(1 + spent);
+            if *work == 0 {
+                return;
             }
-            work += self.families[at].spent - before;
         }
-        Searched::More
     }
 
     /// The systems that draw the picture or nearly do, best first.
