@@ -20,6 +20,7 @@ mod page;
 mod pair;
 mod pen;
 mod sort;
+mod spots;
 mod write;
 
 use super::{FileOptions, Writer};
@@ -33,6 +34,7 @@ use merge::Merge;
 pub use options::{Corner, PlotOptions};
 use order::{Order, best_start};
 use page::{Page, distance};
+use spots::Spots;
 use std::sync::Arc;
 use write::{Layer, Writing};
 
@@ -58,7 +60,7 @@ enum Stage {
     /// Finding the facts about the blocks.
     Look(Arc<Drawing>, BlockFacts),
     Gather(Arc<Drawing>, BlockFacts, Box<(Gather, Merge)>),
-    Merge(Box<Merge>),
+    Merge(Box<Merge>, Spots),
     Join(Box<Join>),
     /// Adding up the lengths, from this polyline on, and sorting the polylines by layers.
     Measure(usize, Vec<Vec<u32>>),
@@ -135,13 +137,15 @@ impl PlotWriter {
                         let (gather, merge) = *both;
                         self.summary.travel_before = gather.travel_home();
                         self.colours = gather.colours;
-                        Stage::Merge(Box::new(merge))
+                        Stage::Merge(Box::new(merge), gather.spots)
                     }
                 }
             }
-            Stage::Merge(mut merge) => match merge.step(meter) {
-                Progress::More => Stage::Merge(merge),
-                Progress::Done => Stage::Join(Box::new(Join::new(merge.finish(), self.options.least, self.page.size))),
+            Stage::Merge(mut merge, spots) => match merge.step(meter) {
+                Progress::More => Stage::Merge(merge, spots),
+                Progress::Done => {
+                    Stage::Join(Box::new(Join::new(merge.finish(), spots, &self.options, self.page.size)))
+                }
             },
             Stage::Join(mut join) => match join.step(meter) {
                 Progress::More => Stage::Join(join),
