@@ -22,8 +22,8 @@ pub struct Format {
     pub label: &'static str,
     /// A description, as a noun phrase.
     pub help: &'static str,
-    /// The purpose of the format's files.
-    pub purpose: Purpose,
+    /// The purposes of the format's files.
+    pub purposes: &'static [Purpose],
     /// The input of the format's writer.
     pub content: Content,
     /// The names of the choices that the format reads, in the order of [`FILE_OPTIONS`](crate::FILE_OPTIONS).
@@ -158,7 +158,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "image/svg+xml",
         label: "SVG",
         help: "Picture of strokes",
-        purpose: Purpose::Screen,
+        purposes: &[Purpose::Screen],
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Flat)),
         options: &["transparent", "bare"],
     },
@@ -168,7 +168,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "image/svg+xml",
         label: "Compact SVG",
         help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
-        purpose: Purpose::Screen,
+        purposes: &[Purpose::Screen],
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Compact)),
         options: &["transparent", "bare"],
     },
@@ -178,7 +178,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "image/svg+xml",
         label: "Plotter SVG",
         help: "Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel",
-        purpose: Purpose::Plotter,
+        purposes: &[Purpose::Plotter],
         content: Content::Paper(|drawing, style, options| Ok(Box::new(PlotWriter::new(drawing, style, options)))),
         options: &[
             "sheet",
@@ -200,7 +200,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "image/png",
         label: "PNG",
         help: "Picture of pixels",
-        purpose: Purpose::Screen,
+        purposes: &[Purpose::Screen, Purpose::Print],
         content: Content::Pixels,
         options: &["size", "dpi", "transparent", "bare"],
     },
@@ -210,7 +210,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "application/pdf",
         label: "PDF",
         help: "Page of strokes",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Paper(|drawing, style, options| {
             PdfWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
         }),
@@ -222,7 +222,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/x-tex",
         label: "TikZ",
         help: "Picture of strokes for LaTeX",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Paper(|drawing, style, options| {
             TikzWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
         }),
@@ -234,7 +234,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/x-tex",
         label: "TikZ L-system",
         help: "System for TikZ's library lindenmayersystems, which draws simple systems while LaTeX runs",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Words(|definition, system, options| {
             TikzLibraryWriter::new(definition, system, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
         }),
@@ -246,7 +246,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/x-tex",
         label: "LaTeX",
         help: "System typeset as in books: axiom, productions, constants and angles",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Words(|definition, system, _| text(latex(definition, system))),
         options: &[],
     },
@@ -256,7 +256,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/markdown",
         label: "Markdown",
         help: "System as a list: axiom, productions, constants and angles",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Words(|definition, system, _| text(markdown(definition, system))),
         options: &[],
     },
@@ -266,7 +266,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/x-bibtex",
         label: "BibTeX",
         help: "Entries of the system's source and of its picture",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Words(|definition, system, _| text(bibtex(definition, system))),
         options: &[],
     },
@@ -276,7 +276,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "application/json",
         label: "JSON",
         help: "System, to open again",
-        purpose: Purpose::Data,
+        purposes: &[Purpose::Data],
         content: Content::System,
         options: &[],
     },
@@ -286,7 +286,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/plain",
         label: "Text",
         help: "Derived string",
-        purpose: Purpose::Data,
+        purposes: &[Purpose::Data],
         content: Content::String,
         options: &[],
     },
@@ -296,7 +296,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/csv",
         label: "CSV",
         help: "Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour",
-        purpose: Purpose::Data,
+        purposes: &[Purpose::Data],
         content: Content::Segments { plane: csv, space: csv },
         options: &[],
     },
@@ -306,7 +306,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "model/obj",
         label: "OBJ",
         help: "Mesh of coloured tubes, as text",
-        purpose: Purpose::Mesh,
+        purposes: &[Purpose::Mesh],
         content: Content::Mesh {
             is_printed: false,
             write: |mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh }),
@@ -319,7 +319,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "model/gltf-binary",
         label: "glTF",
         help: "Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines",
-        purpose: Purpose::Mesh,
+        purposes: &[Purpose::Mesh],
         content: Content::Mesh {
             is_printed: false,
             write: |mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh }),
@@ -332,7 +332,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "model/stl",
         label: "STL",
         help: "Mesh of closed tubes and slabs for printers, 100 mm long",
-        purpose: Purpose::Mesh,
+        purposes: &[Purpose::Mesh],
         content: Content::Mesh { is_printed: true, write: |mesh, _| Box::new(StlWriter::new(mesh)) },
         options: &[],
     },

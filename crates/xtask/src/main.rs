@@ -56,7 +56,8 @@ usage: cargo xtask COMMAND
                          page (how fast the page responds), load (the cost of opening the page and ten embedded
                          drawings), space (times of pictures in space, moving and at rest),
                          shares (times of pictures that several workers share),
-                         find (rules of pictures: how many are found, and when)
+                         find (rules of pictures: how many are found, and when),
+                         plot (ink, travel and time of plots, beside vpype's linemerge and linesort)
   monkey [--minutes M] [--seed S [--actions N]] [--verbose]
                          random actions on the page and on embedded drawings, M minutes (1); equal seeds give equal
                          actions

@@ -6,6 +6,7 @@
 //! ([`programs`]); a program of the system that is missing is named as not checked.
 
 mod asked;
+mod bench;
 mod data;
 mod film;
 mod made;
@@ -17,6 +18,7 @@ mod space;
 use crate::workspace::Workspace;
 use anyhow::{Result, bail};
 use asked::Asked;
+pub(crate) use bench::bench;
 use made::Made;
 use programs::Programs;
 
