@@ -10,12 +10,15 @@ mod scene;
 
 use crate::compact::visible;
 use choice::Choice;
+use core::hash::{Hash, Hasher};
 use lsystem_drawing::{
-    BlockId, ColourChange, Drawing, Frame, MeshForm, MeshMaker, MeshOptions, Solid, StyleChange, WidthChange, times,
+    BlockId, ColourChange, Drawing, Frame, Mesh, MeshForm, MeshMaker, MeshOptions, Solid, StyleChange, WidthChange,
+    times,
 };
 use lsystem_syntax::{ColourBy, Diagnostic, LimitName, MAX_MESH_COPIES, Meter, Progress, Style};
 use scene::{Data, Node, Scene, linear};
 use std::collections::HashMap;
+use std::collections::hash_map::DefaultHasher;
 
 /// Writes a drawing: a material for each colour of strokes and of polygons, or colours at the corners where the colour
 /// runs along the path. `name` becomes the name of the scene's outermost node. A drawing without strokes and polygons
@@ -40,6 +43,8 @@ pub struct GlbWriter {
     blocks: Vec<(BlockId, Frame<Solid>)>,
     /// The parts by block, scale, colour index, level and width.
     known: HashMap<(BlockId, u64, i32, u32, u64), usize>,
+    /// The indices of meshes by a hash of their corners.
+    meshes: HashMap<u64, Vec<usize>>,
     stage: Stage,
     /// By sRGB value: the linear value.
     linear: Vec<u16>,
@@ -56,6 +61,8 @@ enum Stage {
     Data(Data),
 }
 
+/// The bytes of the file's head that are written in a unit of work.
+const HEAD_BYTES: u64 = 16;
 /// The bytes of a node in memory and in the file's head.
 const NODE_BYTES: u64 = 256;
 
@@ -82,8 +89,9 @@ impl GlbWriter {
             None => Stage::Make(Box::new(MeshMaker::new(drawing, style, &options)?)),
         };
         let linear = (0..=u8::MAX).map(|value| libm::round(linear(value) * f64::from(u16::MAX)) as u16).collect();
-        let scene = Scene { name: name.to_owned(), ..Scene::default() };
-        Ok(Self { options, scene, blocks: vec![], known: HashMap::new(), stage, linear, spent: 0 })
+        let scene = Scene { name: name.to_owned(), has_colours: !by_colour, ..Scene::default() };
+        let (known, meshes) = (HashMap::new(), HashMap::new());
+        Ok(Self { options, scene, blocks: vec![], known, meshes, stage, linear, spent: 0 })
     }
 
     /// The units of work of all steps so far, as [`Meter`] counts them.
@@ -126,7 +134,9 @@ impl GlbWriter {
                     }
                 }
                 Stage::Head => {
-                    bytes.extend(self.scene.head());
+                    let head = self.scene.head();
+                    meter.charge(head.len() as u64 / HEAD_BYTES);
+                    bytes.extend(head);
                     self.stage = Stage::Data(Data::default());
                 }
                 Stage::Data(data) => progress = data.step(&self.scene, &self.linear, bytes, &mut meter),
@@ -176,8 +186,13 @@ impl GlbWriter {
         self.options.most = left.ok_or_else(|| Diagnostic::limit(LimitName::Mesh, most, None))?;
         let left = memory.checked_sub(maker.bytes());
         self.options.memory = left.ok_or_else(|| Diagnostic::limit(LimitName::Memory, memory, None))?;
-        let meshes = maker.finish_apart().into_iter().filter(|(_, mesh)| !mesh.triangles.is_empty()).collect();
-        self.scene.parts.push(meshes);
+        let mut part = vec![];
+        for (material, mesh) in maker.finish_apart() {
+            if !mesh.triangles.is_empty() {
+                part.push((material, self.share(mesh)));
+            }
+        }
+        self.scene.parts.push(part);
         if made == 0 {
             self.scene.nodes.insert(0, Node { part: 0, at: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0] });
         }
@@ -189,6 +204,22 @@ impl GlbWriter {
             None => self.drop_empty(),
         }
         Ok(())
+    }
+
+    /// Adds a mesh, if no equal one is there, and returns its index. Equal parts of different colours share their meshes.
+    fn share(&mut self, mesh: Mesh) -> usize {
+        let mesh = if self.scene.has_colours { mesh } else { Mesh { colours: vec![], ..mesh } };
+        let mut hash = DefaultHasher::new();
+        mesh.triangles.len().hash(&mut hash);
+        mesh.positions.iter().flatten().for_each(|value| value.to_bits().hash(&mut hash));
+        let alike = self.meshes.entry(hash.finish()).or_default();
+        if let Some(&same) = alike.iter().find(|&&other| self.scene.meshes[other] == mesh) {
+            return same;
+        }
+        let next = self.scene.meshes.len();
+        alike.push(next);
+        self.scene.meshes.push(mesh);
+        next
     }
 
     /// Removes parts without triangles, and their nodes.

@@ -22,8 +22,12 @@ const SHORT: usize = 0xffff;
 pub(super) struct Scene {
     /// The name of the node that holds all others.
     pub(super) name: String,
-    /// The meshes of each part, by material.
-    pub(super) parts: Vec<Vec<(Material, Mesh)>>,
+    /// The meshes, which parts may share.
+    pub(super) meshes: Vec<Mesh>,
+    /// Whether corners have colours of their own.
+    pub(super) has_colours: bool,
+    /// The materials of each part, and the indices of their meshes.
+    pub(super) parts: Vec<Vec<(Material, usize)>>,
     /// The placed parts.
     pub(super) nodes: Vec<Node>,
 }
@@ -54,11 +58,11 @@ impl List {
     const ALL: [Self; 5] = [Self::Positions, Self::Normals, Self::Colours, Self::Long, Self::Short];
 
     /// The number of a mesh's entries: corners or triangles.
-    fn entries(self, material: Material, mesh: &Mesh) -> usize {
+    fn entries(self, mesh: &Mesh, has_colours: bool) -> usize {
         let is_long = mesh.positions.len() > SHORT;
         match self {
             Self::Positions | Self::Normals => mesh.positions.len(),
-            Self::Colours if material.rgb.is_none() => mesh.positions.len(),
+            Self::Colours if has_colours => mesh.positions.len(),
             Self::Long if is_long => mesh.triangles.len(),
             Self::Short if !is_long => mesh.triangles.len(),
             _ => 0,
@@ -76,13 +80,9 @@ impl List {
 }
 
 impl Scene {
-    fn meshes(&self) -> impl Iterator<Item = &(Material, Mesh)> {
-        self.parts.iter().flatten()
-    }
-
     /// The bytes of a list.
     fn bytes_of(&self, list: List) -> usize {
-        self.meshes().map(|(material, mesh)| list.entries(*material, mesh)).sum::<usize>() * list.size()
+        self.meshes.iter().map(|mesh| list.entries(mesh, self.has_colours)).sum::<usize>() * list.size()
     }
 
     /// The bytes before the binary data. Only parts with triangles may have nodes.
@@ -139,36 +139,44 @@ impl Scene {
 
     /// Writes meshes, materials, accessors and views of the binary chunk.
     fn write_meshes(&self, json: &mut String) {
-        let mut materials: Vec<Material> = vec![];
-        let mut accessors = String::new();
-        let (mut count, mut offsets) = (0, [0; List::ALL.len()]);
         let views: Vec<List> = List::ALL.into_iter().filter(|&list| self.bytes_of(list) > 0).collect();
+        let (mut accessors, mut count, mut offsets) = (String::new(), 0, [0; List::ALL.len()]);
+        // By mesh: the start of a primitive, up to its material.
+        let mut starts = Vec::with_capacity(self.meshes.len());
+        for mesh in &self.meshes {
+            let mut start = String::from("{\"attributes\":{");
+            for list in List::ALL {
+                let entries = list.entries(mesh, self.has_colours);
+                if entries == 0 {
+                    continue;
+                }
+                if count > 0 {
+                    accessors.push(',');
+                }
+                let view = views.iter().position(|&view| view == list).unwrap_or_default();
+                let offset = &mut offsets[list as usize];
+                write_accessor(&mut accessors, list, view, *offset, mesh);
+                *offset += entries * list.size();
+                let _ = match list {
+                    List::Positions => write!(start, "\"POSITION\":{count}"),
+                    List::Normals => write!(start, ",\"NORMAL\":{count}"),
+                    List::Colours => write!(start, ",\"COLOR_0\":{count}"),
+                    List::Long | List::Short => write!(start, "}},\"indices\":{count}"),
+                };
+                count += 1;
+            }
+            starts.push(start);
+        }
+        let mut materials: Vec<Material> = vec![];
         json.push_str(",\"meshes\":[");
         write_list(json, &self.parts, |json, part| {
             json.push_str("{\"primitives\":[");
             write_list(json, part, |json, (material, mesh)| {
-                json.push_str("{\"attributes\":{");
-                let lists = List::ALL.into_iter().filter(|list| list.entries(*material, mesh) > 0);
-                for list in lists {
-                    if count > 0 {
-                        accessors.push(',');
-                    }
-                    let view = views.iter().position(|&view| view == list).unwrap_or_default();
-                    write_accessor(&mut accessors, list, view, offsets[list as usize], mesh);
-                    offsets[list as usize] += list.entries(*material, mesh) * list.size();
-                    let _ = match list {
-                        List::Positions => write!(json, "\"POSITION\":{count}"),
-                        List::Normals => write!(json, ",\"NORMAL\":{count}"),
-                        List::Colours => write!(json, ",\"COLOR_0\":{count}"),
-                        List::Long | List::Short => write!(json, "}},\"indices\":{count}"),
-                    };
-                    count += 1;
-                }
                 let number = materials.iter().position(|known| known == material).unwrap_or_else(|| {
                     materials.push(*material);
                     materials.len() - 1
                 });
-                let _ = write!(json, ",\"material\":{number}}}");
+                let _ = write!(json, "{},\"material\":{number}}}", starts[*mesh]);
             });
             json.push_str("]}");
         });
@@ -193,8 +201,6 @@ impl Scene {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Data {
     list: usize,
-    part: usize,
-    /// The index of the mesh in the part.
     mesh: usize,
     /// The number of entries written.
     entry: usize,
@@ -213,15 +219,11 @@ impl Data {
                 return Progress::Done;
             };
             meter.charge(1);
-            let Some(part) = scene.parts.get(self.part) else {
-                (self.list, self.part) = (self.list + 1, 0);
+            let Some(mesh) = scene.meshes.get(self.mesh) else {
+                (self.list, self.mesh) = (self.list + 1, 0);
                 continue;
             };
-            let Some((material, mesh)) = part.get(self.mesh) else {
-                (self.part, self.mesh) = (self.part + 1, 0);
-                continue;
-            };
-            let entries = list.entries(*material, mesh);
+            let entries = list.entries(mesh, scene.has_colours);
             let (from, to) = (self.entry, (self.entry + PIECE).min(entries));
             if from == to {
                 (self.mesh, self.entry) = (self.mesh + 1, 0);
