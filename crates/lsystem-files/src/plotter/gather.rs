@@ -1,4 +1,5 @@
-//! The strokes of a plot: every stroke of the drawing, except that a block smaller than the pen becomes one stroke.
+//! The strokes of a plot: every stroke of the drawing. If the drawing is cut, a block smaller than the pen becomes one
+//! stroke.
 //!
 //! A shared drawing may place the same block very often. So the work and the strokes are bounded by the sheet, not by
 //! the drawing: a block that is placed a second time where it is already is passed over, and where parts are smaller
@@ -14,7 +15,7 @@ use crate::compact::visible;
 use core::ops::Range;
 use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Placed, StyleChange};
 use lsystem_syntax::style::gradient_step;
-use lsystem_syntax::{ColourBy, Diagnostic, LimitName, MAX_PLOT_BLOCKS, Meter, Progress, Style, Tint};
+use lsystem_syntax::{ColourBy, Diagnostic, LimitName, Meter, Progress, Style, Tint};
 use std::collections::{HashMap, HashSet};
 
 /// The distance up to which two placements of a block are the same, in millimetres: far above rounding errors and far
@@ -37,7 +38,9 @@ pub(super) trait Strokes {
 pub(super) struct Gather {
     page: Page,
     options: PlotOptions,
+    /// The most strokes, and the most open blocks.
     most: u64,
+    most_blocks: u64,
     /// The strokes so far.
     count: u64,
     /// The blocks opened so far.
@@ -55,8 +58,8 @@ pub(super) struct Gather {
     variants: HashMap<Variant, u32>,
     /// The placed blocks so far: the variant, and the position in steps of [`SAME`] or of [`BESIDE`].
     placed: HashSet<(u32, [i64; 2])>,
-    /// Whether some part is smaller than the pen.
-    is_cut: Option<bool>,
+    /// Whether parts smaller than the pen become one stroke.
+    is_cut: bool,
     pub(super) spots: Spots,
     /// The spots of which the lone strokes are drawn.
     lone: usize,
@@ -72,7 +75,14 @@ pub(super) struct Gather {
 type Variant = (BlockId, u64, bool, u64, u64, i32, u32);
 
 impl Gather {
-    pub(super) fn new(drawing: &Drawing, page: Page, options: PlotOptions, most: u64) -> Self {
+    /// Prepares the reading of at most this many strokes and blocks, with or without a cut at the pen's width.
+    pub(super) fn new(
+        drawing: &Drawing,
+        page: Page,
+        options: PlotOptions,
+        [most, most_blocks]: [u64; 2],
+        is_cut: bool,
+    ) -> Self {
         let mut open = Vec::new();
         if let Some(root) = drawing.root {
             open.push((drawing.blocks[root.0 as usize].items.clone(), page.frame));
@@ -81,6 +91,7 @@ impl Gather {
             page,
             options,
             most,
+            most_blocks,
             count: 0,
             blocks: 0,
             passed: [0; 2],
@@ -91,7 +102,7 @@ impl Gather {
             layers: HashMap::new(),
             variants: HashMap::new(),
             placed: HashSet::new(),
-            is_cut: None,
+            is_cut,
             spots: Spots::new(options.pen),
             lone: 0,
             fill: None,
@@ -110,10 +121,6 @@ impl Gather {
         strokes: &mut impl Strokes,
         meter: &mut Meter,
     ) -> Result<Progress, Diagnostic> {
-        if self.is_cut.is_none() {
-            let finest = drawing.root.map_or(f64::INFINITY, |root| facts.finest(root));
-            self.is_cut = Some(finest * self.page.frame.scale.abs() < self.options.pen);
-        }
         while !meter.is_spent() {
             if let Some((layer, mut fill)) = self.fill.take() {
                 let left = self.most - self.count;
@@ -197,16 +204,16 @@ impl Gather {
         let one_stroke = facts.straight(placed.block).copied().filter(|_| is_plain);
         if let Some(line) = one_stroke {
             self.line((style, drawing), &line, &frame, strokes, meter);
-        } else if diameter < pen {
+        } else if self.is_cut && diameter < pen {
             self.line((style, drawing), &facts.chord(placed.block, drawing), &frame, strokes, meter);
         } else if block.segments >= FEW && is_plain && self.is_known((drawing, style, facts), placed.block, &frame) {
             meter.charge(4);
-        } else if diameter < LOCAL * pen && self.is_full((style, drawing, facts), placed.block, &frame) {
+        } else if self.is_cut && diameter < LOCAL * pen && self.is_full((style, drawing, facts), placed.block, &frame) {
             meter.charge(64);
         } else {
             self.blocks += 1;
-            if self.blocks > MAX_PLOT_BLOCKS {
-                return Err(Diagnostic::limit(LimitName::PlotBlocks, MAX_PLOT_BLOCKS, None));
+            if self.blocks > self.most_blocks {
+                return Err(Diagnostic::limit(LimitName::PlotBlocks, self.most_blocks, None));
             }
             self.open.push((block.items.clone(), frame));
             return Ok(());
@@ -237,7 +244,7 @@ impl Gather {
         block: BlockId,
         frame: &Frame,
     ) -> bool {
-        let is_cut = facts.finest(block) * frame.scale.abs() < self.options.pen;
+        let is_cut = self.is_cut && facts.finest(block) * frame.scale.abs() < self.options.pen;
         let width = frame.style.width.of(0.0);
         let is_broad =
             self.options.hatch && drawing.blocks[block.0 as usize].widest.of(width) * self.page.step > self.options.pen;
@@ -286,7 +293,7 @@ impl Gather {
         if self.options.hatch && width > self.options.pen && ends[0] != ends[1] {
             let left = self.most.saturating_sub(self.count) + 1;
             hatch::broad(ends, width, self.options.pen, left).for_each(|ends| self.stroke(layer, ends, strokes));
-        } else if self.is_cut != Some(true) {
+        } else if !self.is_cut {
             self.stroke(layer, ends, strokes);
         } else if distance(ends[0], ends[1]) < self.options.pen {
             self.spots.dot(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends, strokes));

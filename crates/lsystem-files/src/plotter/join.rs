@@ -6,9 +6,10 @@
 //! (Hierholzer 1873); the moves part them into polylines, and the order along a closed trail has no other travel.
 //!
 //! A move of at most a pen's width is drawn: the round ends of two lines touch there, and to raise the pen takes longer.
-//! So is a move of a few pens that leads over ink.
+//! So is a move of a few pens that leads over ink. All these moves together are no longer than the ink that the cut saved.
 
 use super::cells::Cells;
+use super::ink::Ink;
 use super::merge::{JOINT, Piece};
 use super::options::PlotOptions;
 use super::page::{Point, distance};
@@ -68,6 +69,8 @@ pub(super) struct Join {
     least: f64,
     pen: f64,
     spots: Spots,
+    /// The length of the moves that may still be drawn.
+    spare: f64,
     size: [f64; 2],
     /// The nodes of the moves so far.
     moves: Vec<[u32; 2]>,
@@ -127,13 +130,14 @@ enum Stage {
 }
 
 impl Join {
-    /// Prepares the joining on a sheet of this size.
-    pub(super) fn new(pieces: Vec<Piece>, spots: Spots, options: &PlotOptions, size: [f64; 2]) -> Self {
+    /// Prepares the joining of ink on a sheet of this size.
+    pub(super) fn new(ink: Ink, options: &PlotOptions, size: [f64; 2]) -> Self {
         Self {
-            pieces,
+            pieces: ink.pieces,
             least: options.least,
             pen: options.pen,
-            spots,
+            spots: ink.spots,
+            spare: ink.spare,
             size,
             moves: Vec::new(),
             cells: Cells::new([JOINT; 2]),
@@ -234,11 +238,13 @@ impl Join {
         Stage::Range(0)
     }
 
-    /// Adds a move between two nodes, or a piece if the move is short.
+    /// Adds a move between two nodes, or a piece if the move is short and ink is spare.
     fn add_move(&mut self, nodes: [u32; 2]) {
         let [(from, layer), (to, _)] = nodes.map(|node| self.nodes[node as usize]);
-        let pens = distance(from, to) / self.pen;
-        if pens <= 1.0 || pens <= OVER_INK && self.spots.has(layer, [from, to]) {
+        let length = distance(from, to);
+        let pens = length / self.pen;
+        if length <= self.spare && (pens <= 1.0 || pens <= OVER_INK && self.spots.has(layer, [from, to])) {
+            self.spare -= length;
             self.pieces.push(Piece { layer, ends: [from, to] });
             self.ends.push(nodes);
         } else {
