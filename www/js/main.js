@@ -98,7 +98,7 @@ savePanel(store, engine, {
     save: createSave(store, engine, {
         storage,
         canvas: stage.resolution,
-        custom: [{ name: 'film', purpose: 'film', label: 'Film', help: 'Growth, the turtle\'s way, a turn, or any numbers that change: as GIF or video', action: 'Make a film…', open: () => openFilm() }],
+        custom: [{ name: 'film', purposes: ['film'], label: 'Film', help: 'Growth, the turtle\'s way, a turn, or any numbers that change: as GIF or video', action: 'Make a film…', open: () => openFilm() }],
     }),
 });
 createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme, tool: course });

@@ -3,10 +3,10 @@
 //! A new format needs a writer in its own file and a row here.
 
 use super::{
-    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, PlotWriter, StlWriter, SvgForm, SvgOptions, SvgWriter,
-    TikzLibraryWriter, TikzWriter, bibtex, latex, markdown,
+    CsvWriter, FileOptions, PdfWriter, PlotWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter,
+    bibtex, latex, markdown, mesh_file,
 };
-use lsystem_drawing::{Drawing, Mesh, Solid, Space, System};
+use lsystem_drawing::{Drawing, Solid, Space, System};
 use lsystem_syntax::{Definition, Diagnostic, Progress, Style};
 use std::sync::Arc;
 
@@ -22,8 +22,8 @@ pub struct Format {
     pub label: &'static str,
     /// A description, as a noun phrase.
     pub help: &'static str,
-    /// The purpose of the format's files.
-    pub purpose: Purpose,
+    /// The purposes of the format's files.
+    pub purposes: &'static [Purpose],
     /// The input of the format's writer.
     pub content: Content,
     /// The names of the choices that the format reads, in the order of [`FILE_OPTIONS`](crate::FILE_OPTIONS).
@@ -84,7 +84,7 @@ impl Purpose {
 }
 
 /// The writer of a file, or the diagnostic for an exceeded limit.
-type WriterResult = Result<Box<dyn Writer>, Diagnostic>;
+pub(super) type WriterResult = Result<Box<dyn Writer>, Diagnostic>;
 
 /// The input of a file, with the function that makes its writer.
 #[derive(Clone, Copy, Debug)]
@@ -106,13 +106,8 @@ pub enum Content {
         /// The writer for a drawing in space.
         space: fn(Arc<Drawing<Solid>>, u64) -> WriterResult,
     },
-    /// A mesh of coloured tubes.
-    Mesh {
-        /// Whether polygons need a volume, as [`Mesh::for_printing`] gives them.
-        is_printed: bool,
-        /// The writer for a mesh and its name.
-        write: fn(Mesh, &str) -> Box<dyn Writer>,
-    },
+    /// A mesh of tubes. A drawing in the plane becomes one in space.
+    Mesh(fn(Arc<Drawing<Solid>>, Style, &FileOptions) -> WriterResult),
 }
 
 impl Content {
@@ -126,7 +121,7 @@ impl Content {
             Self::Paper(_) => "strokes",
             Self::Segments { .. } => "segments",
             Self::Words(_) => "words",
-            Self::Mesh { .. } => "mesh",
+            Self::Mesh(_) => "mesh",
         }
     }
 }
@@ -158,7 +153,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "image/svg+xml",
         label: "SVG",
         help: "Picture of strokes",
-        purpose: Purpose::Screen,
+        purposes: &[Purpose::Screen],
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Flat)),
         options: &["transparent", "bare"],
     },
@@ -168,7 +163,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "image/svg+xml",
         label: "Compact SVG",
         help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
-        purpose: Purpose::Screen,
+        purposes: &[Purpose::Screen],
         content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Compact)),
         options: &["transparent", "bare"],
     },
@@ -178,7 +173,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "image/svg+xml",
         label: "Plotter SVG",
         help: "Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel",
-        purpose: Purpose::Plotter,
+        purposes: &[Purpose::Plotter],
         content: Content::Paper(|drawing, style, options| Ok(Box::new(PlotWriter::new(drawing, style, options)))),
         options: &[
             "sheet",
@@ -200,7 +195,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "image/png",
         label: "PNG",
         help: "Picture of pixels",
-        purpose: Purpose::Screen,
+        purposes: &[Purpose::Screen, Purpose::Print],
         content: Content::Pixels,
         options: &["size", "dpi", "transparent", "bare"],
     },
@@ -210,7 +205,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "application/pdf",
         label: "PDF",
         help: "Page of strokes",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Paper(|drawing, style, options| {
             PdfWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
         }),
@@ -222,7 +217,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/x-tex",
         label: "TikZ",
         help: "Picture of strokes for LaTeX",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Paper(|drawing, style, options| {
             TikzWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
         }),
@@ -234,7 +229,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/x-tex",
         label: "TikZ L-system",
         help: "System for TikZ's library lindenmayersystems, which draws simple systems while LaTeX runs",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Words(|definition, system, options| {
             TikzLibraryWriter::new(definition, system, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
         }),
@@ -246,7 +241,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/x-tex",
         label: "LaTeX",
         help: "System typeset as in books: axiom, productions, constants and angles",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Words(|definition, system, _| text(latex(definition, system))),
         options: &[],
     },
@@ -256,7 +251,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/markdown",
         label: "Markdown",
         help: "System as a list: axiom, productions, constants and angles",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Words(|definition, system, _| text(markdown(definition, system))),
         options: &[],
     },
@@ -266,7 +261,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/x-bibtex",
         label: "BibTeX",
         help: "Entries of the system's source and of its picture",
-        purpose: Purpose::Paper,
+        purposes: &[Purpose::Paper],
         content: Content::Words(|definition, system, _| text(bibtex(definition, system))),
         options: &[],
     },
@@ -276,7 +271,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "application/json",
         label: "JSON",
         help: "System, to open again",
-        purpose: Purpose::Data,
+        purposes: &[Purpose::Data],
         content: Content::System,
         options: &[],
     },
@@ -286,7 +281,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/plain",
         label: "Text",
         help: "Derived string",
-        purpose: Purpose::Data,
+        purposes: &[Purpose::Data],
         content: Content::String,
         options: &[],
     },
@@ -296,7 +291,7 @@ pub static FORMATS: [Format; 16] = [
         mime: "text/csv",
         label: "CSV",
         help: "Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour",
-        purpose: Purpose::Data,
+        purposes: &[Purpose::Data],
         content: Content::Segments { plane: csv, space: csv },
         options: &[],
     },
@@ -306,25 +301,19 @@ pub static FORMATS: [Format; 16] = [
         mime: "model/obj",
         label: "OBJ",
         help: "Mesh of coloured tubes, as text",
-        purpose: Purpose::Mesh,
-        content: Content::Mesh {
-            is_printed: false,
-            write: |mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh }),
-        },
-        options: &[],
+        purposes: &[Purpose::Mesh],
+        content: Content::Mesh(mesh_file::obj),
+        options: &["finest"],
     },
     Format {
         name: "glb",
         ending: "glb",
         mime: "model/gltf-binary",
         label: "glTF",
-        help: "Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines",
-        purpose: Purpose::Mesh,
-        content: Content::Mesh {
-            is_printed: false,
-            write: |mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh }),
-        },
-        options: &[],
+        help: "Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines",
+        purposes: &[Purpose::Mesh],
+        content: Content::Mesh(mesh_file::glb),
+        options: &["finest"],
     },
     Format {
         name: "stl",
@@ -332,9 +321,9 @@ pub static FORMATS: [Format; 16] = [
         mime: "model/stl",
         label: "STL",
         help: "Mesh of closed tubes and slabs for printers, 100 mm long",
-        purpose: Purpose::Mesh,
-        content: Content::Mesh { is_printed: true, write: |mesh, _| Box::new(StlWriter::new(mesh)) },
-        options: &[],
+        purposes: &[Purpose::Mesh],
+        content: Content::Mesh(mesh_file::stl),
+        options: &["finest"],
     },
 ];
 
@@ -438,27 +427,5 @@ fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>, most: u64) -> WriterResult 
 impl<S: Space> Writer for Csv<S> {
     fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
         append(file, |text| Ok(self.writer.step(&self.drawing, text, work)))
-    }
-}
-
-struct Obj {
-    writer: ObjWriter,
-    mesh: Mesh,
-}
-
-impl Writer for Obj {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        append(file, |text| Ok(self.writer.step(&self.mesh, text, work)))
-    }
-}
-
-struct Glb {
-    writer: GlbWriter,
-    mesh: Mesh,
-}
-
-impl Writer for Glb {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        Ok(self.writer.step(&self.mesh, file, work))
     }
 }

@@ -1,8 +1,8 @@
-//! The tables of the core in other files: `www/js/tables.js`, and the tables of fields in `README.md` and
-//! `docs/links.md`, must equal the core's. `cargo xtask tables` updates them.
+//! The tables of the core in other files: `www/js/tables.js`, the tables of fields in `README.md` and `docs/links.md`,
+//! and the table of choices for plots in `docs/plotting.md`, must equal the core's. `cargo xtask tables` updates them.
 
 use expect_test::expect_file;
-use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, OptionKind, Purpose, SHEETS};
+use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, Format, OptionKind, Purpose, SHEETS};
 use lsystem::syntax::fields::Section;
 use lsystem::syntax::message::expected_words;
 use lsystem::syntax::number::number;
@@ -157,11 +157,11 @@ fn tables() -> String {
     for format in &FORMATS {
         let [name, ending, mime, label, help] =
             [format.name, format.ending, format.mime, format.label, format.help].map(quoted);
-        let (picture, purpose) = (format.is_picture(), quoted(format.purpose.name()));
+        let (picture, purposes) = (format.is_picture(), list(format.purposes.iter().map(|purpose| purpose.name())));
         let (content, options) = (quoted(format.content.name()), list(format.options.iter().copied()));
         writeln!(
             script_text,
-            "    {name}: {{ ending: {ending}, mime: {mime}, label: {label}, help: {help}, picture: {picture}, purpose: {purpose}, content: {content}, options: {options} }},"
+            "    {name}: {{ ending: {ending}, mime: {mime}, label: {label}, help: {help}, picture: {picture}, purposes: {purposes}, content: {content}, options: {options} }},"
         )
         .unwrap();
     }
@@ -261,6 +261,34 @@ fn link_rows() -> String {
     rows
 }
 
+/// The choices for plots.
+fn plot_rows() -> String {
+    let mut rows = String::from("| option | what it is, and what it must be | default |\n|---|---|---|\n");
+    let plotter = Format::named("plotter").unwrap();
+    for option in plotter.options.iter().map(|name| FileOption::named(name).unwrap()) {
+        let unit = if option.unit.is_empty() { String::new() } else { format!(" {}", option.unit) };
+        let (values, default) = match option.kind {
+            OptionKind::Flag => (String::new(), String::new()),
+            OptionKind::Number { default, .. } => (format!(": {}", option.expected_words()), number(default)),
+            OptionKind::Word { default, .. } | OptionKind::Sheet { default, .. } => {
+                (format!(": {}", option.expected_words()), code(default))
+            }
+            OptionKind::Size => (format!(": {}", option.expected_words()), String::new()),
+        };
+        writeln!(rows, "| `--{}` | {}{values}{unit} | {default} |", option.name, option.help).unwrap();
+    }
+    rows
+}
+
+#[test]
+fn every_purpose_but_films_has_a_format() {
+    for purpose in Purpose::ALL {
+        // The page has a dialog of its own for films.
+        let has_format = FORMATS.iter().any(|format| format.purposes.contains(&purpose));
+        assert_eq!(has_format, purpose != Purpose::Film, "{purpose:?}");
+    }
+}
+
 #[test]
 fn the_pages_tables_are_those_of_the_core() {
     expect_file!["../../../www/js/tables.js"].assert_eq(&tables());
@@ -272,6 +300,8 @@ fn the_documents_tables_are_those_of_the_core() {
     expect_file!["../../../README.md"].assert_eq(&with_table(readme, &file_rows()));
     let links = include_str!("../../../docs/links.md");
     expect_file!["../../../docs/links.md"].assert_eq(&with_table(links, &link_rows()));
+    let plotting = include_str!("../../../docs/plotting.md");
+    expect_file!["../../../docs/plotting.md"].assert_eq(&with_table(plotting, &plot_rows()));
 }
 
 #[test]

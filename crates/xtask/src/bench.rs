@@ -1,13 +1,14 @@
 //! `cargo xtask bench`: speed compared with other implementations and with plain copying, the times of pictures,
-//! the page's response times and cost of opening, and which rules of pictures are found in which time.
+//! the page's response times and cost of opening, which rules of pictures are found in which time, and plots beside
+//! vpype's.
 
 use crate::workspace::{Workspace, run};
-use crate::{bindgen, build, page, tools};
+use crate::{bindgen, build, outside, page, tools};
 use anyhow::{Result, bail};
 use std::ffi::OsStr;
 use std::process::Command;
 
-const PARTS: [&str; 8] = ["native", "web", "pictures", "page", "load", "space", "shares", "find"];
+const PARTS: [&str; 9] = ["native", "web", "pictures", "page", "load", "space", "shares", "find", "plot"];
 /// The parts that measure the built page, with their scripts.
 const PAGE: [(&str, &str); 4] =
     [("page", "drags.mjs"), ("load", "load.mjs"), ("space", "space.mjs"), ("shares", "shares.mjs")];
@@ -32,6 +33,9 @@ pub(crate) fn bench<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a s
     }
     if has("find") {
         run(&mut workspace.cargo(["run", "--quiet", "--release", "--package=lsystem-find", "--example=table"]))?;
+    }
+    if has("plot") {
+        outside::bench(workspace)?;
     }
     let mut scripts = PAGE.into_iter().filter(|(part, _)| has(part)).peekable();
     if scripts.peek().is_some() {

@@ -16,6 +16,7 @@ mod monkey;
 mod mutants;
 mod offline;
 mod one_file;
+mod outside;
 mod package;
 mod page;
 mod report;
@@ -38,9 +39,12 @@ usage: cargo xtask COMMAND
   build                  the page, ready to be put on any static host under any path: dist/
   serve [--port N]       build, then serve dist/ on this machine (port 8080 or the next free one)
   test [--thorough] [PART ...]
-                         all checks before a merge; PART is any of lint, native, fuzz, wasm, size, page;
+                         all checks before a merge; PART is any of lint, native, outside, fuzz, wasm, size,
+                         page;
                          --thorough makes the property tests long
   lint                   formatting, clippy and documentation; warnings are errors
+  outside                open files of all formats with programs of other people, and compare what they find with
+                         what lsys tells
   package                the npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/
   tables                 update www/js/tables.js from the tables of the core; a test fails when the file is out of date
   fuzz [TARGET ...] [--minutes M] [--seed N] [--guided]
@@ -52,7 +56,8 @@ usage: cargo xtask COMMAND
                          page (how fast the page responds), load (the cost of opening the page and ten embedded
                          drawings), space (times of pictures in space, moving and at rest),
                          shares (times of pictures that several workers share),
-                         find (rules of pictures: how many are found, and when)
+                         find (rules of pictures: how many are found, and when),
+                         plot (ink, travel and time of plots, beside vpype's linemerge and linesort)
   monkey [--minutes M] [--seed S [--actions N]] [--verbose]
                          random actions on the page and on embedded drawings, M minutes (1); equal seeds give equal
                          actions
@@ -60,7 +65,8 @@ usage: cargo xtask COMMAND
                          those that ARGS of cargo-mutants choose, such as --shard 3/40 or --file drawing/hull.rs
 
 Needs: Rust by rustup (the wasm target is added when missing), Node.js 20 or newer with npm; for test, bench and monkey
-also Chromium and ChromeDriver (installed when missing where this runs as root on Debian).
+also Chromium and ChromeDriver (installed when missing where this runs as root on Debian); for test and outside Python
+3.11 or newer, and ffmpeg, poppler-utils and LaTeX with TikZ where they are installed.
 ";
 
 fn main() -> ExitCode {
@@ -108,6 +114,10 @@ fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
             no_more(words)?;
             let tables = ["test", "--package=lsystem", "--test=tables"];
             run_program(Workspace::find()?.cargo(tables).env("UPDATE_EXPECT", "1"))
+        }
+        "outside" => {
+            no_more(words)?;
+            outside::check(&Workspace::find()?)
         }
         "package" => {
             no_more(words)?;

@@ -2,12 +2,12 @@
 
 use crate::report::StepReport;
 use crate::workspace::{Workspace, run};
-use crate::{build, files, fuzz, lint, monkey, package, page, size, tools};
+use crate::{build, files, fuzz, lint, monkey, outside, package, page, size, tools};
 use anyhow::{Result, bail};
 use serde_json::Value;
 
 /// The parts of the test, in order.
-const PARTS: [&str; 6] = ["lint", "native", "fuzz", "wasm", "size", "page"];
+const PARTS: [&str; 7] = ["lint", "native", "outside", "fuzz", "wasm", "size", "page"];
 
 /// The parts to run, and whether to run them thoroughly.
 pub(crate) struct TestOptions {
@@ -59,6 +59,9 @@ pub(crate) fn test(workspace: &Workspace, options: &TestOptions) -> Result<()> {
         // A separate step: together with the others, Cargo would choose other features for shared libraries and compile
         // them twice.
         report.step("native tests of xtask", || run(&mut workspace.cargo(["test", "--package=xtask"])));
+    }
+    if has("outside") {
+        report.step("files opened with other programs", || outside::check(workspace));
     }
     if has("fuzz") {
         report.step("native tests of the fuzz targets", || {

@@ -29,6 +29,18 @@ pub(crate) fn npm() -> Result<PathBuf> {
     Surroundings::here().find(None, &["npm", "npm.cmd"]).context(NO_NODE)
 }
 
+pub(crate) fn python() -> Result<PathBuf> {
+    Surroundings::here().find(None, &["python3", "python"]).context(
+        "files are checked with libraries of Python 3.11 or newer, and it is not on the PATH (Debian: apt-get install \
+         python3 python3-venv)",
+    )
+}
+
+/// A program on the PATH.
+pub(crate) fn program(name: &str) -> Option<PathBuf> {
+    Surroundings::here().find(None, &[name])
+}
+
 const NO_NODE: &str = "the page is built and checked with Node.js 20 or newer and npm, and they are not on the PATH: \
                        get them from nodejs.org or your system's packages (Debian: apt-get install nodejs npm)";
 

@@ -11,8 +11,8 @@ import { FILE_OPTIONS, FORMATS, PURPOSES } from '../tables.js';
 /** The key in the storage. */
 const KEY = 'save';
 
-/** A row of the dialog that is no format of the table: a dialog of its own, opened by `open`. @typedef {{name: string, purpose: Purpose, label: string, help: string, action: string, open: () => void}} CustomRow */
-/** A format or a custom row. @typedef {{name: string, purpose: Purpose, label: string, help: string}} Row */
+/** A row of the dialog that is no format of the table: a dialog of its own, opened by `open`. @typedef {{name: string, purposes: readonly Purpose[], label: string, help: string, action: string, open: () => void}} CustomRow */
+/** A format or a custom row. @typedef {{name: string, purposes: readonly Purpose[], label: string, help: string}} Row */
 
 /**
  * The purposes that have rows, in the order of the table, with their rows.
@@ -23,7 +23,7 @@ export function groupsOf(custom) {
     const formats = Object.entries(FORMATS).map(([name, format]) => ({ ...format, name }));
     const rows = /** @type {Row[]} */ ([...formats, ...custom]);
     const purposes = /** @type {[Purpose, string][]} */ (Object.entries(PURPOSES));
-    return purposes.map(([purpose, label]) => ({ purpose, label, rows: rows.filter((row) => row.purpose === purpose) })).filter((group) => group.rows.length > 0);
+    return purposes.map(([purpose, label]) => ({ purpose, label, rows: rows.filter((row) => row.purposes.includes(purpose)) })).filter((group) => group.rows.length > 0);
 }
 
 /** @param {string} name @returns {FileOption} */

@@ -46,7 +46,7 @@ export const withModules = (page) =>
 /** Saves a file by the dialog, from the open section Save. @param {Page} page @param {import('../../js/protocol.js').Format} format */
 export async function saveFile(page, format) {
     await page.click('#open-save');
-    await page.click(`.save-tile:has([value=${FORMATS[format].purpose}])`);
+    await page.click(`.save-tile:has([value=${FORMATS[format].purposes[0]}])`);
     await page.click(`.save-tile:has([name=save-format][value=${format}])`);
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
     await page.waitForSelector('#save-dialog', { state: 'hidden' });

@@ -26,7 +26,7 @@ const size = (page) => page.innerText('#save-size');
 test('the dialog shows the file, its name and its size', () =>
     withPage({ hash: WEED }, async (page) => {
         await open(page);
-        assert.deepEqual(await page.locator('#save-purposes .save-tile').allInnerTexts(), groupsOf([{ name: 'film', purpose: 'film', label: 'Film', help: '', action: '', open: () => {} }]).map(({ label }) => label));
+        assert.deepEqual(await page.locator('#save-purposes .save-tile').allInnerTexts(), groupsOf([{ name: 'film', purposes: ['film'], label: 'Film', help: '', action: '', open: () => {} }]).map(({ label }) => label));
         await until(async () => /^\d+ kB$/.test(await size(page)), 'the size of the SVG is known');
         assert.equal(await page.innerText('#save-name'), 'Weed_n4.svg');
         assert.ok((await page.getAttribute('#save-preview img', 'src'))?.startsWith('blob:'));

@@ -3,17 +3,20 @@ import { test } from 'node:test';
 import { admits, choicesFrom, defaultOf, groupsOf, optionOf, pixelSize, rowOf, savedName, sizeOf, sizeWords, valuesFor } from '../../js/save/choices.js';
 import { createMaking } from '../../js/save/making.js';
 import { firstLines, sheetOf } from '../../js/save/preview.js';
-import { FILE_OPTIONS, FORMATS } from '../../js/tables.js';
+import { FILE_OPTIONS, FORMATS, PURPOSES } from '../../js/tables.js';
 import { Cancelled } from '../../js/tool.js';
 
 /** @typedef {import('../../js/save/making.js').Made} Made */
 
-const film = { name: 'film', purpose: /** @type {const} */ ('film'), label: 'Film', help: 'Growth', action: 'Make a film…', open: () => {} };
+const film = { name: 'film', purposes: [/** @type {const} */ ('film')], label: 'Film', help: 'Growth', action: 'Make a film…', open: () => {} };
 
-test('every format stands in one group, and dialogs of their own stand among them', () => {
+test('every format stands in the groups of its purposes, and dialogs of their own stand among them', () => {
     const groups = groupsOf([]);
-    assert.deepEqual(groups.flatMap(({ rows }) => rows.map(({ name }) => name)).sort(), Object.keys(FORMATS).sort());
+    const placed = groups.flatMap(({ purpose, rows }) => rows.map(({ name }) => `${name} ${purpose}`));
+    assert.deepEqual(placed.sort(), Object.entries(FORMATS).flatMap(([name, { purposes }]) => purposes.map((purpose) => `${name} ${purpose}`)).sort());
     assert.ok(groups.every(({ rows }) => rows.length > 0));
+    assert.deepEqual(groupsOf([film]).map(({ purpose }) => purpose), Object.keys(PURPOSES));
+    for (const purpose of ['screen', 'print']) assert.equal(groupsOf([]).find((group) => group.purpose === purpose)?.rows.some(({ name }) => name === 'png'), true);
     assert.deepEqual(groupsOf([film]).find(({ purpose }) => purpose === 'film')?.rows.map(({ name }) => name).includes('film'), true);
 });
 

@@ -1,29 +1,28 @@
-//! The strokes of a plot: every stroke of the drawing, except that a block smaller than the pen becomes one stroke.
+//! The strokes of a plot: every stroke of the drawing. If the drawing is cut, a block smaller than the pen becomes one
+//! stroke.
 //!
 //! A shared drawing may place the same block very often. So the work and the strokes are bounded by the sheet, not by
-//! the drawing: a block that is placed a second time where it is already is passed over, and where blocks are smaller
-//! than the pen a spot takes a few strokes only.
+//! the drawing: a block that is placed a second time where it is already is passed over, and where parts are smaller
+//! than the pen a spot is drawn once ([`Spots`]).
 
 use super::facts::BlockFacts;
 use super::hatch::{self, Fill};
 use super::merge::LEAST;
 use super::options::PlotOptions;
 use super::page::{Page, Point, distance};
+use super::spots::Spots;
 use crate::compact::visible;
 use core::ops::Range;
 use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Placed, StyleChange};
 use lsystem_syntax::style::gradient_step;
-use lsystem_syntax::{ColourBy, Diagnostic, LimitName, MAX_PLOT_BLOCKS, Meter, Progress, Style, Tint};
+use lsystem_syntax::{ColourBy, Diagnostic, LimitName, Meter, Progress, Style, Tint};
 use std::collections::{HashMap, HashSet};
 
 /// The distance up to which two placements of a block are the same, in millimetres: far above rounding errors and far
 /// below the steps of a plotter.
 const SAME: f64 = 1e-6;
-/// The side of a spot, in pens.
-const SPOT: f64 = 0.5;
-/// The most strokes that stand in for blocks and have their middles in one spot. Adjacent squares of at least half a pen,
-/// each with a stroke along one side, make about six.
-const CROWD: u8 = 6;
+/// The distance up to which two placements of a block with parts smaller than the pen are the same, in pens.
+const BESIDE: f64 = 0.5;
 /// Blocks smaller than this are passed over if all their spots are full, in pens.
 const LOCAL: f64 = 8.0;
 /// Blocks of fewer segments are read at each place: that takes no longer than to look them up.
@@ -39,7 +38,9 @@ pub(super) trait Strokes {
 pub(super) struct Gather {
     page: Page,
     options: PlotOptions,
+    /// The most strokes, and the most open blocks.
     most: u64,
+    most_blocks: u64,
     /// The strokes so far.
     count: u64,
     /// The blocks opened so far.
@@ -55,10 +56,13 @@ pub(super) struct Gather {
     layers: HashMap<[u8; 3], u32>,
     /// The distinct ways to place a block, without the position.
     variants: HashMap<Variant, u32>,
-    /// The placed blocks so far: the variant, and the position in steps of [`SAME`] or in spots.
+    /// The placed blocks so far: the variant, and the position in steps of [`SAME`] or of [`BESIDE`].
     placed: HashSet<(u32, [i64; 2])>,
-    /// The strokes in place of blocks with their middles in a spot.
-    spots: HashMap<[i64; 2], u8>,
+    /// Whether parts smaller than the pen become one stroke.
+    is_cut: bool,
+    pub(super) spots: Spots,
+    /// The spots of which the lone strokes are drawn.
+    lone: usize,
     /// The polygon being hatched, and its layer.
     fill: Option<(u32, Fill)>,
     /// The end of the last stroke of each layer, and the travel so far in drawing order.
@@ -66,12 +70,19 @@ pub(super) struct Gather {
     travel: f64,
 }
 
-/// A block in a direction, at a scale and in a style: whether positions are spots, the bits of the scale and the width,
+/// A block in a direction, at a scale and in a style: whether positions are in steps of [`BESIDE`], the bits of the scale and the width,
 /// and the visible colour and level.
 type Variant = (BlockId, u64, bool, u64, u64, i32, u32);
 
 impl Gather {
-    pub(super) fn new(drawing: &Drawing, page: Page, options: PlotOptions, most: u64) -> Self {
+    /// Prepares the reading of at most this many strokes and blocks, with or without a cut at the pen's width.
+    pub(super) fn new(
+        drawing: &Drawing,
+        page: Page,
+        options: PlotOptions,
+        [most, most_blocks]: [u64; 2],
+        is_cut: bool,
+    ) -> Self {
         let mut open = Vec::new();
         if let Some(root) = drawing.root {
             open.push((drawing.blocks[root.0 as usize].items.clone(), page.frame));
@@ -80,6 +91,7 @@ impl Gather {
             page,
             options,
             most,
+            most_blocks,
             count: 0,
             blocks: 0,
             passed: [0; 2],
@@ -90,7 +102,9 @@ impl Gather {
             layers: HashMap::new(),
             variants: HashMap::new(),
             placed: HashSet::new(),
-            spots: HashMap::new(),
+            is_cut,
+            spots: Spots::new(options.pen),
+            lone: 0,
             fill: None,
             last: Vec::new(),
             travel: 0.0,
@@ -119,7 +133,15 @@ impl Gather {
                 continue;
             }
             meter.charge(4);
-            let Some((items, frame)) = self.open.last_mut() else { return Ok(Progress::Done) };
+            let Some((items, frame)) = self.open.last_mut() else {
+                if self.lone as u64 == self.spots.count() {
+                    return Ok(Progress::Done);
+                }
+                let lone = self.spots.lone(self.lone);
+                lone.into_iter().for_each(|(layer, ends)| self.stroke(layer, ends, strokes));
+                self.lone += 1;
+                continue;
+            };
             let Some(item) = items.next() else {
                 self.open.pop();
                 continue;
@@ -127,7 +149,7 @@ impl Gather {
             let frame = *frame;
             match &drawing.items[item as usize] {
                 Item::Stroke(own) => {
-                    self.line((style, drawing), &Line::new(own, drawing), &frame, strokes);
+                    self.line((style, drawing), &Line::new(own, drawing), &frame, strokes, meter);
                     self.passed[0] = self.passed[0].saturating_add(1);
                 }
                 Item::Polygon(polygon) => {
@@ -145,7 +167,8 @@ impl Gather {
                 }
                 Item::Block(placed) => self.enter((drawing, style, facts), placed, &frame, strokes, meter)?,
             }
-            if self.count > self.most {
+            // A spot may get a stroke of its own.
+            if self.count.max(self.spots.count()) > self.most {
                 return Err(self.too_many());
             }
         }
@@ -180,17 +203,17 @@ impl Gather {
         let is_plain = style.colour_by != ColourBy::Path || self.has_one_step(drawing, pass);
         let one_stroke = facts.straight(placed.block).copied().filter(|_| is_plain);
         if let Some(line) = one_stroke {
-            self.line((style, drawing), &line, &frame, strokes);
-        } else if diameter < pen {
-            self.dot((style, drawing), &facts.chord(placed.block, drawing), &frame, strokes);
+            self.line((style, drawing), &line, &frame, strokes, meter);
+        } else if self.is_cut && diameter < pen {
+            self.line((style, drawing), &facts.chord(placed.block, drawing), &frame, strokes, meter);
         } else if block.segments >= FEW && is_plain && self.is_known((drawing, style, facts), placed.block, &frame) {
             meter.charge(4);
-        } else if diameter < LOCAL * pen && self.is_full(drawing.corners_of(block), &frame) {
+        } else if self.is_cut && diameter < LOCAL * pen && self.is_full((style, drawing, facts), placed.block, &frame) {
             meter.charge(64);
         } else {
             self.blocks += 1;
-            if self.blocks > MAX_PLOT_BLOCKS {
-                return Err(Diagnostic::limit(LimitName::PlotBlocks, MAX_PLOT_BLOCKS, None));
+            if self.blocks > self.most_blocks {
+                return Err(Diagnostic::limit(LimitName::PlotBlocks, self.most_blocks, None));
             }
             self.open.push((block.items.clone(), frame));
             return Ok(());
@@ -221,7 +244,7 @@ impl Gather {
         block: BlockId,
         frame: &Frame,
     ) -> bool {
-        let is_cut = facts.finest(block) * frame.scale.abs() < self.options.pen;
+        let is_cut = self.is_cut && facts.finest(block) * frame.scale.abs() < self.options.pen;
         let width = frame.style.width.of(0.0);
         let is_broad =
             self.options.hatch && drawing.blocks[block.0 as usize].widest.of(width) * self.page.step > self.options.pen;
@@ -233,7 +256,7 @@ impl Gather {
         let variant = (block, frame.heading.units(), is_cut, frame.scale.to_bits(), width.to_bits(), colour, level);
         let next = self.variants.len() as u32;
         let variant = *self.variants.entry(variant).or_insert(next);
-        let cell = if is_cut { SPOT * self.options.pen } else { SAME };
+        let cell = if is_cut { BESIDE * self.options.pen } else { SAME };
         let place = frame.at.map(|value| libm::round(value / cell) as i64);
         // Beyond the limit, blocks are only read more than once.
         if self.placed.len() as u64 >= self.most {
@@ -242,32 +265,27 @@ impl Gather {
         !self.placed.insert((variant, place))
     }
 
-    /// Whether all spots of a box around a block are full.
-    fn is_full(&self, corners: &[Point], frame: &Frame) -> bool {
-        let corners = corners.iter().map(|&corner| self.spot(self.down(frame.transform(corner))));
-        let (low, high) = corners.fold(([i64::MAX; 2], [i64::MIN; 2]), |(low, high), spot| {
-            ([0, 1].map(|axis| low[axis].min(spot[axis])), [0, 1].map(|axis| high[axis].max(spot[axis])))
-        });
-        (low[0]..=high[0]).all(|x| (low[1]..=high[1]).all(|y| self.spots.get(&[x, y]).is_some_and(|&n| n >= CROWD)))
+    /// Whether all spots of a box around a block have ink of its colour.
+    fn is_full(
+        &mut self,
+        (style, drawing, facts): (&Style, &Drawing, &BlockFacts),
+        block: BlockId,
+        frame: &Frame,
+    ) -> bool {
+        let layer = self.layer(style, drawing, &frame.style.then(&facts.chord(block, drawing).style));
+        let corners = drawing.corners_of(&drawing.blocks[block.0 as usize]);
+        self.spots.is_full(layer, corners.iter().map(|&corner| self.down(frame.transform(corner))))
     }
 
-    fn spot(&self, point: Point) -> [i64; 2] {
-        point.map(|value| libm::floor(value / (SPOT * self.options.pen)) as i64)
-    }
-
-    /// Draws the stroke that stands for a block, unless its spot is full.
-    fn dot(&mut self, about: (&Style, &Drawing), line: &Line, frame: &Frame, strokes: &mut impl Strokes) {
-        let middle = [0, 1].map(|axis| f64::midpoint(line.from[axis], line.to[axis]));
-        let spot = self.spot(self.down(frame.transform(middle)));
-        let crowd = self.spots.entry(spot).or_insert(0);
-        if *crowd < CROWD {
-            *crowd += 1;
-            self.line(about, line, frame, strokes);
-        }
-    }
-
-    /// Draws a line of a block.
-    fn line(&mut self, (style, drawing): (&Style, &Drawing), line: &Line, frame: &Frame, strokes: &mut impl Strokes) {
+    /// Draws a line of a block, or what is new of it if the drawing has parts smaller than the pen.
+    fn line(
+        &mut self,
+        (style, drawing): (&Style, &Drawing),
+        line: &Line,
+        frame: &Frame,
+        strokes: &mut impl Strokes,
+        meter: &mut Meter,
+    ) {
         let change = frame.style.then(&line.style);
         let layer = self.layer(style, drawing, &change);
         let ends = [line.from, line.to].map(|end| self.down(frame.transform(end)));
@@ -275,8 +293,13 @@ impl Gather {
         if self.options.hatch && width > self.options.pen && ends[0] != ends[1] {
             let left = self.most.saturating_sub(self.count) + 1;
             hatch::broad(ends, width, self.options.pen, left).for_each(|ends| self.stroke(layer, ends, strokes));
-        } else {
+        } else if !self.is_cut {
             self.stroke(layer, ends, strokes);
+        } else if distance(ends[0], ends[1]) < self.options.pen {
+            self.spots.dot(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends, strokes));
+        } else {
+            meter.charge(self.spots.steps(ends));
+            self.spots.stretches(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends, strokes));
         }
     }
 

@@ -10,9 +10,9 @@ use lsystem_syntax::{Meter, Progress};
 use std::collections::VecDeque;
 
 /// The nearest ends that are tried.
-const NEIGHBOURS: usize = 8;
+const NEIGHBOURS: usize = 10;
 /// The most polylines that are moved together.
-const MOVED: usize = 3;
+const MOVED: usize = 12;
 /// The most polylines that change their places at a time. Longer changes save little, and their time grows as the
 /// square of the number of polylines (Johnson and McGeoch 1997).
 const LONGEST: usize = 50_000;

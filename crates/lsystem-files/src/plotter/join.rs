@@ -4,11 +4,17 @@
 //! A connected part with 2k nodes of odd degree needs k trails, or one if there are none (Euler 1736). The nodes of odd
 //! degree are joined in pairs by moves of the raised pen, with little travel in all. Then the graph has closed trails
 //! (Hierholzer 1873); the moves part them into polylines, and the order along a closed trail has no other travel.
+//!
+//! A move of at most a pen's width is drawn: the round ends of two lines touch there, and to raise the pen takes longer.
+//! So is a move of a few pens that leads over ink. All these moves together are no longer than the ink that the cut saved.
 
 use super::cells::Cells;
+use super::ink::Ink;
 use super::merge::{JOINT, Piece};
+use super::options::PlotOptions;
 use super::page::{Point, distance};
 use super::pair::Pair;
+use super::spots::Spots;
 use lsystem_syntax::{Meter, Progress};
 
 /// The most pieces at a node that are compared to find the straightest way on.
@@ -17,6 +23,9 @@ const COMPARED: usize = 16;
 const STRAIGHT: f64 = 1e-6;
 /// Moves are taken last: their turn is greater than that of a piece that leads straight back.
 const MOVE: f64 = 2.0;
+/// The longest move that is drawn if it leads over ink, in pens. At the usual speeds, that takes a tenth of the time to
+/// raise and lower the pen.
+const OVER_INK: f64 = 4.0;
 /// No piece.
 const NONE: u32 = u32::MAX;
 
@@ -56,8 +65,15 @@ impl Polylines {
 #[derive(Clone, Debug)]
 pub(super) struct Join {
     pieces: Vec<Piece>,
+    /// The length under which polylines are left out.
     least: f64,
+    pen: f64,
+    spots: Spots,
+    /// The length of the moves that may still be drawn.
+    spare: f64,
     size: [f64; 2],
+    /// The nodes of the moves so far.
+    moves: Vec<[u32; 2]>,
     cells: Cells,
     /// The position and the layer of each node.
     nodes: Vec<(Point, u32)>,
@@ -114,12 +130,16 @@ enum Stage {
 }
 
 impl Join {
-    /// Prepares the joining on a sheet of this size. Polylines shorter than `least` are left out.
-    pub(super) fn new(pieces: Vec<Piece>, least: f64, size: [f64; 2]) -> Self {
+    /// Prepares the joining of ink on a sheet of this size.
+    pub(super) fn new(ink: Ink, options: &PlotOptions, size: [f64; 2]) -> Self {
         Self {
-            pieces,
-            least,
+            pieces: ink.pieces,
+            least: options.least,
+            pen: options.pen,
+            spots: ink.spots,
+            spare: ink.spare,
             size,
+            moves: Vec::new(),
             cells: Cells::new([JOINT; 2]),
             nodes: Vec::new(),
             ends: Vec::new(),
@@ -154,7 +174,7 @@ impl Join {
                         for [a, b] in pair.finish() {
                             let ends = [nodes[a as usize], nodes[b as usize]];
                             ends.iter().for_each(|&node| self.free[node as usize] += 1);
-                            self.ends.push(ends);
+                            self.add_move(ends);
                         }
                         self.pair(rest)
                     }
@@ -209,12 +229,27 @@ impl Join {
             let points = nodes.iter().map(|&node| self.nodes[node as usize].0).collect();
             return Stage::Pair(Box::new(Pair::new(points, self.size)), nodes, rest);
         }
+        self.ends.append(&mut self.moves);
         let count = self.ends.len();
         self.taken = vec![false; count];
         self.flipped = vec![false; count];
         self.next = vec![NONE; count];
         self.around = vec![0; 2 * count];
         Stage::Range(0)
+    }
+
+    /// Adds a move between two nodes, or a piece if the move is short and ink is spare.
+    fn add_move(&mut self, nodes: [u32; 2]) {
+        let [(from, layer), (to, _)] = nodes.map(|node| self.nodes[node as usize]);
+        let length = distance(from, to);
+        let pens = length / self.pen;
+        if length <= self.spare && (pens <= 1.0 || pens <= OVER_INK && self.spots.has(layer, [from, to])) {
+            self.spare -= length;
+            self.pieces.push(Piece { layer, ends: [from, to] });
+            self.ends.push(nodes);
+        } else {
+            self.moves.push(nodes);
+        }
     }
 
     fn range(&mut self, node: usize) -> Stage {

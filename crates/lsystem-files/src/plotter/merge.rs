@@ -34,6 +34,8 @@ pub(super) struct Merge {
     /// The number of ends passed so far.
     next: usize,
     pieces: Vec<Piece>,
+    /// The length of the pieces, in millimetres.
+    length: f64,
     /// The last end of a piece, and the number of strokes there.
     last: End,
 }
@@ -95,6 +97,7 @@ impl Merge {
             sort: None,
             next: 0,
             pieces: Vec::new(),
+            length: 0.0,
             last: End { line: u32::MAX, at: 0.0, starts: 0 },
         }
     }
@@ -134,11 +137,17 @@ impl Merge {
         // Nearer ends are one end.
         if end.at - self.last.at >= JOINT {
             if self.last.starts > 0 {
+                self.length += end.at - self.last.at;
                 self.pieces.push(self.lines[end.line as usize].piece(self.centre, [self.last.at, end.at]));
             }
             self.last.at = end.at;
         }
         self.last.starts += end.starts;
+    }
+
+    /// The length of all pieces so far, in millimetres.
+    pub(super) fn length(&self) -> f64 {
+        self.length
     }
 
     /// The pieces of ink, after all steps.

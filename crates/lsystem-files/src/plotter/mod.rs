@@ -1,7 +1,7 @@
 //! Files for pen plotters.
 //!
 //! The drawing becomes strokes on a sheet, in millimetres: every stroke, except that a part smaller than the pen's line
-//! becomes one stroke ([`gather`]). Ink on the same line is drawn once ([`merge`]). Pieces that meet become polylines
+//! becomes one stroke ([`gather`]) if that takes less ink ([`ink`]). Ink on the same line is drawn once ([`merge`]). Pieces that meet become polylines
 //! ([`join`]), in an order with little travel between them ([`order`], [`improve`]). The file is an SVG with a layer for
 //! each colour ([`write`]).
 
@@ -11,6 +11,7 @@ mod facts;
 mod gather;
 mod hatch;
 mod improve;
+mod ink;
 mod join;
 mod merge;
 mod near;
@@ -20,16 +21,16 @@ mod page;
 mod pair;
 mod pen;
 mod sort;
+mod spots;
 mod write;
 
 use super::{FileOptions, Writer};
 pub use estimate::PlotSummary;
 use facts::BlockFacts;
-use gather::Gather;
+use ink::InkMaker;
 use join::{Join, Polylines};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Diagnostic, Meter, Progress, Style};
-use merge::Merge;
 pub use options::{Corner, PlotOptions};
 use order::{Order, best_start};
 use page::{Page, distance};
@@ -57,8 +58,7 @@ pub struct PlotWriter {
 enum Stage {
     /// Finding the facts about the blocks.
     Look(Arc<Drawing>, BlockFacts),
-    Gather(Arc<Drawing>, BlockFacts, Box<(Gather, Merge)>),
-    Merge(Box<Merge>),
+    Ink(Box<InkMaker>),
     Join(Box<Join>),
     /// Adding up the lengths, from this polyline on, and sorting the polylines by layers.
     Measure(usize, Vec<Vec<u32>>),
@@ -123,25 +123,17 @@ impl PlotWriter {
             Stage::Look(drawing, mut facts) => match facts.step(&drawing, meter) {
                 Progress::More => Stage::Look(drawing, facts),
                 Progress::Done => {
-                    let gather = Gather::new(&drawing, self.page.clone(), self.options, self.file.most);
-                    Stage::Gather(drawing, facts, Box::new((gather, Merge::new(self.page.size))))
+                    let (page, most) = (self.page.clone(), self.file.most);
+                    Stage::Ink(Box::new(InkMaker::new(drawing, facts, page, self.options, most)))
                 }
             },
-            Stage::Gather(drawing, facts, mut both) => {
-                let (gather, merge) = &mut *both;
-                match gather.step((&drawing, &self.style, &facts), merge, meter)? {
-                    Progress::More => Stage::Gather(drawing, facts, both),
-                    Progress::Done => {
-                        let (gather, merge) = *both;
-                        self.summary.travel_before = gather.travel_home();
-                        self.colours = gather.colours;
-                        Stage::Merge(Box::new(merge))
-                    }
+            Stage::Ink(mut maker) => match maker.step(&self.style, meter)? {
+                None => Stage::Ink(maker),
+                Some(mut ink) => {
+                    self.summary.travel_before = ink.travel;
+                    self.colours = core::mem::take(&mut ink.colours);
+                    Stage::Join(Box::new(Join::new(ink, &self.options, self.page.size)))
                 }
-            }
-            Stage::Merge(mut merge) => match merge.step(meter) {
-                Progress::More => Stage::Merge(merge),
-                Progress::Done => Stage::Join(Box::new(Join::new(merge.finish(), self.options.least, self.page.size))),
             },
             Stage::Join(mut join) => match join.step(meter) {
                 Progress::More => Stage::Join(join),

@@ -1,0 +1,35 @@
+//! `cargo xtask bench plot`: plots beside those that vpype makes of the plain SVG.
+
+use super::programs;
+use crate::workspace::{Workspace, output, run};
+use anyhow::{Context, Result};
+use std::process::Command;
+
+/// Curves, islands, plants, many coincident strokes, and pens of several colours.
+const SYSTEMS: [&str; 10] = [
+    "curves/hilbert",
+    "curves/gosper",
+    "curves/levy-c",
+    "curves/koch-snowflake",
+    "curves/penrose",
+    "curves/sierpinski-gasket",
+    "abop/1.24a",
+    "abop/1.24f",
+    "practical-1/tree1",
+    "focs-lsystems/dragon-curve",
+];
+
+/// Prints a table: the ink of each system, what is drawn and travelled, and the times.
+pub(crate) fn bench(workspace: &Workspace) -> Result<()> {
+    let folder = workspace.root.join("crates/xtask/outside");
+    let python = programs::python(workspace, &folder)?;
+    run(&mut workspace.cargo(["build", "--quiet", "--release", "--package=lsys"]))?;
+    let lsys = workspace.target.join("release").join(format!("lsys{}", std::env::consts::EXE_SUFFIX));
+    let vpype = python.parent().context("a folder")?.join(format!("vpype{}", std::env::consts::EXE_SUFFIX));
+    let temporary = tempfile::tempdir()?;
+    let sources = SYSTEMS.map(|system| workspace.root.join("data_in").join(format!("{system}.json")));
+    let mut command = Command::new(&python);
+    command.arg(folder.join("plots.py")).arg(lsys).arg(vpype).arg(temporary.path()).args(sources);
+    print!("{}", output(&mut command)?);
+    Ok(())
+}

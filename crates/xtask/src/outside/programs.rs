@@ -1,0 +1,107 @@
+//! The programs that open files.
+
+use crate::workspace::{Workspace, output, run};
+use crate::{files, page, tools};
+use anyhow::{Context, Result};
+use serde_json::Value;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Programs of the system, the outputs that they open, and their packages in Debian. They are used where they are
+/// installed.
+const OPTIONAL: [(&str, &str, &str); 5] = [
+    ("ffprobe", "frames of films", "ffmpeg"),
+    ("pdftoppm", "ink of PDF and of TikZ pictures", "poppler-utils"),
+    ("pdflatex", "TikZ pictures and systems in LaTeX", "texlive-latex-recommended texlive-pictures"),
+    ("bibtex", "BibTeX entries", "texlive-binaries"),
+    ("kpsewhich", "whether LaTeX has TikZ", "texlive-binaries"),
+];
+
+/// The installed programs.
+pub(super) struct Programs {
+    folder: PathBuf,
+    python: PathBuf,
+    optional: Vec<(&'static str, Option<PathBuf>)>,
+    has_tikz: bool,
+}
+
+impl Programs {
+    /// Finds the programs, and installs the libraries of the two lock files: those of Node.js beside their list, those
+    /// of Python below `target/`.
+    pub(super) fn get(workspace: &Workspace) -> Result<Self> {
+        let folder = workspace.root.join("crates/xtask/outside");
+        page::packages(&folder).context("installing the glTF validator, which needs the npm registry")?;
+        let python = python(workspace, &folder)?;
+        let optional: Vec<_> = OPTIONAL.iter().map(|&(name, ..)| (name, tools::program(name))).collect();
+        let mut programs = Self { folder, python, optional, has_tikz: false };
+        // A LaTeX without its libraries is as good as none.
+        programs.has_tikz = programs.optional("kpsewhich").is_some_and(|program| {
+            let needed = ["tikz.sty", "tikzlibrarylindenmayersystems.code.tex", "amsmath.sty", "array.sty"];
+            needed.iter().all(|file| output(Command::new(program).arg(file)).is_ok())
+        });
+        Ok(programs)
+    }
+
+    /// A program of the system, if it is installed.
+    pub(super) fn optional(&self, name: &str) -> Option<&Path> {
+        self.optional.iter().find(|(own, _)| *own == name)?.1.as_deref()
+    }
+
+    /// LaTeX with TikZ, if it is installed.
+    pub(super) fn latex(&self) -> Option<&Path> {
+        self.optional("pdflatex").filter(|_| self.has_tikz)
+    }
+
+    /// What is not checked because a program is missing, a line for each.
+    pub(super) fn missing(&self) -> Vec<String> {
+        let is_missing = |name: &str| match name {
+            "pdflatex" => self.latex().is_none(),
+            // Only there to look for the libraries of LaTeX.
+            "kpsewhich" => false,
+            _ => self.optional(name).is_none(),
+        };
+        let missing = OPTIONAL.iter().filter(|(name, ..)| is_missing(name));
+        missing
+            .map(|(name, what, package)| format!("{what}: {name} is missing (Debian: apt-get install {package})"))
+            .collect()
+    }
+
+    /// The answers of `look.py` to these questions.
+    pub(super) fn look(&self, questions: &[Value]) -> Result<Vec<Value>> {
+        let mut command = Command::new(&self.python);
+        command.arg(self.folder.join("look.py")).stdin(Stdio::piped()).stdout(Stdio::piped());
+        let mut child = command.spawn().context("starting Python")?;
+        // Python reads all questions before it answers, so neither waits for the other. The pipe is closed at once.
+        child.stdin.take().context("Python's input")?.write_all(&serde_json::to_vec(questions)?)?;
+        let done = child.wait_with_output()?;
+        serde_json::from_slice(&done.stdout).context("look.py gave no answers")
+    }
+
+    /// The reports of the glTF validator about these files.
+    pub(super) fn validate_gltf(&self, files: &[PathBuf]) -> Result<Vec<Value>> {
+        let mut command = Command::new(tools::node()?);
+        Ok(serde_json::from_str(&output(command.arg(self.folder.join("look.mjs")).args(files))?)?)
+    }
+}
+
+/// The Python of the virtual environment `target/outside/venv`, with the libraries of `requirements.txt`. A copy of the
+/// installed list shows whether this has been done.
+pub(super) fn python(workspace: &Workspace, folder: &Path) -> Result<PathBuf> {
+    let list = folder.join("requirements.txt");
+    let wanted = files::read(&list)?;
+    let environment = workspace.target.join("outside/venv");
+    let python = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    let installed = environment.join("installed.txt");
+    if installed.is_file() && files::read(&installed)? == wanted {
+        return Ok(python);
+    }
+    run(Command::new(tools::python()?).args(["-m", "venv", "--clear"]).arg(&environment))
+        .context("making a virtual environment of Python (Debian: apt-get install python3-venv)")?;
+    let words = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary=:all:"];
+    run(Command::new(&python).args(words).arg("--require-hashes").arg("--requirement").arg(&list)).context(
+        "installing vpype, trimesh, Pillow, pypdf and markdown-it, which needs PyPI and Python 3.11 or newer",
+    )?;
+    files::write(&installed, wanted)?;
+    Ok(python)
+}

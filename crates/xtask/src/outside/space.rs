@@ -1,0 +1,58 @@
+//! Meshes.
+
+use super::asked::{Asked, number, numbers};
+use super::made::Made;
+use super::{equal, near};
+use crate::files;
+use anyhow::{Result, ensure};
+use serde_json::json;
+
+/// A curve in the plane, as tubes, and a bush with leaves.
+const SYSTEMS: [&str; 2] = ["curves/hilbert", "abop/1.25"];
+/// Tubes reach beyond their axes by half a stroke's width, which is less than this part of a drawing's longer side.
+const TUBE: f64 = 0.02;
+
+pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
+    for system in SYSTEMS {
+        let mut sides = made.told(system)?.sides();
+        sides.resize(3, 0.0);
+        let longest = sides.iter().copied().fold(0.0, f64::max);
+        let (obj, glb) = (made.draw(system, "obj", &[])?.0, made.draw(system, "glb", &[])?.0);
+        // Faces of more than three corners are cut into triangles.
+        let text = files::read_text(&obj)?;
+        let faces = text.lines().filter_map(|line| line.strip_prefix("f "));
+        let triangles: u64 = faces.map(|corners| corners.split_whitespace().count() as u64 - 2).sum();
+        asked.validate_gltf(format!("{system} as glb"), &glb, move |answers| {
+            let (issues, info) = (&answers[0]["issues"], &answers[0]["info"]);
+            for kind in ["numErrors", "numWarnings"] {
+                equal(&format!("{kind} in {}", issues["messages"]), issues[kind].as_u64(), Some(0))?;
+            }
+            equal("triangles", info["totalTriangleCount"].as_u64(), Some(triangles))?;
+            Ok(format!("no errors and no warnings, {triangles} triangles"))
+        });
+        for (format, file) in [("obj", obj), ("glb", glb)] {
+            let sides = sides.clone();
+            let question = json!({"look": "mesh", "file": file});
+            asked.look(format!("{system} as {format}"), "trimesh", [question], move |answers| {
+                equal("triangles", answers[0]["faces"].as_u64(), Some(triangles))?;
+                for (&found, &told) in numbers(&answers[0]["box"]).iter().zip(&sides) {
+                    // Coordinates have seven digits.
+                    near("side of the box", found, told + TUBE / 2.0 * longest, (TUBE / 2.0 + 1e-6) * longest)?;
+                }
+                Ok(format!("{triangles} triangles, {:.1} x {:.1} x {:.1} steps", sides[0], sides[1], sides[2]))
+            });
+        }
+        let file = made.draw(system, "stl", &[])?.0;
+        asked.look(format!("{system} as stl"), "trimesh", [json!({"look": "mesh", "file": file})], |answers| {
+            let mesh = &answers[0];
+            ensure!(mesh["is_watertight"] == true, "the mesh is not watertight");
+            ensure!(mesh["is_oriented"] == true, "some faces are turned over");
+            let (sides, volume) = (numbers(&mesh["box"]), number(&mesh["volume"]));
+            near("longest side in mm", sides.iter().copied().fold(0.0, f64::max), 100.0, 0.001)?;
+            let most: f64 = sides.iter().product();
+            ensure!(0.0 < volume && volume < most, "the volume is {volume} mm³ in a box of {most} mm³");
+            Ok(format!("watertight, {} triangles, {volume:.0} mm³", mesh["faces"]))
+        });
+    }
+    Ok(())
+}
