@@ -128,9 +128,9 @@ export const FORMATS = /* @__PURE__ */ Object.freeze({
     'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false, purpose: 'data', content: 'system', options: [] },
     'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false, purpose: 'data', content: 'string', options: [] },
     'csv': { ending: 'csv', mime: 'text/csv', label: 'CSV', help: 'Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour', picture: false, purpose: 'data', content: 'segments', options: [] },
-    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false, purpose: 'mesh', content: 'mesh', options: [] },
-    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines', picture: false, purpose: 'mesh', content: 'mesh', options: [] },
-    'stl': { ending: 'stl', mime: 'model/stl', label: 'STL', help: 'Mesh of closed tubes and slabs for printers, 100 mm long', picture: false, purpose: 'mesh', content: 'mesh', options: [] },
+    'obj': { ending: 'obj', mime: 'model/obj', label: 'OBJ', help: 'Mesh of coloured tubes, as text', picture: false, purpose: 'mesh', content: 'mesh', options: ['finest'] },
+    'glb': { ending: 'glb', mime: 'model/gltf-binary', label: 'glTF', help: 'Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines', picture: false, purpose: 'mesh', content: 'mesh', options: ['finest'] },
+    'stl': { ending: 'stl', mime: 'model/stl', label: 'STL', help: 'Mesh of closed tubes and slabs for printers, 100 mm long', picture: false, purpose: 'mesh', content: 'mesh', options: ['finest'] },
 });
 
 /** What files are for, in the order of the page's dialog, with labels. */
@@ -166,6 +166,7 @@ export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
     'travel-speed': { kind: 'number', low: 0.1, high: 10000, step: 1, default: 150, label: 'Travel speed', help: 'Speed of the raised pen, for the estimate of time', unit: 'mm/s' },
     'lift': { kind: 'number', low: 0, high: 60, step: 0.1, default: 0.2, label: 'Lift time', help: 'Seconds to raise and lower the pen, for the estimate of time', unit: 's' },
     'whole-sheet': { kind: 'flag', label: 'Whole sheet', help: 'Fill the sheet, instead of ending the page at the edge of the drawing', unit: '' },
+    'finest': { kind: 'number', low: 0, high: 20, step: 0.1, default: 0, label: 'Finest part', help: 'Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all', unit: '%' },
     'bare': { kind: 'flag', label: 'Leave the system out', help: 'Leave the system out of the file; the file cannot be opened again as a system', unit: '' },
 });
 

@@ -9,7 +9,7 @@ use crate::{CommandFailure, cores, picture, print};
 use lsystem::drawing::{Outlook, why_empty};
 use lsystem::files::{Content, FileOptions, Format, PngWriter, write_all};
 use lsystem::syntax::visible;
-use lsystem::{Mesh, write_json};
+use lsystem::write_json;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::sync::Arc;
@@ -127,9 +127,9 @@ fn contents(
             };
             return picture.map(|picture| Contents::Picture(Box::new(picture))).map_err(wrong);
         }
-        Content::Mesh { is_printed, write } => {
-            let make = if is_printed { Mesh::for_printing } else { Mesh::new };
-            write(make(&solid()?, style, MESH_SEGMENTS / shares).map_err(wrong)?, name)
+        Content::Mesh(write) => {
+            let options = FileOptions { most: MESH_SEGMENTS / shares, memory: limits.memory, ..options() };
+            write(Arc::new(solid()?), style.clone(), &options).map_err(wrong)?
         }
         Content::Segments { plane, space } => match system.is_solid() {
             true => space(Arc::new(solid()?), limits.segments).map_err(wrong)?,

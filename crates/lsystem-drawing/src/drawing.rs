@@ -23,7 +23,9 @@ mod scene;
 mod segments;
 mod shape;
 mod share;
+mod simplify;
 mod solid;
+mod solid_reader;
 mod task;
 mod tree;
 mod unfold;
@@ -41,7 +43,9 @@ pub use scene::SceneSize;
 pub use segments::Frame;
 pub(crate) use segments::SegmentIter;
 pub use shape::{Line, Shape};
+pub use simplify::Simplifier;
 pub use solid::draw_solid;
+pub(crate) use solid_reader::{SolidMark, SolidReader};
 
 use self::block::Contents;
 use crate::Plane;
@@ -184,7 +188,7 @@ impl<S: Space> Drawing<S> {
     }
 
     /// The number of segments and vertices of polygons; saturating.
-    fn size(&self) -> u128 {
+    pub fn size(&self) -> u128 {
         let Some(root) = self.root.filter(|_| self.polygon_count() > 0) else { return self.segment_count() };
         let mut sizes: Vec<u128> = Vec::with_capacity(self.blocks.len());
         for block in &self.blocks {

@@ -4,12 +4,12 @@
 //! path is one closed tube. A tube tapers to the width of the next stroke. A branch is a closed tube of its own that
 //! begins inside its parent.
 
-use crate::drawing::MarkReader;
-use crate::rotation::{Vector, cross, dot, minus, norm};
-use crate::triangulate::{Triangles, triangulate};
-use crate::{Drawing, Mark, Segment, Solid};
+mod tubes;
+
+use crate::drawing::{SolidMark, SolidReader};
+use crate::{BlockId, Drawing, Frame, Mark, Solid};
 use lsystem_syntax::{Diagnostic, LimitName, Meter, Progress, Style};
-use std::collections::HashSet;
+use tubes::Tubes;
 
 /// Triangles with colours, in model units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,13 +24,55 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
+/// The form of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshForm {
+    /// One mesh with a colour at each corner. Polygons have two sides.
+    Coloured,
+    /// One mesh for a printer, without colours: polygons are slabs as thick as the thinnest tube, so that every part has a
+    /// volume, and a stroke at the place of an earlier stroke of the same width is left out. Every edge joins exactly
+    /// two triangles.
+    Printed,
+    /// A mesh for each material. Polygons have one side, because their material shows both.
+    Apart {
+        /// Whether each colour has a material of its own.
+        by_colour: bool,
+    },
+}
+
+/// The choices for a mesh.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshOptions {
+    /// The form.
+    pub form: MeshForm,
+    /// The most segments, vertices of polygons and blocks left whole.
+    pub most: u64,
+    /// The most bytes of the mesh. While a list grows, its former bytes count extra.
+    pub memory: u64,
+    /// The least diameter of a tube, in parts of the drawing's longest side.
+    pub thinnest: f64,
+    /// Blocks with at most this many segments and polygons stay whole: [`MeshMaker::take_blocks`] returns their places
+    /// instead. 0 for none.
+    pub whole: u128,
+}
+
+impl Default for MeshOptions {
+    fn default() -> Self {
+        Self { form: MeshForm::Coloured, most: u64::MAX, memory: u64::MAX, thinnest: 0.0, whole: 0 }
+    }
+}
+
+/// The material of a part of a mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Material {
+    /// The colour: red, green and blue in sRGB. `None` if the corners have colours of their own.
+    pub rgb: Option<[u8; 3]>,
+    /// Whether this is the material of polygons, which have one side.
+    pub is_leaf: bool,
+}
+
 /// The longer side, in pixels, of the picture for which [`Style::min_width`] is taken.
 const PICTURE: f64 = 1024.0;
-/// The least cosine of the angle between strokes that share a ring. At sharper angles (above about 96 degrees) the ring
-/// would be too pointed.
-const SHARPEST: f64 = -0.1;
-/// The height of a tube's end, in radii.
-const ROUND: f64 = 0.6;
 
 impl Mesh {
     /// Makes a mesh of all strokes and polygons. Tubes have eight sides for up to 20,000 strokes, six for up to
@@ -41,17 +83,19 @@ impl Mesh {
     /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the drawing has more than `most` segments and vertices of
     /// polygons.
     pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
-        let mut maker = MeshMaker::new(drawing, style, most, u64::MAX)?;
-        while maker.step(drawing, style, u64::MAX)? == Progress::More {}
-        Ok(maker.finish())
+        Self::with(drawing, style, &MeshOptions { most, ..MeshOptions::default() })
     }
 
-    /// As [`Mesh::new`], with polygons as slabs ([`MeshMaker::for_printing`]).
+    /// As [`Mesh::new`], for a printer ([`MeshForm::Printed`]).
     ///
     /// # Errors
     /// As [`Mesh::new`].
     pub fn for_printing(drawing: &Drawing<Solid>, style: &Style, most: u64) -> Result<Self, Diagnostic> {
-        let mut maker = MeshMaker::new(drawing, style, most, u64::MAX)?.for_printing();
+        Self::with(drawing, style, &MeshOptions { form: MeshForm::Printed, most, ..MeshOptions::default() })
+    }
+
+    fn with(drawing: &Drawing<Solid>, style: &Style, options: &MeshOptions) -> Result<Self, Diagnostic> {
+        let mut maker = MeshMaker::new(drawing, style, options)?;
         while maker.step(drawing, style, u64::MAX)? == Progress::More {}
         Ok(maker.finish())
     }
@@ -82,38 +126,53 @@ impl Mesh {
 /// Makes a mesh in steps. The maker does not borrow the drawing between steps.
 #[derive(Clone, Debug)]
 pub struct MeshMaker {
-    reader: MarkReader<Solid>,
+    reader: SolidReader,
     tubes: Tubes,
-    /// The most bytes that the mesh may take.
+    /// The blocks left whole.
+    blocks: Vec<(BlockId, Frame<Solid>)>,
+    most: u64,
+    /// The number of segments, vertices of polygons and whole blocks so far.
+    count: u64,
     memory: u64,
     spent: u64,
 }
 
 impl MeshMaker {
-    /// Prepares a mesh of at most `memory` bytes. While a list grows, its former bytes count extra.
+    /// Prepares a mesh.
     ///
     /// # Errors
-    /// As [`Mesh::new`].
-    pub fn new(drawing: &Drawing<Solid>, style: &Style, most: u64, memory: u64) -> Result<Self, Diagnostic> {
-        drawing.check_size(most)?;
+    /// As [`Mesh::new`]. If blocks stay whole, [`MeshMaker::step`] counts instead.
+    pub fn new(drawing: &Drawing<Solid>, style: &Style, options: &MeshOptions) -> Result<Self, Diagnostic> {
+        if options.whole == 0 && drawing.size() > u128::from(options.most) {
+            return Err(Diagnostic::limit(LimitName::Mesh, options.most, None));
+        }
+        Ok(Self::read_by(SolidReader::new(drawing, options.whole), drawing, style, options))
+    }
+
+    /// Prepares a mesh of a block in a frame, in units of the root block. The frame's origin becomes the model's
+    /// origin.
+    #[must_use]
+    pub fn within(
+        drawing: &Drawing<Solid>,
+        style: &Style,
+        options: &MeshOptions,
+        block: BlockId,
+        frame: &Frame<Solid>,
+    ) -> Self {
+        Self::read_by(SolidReader::within(drawing, block, frame), drawing, style, options)
+    }
+
+    fn read_by(reader: SolidReader, drawing: &Drawing<Solid>, style: &Style, options: &MeshOptions) -> Self {
         let extent = drawing.bounds().map_or(0.0, |[low, high]| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max));
         let sides = match drawing.segment_count() {
             0..=20_000 => 8,
             20_001..=100_000 => 6,
             _ => 4,
         };
-        let least = 0.5 * style.min_width.max(0.1) * extent / PICTURE;
-        let tubes = Tubes { mesh: Mesh::default(), sides, least, thickness: 0.0, drawn: None, last: None };
-        Ok(Self { reader: MarkReader::new(drawing), tubes, memory, spent: 0 })
-    }
-
-    /// The maker for a printer: polygons become slabs as thick as the thinnest tube, so that every part has a volume,
-    /// and a stroke at the place of an earlier stroke of the same width is left out.
-    #[must_use]
-    pub fn for_printing(mut self) -> Self {
-        self.tubes.thickness = 2.0 * self.tubes.least;
-        self.tubes.drawn = Some(HashSet::new());
-        self
+        let thinnest = (style.min_width.max(0.1) / PICTURE).max(options.thinnest);
+        let tubes = Tubes::new(options.form, sides, 0.5 * thinnest * extent);
+        let MeshOptions { most, memory, .. } = *options;
+        Self { reader, tubes, blocks: vec![], most, count: 0, memory, spent: 0 }
     }
 
     /// The units of work of all steps so far, as [`Meter`] counts them.
@@ -122,261 +181,103 @@ impl MeshMaker {
         self.spent
     }
 
+    /// The number of segments, vertices of polygons and whole blocks so far.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// The bytes of the mesh so far.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.tubes.bytes()
+    }
+
+    /// The least diameter of a tube, in model units.
+    #[must_use]
+    pub fn least_width(&self) -> f64 {
+        self.tubes.least_width()
+    }
+
+    /// The blocks that stay whole, in drawing order, and their frames in units of the root block. Each block is returned
+    /// once.
+    pub fn take_blocks(&mut self) -> Vec<(BlockId, Frame<Solid>)> {
+        core::mem::take(&mut self.blocks)
+    }
+
     /// Continues for about `work` units. Every call needs the same drawing and style.
     ///
     /// # Errors
-    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the mesh would take more than `memory` bytes.
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the mesh would exceed its limits.
     pub fn step(&mut self, drawing: &Drawing<Solid>, style: &Style, work: u64) -> Result<Progress, Diagnostic> {
         let mut meter = Meter::new(work);
         let mut progress = Progress::More;
         while progress == Progress::More && !meter.is_spent() {
-            // A stroke has at most three rings and two ends, a polygon two sides and the corners of its rim.
-            let mut corners = 3 * self.tubes.sides as usize + 2;
             let mark = self.reader.next(drawing);
-            match &mark {
-                Some(Mark::Polygon(vertices, _)) => corners += 6 * vertices.len(),
-                Some(Mark::Segment(..)) => {}
-                None => progress = Progress::Done,
+            let (count, work) = match &mark {
+                Some(SolidMark::Mark(mark @ Mark::Polygon(vertices, _))) => (vertices.len() as u64, mark.work()),
+                Some(SolidMark::Mark(mark)) => (1, mark.work()),
+                Some(SolidMark::Whole(..)) => (1, 4),
+                None => (0, 2),
+            };
+            meter.charge(MARK_WORK * work);
+            self.count += count;
+            if self.count > self.most {
+                return Err(self.exceeded(LimitName::Mesh, self.most));
             }
-            meter.charge(mark.as_ref().map_or(8, |mark| MARK_WORK * mark.work()));
-            self.tubes.mesh.reserve(corners);
+            match &mark {
+                Some(SolidMark::Mark(mark)) => self.tubes.reserve(mark, style),
+                Some(SolidMark::Whole(block, frame)) => self.blocks.push((*block, *frame)),
+                None => self.tubes.reserve_end(),
+            }
             if self.tubes.bytes() > self.memory {
-                self.tubes.mesh = Mesh::default();
-                return Err(Diagnostic::limit(LimitName::Memory, self.memory, None));
+                return Err(self.exceeded(LimitName::Memory, self.memory));
             }
             match mark {
-                Some(Mark::Segment(segment, tint)) => self.tubes.add(&segment, style.colour_of(tint).rgb),
-                Some(Mark::Polygon(vertices, tint)) => self.tubes.fill(&vertices, style.colour_of(tint).rgb),
-                None => self.tubes.close(),
+                Some(SolidMark::Mark(Mark::Segment(segment, tint))) => {
+                    self.tubes.add(&segment, style.colour_of(tint).rgb);
+                }
+                Some(SolidMark::Mark(Mark::Polygon(vertices, tint))) => {
+                    self.tubes.fill(&vertices, style.colour_of(tint).rgb);
+                }
+                Some(SolidMark::Whole(..)) => {}
+                None => {
+                    self.tubes.close();
+                    progress = Progress::Done;
+                }
             }
         }
         self.spent = self.spent.saturating_add(meter.spent());
         Ok(progress)
     }
 
-    /// The mesh, when all steps are done.
+    /// Frees the mesh, and returns the diagnostic.
+    fn exceeded(&mut self, limit: LimitName, value: u64) -> Diagnostic {
+        self.tubes.clear();
+        Diagnostic::limit(limit, value, None)
+    }
+
+    /// The mesh, when all steps are done; the first one if materials are apart.
     #[must_use]
     pub fn finish(self) -> Mesh {
-        self.tubes.mesh
+        self.finish_apart().into_iter().next().map(|(_, mesh)| mesh).unwrap_or_default()
+    }
+
+    /// The meshes by material, in the order of their first strokes, when all steps are done.
+    #[must_use]
+    pub fn finish_apart(self) -> Vec<(Material, Mesh)> {
+        self.tubes.meshes
     }
 }
 
 /// The work of a mark in the mesh, in units of [`Mark::work`].
 const MARK_WORK: u64 = 4;
 
-/// Tubes in the making.
-#[derive(Clone, Debug)]
-struct Tubes {
-    mesh: Mesh,
-    sides: u32,
-    /// The least radius of a tube.
-    least: f64,
-    /// The thickness of polygons; 0 for two sides at the same place.
-    thickness: f64,
-    /// The ends and radii of all strokes, where a stroke is drawn once.
-    drawn: Option<HashSet<StrokeKey>>,
-    /// The stroke whose far end is still open.
-    last: Option<OpenTube>,
-}
-
-/// The ends of a stroke, the lesser first, and its radius, as bits of `f32`.
-type StrokeKey = [u32; 7];
-
-/// A stroke that has its first ring.
-#[derive(Clone, Copy, Debug)]
-struct OpenTube {
-    to: Vector,
-    /// The stroke's direction.
-    along: Vector,
-    /// The direction of a ring's first corner, at right angles to `along`.
-    across: Vector,
-    radius: f64,
-    colour: [u8; 3],
-    /// The index of the first ring's first corner.
-    ring: u32,
-}
-
-impl Tubes {
-    /// The bytes of the mesh and of what is remembered for it. A hash set leaves an eighth of its places free.
-    fn bytes(&self) -> u64 {
-        let places = self.drawn.as_ref().map_or(0, |drawn| drawn.capacity() / 7 * 8);
-        self.mesh.bytes() + (places * (size_of::<StrokeKey>() + 1)) as u64
-    }
-
-    /// Whether a stroke is drawn for the first time, if repeats are left out.
-    fn is_new(&mut self, segment: &Segment<Solid>, radius: f64) -> bool {
-        let Some(drawn) = &mut self.drawn else { return true };
-        // Zero has one sign, so that equal places have equal bits.
-        let bits = |value: f64| (value as f32 + 0.0).to_bits();
-        let [from, to] = [segment.from.map(bits), segment.to.map(bits)];
-        let ([a, b, c], [d, e, f]) = if from <= to { (from, to) } else { (to, from) };
-        drawn.insert([a, b, c, d, e, f, bits(radius)])
-    }
-
-    /// Adds the two sides of a polygon.
-    fn fill(&mut self, vertices: &[Vector], colour: [u8; 3]) {
-        let outline = if self.thickness > 0.0 { without_repeats(vertices) } else { vertices.to_vec() };
-        let vertices = &outline[..];
-        let Triangles { facing: Some(normal), corners: triangles, .. } = triangulate(vertices) else { return };
-        let half = 0.5 * self.thickness;
-        let lifted = |vertex: Vector, normal: Vector| [0, 1, 2].map(|i| vertex[i] + half * normal[i]);
-        let back = normal.map(|c| -c);
-        for (normal, order) in [(normal, [0, 1, 2]), (back, [0, 2, 1])] {
-            let first = self.mesh.positions.len() as u32;
-            vertices.iter().for_each(|&vertex| self.corner(lifted(vertex, normal), normal, colour));
-            let face = |triangle: &[usize; 3]| order.map(|corner| first + triangle[corner] as u32);
-            self.mesh.triangles.extend(triangles.iter().map(face));
-        }
-        let count = if half > 0.0 { vertices.len() } else { 0 };
-        for at in 0..count {
-            let edge = [vertices[at], vertices[(at + 1) % count]];
-            let out = unit(cross(minus(edge[1], edge[0]), normal));
-            let first = self.mesh.positions.len() as u32;
-            for side in [normal, back] {
-                edge.iter().for_each(|&vertex| self.corner(lifted(vertex, side), out, colour));
-            }
-            self.mesh.triangles.extend([[1, 0, 2], [1, 2, 3]].map(|corners| corners.map(|corner| first + corner)));
-        }
-    }
-
-    /// Adds a stroke.
-    fn add(&mut self, segment: &Segment<Solid>, colour: [u8; 3]) {
-        let way = minus(segment.to, segment.from);
-        let length = norm(way);
-        if !(length > 0.0 && length.is_finite()) {
-            return;
-        }
-        let along = way.map(|c| c / length);
-        // Clamped to the range of `f32`, as coordinates are.
-        let radius = (0.5 * segment.width).max(self.least).min(f64::from(f32::MAX));
-        if !self.is_new(segment, radius) {
-            return self.close();
-        }
-        let gap = |last: &OpenTube| norm(minus(segment.from, last.to));
-        let joined = self.last.filter(|last| gap(last) <= 1e-9 * length && dot(last.along, along) > SHARPEST);
-        let (across, ring) = match joined {
-            Some(last) => self.join(&last, along, radius, colour),
-            None => {
-                self.close();
-                let across = across(along);
-                let ring = self.ring(segment.from, along, across, along, radius, colour);
-                self.end(segment.from, along.map(|c| -c), radius, colour, |side| [ring + side + 1, ring + side]);
-                (across, ring)
-            }
-        };
-        self.last = Some(OpenTube { to: segment.to, along, across, radius, colour, ring });
-    }
-
-    /// Ends a stroke at the start of the next one, which goes along `along`. Returns the next stroke's `across` and
-    /// `ring`, as in [`OpenTube`].
-    fn join(&mut self, last: &OpenTube, along: Vector, radius: f64, colour: [u8; 3]) -> (Vector, u32) {
-        let half = unit([0, 1, 2].map(|i| last.along[i] + along[i]));
-        let ring = self.ring(last.to, last.along, last.across, half, radius, last.colour);
-        self.wall(last.ring, ring);
-        // The corners lie on the plane across `half`; projected along the next stroke they form a circle again.
-        let on_plane = slide(last.across, last.along, half);
-        let across = slide(on_plane, along, along);
-        let across = unit(across);
-        if colour == last.colour {
-            return (across, ring);
-        }
-        let own = self.ring(last.to, along, across, half, radius, colour);
-        // The same places to the last bit, so that programs that join corners by their places find no gap.
-        let [from, to] = [ring as usize, own as usize];
-        self.mesh.positions.copy_within(from..from + self.sides as usize, to);
-        (across, own)
-    }
-
-    /// Ends the open tube, if any.
-    fn close(&mut self) {
-        if let Some(last) = self.last.take() {
-            let ring = self.ring(last.to, last.along, last.across, last.along, last.radius, last.colour);
-            self.wall(last.ring, ring);
-            self.end(last.to, last.along, last.radius, last.colour, |side| [ring + side, ring + side + 1]);
-        }
-    }
-
-    /// Adds the corners of a tube along `along` where the tube meets the plane across `plane`. Returns the first
-    /// corner's index.
-    fn ring(&mut self, at: Vector, along: Vector, across: Vector, plane: Vector, radius: f64, colour: [u8; 3]) -> u32 {
-        let first = self.mesh.positions.len() as u32;
-        let third = cross(along, across);
-        for side in 0..self.sides {
-            let (c, s) =
-                lsystem_syntax::Heading::from_degrees(360.0 * f64::from(side) / f64::from(self.sides)).cos_sin();
-            let out = [0, 1, 2].map(|i| c * across[i] + s * third[i]);
-            let corner = slide(out, along, plane);
-            self.corner([0, 1, 2].map(|i| at[i] + radius * corner[i]), unit(slide(out, plane, plane)), colour);
-        }
-        first
-    }
-
-    fn corner(&mut self, at: Vector, normal: Vector, colour: [u8; 3]) {
-        self.mesh.positions.push(at.map(|c| c.clamp(-f64::from(f32::MAX), f64::from(f32::MAX)) as f32));
-        self.mesh.normals.push(normal.map(|c| c as f32));
-        self.mesh.colours.push(colour);
-    }
-
-    /// Adds the pointed end of a tube, which points along `out`. `edge` returns two neighbouring corners of its ring by
-    /// the number of the side; an index just after the last corner stands for the first.
-    fn end(&mut self, at: Vector, out: Vector, radius: f64, colour: [u8; 3], edge: impl Fn(u32) -> [u32; 2]) {
-        let middle = self.mesh.positions.len() as u32;
-        self.corner([0, 1, 2].map(|i| at[i] + ROUND * radius * out[i]), out, colour);
-        for side in 0..self.sides {
-            let [a, b] = edge(side).map(|corner| if corner == middle { middle - self.sides } else { corner });
-            self.mesh.triangles.push([a, b, middle]);
-        }
-    }
-
-    /// Adds the wall of a tube between two rings.
-    fn wall(&mut self, from: u32, to: u32) {
-        for side in 0..self.sides {
-            let next = (side + 1) % self.sides;
-            self.mesh.triangles.push([from + side, from + next, to + next]);
-            self.mesh.triangles.push([from + side, to + next, to + side]);
-        }
-    }
-}
-
-/// An outline without vertices at the place of the one before.
-fn without_repeats(vertices: &[Vector]) -> Vec<Vector> {
-    let size = vertices.iter().map(|&vertex| norm(minus(vertex, vertices[0]))).fold(0.0, f64::max);
-    let is_same = |a: &Vector, b: &Vector| norm(minus(*a, *b)) <= 1e-9 * size;
-    let mut outline: Vec<Vector> = Vec::with_capacity(vertices.len());
-    for vertex in vertices {
-        if outline.last().is_none_or(|last| !is_same(last, vertex)) {
-            outline.push(*vertex);
-        }
-    }
-    if outline.len() > 1 && is_same(&outline[0], &outline[outline.len() - 1]) {
-        outline.pop();
-    }
-    outline
-}
-
-/// A vector moved along `along` onto the plane through the origin across `plane`.
-fn slide(vector: Vector, along: Vector, plane: Vector) -> Vector {
-    let by = dot(vector, plane) / dot(along, plane);
-    [0, 1, 2].map(|i| vector[i] - by * along[i])
-}
-
-/// A unit vector at right angles to `along`.
-fn across(along: Vector) -> Vector {
-    // The axis at the largest angle to `along` gives the most exact product.
-    let least = (0..3).min_by(|&a, &b| along[a].abs().total_cmp(&along[b].abs())).unwrap_or(0);
-    let mut axis = [0.0; 3];
-    axis[least] = 1.0;
-    unit(cross(along, axis))
-}
-
-fn unit(vector: Vector) -> Vector {
-    let length = norm(vector);
-    vector.map(|c| c / length)
-}
-
 #[cfg(test)]
 mod tests {
+    use super::tubes::ROUND;
     use super::*;
+    use crate::rotation::{cross, dot, norm};
     use crate::{System, draw_solid};
     use lsystem_syntax::{Definition, Limits};
     use std::collections::BTreeMap;

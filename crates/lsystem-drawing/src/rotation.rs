@@ -52,6 +52,25 @@ impl Rotation {
         self.columns
     }
 
+    /// The rotation as a unit quaternion: x, y, z, w with w at least 0.
+    #[must_use]
+    pub fn quaternion(&self) -> [f64; 4] {
+        let [h, l, u] = self.columns;
+        let trace = h[0] + l[1] + u[2];
+        // Four times the squares of w, x, y, z. The largest divides the others without cancellation.
+        let squares = [1.0 + trace, 1.0 + 2.0 * h[0] - trace, 1.0 + 2.0 * l[1] - trace, 1.0 + 2.0 * u[2] - trace];
+        let largest = (0..4).max_by(|&a, &b| squares[a].total_cmp(&squares[b])).unwrap_or(0);
+        let [w, x, y, z] = match largest {
+            0 => [squares[0], l[2] - u[1], u[0] - h[2], h[1] - l[0]],
+            1 => [l[2] - u[1], squares[1], h[1] + l[0], u[0] + h[2]],
+            2 => [u[0] - h[2], h[1] + l[0], squares[2], l[2] + u[1]],
+            _ => [h[1] - l[0], u[0] + h[2], l[2] + u[1], squares[3]],
+        };
+        let length = (w * w + x * x + y * y + z * z).sqrt();
+        let scale = if w < 0.0 { -1.0 / length } else { 1.0 / length };
+        [x, y, z, w].map(|c| c * scale)
+    }
+
     /// This rotation, followed by `next` about the rotated axes.
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {

@@ -1,7 +1,7 @@
 //! A file of a system, made in steps and taken piece by piece.
 
-use crate::budget::{BAND, FEW_SEGMENTS, TEXT_SEGMENTS, WORK};
-use crate::stages::{Begun, FileWriter, described_file, mesh_file, plane_file, projected_file, solid_file, text_file};
+use crate::budget::{BAND, FEW_SEGMENTS, MESH, TEXT_SEGMENTS, WORK};
+use crate::stages::{Begun, FileWriter, described_file, plane_file, projected_file, solid_file, text_file};
 use crate::string::string_file;
 use lsystem_drawing::{Outlook, System};
 use lsystem_files::{Content, FileOptions, Format, PngOptions, PngWriter, write_json};
@@ -125,9 +125,10 @@ fn begin(Order { definition, format, options, view, camera, ratio }: Order, syst
                 })
             }))
         }
-        Content::Mesh { is_printed, write } => Ok(solid_file(&system, n, move |drawing| {
-            mesh_file(drawing, style, is_printed, move |mesh| write(mesh, &name))
-        })),
+        Content::Mesh(write) => {
+            let options = FileOptions { most: FEW_SEGMENTS, memory: MESH, ..options };
+            Ok(solid_file(&system, n, move |drawing| write(drawing, style, &options)))
+        }
     }
 }
 

@@ -1,11 +1,11 @@
 //! The stages of a file: a drawing, then its projection or its mesh, then the text or the bytes. Each stage is a
 //! [`Writer`] that prepares the next one, so that a file as a whole is one writer.
 
-use crate::budget::{FEW_SEGMENTS, LIMITS, MESH, WORK};
+use crate::budget::{FEW_SEGMENTS, LIMITS, WORK};
 use lsystem_derive::{Counter, Tally};
-use lsystem_drawing::{Drawer, Drawing, Mesh, MeshMaker, Outlook, Projection, Solid, Space, System, describe};
+use lsystem_drawing::{Drawer, Drawing, Outlook, Projection, Solid, Space, System, describe};
 use lsystem_files::Writer;
-use lsystem_syntax::{Diagnostic, Progress, Style};
+use lsystem_syntax::{Diagnostic, Progress};
 use std::sync::Arc;
 
 /// A file in the making.
@@ -131,27 +131,6 @@ pub(crate) fn projected_file(
             && let Some((projection, drawing, begin)) = making.take()
         {
             return begin(Arc::new(projection.finish(&drawing))).map(Some);
-        }
-        Ok(None)
-    }))
-}
-
-/// A file of the mesh of a drawing in space.
-pub(crate) fn mesh_file(
-    drawing: Arc<Drawing<Solid>>,
-    style: Style,
-    is_printed: bool,
-    write: impl FnOnce(Mesh) -> FileWriter + 'static,
-) -> Begun {
-    let maker = MeshMaker::new(&drawing, &style, FEW_SEGMENTS, MESH)?;
-    let maker = if is_printed { maker.for_printing() } else { maker };
-    let mut making = Some((maker, drawing, write));
-    Ok(prepared(move || {
-        if let Some((maker, drawing, _)) = &mut making
-            && maker.step(drawing, &style, WORK)? == Progress::Done
-            && let Some((maker, _, write)) = making.take()
-        {
-            return Ok(Some(write(maker.finish())));
         }
         Ok(None)
     }))

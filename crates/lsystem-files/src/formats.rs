@@ -3,10 +3,10 @@
 //! A new format needs a writer in its own file and a row here.
 
 use super::{
-    CsvWriter, FileOptions, GlbWriter, ObjWriter, PdfWriter, PlotWriter, StlWriter, SvgForm, SvgOptions, SvgWriter,
-    TikzLibraryWriter, TikzWriter, bibtex, latex, markdown,
+    CsvWriter, FileOptions, PdfWriter, PlotWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter,
+    bibtex, latex, markdown, mesh_file,
 };
-use lsystem_drawing::{Drawing, Mesh, Solid, Space, System};
+use lsystem_drawing::{Drawing, Solid, Space, System};
 use lsystem_syntax::{Definition, Diagnostic, Progress, Style};
 use std::sync::Arc;
 
@@ -84,7 +84,7 @@ impl Purpose {
 }
 
 /// The writer of a file, or the diagnostic for an exceeded limit.
-type WriterResult = Result<Box<dyn Writer>, Diagnostic>;
+pub(super) type WriterResult = Result<Box<dyn Writer>, Diagnostic>;
 
 /// The input of a file, with the function that makes its writer.
 #[derive(Clone, Copy, Debug)]
@@ -106,13 +106,8 @@ pub enum Content {
         /// The writer for a drawing in space.
         space: fn(Arc<Drawing<Solid>>, u64) -> WriterResult,
     },
-    /// A mesh of coloured tubes.
-    Mesh {
-        /// Whether polygons need a volume, as [`Mesh::for_printing`] gives them.
-        is_printed: bool,
-        /// The writer for a mesh and its name.
-        write: fn(Mesh, &str) -> Box<dyn Writer>,
-    },
+    /// A mesh of tubes. A drawing in the plane becomes one in space.
+    Mesh(fn(Arc<Drawing<Solid>>, Style, &FileOptions) -> WriterResult),
 }
 
 impl Content {
@@ -126,7 +121,7 @@ impl Content {
             Self::Paper(_) => "strokes",
             Self::Segments { .. } => "segments",
             Self::Words(_) => "words",
-            Self::Mesh { .. } => "mesh",
+            Self::Mesh(_) => "mesh",
         }
     }
 }
@@ -307,24 +302,18 @@ pub static FORMATS: [Format; 16] = [
         label: "OBJ",
         help: "Mesh of coloured tubes, as text",
         purpose: Purpose::Mesh,
-        content: Content::Mesh {
-            is_printed: false,
-            write: |mesh, name| Box::new(Obj { writer: ObjWriter::new(&mesh, name), mesh }),
-        },
-        options: &[],
+        content: Content::Mesh(mesh_file::obj),
+        options: &["finest"],
     },
     Format {
         name: "glb",
         ending: "glb",
         mime: "model/gltf-binary",
         label: "glTF",
-        help: "Mesh of coloured tubes, as binary glTF: for viewers, printers and game engines",
+        help: "Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines",
         purpose: Purpose::Mesh,
-        content: Content::Mesh {
-            is_printed: false,
-            write: |mesh, name| Box::new(Glb { writer: GlbWriter::new(&mesh, name), mesh }),
-        },
-        options: &[],
+        content: Content::Mesh(mesh_file::glb),
+        options: &["finest"],
     },
     Format {
         name: "stl",
@@ -333,8 +322,8 @@ pub static FORMATS: [Format; 16] = [
         label: "STL",
         help: "Mesh of closed tubes and slabs for printers, 100 mm long",
         purpose: Purpose::Mesh,
-        content: Content::Mesh { is_printed: true, write: |mesh, _| Box::new(StlWriter::new(mesh)) },
-        options: &[],
+        content: Content::Mesh(mesh_file::stl),
+        options: &["finest"],
     },
 ];
 
@@ -438,27 +427,5 @@ fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>, most: u64) -> WriterResult 
 impl<S: Space> Writer for Csv<S> {
     fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
         append(file, |text| Ok(self.writer.step(&self.drawing, text, work)))
-    }
-}
-
-struct Obj {
-    writer: ObjWriter,
-    mesh: Mesh,
-}
-
-impl Writer for Obj {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        append(file, |text| Ok(self.writer.step(&self.mesh, text, work)))
-    }
-}
-
-struct Glb {
-    writer: GlbWriter,
-    mesh: Mesh,
-}
-
-impl Writer for Glb {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        Ok(self.writer.step(&self.mesh, file, work))
     }
 }

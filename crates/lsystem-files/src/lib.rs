@@ -11,6 +11,7 @@ mod json;
 mod json_write;
 mod lines;
 mod link;
+mod mesh_file;
 mod number;
 mod obj;
 mod option_table;

@@ -76,7 +76,7 @@ pub enum OptionValue {
 }
 
 /// All choices. Values are applied in this order.
-pub static FILE_OPTIONS: [FileOption; 16] = [
+pub static FILE_OPTIONS: [FileOption; 17] = [
     FileOption {
         name: "size",
         label: "Size",
@@ -241,6 +241,14 @@ pub static FILE_OPTIONS: [FileOption; 16] = [
         unit: "",
         kind: OptionKind::Flag,
         set: |options, value| options.is_cropped = !value.flag(),
+    },
+    FileOption {
+        name: "finest",
+        label: "Finest part",
+        help: "Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all",
+        unit: "%",
+        kind: OptionKind::Number { low: 0.0, high: 20.0, step: 0.1, default: 0.0 },
+        set: |options, value| options.finest = value.number() / 100.0,
     },
     FileOption {
         name: "bare",

@@ -14,6 +14,10 @@ pub struct FileOptions {
     pub system: String,
     /// The most segments and vertices of polygons to write.
     pub most: u64,
+    /// The most bytes of a mesh.
+    pub memory: u64,
+    /// The size under which parts of a mesh become one tube, in parts of the longest side; 0 for none.
+    pub finest: f64,
     /// The sheet of formats for paper.
     pub sheet: Sheet,
     /// The width and the height of formats of pixels; `None` for the size that suits the drawing.
@@ -38,6 +42,8 @@ impl Default for FileOptions {
             description,
             system,
             most: 2_000_000,
+            memory: u64::MAX,
+            finest: 0.0,
             sheet: Sheet::default(),
             is_cropped: true,
             plot: PlotOptions::default(),

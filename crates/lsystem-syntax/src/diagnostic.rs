@@ -637,6 +637,10 @@ pub enum LimitName {
     PlotStrokes,
     /// Parts of a drawing that are read for a plotter ([`MAX_PLOT_BLOCKS`](crate::MAX_PLOT_BLOCKS)).
     PlotBlocks,
+    /// Segments and vertices of polygons that a mesh writes out.
+    Mesh,
+    /// Segments and vertices of polygons that a viewer of a mesh draws, copies included.
+    MeshCopies,
     /// Bytes of a drawing under construction, or of a derivation ([`Limits::memory`](crate::Limits::memory)).
     Memory,
     /// Iterations (1,000).

@@ -65,8 +65,8 @@ pub use fields::{FIELDS, FieldSpec};
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
 pub use limits::{
-    Limits, MAX_ACTIONS, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_PALETTE, MAX_PARAMETERS, MAX_PICTURE_PIXELS,
-    MAX_PICTURE_SIDE, MAX_PLOT_BLOCKS, MAX_TEXT,
+    Limits, MAX_ACTIONS, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_MESH_COPIES, MAX_PALETTE, MAX_PARAMETERS,
+    MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, MAX_PLOT_BLOCKS, MAX_TEXT,
 };
 pub use meter::Meter;
 pub use notation::constants::ConstantPlace;

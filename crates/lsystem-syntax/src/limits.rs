@@ -37,7 +37,8 @@ impl Limits {
         match name {
             LimitName::Symbols => self.symbols,
             LimitName::Modules => self.modules,
-            LimitName::Segments | LimitName::PlotStrokes => self.segments,
+            LimitName::Segments | LimitName::PlotStrokes | LimitName::Mesh => self.segments,
+            LimitName::MeshCopies => MAX_MESH_COPIES,
             LimitName::PlotBlocks => MAX_PLOT_BLOCKS,
             LimitName::Work => self.work,
             LimitName::Memory => self.memory,
@@ -53,6 +54,10 @@ impl Limits {
 
 /// The most derivation steps of a system.
 pub const MAX_ITERATIONS: u32 = 1_000;
+
+/// The most segments and vertices of polygons that a viewer of a mesh draws, copies of shared parts included. A segment
+/// has 16 to 32 triangles, and viewers turn some ten million triangles smoothly.
+pub const MAX_MESH_COPIES: u64 = 1_000_000;
 
 /// The most bytes of a text: an axiom, rules, overrides, or a file.
 pub const MAX_TEXT: usize = 1 << 20;

@@ -53,6 +53,10 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 LimitName::Work => format!("Deriving it would pass through more than {value} symbols"),
                 LimitName::PlotStrokes => format!("The plot would have more than {value} strokes"),
                 LimitName::PlotBlocks => format!("The plot would be made of more than {value} parts of the drawing"),
+                LimitName::Mesh => format!("The mesh would have more than {value} segments and vertices of polygons"),
+                LimitName::MeshCopies => {
+                    format!("Viewers would draw more than {value} segments and vertices of polygons")
+                }
                 LimitName::Memory => format!("The drawing would take more than {mebibytes} MiB of memory"),
                 LimitName::Iterations => format!("There can be at most {value} iterations"),
                 LimitName::Text => format!("The text is longer than {value} bytes"),
@@ -64,6 +68,9 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             let hint = match limit {
                 LimitName::PlotStrokes | LimitName::PlotBlocks => {
                     Some("A broader pen, a smaller sheet or fewer iterations make fewer.".into())
+                }
+                LimitName::Mesh | LimitName::MeshCopies => {
+                    Some("Fewer iterations or a larger finest part make fewer.".into())
                 }
                 _ => largest.map(|n| format!("Up to {n} iterations fit.")),
             };

@@ -104,7 +104,7 @@ fn the_corpus_in_space() {
         segments.numbers(drawing.bounds().unwrap_or_default().iter().flatten().map(|v| v.to_bits()));
         let mut files = Digest::new();
         let mesh = Mesh::new(&drawing, &system.style, u64::MAX).unwrap();
-        files.bytes(&write_glb(&mesh, name));
+        files.bytes(&write_glb(&drawing, &system.style, u64::MAX, name).unwrap());
         files.bytes(write_obj(&mesh, name).as_bytes());
         let seen = drawing.seen_from(&Outlook::default(), u64::MAX).unwrap();
         files.bytes(write_svg(&seen, &system.style, &SvgOptions::default()).unwrap().text.as_bytes());

@@ -9,7 +9,7 @@
 //! - a [`Drawing`] in the plane or in [space](Solid): [`draw`] and [`draw_solid`], or a [`Drawer`] in steps.
 //!
 //! A drawing has pixels ([`Renderer`], [`SolidRenderer`]), files ([`write_svg`], [`write_csv`],
-//! and [`write_obj`] and [`write_glb`] of its [`Mesh`]), segments, and a mark at each point ([`pick`]).
+//! [`write_glb`], and [`write_obj`] of its [`Mesh`]), segments, and a mark at each point ([`pick`]).
 //!
 //! A drawing is a graph of shared [`Block`](drawing::Block)s, one for all parts that are equal up to a rotation:
 //! without chance and contexts, the hundredth generation takes about as much memory as the tenth. Other drawings are

@@ -142,7 +142,8 @@ fn polygons_count_where_everything_is_written() {
     let options = SvgOptions { most: 1000, ..SvgOptions::default() };
     assert!(refused(write_svg(&drawing, &leaves.style, &options).unwrap_err().kind));
     let solid = draw_solid(&system, 100, &Limits::default()).unwrap();
-    assert!(refused(Mesh::new(&solid, &leaves.style, 1000).unwrap_err().kind));
+    let mesh = Mesh::new(&solid, &leaves.style, 1000).unwrap_err().kind;
+    assert!(matches!(mesh, Kind::Limit { limit: LimitName::Mesh, .. }), "{mesh:?}");
     assert!(refused(solid.seen_from(&Outlook::default(), 1000).unwrap_err().kind));
 }
 

@@ -10,7 +10,7 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 14] = [
+const PAGES: [&str; 15] = [
     "lesson",
     "notation",
     "links",
@@ -21,6 +21,7 @@ const PAGES: [&str; 14] = [
     "films",
     "papers",
     "plotting",
+    "meshes",
     "about",
     "security",
     "imports",

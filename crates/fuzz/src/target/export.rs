@@ -32,7 +32,9 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
         check(&mesh);
         let obj = gauge.call("obj", || write_obj(&mesh, definition.label()));
         assert!(!obj.contains("NaN") && !obj.contains("inf"), "a number that is not finite in OBJ");
-        let glb = gauge.call("glb", || write_glb(&mesh, definition.label()));
+        let Ok(glb) = gauge.call("glb", || write_glb(&drawing, &system.style, MOST, definition.label())) else {
+            return;
+        };
         assert!(glb.starts_with(b"glTF"));
         let length = glb[8..12].iter().rev().fold(0, |length, &byte| length << 8 | usize::from(byte));
         assert_eq!(length, glb.len(), "the length that the file tells");

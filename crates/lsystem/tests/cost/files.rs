@@ -2,7 +2,7 @@
 
 use super::drawing::{LIMITS, Largest, finished};
 use super::systems::cases;
-use lsystem::drawing::{MeshMaker, Outlook, Projection};
+use lsystem::drawing::{MeshMaker, MeshOptions, Outlook, Projection};
 use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgWriter};
 use lsystem::syntax::Meter;
 use lsystem::{Definition, Drawer, Drawing, Progress, Solid, SvgOptions, System, draw, draw_solid};
@@ -121,7 +121,8 @@ fn no_step_of_a_mesh_takes_more_than_its_share_and_a_piece() {
             let Some(drawing) = finished(Drawer::solid(&system, 3, LIMITS)) else { continue };
             let name = || case.name.clone();
             let style = &case.definition.style;
-            let Ok(mut maker) = MeshMaker::new(&drawing, style, MOST, 64 << 20) else { continue };
+            let options = MeshOptions { most: MOST, memory: 64 << 20, ..MeshOptions::default() };
+            let Ok(mut maker) = MeshMaker::new(&drawing, style, &options) else { continue };
             let mut before = 0;
             let made = loop {
                 let progress = maker.step(&drawing, style, SHARE);
@@ -135,7 +136,8 @@ fn no_step_of_a_mesh_takes_more_than_its_share_and_a_piece() {
             };
             let mesh = maker.finish();
             assert!(made || mesh.bytes() == 0, "{}", case.name);
-            let (mut text, mut file) = (ObjWriter::new(&mesh, ""), GlbWriter::new(&mesh, ""));
+            let mut text = ObjWriter::new(&mesh, "");
+            let file = GlbWriter::new(&drawing, style, MOST, 64 << 20, "");
             let steps = |largest: &mut Largest, step: &mut dyn FnMut() -> (Progress, u64, usize)| {
                 let mut before = 0;
                 loop {
@@ -152,10 +154,18 @@ fn no_step_of_a_mesh_takes_more_than_its_share_and_a_piece() {
                 let mut piece = String::new();
                 (text.step(&mesh, &mut piece, SHARE), text.spent(), piece.len())
             });
-            steps(&mut glb, &mut || {
+            let Ok(mut file) = file else { continue };
+            let mut before = 0;
+            loop {
                 let mut piece = Vec::new();
-                (file.step(&mesh, &mut piece, SHARE), file.spent(), piece.len())
-            });
+                let progress = file.step(&drawing, style, &mut piece, SHARE);
+                glb.see(file.spent() - before, name);
+                assert!(piece.len() as u64 <= 4096 + BYTES * (file.spent() - before), "{}", case.name);
+                before = file.spent();
+                if progress != Ok(Progress::More) {
+                    break;
+                }
+            }
         }
     }
     for (name, largest) in [("mesh", tubes), ("obj", obj), ("glb", glb)] {

@@ -1,0 +1,344 @@
+//! A scene as the bytes of a binary glTF file.
+
+use crate::number::write_exact;
+use core::fmt::Write;
+use lsystem_drawing::{Material, Mesh};
+use lsystem_syntax::{Meter, Progress};
+
+/// Constants of the format, by their names in its specification.
+const FLOAT: u32 = 5126;
+const UNSIGNED_SHORT: u32 = 5123;
+const UNSIGNED_INT: u32 = 5125;
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+
+/// The most entries written between two checks of the meter.
+const PIECE: usize = 256;
+/// The most corners of a mesh with 16-bit indices: the greatest 16-bit number is no index.
+const SHORT: usize = 0xffff;
+
+/// Meshes and their places.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scene {
+    /// The name of the node that holds all others.
+    pub(super) name: String,
+    /// The meshes, which parts may share.
+    pub(super) meshes: Vec<Mesh>,
+    /// Whether corners have colours of their own.
+    pub(super) has_colours: bool,
+    /// The materials of each part, and the indices of their meshes.
+    pub(super) parts: Vec<Vec<(Material, usize)>>,
+    /// The placed parts.
+    pub(super) nodes: Vec<Node>,
+}
+
+/// A placed part.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    pub(super) part: usize,
+    /// The place, in model units.
+    pub(super) at: [f64; 3],
+    /// The rotation as a unit quaternion: x, y, z, w.
+    pub(super) rotation: [f64; 4],
+}
+
+/// A list of the binary chunk. The lists follow each other in this order, each mesh by mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum List {
+    Positions,
+    Normals,
+    Colours,
+    /// The indices of meshes with many corners.
+    Long,
+    /// The indices of all other meshes.
+    Short,
+}
+
+impl List {
+    const ALL: [Self; 5] = [Self::Positions, Self::Normals, Self::Colours, Self::Long, Self::Short];
+
+    /// The number of a mesh's entries: corners or triangles.
+    fn entries(self, mesh: &Mesh, has_colours: bool) -> usize {
+        let is_long = mesh.positions.len() > SHORT;
+        match self {
+            Self::Positions | Self::Normals => mesh.positions.len(),
+            Self::Colours if has_colours => mesh.positions.len(),
+            Self::Long if is_long => mesh.triangles.len(),
+            Self::Short if !is_long => mesh.triangles.len(),
+            _ => 0,
+        }
+    }
+
+    /// The bytes of an entry.
+    const fn size(self) -> usize {
+        match self {
+            Self::Positions | Self::Normals | Self::Long => 12,
+            Self::Colours => 8,
+            Self::Short => 6,
+        }
+    }
+}
+
+impl Scene {
+    /// The bytes of a list.
+    fn bytes_of(&self, list: List) -> usize {
+        self.meshes.iter().map(|mesh| list.entries(mesh, self.has_colours)).sum::<usize>() * list.size()
+    }
+
+    /// The bytes before the binary data. Only parts with triangles may have nodes.
+    pub(super) fn head(&self) -> Vec<u8> {
+        // The length of a chunk is a multiple of four bytes.
+        let binary = List::ALL.map(|list| self.bytes_of(list)).iter().sum::<usize>().next_multiple_of(4);
+        let mut json = String::from("{\"asset\":{\"version\":\"2.0\",\"generator\":\"lsystem\"},\"scene\":0,");
+        if self.nodes.is_empty() {
+            json.push_str("\"scenes\":[{}]}");
+        } else {
+            json.push_str("\"scenes\":[{\"nodes\":[0]}]");
+            self.write_nodes(&mut json);
+            self.write_meshes(&mut json);
+            let _ = write!(json, ",\"buffers\":[{{\"byteLength\":{binary}}}]}}");
+        }
+        while !json.len().is_multiple_of(4) {
+            json.push(' ');
+        }
+        let chunk = |length: usize, kind: &[u8; 4]| [&(length as u32).to_le_bytes()[..], kind].concat();
+        let length = 12 + 8 + json.len() + if binary > 0 { 8 + binary } else { 0 };
+        let mut head = [&b"glTF"[..], &2_u32.to_le_bytes(), &(length as u32).to_le_bytes()].concat();
+        head.extend(chunk(json.len(), b"JSON"));
+        head.extend(json.as_bytes());
+        if binary > 0 {
+            head.extend(chunk(binary, b"BIN\0"));
+        }
+        head
+    }
+
+    fn write_nodes(&self, json: &mut String) {
+        json.push_str(",\"nodes\":[{\"name\":");
+        write_string(json, &self.name);
+        json.push_str(",\"children\":[");
+        write_list(json, 1..=self.nodes.len(), |json, node| {
+            let _ = write!(json, "{node}");
+        });
+        json.push_str("]}");
+        for Node { part, at, rotation } in &self.nodes {
+            let _ = write!(json, ",{{\"mesh\":{part}");
+            if at.iter().any(|&c| c != 0.0) {
+                json.push_str(",\"translation\":[");
+                write_list(json, at, |json, &c| write_float(json, c));
+                json.push(']');
+            }
+            if rotation[3] < 1.0 {
+                json.push_str(",\"rotation\":[");
+                write_list(json, rotation, |json, &c| write_float(json, c));
+                json.push(']');
+            }
+            json.push('}');
+        }
+        json.push(']');
+    }
+
+    /// Writes meshes, materials, accessors and views of the binary chunk.
+    fn write_meshes(&self, json: &mut String) {
+        let views: Vec<List> = List::ALL.into_iter().filter(|&list| self.bytes_of(list) > 0).collect();
+        let (mut accessors, mut count, mut offsets) = (String::new(), 0, [0; List::ALL.len()]);
+        // By mesh: the start of a primitive, up to its material.
+        let mut starts = Vec::with_capacity(self.meshes.len());
+        for mesh in &self.meshes {
+            let mut start = String::from("{\"attributes\":{");
+            for list in List::ALL {
+                let entries = list.entries(mesh, self.has_colours);
+                if entries == 0 {
+                    continue;
+                }
+                if count > 0 {
+                    accessors.push(',');
+                }
+                let view = views.iter().position(|&view| view == list).unwrap_or_default();
+                let offset = &mut offsets[list as usize];
+                write_accessor(&mut accessors, list, view, *offset, mesh);
+                *offset += entries * list.size();
+                let _ = match list {
+                    List::Positions => write!(start, "\"POSITION\":{count}"),
+                    List::Normals => write!(start, ",\"NORMAL\":{count}"),
+                    List::Colours => write!(start, ",\"COLOR_0\":{count}"),
+                    List::Long | List::Short => write!(start, "}},\"indices\":{count}"),
+                };
+                count += 1;
+            }
+            starts.push(start);
+        }
+        let mut materials: Vec<Material> = vec![];
+        json.push_str(",\"meshes\":[");
+        write_list(json, &self.parts, |json, part| {
+            json.push_str("{\"primitives\":[");
+            write_list(json, part, |json, (material, mesh)| {
+                let number = materials.iter().position(|known| known == material).unwrap_or_else(|| {
+                    materials.push(*material);
+                    materials.len() - 1
+                });
+                let _ = write!(json, "{},\"material\":{number}}}", starts[*mesh]);
+            });
+            json.push_str("]}");
+        });
+        json.push_str("],\"materials\":[");
+        write_list(json, &materials, |json, &material| write_material(json, material));
+        let _ = write!(json, "],\"accessors\":[{accessors}],\"bufferViews\":[");
+        let mut offset = 0;
+        write_list(json, views, |json, list| {
+            let length = self.bytes_of(list);
+            let _ = write!(json, "{{\"buffer\":0,\"byteOffset\":{offset},\"byteLength\":{length}");
+            let _ = match list {
+                List::Long | List::Short => write!(json, ",\"target\":{ELEMENT_ARRAY_BUFFER}}}"),
+                _ => write!(json, ",\"byteStride\":{},\"target\":{ARRAY_BUFFER}}}", list.size()),
+            };
+            offset += length;
+        });
+        json.push(']');
+    }
+}
+
+/// A place in the binary chunk.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Data {
+    list: usize,
+    mesh: usize,
+    /// The number of entries written.
+    entry: usize,
+    bytes: usize,
+}
+
+impl Data {
+    /// Appends bytes until the meter is spent. `linear` has the linear value of each sRGB value.
+    pub(super) fn step(&mut self, scene: &Scene, linear: &[u16], bytes: &mut Vec<u8>, meter: &mut Meter) -> Progress {
+        while !meter.is_spent() {
+            let Some(&list) = List::ALL.get(self.list) else {
+                while !self.bytes.is_multiple_of(4) {
+                    bytes.push(0);
+                    self.bytes += 1;
+                }
+                return Progress::Done;
+            };
+            meter.charge(1);
+            let Some(mesh) = scene.meshes.get(self.mesh) else {
+                (self.list, self.mesh) = (self.list + 1, 0);
+                continue;
+            };
+            let entries = list.entries(mesh, scene.has_colours);
+            let (from, to) = (self.entry, (self.entry + PIECE).min(entries));
+            if from == to {
+                (self.mesh, self.entry) = (self.mesh + 1, 0);
+                continue;
+            }
+            match list {
+                List::Positions | List::Normals => {
+                    let vectors = if list == List::Positions { &mesh.positions } else { &mesh.normals };
+                    vectors[from..to].iter().flatten().for_each(|value| bytes.extend(value.to_le_bytes()));
+                }
+                List::Colours => {
+                    for colour in &mesh.colours[from..to] {
+                        let [r, g, b] = colour.map(|c| linear[usize::from(c)]);
+                        [r, g, b, u16::MAX].iter().for_each(|value| bytes.extend(value.to_le_bytes()));
+                    }
+                }
+                List::Long => {
+                    mesh.triangles[from..to].iter().flatten().for_each(|index| bytes.extend(index.to_le_bytes()));
+                }
+                List::Short => {
+                    let indices = mesh.triangles[from..to].iter().flatten();
+                    indices.for_each(|&index| bytes.extend((index as u16).to_le_bytes()));
+                }
+            }
+            self.entry = to;
+            self.bytes += (to - from) * list.size();
+            meter.charge((to - from) as u64);
+        }
+        Progress::More
+    }
+}
+
+/// Writes the accessor of a mesh's entries in a list.
+fn write_accessor(json: &mut String, list: List, view: usize, offset: usize, mesh: &Mesh) {
+    let (corners, indices) = (mesh.positions.len(), 3 * mesh.triangles.len());
+    let (component, kind, count) = match list {
+        List::Positions | List::Normals => (FLOAT, "VEC3", corners),
+        List::Colours => (UNSIGNED_SHORT, "VEC4", corners),
+        List::Long => (UNSIGNED_INT, "SCALAR", indices),
+        List::Short => (UNSIGNED_SHORT, "SCALAR", indices),
+    };
+    let _ = write!(
+        json,
+        "{{\"bufferView\":{view},\"byteOffset\":{offset},\"componentType\":{component},\"type\":\"{kind}\",\
+         \"count\":{count}"
+    );
+    if list == List::Colours {
+        json.push_str(",\"normalized\":true");
+    }
+    if list == List::Positions {
+        let least = |axis: usize| mesh.positions.iter().map(|p| p[axis]).fold(f32::INFINITY, f32::min);
+        let most = |axis: usize| mesh.positions.iter().map(|p| p[axis]).fold(f32::NEG_INFINITY, f32::max);
+        for (key, bound) in [("min", [0, 1, 2].map(least)), ("max", [0, 1, 2].map(most))] {
+            let _ = write!(json, ",\"{key}\":[");
+            write_list(json, bound, |json, value| write_exact(json, f64::from(value)));
+            json.push(']');
+        }
+    }
+    json.push('}');
+}
+
+/// Writes a material: rough and not metallic, as bark and leaves are. Leaves have one side, which is shown from both.
+fn write_material(json: &mut String, Material { rgb, is_leaf }: Material) {
+    let kind = if is_leaf { "Leaf" } else { "Stroke" };
+    let _ = write!(json, "{{\"name\":\"{kind}");
+    if let Some([r, g, b]) = rgb {
+        let _ = write!(json, " #{r:02x}{g:02x}{b:02x}");
+    }
+    json.push_str("\",\"pbrMetallicRoughness\":{");
+    if let Some(rgb) = rgb {
+        json.push_str("\"baseColorFactor\":[");
+        for value in rgb.map(linear) {
+            write_exact(json, value as f32 as f64);
+            json.push(',');
+        }
+        json.push_str("1],");
+    }
+    json.push_str("\"metallicFactor\":0,\"roughnessFactor\":0.8}");
+    json.push_str(if is_leaf { ",\"doubleSided\":true}" } else { "}" });
+}
+
+/// Converts an sRGB value (0 to 255) to a linear value (0 to 1).
+pub(super) fn linear(value: u8) -> f64 {
+    let value = f64::from(value) / 255.0;
+    if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
+}
+
+/// Writes the entries of a list with commas between them.
+fn write_list<T>(json: &mut String, list: impl IntoIterator<Item = T>, mut write: impl FnMut(&mut String, T)) {
+    for (number, entry) in list.into_iter().enumerate() {
+        if number > 0 {
+            json.push(',');
+        }
+        write(json, entry);
+    }
+}
+
+/// Writes a number with the digits of the nearest `f32`, which viewers read.
+fn write_float(json: &mut String, value: f64) {
+    let value = value.clamp(-f64::from(f32::MAX), f64::from(f32::MAX)) as f32;
+    let _ = match value.abs() {
+        0.0 => json.write_char('0'),
+        1e-5..1e12 => write!(json, "{value}"),
+        _ => write!(json, "{value:e}"),
+    };
+}
+
+fn write_string(json: &mut String, text: &str) {
+    json.push('"');
+    for ch in text.chars() {
+        match ch {
+            '"' | '\\' => json.extend(['\\', ch]),
+            _ if ch.is_control() => json.push(' '),
+            _ => json.push(ch),
+        }
+    }
+    json.push('"');
+}
