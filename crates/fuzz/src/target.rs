@@ -60,7 +60,7 @@ const TARGETS: [Target; 27] = [
     target("plots", 600, plots::plots),
     target("papers", 600, papers::papers),
     target("films", 200, films::films),
-    target("find", 60, find::pictures_found),
+    target("find", 30, find::pictures_found),
     target("find-strings", 600, find::strings_found),
 ];
 
