@@ -246,7 +246,7 @@ fn a_scene_keeps_the_rules_of_its_format() {
         let indices: Vec<usize> = entries(&json, binary, &part["indices"])
             .map(|bytes| bytes.iter().rev().fold(0, |index, &byte| index << 8 | usize::from(byte)))
             .collect();
-        assert!(indices.len() % 3 == 0 && indices.iter().all(|&corner| corner < positions.len()));
+        assert!(indices.len().is_multiple_of(3) && indices.iter().all(|&corner| corner < positions.len()));
         // The triangles face where their normals point.
         for corners in indices.chunks(3) {
             let [a, b, c] = [0, 1, 2].map(|i| positions[corners[i]]);
@@ -341,7 +341,7 @@ fn fine_parts_become_one_tube_each() {
     let definition = tree();
     let whole = drawing(&definition, 9);
     let simple = whole.simplified(0.1, u64::MAX).unwrap();
-    let [before, after] = [&whole, &simple].map(|drawing| drawing.segment_count());
+    let [before, after] = [&whole, &simple].map(Drawing::segment_count);
     assert!(after > 10 && 3 * after < before, "{before} {after}");
     let [low, high] = whole.bounds().unwrap();
     let finest = 0.1 * (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
