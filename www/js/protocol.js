@@ -203,12 +203,14 @@ export {};
 /** A key of a track; `easing` is the pace to the next key. @typedef {{time: number, value: number[], easing: string}} FilmKey */
 /** @typedef {{subject: string, keys: FilmKey[]}} FilmTrack */
 /** The text of a film, read. `width` and `height` are in pixels. @typedef {{seconds: number, rate: number, width: number, height: number, ending: string, easing: string, frames: number, tracks: FilmTrack[]}} FilmScript */
+/** A usual film; `place` has the numbers of a view, or of a camera in space. @typedef {{kind: 'growth', n: number} | {kind: 'turtle'} | {kind: 'turntable', azimuth: number} | {kind: 'dive', place: number[], space: boolean}} FilmPreset */
 /** A number of a system that a track can change; `value` is the present one, and `expected` the range in words. @typedef {{name: string, label: string, value: number[] | null, expected: string}} FilmSubject */
 /**
  * The calls of the tool for films. `place` are the numbers of a key that shows the segment in the middle; the progress
  * of a GIF is the number of finished frames, with the next bytes of the file.
  * @typedef {{
  *     read: {asked: {text: string}, answer: FilmScript},
+ *     preset: {asked: {text: string, preset: FilmPreset}, answer: string},
  *     subjects: {asked: {definition: Definition}, answer: FilmSubject[]},
  *     frame: {asked: {film: Film, number: number, width: number, height: number}, answer: Uint8Array<ArrayBuffer>},
  *     place: {asked: {film: Film}, answer: number[] | null},

@@ -58,6 +58,7 @@ function* gif({ film, script: { frames, width, height } }) {
 
 serve((module) => wasm_bindgen.initSync({ module }), {
     read: ({ text }) => wasm_bindgen.readFilm(text),
+    preset: ({ text, preset }) => wasm_bindgen.withPreset(text, preset),
     subjects: ({ definition }) => wasm_bindgen.subjects(definition),
     *frame({ film, number, width, height }) {
         const player = opened(film);

@@ -7,9 +7,13 @@ mod drawing;
 mod export;
 mod expressions;
 mod files;
+mod films;
+mod find;
 mod import;
 mod notation;
+mod papers;
 mod pick;
+mod plots;
 mod render;
 mod solid;
 
@@ -30,7 +34,7 @@ const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Ga
     Target { name, run, short }
 }
 
-const TARGETS: [Target; 22] = [
+const TARGETS: [Target; 27] = [
     target("notation", 1_500, notation::notation),
     target("overrides", 8_000, notation::overrides),
     target("expressions", 15_000, expressions::expressions),
@@ -53,6 +57,11 @@ const TARGETS: [Target; 22] = [
     target("solid", 100, solid::solid),
     target("pick", 3_000, pick::pick),
     target("export", 2_000, export::export),
+    target("plots", 600, plots::plots),
+    target("papers", 600, papers::papers),
+    target("films", 200, films::films),
+    target("find", 30, find::pictures_found),
+    target("find-strings", 600, find::strings_found),
 ];
 
 impl Target {

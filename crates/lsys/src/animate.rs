@@ -7,7 +7,8 @@ use crate::CommandFailure;
 use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
 use crate::input::{self, InputSystem};
 use lsystem::film::{
-    Film, LIMITS, Painter, Script, camera_of_segment, dive, dive_in_space, growth, turntable, turtle, view_of_segment,
+    Film, LIMITS, Painter, Script, camera_of_segment, dive, dive_in_space, growth, middle_segment, turntable, turtle,
+    view_of_segment,
 };
 use lsystem::render::Detail;
 use lsystem::{Camera, Limits, Progress, View};
@@ -77,7 +78,7 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
         let painter = painted(input, limits)?;
         let segments = painter.drawing().map_or(0, lsystem::Drawing::segment_count);
         let segments = painter.solid().map_or(segments, lsystem::Drawing::segment_count);
-        let number = number.unwrap_or(segments.div_ceil(2).max(1));
+        let number = number.unwrap_or(middle_segment(segments) + 1);
         let missing = || words(format!("--dive={number}: the drawing has {segments} segments"));
         let place = number.checked_sub(1).ok_or_else(missing)?;
         tracks.push(match (painter.drawing(), painter.solid()) {

@@ -1,9 +1,11 @@
 //! Films for JavaScript. The page loads this wasm with the first film.
 
 mod player;
+mod preset;
 mod script;
 
 pub use player::FilmPlayer;
+pub use preset::with_preset;
 pub use script::{read_film, subjects};
 
 use serde::Serialize;

@@ -2,7 +2,8 @@
 
 use crate::{from_js, to_js, words};
 use lsystem_film::{
-    Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, camera_of_segment, palette_samples, view_of_segment,
+    Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, camera_of_segment, middle_segment, palette_samples,
+    view_of_segment,
 };
 use lsystem_render::{Camera, Detail, PageCamera, PageView};
 use lsystem_syntax::{Definition, Diagnostic, Progress};
@@ -99,12 +100,12 @@ impl FilmPlayer {
     #[wasm_bindgen(js_name = placeOfSegment)]
     pub fn place_of_segment(&self, number: Option<u128>) -> Result<JsValue, JsValue> {
         if let Some(drawing) = self.painter.drawing() {
-            let view = view_of_segment(drawing, number.unwrap_or(drawing.segment_count() / 2));
+            let view = view_of_segment(drawing, number.unwrap_or(middle_segment(drawing.segment_count())));
             return to_js(&view.map(|view| vec![view.x, view.y, view.zoom, view.fine[0], view.fine[1]]));
         }
         let Some(drawing) = self.painter.solid() else { return Ok(JsValue::NULL) };
         let from = self.film.frame(0).camera;
-        let camera = camera_of_segment(drawing, number.unwrap_or(drawing.segment_count() / 2), &from);
+        let camera = camera_of_segment(drawing, number.unwrap_or(middle_segment(drawing.segment_count())), &from);
         let numbers =
             |Camera { azimuth, elevation, zoom, target: [x, y, z], .. }| vec![azimuth, elevation, zoom, x, y, z];
         to_js(&camera.map(numbers))

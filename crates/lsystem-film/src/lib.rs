@@ -49,7 +49,9 @@ pub use film::{Film, Frame};
 pub use gif::GifWriter;
 pub use painter::{LIMITS, Painter};
 pub use palette::{Palette, PaletteMaker, Sheet, palette_samples};
-pub use preset::{camera_of_segment, dive, dive_in_space, growth, turntable, turtle, view_of_segment};
+pub use preset::{
+    Preset, camera_of_segment, dive, dive_in_space, growth, middle_segment, turntable, turtle, view_of_segment,
+};
 pub use script::{Ending, MAX_FRAME_PIXELS, MAX_KEYS, MAX_RATE, MAX_SCRIPT, MAX_SECONDS, MAX_SIDE, MAX_TRACKS, Script};
 pub use subject::Subject;
 pub use track::{Key, Track};

@@ -26,6 +26,15 @@ enum Making {
     Space(Drawer<Solid>),
 }
 
+impl Making {
+    fn spent(&self) -> u64 {
+        match self {
+            Self::Plane(drawer) => drawer.spent(),
+            Self::Space(drawer) => drawer.spent(),
+        }
+    }
+}
+
 /// What the painter works on.
 enum Task {
     /// The frame's drawing.
@@ -49,6 +58,7 @@ pub struct Painter {
     detail: Detail,
     plane: Renderer,
     space: SolidRenderer,
+    spent: u64,
 }
 
 impl Painter {
@@ -65,7 +75,20 @@ impl Painter {
             detail: Detail::Fine,
             plane: Renderer::new(),
             space: SolidRenderer::new(),
+            spent: 0,
         }
+    }
+
+    /// The limits of drawings.
+    #[must_use]
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// The units of work of all steps so far, as [`Meter`](lsystem_syntax::Meter) counts them.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent
     }
 
     /// Starts a frame of `size` pixels. An unfinished frame is given up.
@@ -119,10 +142,12 @@ impl Painter {
     pub fn step(&mut self, work: u64) -> Result<Progress, Diagnostic> {
         match &mut self.task {
             Task::Drawing(making) => {
+                let before = making.spent();
                 let progress = match &mut **making {
                     Making::Plane(drawer) => drawer.step(work),
                     Making::Space(drawer) => drawer.step(work),
                 };
+                self.spent += making.spent() - before;
                 if progress == Progress::Done
                     && let Task::Drawing(making) = core::mem::replace(&mut self.task, Task::Done)
                 {
@@ -135,10 +160,12 @@ impl Painter {
             }
             Task::Pixels => {
                 let work = usize::try_from(work).unwrap_or(usize::MAX);
+                let before = self.plane.spent() + self.space.spent();
                 let progress = match self.shown {
                     Some(Shown::Space(_)) => self.space.step(work),
                     _ => self.plane.step(work),
                 };
+                self.spent += self.plane.spent() + self.space.spent() - before;
                 if progress == Progress::Done {
                     self.task = Task::Done;
                 }

@@ -13,6 +13,49 @@ const SHARE: f64 = 0.25;
 /// The largest zoom of a view in the plane, and in space, as in links.
 const MAX_ZOOM: [f64; 2] = [1e25, 1e4];
 
+/// A usual film. Each takes the place of the others, so that each shows what it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Preset {
+    /// [`growth`] to this generation.
+    Growth(u32),
+    /// [`turtle`].
+    Turtle,
+    /// [`turntable`] from this camera.
+    Turntable(Camera),
+    /// [`dive`] to this view.
+    Dive(View),
+    /// [`dive_in_space`] to this camera.
+    DiveInSpace(Camera),
+}
+
+impl Preset {
+    /// The preset's track.
+    #[must_use]
+    pub fn track(&self, script: &Script) -> Track {
+        match self {
+            Self::Growth(n) => growth(script, *n),
+            Self::Turtle => turtle(script),
+            Self::Turntable(camera) => turntable(script, camera),
+            Self::Dive(view) => dive(script, *view),
+            Self::DiveInSpace(camera) => dive_in_space(script, camera),
+        }
+    }
+}
+
+impl Script {
+    /// The script with a preset in place of its growth, turtle's way, view and camera. Other tracks stay.
+    #[must_use]
+    pub fn with_preset(mut self, preset: &Preset) -> Self {
+        let is_preset = |subject: &Subject| {
+            matches!(subject, Subject::Generation | Subject::Drawn | Subject::View | Subject::Camera)
+        };
+        self.tracks.retain(|track| !is_preset(&track.subject));
+        let track = preset.track(&self);
+        self.tracks.push(track);
+        self
+    }
+}
+
 /// The growth from the axiom to generation `n`.
 #[must_use]
 pub fn growth(script: &Script, n: u32) -> Track {
@@ -48,6 +91,13 @@ pub fn dive_in_space(script: &Script, to: &Camera) -> Track {
     let from = vec![to.azimuth, to.elevation, 1.0, 0.0, 0.0, 0.0];
     let end = vec![to.azimuth, to.elevation, to.zoom, x, y, z];
     track(script, Subject::Camera, &[(REST, from), (END, end)], Easing::Smooth)
+}
+
+/// The number (0-based) of the segment in the middle of a drawing, where a dive leads if nothing else is wanted: of two in
+/// the middle, the first one.
+#[must_use]
+pub fn middle_segment(segments: u128) -> u128 {
+    segments.saturating_sub(1) / 2
 }
 
 /// The view of one segment of a drawing in the plane (0-based); `None` if there are fewer segments.
@@ -103,6 +153,14 @@ mod tests {
                     view=0.35:0/0/1~smooth,6.3:0.25/-0.5/1e19/1e-18/0~smooth";
         assert_eq!(script.to_string().replace("10000000000000000000", "1e19"), text);
         assert_eq!(text.parse::<Script>().unwrap(), script);
+    }
+
+    #[test]
+    fn a_preset_takes_the_place_of_the_others() {
+        let script: Script = "1;10s;angle=0:20,10:30;n=0:0,9:7;camera=0:0".parse().unwrap();
+        let text = script.with_preset(&Preset::Turtle).to_string();
+        assert_eq!(text, "1;10s;25fps;1280x720;repeat;angle=0:20,10:30;drawn=0:0,9:1");
+        assert_eq!([0, 1, 2, 3, 4].map(middle_segment), [0, 0, 0, 1, 1]);
     }
 
     #[test]

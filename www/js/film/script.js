@@ -1,4 +1,4 @@
-/** Scripts of films as text, their usual tracks, and values between keys. Pure functions. docs/films.md describes the text. */
+/** Scripts of films as text, and values between keys. Pure functions. docs/films.md describes the text. */
 
 /** @typedef {import('../protocol.js').FilmScript} FilmScript */
 /** @typedef {import('../protocol.js').FilmTrack} FilmTrack */
@@ -11,11 +11,6 @@ export const ENDINGS = [['repeat', 'Repeat'], ['bounce', 'Back and forth'], ['on
 /** @type {readonly (readonly [string, string])[]} */
 export const SIZES = [['640x360', '640 × 360'], ['1280x720', '1280 × 720'], ['1920x1080', '1920 × 1080'], ['720x720', '720 × 720'], ['1080x1080', '1080 × 1080'], ['1080x1920', '1080 × 1920']];
 
-/** The part of the time after which growth, the turtle's way and a dive are over, so that the end can be seen; as in crates/lsystem-film/src/preset.rs. */
-const END = 0.9;
-/** The part of the time before a dive begins. */
-const REST = 0.05;
-
 /** @param {number} value */
 const numeral = (value) => String(Math.abs(value) < 1e21 ? value : value.toExponential()).replace('e+', 'e');
 /** A time to a thousandth of a second. @param {number} seconds */
@@ -26,33 +21,6 @@ export function written({ seconds, rate, width, height, ending, easing, tracks }
     const key = (/** @type {FilmKey} */ { time, value, easing: own }) => `${numeral(time)}:${value.map(numeral).join('/')}${own === easing ? '' : `~${own}`}`;
     const parts = tracks.map(({ subject, keys }) => `${subject}=${keys.map(key).join()}`);
     return ['1', `${numeral(seconds)}s`, `${rate}fps`, `${width}x${height}`, ending, ...(easing === 'linear' ? [] : [`ease=${easing}`]), ...parts].join(';');
-}
-
-/**
- * A track with keys at parts of the time.
- * @param {FilmScript} script
- * @param {string} subject
- * @param {[number, number[]][]} keys
- * @param {string} [easing]
- * @returns {FilmTrack}
- */
-function track({ seconds, easing: usual }, subject, keys, easing = usual) {
-    return { subject, keys: keys.map(([part, value]) => ({ time: rounded(part * seconds), value, easing })) };
-}
-
-/** Growth from the axiom to generation `n`. @param {FilmScript} script @param {number} n */
-export const growth = (script, n) => track(script, 'n', [[0, [0]], [END, [n]]]);
-/** The turtle's way. @param {FilmScript} script */
-export const turtle = (script) => track(script, 'drawn', [[0, [0]], [END, [1]]]);
-/** One turn of the camera. @param {FilmScript} script @param {number} azimuth in degrees */
-export const turntable = (script, azimuth) => track(script, 'camera', [[0, [azimuth]], [1, [azimuth + 360]]]);
-
-/** A dive from the whole drawing to a place: the numbers of a view, or of a camera in space. @param {FilmScript} script @param {number[]} place @param {boolean} space */
-export function dive(script, place, space) {
-    const [azimuth = 0, elevation = 0] = place;
-    const start = space ? [azimuth, elevation, 1, 0, 0, 0] : [0, 0, 1];
-    const end = !space && place.slice(3).every((fine) => fine === 0) ? place.slice(0, 3) : place;
-    return track(script, space ? 'camera' : 'view', [[REST, start], [END, end]], 'smooth');
 }
 
 /** A script with a track in place of the one of the same subject. @param {FilmScript} script @param {FilmTrack} track @returns {FilmScript} */

@@ -2,22 +2,26 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { filmCode, filmIn, guarded } from '../../js/film/embed-code.js';
 import { workersOn } from '../../js/film/frames.js';
-import { added, dive, frameAt, growth, moved, numbersOf, stretched, turntable, turtle, withTrack, written } from '../../js/film/script.js';
+import { added, frameAt, moved, numbersOf, stretched, withTrack, written } from '../../js/film/script.js';
 import { DEFAULTS } from '../../js/state.js';
 
 /** @type {import('../../js/protocol.js').FilmScript} */
 const SCRIPT = { seconds: 7, rate: 25, width: 1280, height: 720, ending: 'repeat', easing: 'linear', frames: 175, tracks: [] };
 
-/** The core's presets have the same text: crates/lsystem-film/src/preset.rs. */
-test('usual films are texts', () => {
-    const tracks = [growth(SCRIPT, 40), turtle(SCRIPT), turntable(SCRIPT, 25), dive(SCRIPT, [0.25, -0.5, 1e19, 1e-18, 0], false)];
+/** Growth to a generation within 6.3 seconds. @param {number} n */
+const growth = (n) => ({ subject: 'n', keys: [{ time: 0, value: [0], easing: 'linear' }, { time: 6.3, value: [n], easing: 'linear' }] });
+
+/** The core writes the same text: crates/lsystem-film/src/text.rs. */
+test('films are texts', () => {
+    const dive = { subject: 'view', keys: [{ time: 0.35, value: [0, 0, 1], easing: 'smooth' }, { time: 6.3, value: [0.25, -0.5, 1e19, 1e-18, 0], easing: 'smooth' }] };
+    const tracks = [growth(40), dive];
     const text = written({ ...SCRIPT, tracks });
-    assert.equal(text.replace('10000000000000000000', '1e19'), '1;7s;25fps;1280x720;repeat;n=0:0,6.3:40;drawn=0:0,6.3:1;camera=0:25,7:385;view=0.35:0/0/1~smooth,6.3:0.25/-0.5/1e19/1e-18/0~smooth');
-    assert.equal(withTrack({ ...SCRIPT, tracks }, growth(SCRIPT, 3)).tracks.length, 4);
+    assert.equal(text.replace('10000000000000000000', '1e19'), '1;7s;25fps;1280x720;repeat;n=0:0,6.3:40;view=0.35:0/0/1~smooth,6.3:0.25/-0.5/1e19/1e-18/0~smooth');
+    assert.equal(withTrack({ ...SCRIPT, tracks }, growth(3)).tracks.length, 2);
 });
 
 test('keys keep their order', () => {
-    const track = growth(SCRIPT, 40);
+    const track = growth(40);
     assert.deepEqual(added(track, 3.15).keys.map(({ value }) => value), [[0], [20], [40]]);
     assert.equal(added(track, 6.3), track);
     assert.equal(moved(track, 0, 99, 7).keys[0]?.time, 6.299);

@@ -3,11 +3,12 @@
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
 use lsystem::drawing::Outlook;
-use lsystem::files::SvgForm;
+use lsystem::files::{StlWriter, SvgForm, write_all};
 use lsystem::{
-    Definition, Diagnostic, Drawing, Mesh, Style, SvgOptions, read_file, write_csv, write_glb, write_json, write_obj,
-    write_svg,
+    Definition, Diagnostic, Drawing, Mesh, Solid, Style, SvgOptions, read_file, write_csv, write_glb, write_json,
+    write_obj, write_svg,
 };
+use std::collections::HashMap;
 
 /// The most segments of a file in this target.
 const MOST: u64 = 20_000;
@@ -32,6 +33,7 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
         check(&mesh);
         let obj = gauge.call("obj", || write_obj(&mesh, definition.label()));
         assert!(!obj.contains("NaN") && !obj.contains("inf"), "a number that is not finite in OBJ");
+        printed(&drawing, &system.style, gauge);
         let Ok(glb) = gauge.call("glb", || write_glb(&drawing, &system.style, MOST, definition.label())) else {
             return;
         };
@@ -40,6 +42,25 @@ pub(super) fn export(source: &mut Source<'_>, gauge: &mut Gauge) {
         assert_eq!(length, glb.len(), "the length that the file tells");
         gauge.reach("mesh");
     }
+}
+
+/// Makes a mesh for a printer, and its file: every edge joins two triangles that run along it in opposite directions.
+fn printed(drawing: &Drawing<Solid>, style: &Style, gauge: &mut Gauge) {
+    let Ok(mesh) = gauge.call("mesh for printing", || Mesh::for_printing(drawing, style, MOST)) else { return };
+    let mut edges: HashMap<[u32; 2], [u32; 2]> = HashMap::new();
+    for &[a, b, c] in &mesh.triangles {
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            edges.entry([from.min(to), from.max(to)]).or_default()[usize::from(from > to)] += 1;
+        }
+    }
+    let open = edges.iter().find(|(_, count)| **count != [1, 1]);
+    assert!(open.is_none(), "an edge of a printed mesh: {open:?}");
+    assert!(mesh.positions.iter().flatten().all(|c| c.is_finite()), "a corner that is not finite");
+    let count = mesh.triangles.len();
+    let file = gauge.call("stl", || write_all(&mut StlWriter::new(mesh)));
+    // A head of 80 bytes, the number of triangles, and 50 bytes for each.
+    assert_eq!(file.map(|file| file.len()), Ok(84 + 50 * count), "the length of an STL file");
+    gauge.reach("stl");
 }
 
 /// Writes one of the two forms of SVG, with the system inside.

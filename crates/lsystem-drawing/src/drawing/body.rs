@@ -133,12 +133,25 @@ impl Body {
     }
 }
 
-/// The box and the girth of a whole drawing, in units of the root block.
+/// The box, the ball and the girth of a whole drawing, in units of the root block. A drawing that is divided into other
+/// blocks has the same extent, so that a growing drawing never jumps in a fitted picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Extent {
     /// The least and the greatest coordinates.
     pub(super) sides: [Vector; 2],
+    /// The radius of the ball about the centre of the box.
+    pub radius: f64,
+    /// The girth about the upright axis through the centre of the box.
     pub girth: Option<Girth>,
+}
+
+impl Extent {
+    /// The centre of the box, the ball and the girth.
+    #[must_use]
+    pub fn centre(&self) -> Vector {
+        let [low, high] = self.sides;
+        [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]))
+    }
 }
 
 /// A search, with bounded effort, for the smallest box around a drawing and for its girth.
@@ -149,6 +162,9 @@ pub struct SolidSurvey {
     sides: Vec<f64>,
     /// The search for the next side.
     side: Option<MaximumSearch<CoordinateAlong>>,
+    /// The search for the radius of the ball, and the radius.
+    ball: Option<MaximumSearch<DistanceFrom>>,
+    radius: Option<f64>,
     /// The distances found so far, for [`girth::girth`].
     reach: Vec<f64>,
     /// The search for the next distance.
@@ -157,7 +173,7 @@ pub struct SolidSurvey {
 
 impl SolidSurvey {
     pub fn new(root: BlockId) -> Self {
-        Self { root, sides: vec![], side: None, reach: vec![], ring: None }
+        Self { root, sides: vec![], side: None, ball: None, radius: None, reach: vec![], ring: None }
     }
 
     /// Continues until the meter is spent. Returns the extent at the end.
@@ -181,17 +197,30 @@ impl SolidSurvey {
             self.sides.push(sign * most);
             self.side = None;
         }
-        let from = contents.blocks[self.root.0 as usize].hull.centre();
+        let side = |i: usize| self.sides[i];
+        let mut extent = Extent { sides: [[0, 1, 2].map(side), [3, 4, 5].map(side)], radius: 0.0, girth: None };
+        let from = extent.centre();
+        extent.radius = match self.radius {
+            Some(radius) => radius,
+            None => {
+                let quantity = DistanceFrom { from, scale: 1.0 };
+                let search = self
+                    .ball
+                    .get_or_insert_with(|| MaximumSearch::new((contents, items), quantity, girth::EXACT, PATIENCE));
+                let (most, _) = search.step(contents, meter)?;
+                *self.radius.insert(most)
+            }
+        };
         while let Some(quantity) = OutwardCoordinate::new(from, self.reach.len()) {
-            let effort = (girth::EFFORT, 1 << 18);
-            let search =
-                self.ring.get_or_insert_with(|| MaximumSearch::new((contents, items), quantity, girth::EXACT, effort));
+            let search = self
+                .ring
+                .get_or_insert_with(|| MaximumSearch::new((contents, items), quantity, girth::EXACT, PATIENCE));
             let (most, _) = search.step(contents, meter)?;
             self.reach.push(most);
             self.ring = None;
         }
-        let side = |i: usize| self.sides[i];
-        Some(Extent { sides: [[0, 1, 2].map(side), [3, 4, 5].map(side)], girth: girth::girth(&self.reach) })
+        extent.girth = girth::girth(&self.reach);
+        Some(extent)
     }
 }
 

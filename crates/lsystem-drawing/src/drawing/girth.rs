@@ -8,10 +8,8 @@ use crate::rotation::{Vector, dot, norm};
 
 /// The number of directions in which a drawing is measured, from straight down to straight up.
 const DIRECTIONS: usize = 9;
-/// The most blocks opened for one direction.
-pub(super) const EFFORT: usize = 400;
-/// The wanted error of a reach, in units of the root block.
-pub(super) const EXACT: f64 = 1e-3;
+/// The wanted error of a reach, in units of the root block: a tenth of a pixel in a picture of 1000 pixels.
+pub(super) const EXACT: f64 = 1e-4;
 
 /// Points as distances from the axis and heights above the centre, in units of the root block. The circles of these
 /// points about the axis contain the whole drawing in their convex hull.

@@ -54,7 +54,10 @@ impl TikzLibraryWriter {
         let word = expand(system, definition.iterations, &LIMITS)?;
         check_branches(system, &word).map_err(lacking)?;
         let drawer = Some(Drawer::new(system, definition.iterations, LIMITS));
-        let grammar = system.grammar.clone();
+        let mut grammar = system.grammar.clone();
+        // Rules that never apply may have symbols that TeX cannot read.
+        let reached = reached(system);
+        grammar.productions.retain(|production| reached.contains(&production.predecessor.symbol));
         Ok(Self { definition: definition.clone(), options: options.clone(), grammar, codes, drawer })
     }
 
@@ -152,6 +155,12 @@ fn obstacle(definition: &Definition, system: &System) -> Option<TikzObstacle> {
         (definition.growth != 1.0, TikzObstacle::Growth),
     ];
     found.into_iter().find(|(is_found, _)| *is_found).map(|(_, obstacle)| obstacle)
+}
+
+/// The symbols that may occur.
+fn reached(system: &System) -> Vec<char> {
+    let letters = system.rules.letters.iter().zip(system.rules.reachable());
+    letters.filter(|(_, is_reached)| *is_reached).map(|(letter, _)| letter.symbol).collect()
 }
 
 /// The codes that differ from the library's, of all symbols that may occur.
@@ -304,6 +313,12 @@ mod tests {
             \end{tikzpicture}
         "#]],
         );
+    }
+
+    #[test]
+    fn rules_that_never_apply_are_left_out() {
+        let text = written(&Definition { rules: "X -> FX\nA -> +%-^".into(), ..plant() }).unwrap();
+        assert!(text.contains("\\rule{X -> FX}") && !text.contains("^+") && !text.contains("%-"), "{text}");
     }
 
     #[test]

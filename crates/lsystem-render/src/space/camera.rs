@@ -75,7 +75,8 @@ pub fn fitted_solid_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64;
 /// drawing, or one that is only a point, has a ball with a diameter of one step.
 fn ball(drawing: &Drawing<Solid>) -> (Vector, f64) {
     let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
-    let (centre, radius) = root.map_or(([0.0; 3], 0.0), |root| (root.hull.centre(), root.hull.radius));
+    // The root's hull is exact to a hundredth only.
+    let (centre, radius) = drawing.extent().map_or(([0.0; 3], 0.0), |extent| (extent.centre(), extent.radius));
     let step = libm::scalbn(0.5, -root.map_or(0, |root| root.exponent));
     (centre, if radius > 0.0 { radius } else { step })
 }

@@ -169,8 +169,8 @@ impl SymbolFile for Canvas {
         let mut form = pdf.form_xobject(form_ref(number), &packed);
         form.filter(Filter::FlateDecode);
         // Rounded outwards, because a form is cut at its box.
-        let [x0, y0] = [x0, y0].map(|c| libm::floor(c) as f32);
-        let [x1, y1] = [x1, y1].map(|c| libm::ceil(c) as f32);
+        let [x0, y0] = [x0, y0].map(|c| real(libm::floor(c)));
+        let [x1, y1] = [x1, y1].map(|c| real(libm::ceil(c)));
         form.bbox(Rect::new(x0, y0, x1, y1));
         write_resources(form.resources(), &self.placed);
     }
@@ -201,7 +201,7 @@ impl SymbolFile for Canvas {
                 content.set_stroke_rgb(r, g, b);
             }
             if self.stroke_look.is_none_or(|known| known.width != look.width) {
-                content.set_line_width(look.width as f32);
+                content.set_line_width(real(look.width));
             }
             self.stroke_look = Some(look);
         }
@@ -290,7 +290,12 @@ fn form_name(number: usize) -> String {
 
 /// A coordinate, rounded to a thousandth so that it has few digits.
 fn short(value: f64) -> f32 {
-    (libm::round(value * 1e3) / 1e3) as f32
+    real(libm::round(value * 1e3) / 1e3)
+}
+
+/// A number in the range of PDF (ISO 32000-1, annex C): very broad strokes are beyond it.
+fn real(value: f64) -> f32 {
+    value.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
 }
 
 /// A channel of a colour from 0 to 1, with three decimals: enough for 8 bits.

@@ -255,6 +255,20 @@ mod tests {
     }
 
     #[test]
+    fn numbers_are_in_range() {
+        let definition = Definition {
+            axiom: "f".repeat(60) + "F",
+            overrides: "f: width times 1000".into(),
+            style: Style { width: 1.0, ..Style::default() },
+            ..Definition::default()
+        };
+        let file = write_all(&mut writer(&definition, &FileOptions::default()).unwrap()).unwrap();
+        let words = streams_of(&file).join(" ");
+        let numbers = words.split_ascii_whitespace().filter_map(|word| word.parse::<f32>().ok());
+        assert!(numbers.clone().all(f32::is_finite) && numbers.clone().any(|number| number > 1e30), "{words}");
+    }
+
+    #[test]
     fn limits() {
         let options = FileOptions { most: 9, ..FileOptions::default() };
         let over = Kind::Limit { limit: LimitName::Segments, value: 9, largest: None };

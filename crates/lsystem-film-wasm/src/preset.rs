@@ -1,0 +1,55 @@
+//! The usual films for the page's buttons.
+
+use crate::{from_js, words};
+use lsystem_film::{Preset, Script};
+use lsystem_render::{Camera, View};
+use serde::Deserialize;
+use wasm_bindgen::prelude::*;
+
+/// A preset, as the page asks for it.
+#[derive(Deserialize)]
+#[serde(tag = "kind", rename_all = "camelCase")]
+enum PresetObject {
+    /// Growth to generation `n`.
+    Growth { n: u32 },
+    /// The turtle's way.
+    Turtle,
+    /// One turn of the camera, in degrees from `azimuth` on.
+    Turntable { azimuth: f64 },
+    /// A dive to the numbers of a view, or of a camera in space, as of [`FilmPlayer::place_of_segment`].
+    ///
+    /// [`FilmPlayer::place_of_segment`]: crate::FilmPlayer::place_of_segment
+    Dive { place: Vec<f64>, space: bool },
+}
+
+impl From<PresetObject> for Preset {
+    fn from(object: PresetObject) -> Self {
+        match object {
+            PresetObject::Growth { n } => Self::Growth(n),
+            PresetObject::Turtle => Self::Turtle,
+            PresetObject::Turntable { azimuth } => Self::Turntable(Camera { azimuth, ..Camera::default() }),
+            PresetObject::Dive { place, space } => {
+                let number = |at: usize, usual: f64| place.get(at).copied().unwrap_or(usual);
+                if space {
+                    let target = [3, 4, 5].map(|at| number(at, 0.0));
+                    let [azimuth, elevation, zoom] = [number(0, 0.0), number(1, 0.0), number(2, 1.0)];
+                    return Self::DiveInSpace(Camera { azimuth, elevation, zoom, target, ..Camera::default() });
+                }
+                let fine = [number(3, 0.0), number(4, 0.0)];
+                Self::Dive(View { x: number(0, 0.0), y: number(1, 0.0), zoom: number(2, 1.0), fine })
+            }
+        }
+    }
+}
+
+/// The text of a film with a preset in place of its other presets: `{kind: 'growth', n}`, `{kind: 'turtle'}`,
+/// `{kind: 'turntable', azimuth}` or `{kind: 'dive', place, space}`.
+///
+/// # Errors
+/// Throws the words of the first problem of the text.
+#[wasm_bindgen(js_name = withPreset)]
+pub fn with_preset(text: &str, preset: JsValue) -> Result<String, JsValue> {
+    let script: Script = text.parse().map_err(words)?;
+    let preset: PresetObject = from_js(preset)?;
+    Ok(script.with_preset(&preset.into()).to_string())
+}

@@ -1,0 +1,64 @@
+/** The choices for a whole film: its length, its rate, its size, its loop and its pace. */
+
+import { make, setChoice, setValue } from '../dom.js';
+import { choice, numberOption } from './fields.js';
+import { EASINGS, ENDINGS, SIZES, stretched } from './script.js';
+
+/** @typedef {import('../protocol.js').FilmScript} FilmScript */
+/** @typedef {import('../protocol.js').FilmTrack} FilmTrack */
+
+/** The frames a second of a film whose rate is no number. */
+const RATE = 25;
+
+/** @param {{change: (values: Partial<FilmScript>) => void}} on */
+export function createOptions({ change }) {
+    /** @type {FilmScript | null} */
+    let script = null;
+    const seconds = numberOption('film-seconds', 'Seconds', { min: '0.1', max: '3600', step: '0.5' });
+    const rate = numberOption('film-rate', 'Frames a second', { min: '1', max: '60', step: '1' });
+    const size = choice('film-size', [...SIZES, ['own', 'Other size']], 'Size');
+    const sides = ['width', 'height'].map((name) => make('input', { id: `film-${name}`, class: 'number', type: 'number', min: '16', max: '4096', 'aria-label': `${name === 'width' ? 'Width' : 'Height'} in pixels` }));
+    const own = make('span', { class: 'film-option film-own' }, /** @type {HTMLElement} */ (sides[0]), '×', /** @type {HTMLElement} */ (sides[1]));
+    const ending = choice('film-loop', ENDINGS, 'Loop');
+    const pace = choice('film-pace', EASINGS, 'Pace');
+
+    seconds.field.addEventListener('change', () => {
+        if (script && seconds.field.valueAsNumber > 0) change(stretched(script, seconds.field.valueAsNumber));
+    });
+    rate.field.addEventListener('change', () => change({ rate: Math.round(rate.field.valueAsNumber) || RATE }));
+    size.select.addEventListener('change', () => {
+        own.hidden = size.select.value !== 'own';
+        const [width, height] = size.select.value.split('x').map(Number);
+        if (width && height) change({ width, height });
+    });
+    for (const field of sides) {
+        field.addEventListener('change', () => {
+            const [width = NaN, height = NaN] = sides.map((side) => Math.round(side.valueAsNumber));
+            if (width && height) change({ width, height });
+        });
+    }
+    ending.select.addEventListener('change', () => change({ ending: ending.select.value }));
+    pace.select.addEventListener('change', () => {
+        const easing = pace.select.value;
+        const before = script?.easing;
+        const paced = (/** @type {FilmTrack} */ track) => ({ ...track, keys: track.keys.map((key) => (key.easing === before ? { ...key, easing } : key)) });
+        change({ easing, tracks: script?.tracks.map(paced) ?? [] });
+    });
+
+    return {
+        element: make('div', { class: 'film-fields' }, seconds.row, rate.row, size.row, own, ending.row, pace.row),
+        /** @param {FilmScript} next */
+        show(next) {
+            script = next;
+            const { width, height } = next;
+            if (document.activeElement !== seconds.field) setValue(seconds.field, String(next.seconds));
+            if (document.activeElement !== rate.field) setValue(rate.field, String(next.rate));
+            const known = SIZES.some(([name]) => name === `${width}x${height}`);
+            setChoice(size.select, known && size.select.value !== 'own' ? `${width}x${height}` : 'own');
+            own.hidden = size.select.value !== 'own';
+            sides.forEach((field, at) => document.activeElement !== field && setValue(field, String(at === 0 ? width : height)));
+            setChoice(ending.select, next.ending);
+            setChoice(pace.select, next.easing);
+        },
+    };
+}

@@ -1,0 +1,56 @@
+/** The buttons of the usual films. The core makes their tracks: crates/lsystem-film/src/preset.rs. */
+
+import { make } from '../dom.js';
+
+/** @typedef {import('../protocol.js').FilmPreset} FilmPreset */
+
+/** The camera's first azimuth, in degrees. */
+const AZIMUTH = 25;
+/** @type {[FilmPreset['kind'], string][]} */
+const KINDS = [
+    ['growth', 'Growth'],
+    ['turtle', 'Turtle’s way'],
+    ['turntable', 'Turntable'],
+    ['dive', 'Dive'],
+];
+
+/**
+ * @param {import('../store.js').Store} store
+ * @param {{readonly space: boolean}} stage whether the drawing is in space
+ * @param {{middle: () => Promise<number[] | null>, use: (preset: FilmPreset) => void}} on `middle` finds the place of the segment in the middle
+ */
+export function createPresets(store, stage, { middle, use }) {
+    const buttons = KINDS.map(([kind, words]) => ({ kind, button: make('button', { class: 'button', type: 'button', 'data-preset': kind }, words) }));
+
+    /** The place of a dive: what the page shows if it is zoomed in, or else the segment in the middle. */
+    async function placeToDive() {
+        const { view, camera } = store.state;
+        if (stage.space && camera && camera.zoom > 2) return [camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z];
+        if (!stage.space && view && view.zoom > 2) return [view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0];
+        return middle();
+    }
+
+    /** @param {FilmPreset['kind']} kind @returns {Promise<FilmPreset | null>} */
+    async function presetOf(kind) {
+        if (kind === 'growth') return { kind, n: store.state.iterations };
+        if (kind === 'turtle') return { kind };
+        if (kind === 'turntable') return { kind, azimuth: store.state.camera?.azimuth ?? AZIMUTH };
+        const place = await placeToDive();
+        return place && { kind, place, space: stage.space };
+    }
+
+    for (const { kind, button } of buttons) {
+        button.addEventListener('click', async () => {
+            const preset = await presetOf(kind);
+            if (preset) use(preset);
+        });
+    }
+
+    return {
+        element: make('div', { class: 'row', role: 'group', 'aria-label': 'Presets' }, ...buttons.map(({ button }) => button)),
+        /** Shows which presets the drawing can have. */
+        show() {
+            for (const { kind, button } of buttons) button.disabled = kind === 'turntable' && !stage.space;
+        },
+    };
+}
