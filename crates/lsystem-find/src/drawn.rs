@@ -1,9 +1,9 @@
 //! The systems that a search keeps.
 
-use crate::Found;
 use crate::hull::{Fit, Target};
 use crate::picture::Picture;
 use crate::strokes::Strokes;
+use crate::{Found, printed};
 use lsystem_drawing::draw;
 use lsystem_syntax::{Definition, Dialect, Limits};
 use std::iter::once;
@@ -51,7 +51,7 @@ impl Drawn {
             _ => None,
         };
         Definition {
-            axiom: self.axiom.clone(),
+            axiom: printed(&self.axiom),
             rules: self.found.text(),
             iterations: self.found.n,
             angle: self.angle,

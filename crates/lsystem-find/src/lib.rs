@@ -53,14 +53,14 @@ impl Found {
     /// The rules in our notation, one on each line.
     #[must_use]
     pub fn text(&self) -> String {
-        let symbol = |symbol: char| {
-            let mut text = String::new();
-            print_module(symbol, &[], &mut text);
-            text
-        };
-        let line = |(from, to): &(char, String)| {
-            format!("{} -> {}", symbol(*from), to.chars().map(symbol).collect::<String>())
-        };
+        let line = |(from, to): &(char, String)| format!("{} -> {}", printed(&from.to_string()), printed(to));
         self.rules.iter().map(line).collect::<Vec<_>>().join("\n")
     }
+}
+
+/// Symbols in our notation.
+fn printed(symbols: &str) -> String {
+    let mut text = String::new();
+    symbols.chars().for_each(|symbol| print_module(symbol, &[], &mut text));
+    text
 }

@@ -44,6 +44,12 @@ impl StringFinder {
     /// # Errors
     /// A sentence if the search cannot begin.
     pub fn new(text: &str, question: &Question) -> Result<Self, &'static str> {
+        if question.angle.is_some_and(|angle| !(-360.0..=360.0).contains(&angle)) {
+            return Err("The angle must be from -360 to 360 degrees.");
+        }
+        if question.heading.is_some_and(|heading| !heading.is_finite()) {
+            return Err("The first heading must be a number.");
+        }
         let is_letter = |symbol: &char| symbol.is_alphanumeric();
         let axiom = question.axiom.as_deref().map(|axiom| axiom.split_whitespace().collect::<String>());
         let axiom = axiom.filter(|axiom| !axiom.is_empty());
@@ -175,6 +181,8 @@ mod tests {
             ("", Question::default(), "no letters"),
             ("F", known("F", 31), "1 to 30"),
             ("ABCDEFGHIJKL", known("A", 2), "More than 8"),
+            ("AB", Question { angle: Some(f64::NAN), ..Question::default() }, "angle"),
+            ("AB", Question { heading: Some(f64::INFINITY), ..Question::default() }, "heading"),
         ] {
             let told = StringFinder::new(text, &question);
             assert!(told.as_ref().is_err_and(|why| why.contains(said)), "{text} {:?}", told.err());
