@@ -27,7 +27,7 @@ pub(super) fn papers(source: &mut Source<'_>, gauge: &mut Gauge) {
         is_cropped: source.once_in(2),
         ..FileOptions::default()
     };
-    for format in FORMATS.iter().filter(|format| format.purpose == Purpose::Paper) {
+    for format in FORMATS.iter().filter(|format| format.purposes.contains(&Purpose::Paper)) {
         if let Content::Words(begin) = format.content {
             let Ok(mut writer) = gauge.call(format.name, || begin(&definition, &system, &options)) else { continue };
             let Some(file) = written(format, &mut *writer, gauge) else { continue };
@@ -35,7 +35,7 @@ pub(super) fn papers(source: &mut Source<'_>, gauge: &mut Gauge) {
         }
     }
     let Some(drawing) = paper_drawing(source, &definition, &system, gauge) else { return };
-    for format in FORMATS.iter().filter(|format| format.purpose == Purpose::Paper) {
+    for format in FORMATS.iter().filter(|format| format.purposes.contains(&Purpose::Paper)) {
         if let Content::Paper(begin) = format.content {
             let begin = || begin(drawing.clone(), system.style.clone(), &options);
             let Ok(mut writer) = gauge.call(format.name, begin) else { continue };
