@@ -18,6 +18,8 @@ use std::sync::Arc;
 
 /// The shortest trunk, in pixels.
 const SHORTEST: usize = 16;
+/// The usual length of a line, in pixels.
+const USUAL: f64 = 4.0;
 /// The most letters of a trunk that is made of copies.
 const MAX_TRUNK: usize = 4;
 /// The most turns each way from one letter to the next.
@@ -31,8 +33,9 @@ const PLACES: usize = 1024;
 /// The most words of one trunk, and the most branches that are tried after each of them.
 const MAX_WORDS: usize = 40;
 const MAX_BRANCHES: usize = 3;
-/// The number of words that a step of the search lays on the ink.
-const SHARE: usize = 200;
+/// The number of words that a step of the search lays on the ink, and the strokes of a word that is twice the work.
+const SHARE: usize = 1_000;
+const STROKES: usize = 64;
 /// One in this many places of a straight line may lie beside the ink.
 const GAPS: usize = 10;
 
@@ -60,21 +63,25 @@ pub(crate) struct GrowthSearch {
     base: [f64; 2],
     /// The places of the ink that tell how much is covered.
     places: Vec<[usize; 2]>,
-    /// The trunks that are still to be tried.
-    trunks: Vec<Trunk>,
+    /// The trunks that are still to be tried, each with the work so far: those whose lines are a few pixels long, as in most
+    /// pictures, come first in one row, and those with the longest lines, which have the fewest strokes, in the other one.
+    trunks: [(Vec<Trunk>, usize); 2],
+    tried: HashSet<Trunk>,
+    /// The row of the present trunk.
+    row: usize,
     /// The words of the present trunk that are still to grow, and those that were seen.
     open: Vec<Plant>,
     seen: HashSet<Vec<Symbol>>,
     /// The words that cover the ink.
     covering: Vec<Vec<Symbol>>,
-    /// The number of words that were laid on the ink.
+    /// The work of this step.
     tested: usize,
     scale: Scale,
     left: usize,
     hulls: Hulls,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Trunk {
     n: u8,
     letters: u8,
@@ -139,7 +146,9 @@ impl GrowthSearch {
             kind,
             base,
             places,
-            trunks: Vec::new(),
+            trunks: [(Vec::new(), 0), (Vec::new(), 0)],
+            tried: HashSet::new(),
+            row: 0,
             open: Vec::new(),
             seen: HashSet::new(),
             covering: Vec::new(),
@@ -149,17 +158,21 @@ impl GrowthSearch {
             hulls: Hulls::default(),
         };
         let straight = (SHORTEST..SIDE).take_while(|&length| search.is_inked([0.0, 0.0], length as f64, 0)).last()?;
+        let mut trunks = Vec::new();
         for length in 2 * SHORTEST..=2 * straight + 2 {
             let letters = if kind == Kind::Copies { 1..=MAX_TRUNK } else { 1..=1 };
             for (letters, &n) in letters.flat_map(|letters| steps.iter().map(move |n| (letters, n))) {
                 let (n, letters, length) = (n as u8, letters as u8, length as u16);
-                search.trunks.push(Trunk { n, letters, length });
+                trunks.push(Trunk { n, letters, length });
             }
         }
-        // Those with the longest lines come first: they have the fewest strokes.
-        let mut trunks = std::mem::take(&mut search.trunks);
-        trunks.sort_by(|a, b| search.scale_of(*a).unit.total_cmp(&search.scale_of(*b).unit));
-        search.trunks = trunks;
+        // The last ones are tried first.
+        let unit = |trunk: &Trunk| search.scale_of(*trunk).unit;
+        let unusual = |trunk: &Trunk| (unit(trunk) / USUAL).max(USUAL / unit(trunk));
+        let (mut usual, mut long) = (trunks.clone(), trunks);
+        usual.sort_by(|a, b| unusual(b).total_cmp(&unusual(a)));
+        long.sort_by(|a, b| unit(a).total_cmp(&unit(b)));
+        search.trunks = [(usual, 0), (long, 0)];
         Some(search)
     }
 
@@ -175,9 +188,12 @@ impl GrowthSearch {
                 self.grow(&plant);
                 continue;
             }
-            let Some(trunk) = self.trunks.pop() else { return Told::Done };
-            self.left = MAX_WORDS;
-            self.begin(trunk);
+            self.row = usize::from(self.trunks[1].1 < self.trunks[0].1);
+            let Some(trunk) = self.trunks[self.row].0.pop() else { return Told::Done };
+            if self.tried.insert(trunk) {
+                self.left = MAX_WORDS;
+                self.begin(trunk);
+            }
         }
         Told::More
     }
@@ -269,13 +285,16 @@ impl GrowthSearch {
 
     /// The strokes of a plant, if they stay on the ink.
     fn strokes(&mut self, branches: &[Branch]) -> Option<Strokes> {
-        self.tested += 1;
         self.words[0] = self.word(branches);
         let Self { hulls, words, axiom, draws, alphabet, target, picture, scale, .. } = self;
         let system = System { alphabet: *alphabet, axiom, words, draws };
         hulls.set(&target.headings, system, scale.n);
         let fit = Fit { unit: scale.unit, x: self.base[0], y: self.base[1], stroke: picture.stroke };
-        Strokes::on_ink(system, hulls, scale.n, target, picture, fit)
+        let strokes = Strokes::on_ink(system, hulls, scale.n, target, picture, fit);
+        let work = 1 + strokes.as_ref().map_or(0, |strokes| strokes.count() / STROKES);
+        self.tested += work;
+        self.trunks[self.row].1 += work;
+        strokes
     }
 
     /// How many places the strokes of a plant cover, if they stay on the ink.

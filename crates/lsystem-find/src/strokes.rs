@@ -73,6 +73,10 @@ impl Strokes {
         Self(segments.map(stroke).collect())
     }
 
+    pub(crate) const fn count(&self) -> usize {
+        self.0.len()
+    }
+
     /// The work of a measure of the agreement, in systems that are unlike the picture.
     pub(crate) fn work(&self, fit: Fit) -> u64 {
         let across = 2.0 * fit.stroke + 2.0;

@@ -11,6 +11,8 @@ use serde_json::json;
 const SYSTEMS: [&str; 2] = ["curves/hilbert", "abop/1.25"];
 /// Tubes reach beyond their axes by half a stroke's width, which is less than this part of a drawing's longer side.
 const TUBE: f64 = 0.02;
+/// The part of the triangles that may be missing where parts repeat.
+const MISSING: f64 = 0.1;
 
 pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
     for system in SYSTEMS {
@@ -27,14 +29,18 @@ pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
             for kind in ["numErrors", "numWarnings"] {
                 equal(&format!("{kind} in {}", issues["messages"]), issues[kind].as_u64(), Some(0))?;
             }
-            equal("triangles", info["totalTriangleCount"].as_u64(), Some(triangles))?;
-            Ok(format!("no errors and no warnings, {triangles} triangles"))
+            // Parts that repeat are written once.
+            let written = info["totalTriangleCount"].as_u64().unwrap_or(0);
+            ensure!((1..=triangles).contains(&written), "{written} triangles are written for {triangles} of OBJ");
+            Ok(format!("no errors and no warnings, {written} triangles for {triangles} of OBJ"))
         });
         for (format, file) in [("obj", obj), ("glb", glb)] {
             let sides = sides.clone();
             let question = json!({"look": "mesh", "file": file});
             asked.look(format!("{system} as {format}"), "trimesh", [question], move |answers| {
-                equal("triangles", answers[0]["faces"].as_u64(), Some(triangles))?;
+                // Parts that repeat have ends of their own, so joints inside OBJ may be missing between them.
+                let off = if format == "obj" { 0.0 } else { MISSING * triangles as f64 };
+                near("triangles", number(&answers[0]["faces"]), triangles as f64, off)?;
                 for (&found, &told) in numbers(&answers[0]["box"]).iter().zip(&sides) {
                     // Coordinates have seven digits.
                     near("side of the box", found, told + TUBE / 2.0 * longest, (TUBE / 2.0 + 1e-6) * longest)?;
