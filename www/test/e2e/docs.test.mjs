@@ -18,7 +18,7 @@ const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.
 const at = (name) => ({ address: `${ADDRESS}docs/${name}`, also: ADDRESS, drawing: null });
 
 test('the documents for readers are pages, and no others', () => {
-    assert.deepEqual(NAMES, ['about.html', 'embedding.html', 'exercises.html', 'films.html', 'find.html', 'growth.html', 'imports.html', 'lesson.html', 'links.html', 'notation.html', 'papers.html', 'plotting.html', 'scale.html', 'security.html']);
+    assert.deepEqual(NAMES, ['about.html', 'embedding.html', 'exercises.html', 'films.html', 'find.html', 'growth.html', 'imports.html', 'lesson.html', 'links.html', 'meshes.html', 'notation.html', 'papers.html', 'plotting.html', 'scale.html', 'security.html']);
 });
 
 for (const [size, options] of /** @type {[string, import('playwright-core').BrowserContextOptions][]} */ ([
@@ -43,7 +43,7 @@ for (const [size, options] of /** @type {[string, import('playwright-core').Brow
                     return root.scrollWidth > root.clientWidth;
                 });
                 assert.ok(!wide, name);
-                assert.equal(await page.locator('.line [aria-current]').count(), ['security.html', 'imports.html', 'growth.html', 'films.html', 'find.html', 'papers.html', 'plotting.html', 'scale.html'].includes(name) ? 0 : 1);
+                assert.equal(await page.locator('.line [aria-current]').count(), ['security.html', 'imports.html', 'growth.html', 'films.html', 'find.html', 'meshes.html', 'papers.html', 'plotting.html', 'scale.html'].includes(name) ? 0 : 1);
                 assert.ok(((await page.getAttribute('meta[name=description]', 'content')) ?? '').length > 20);
             });
         }
