@@ -1,39 +1,52 @@
 //! `cargo xtask build`: the page, the worker and the wasm in one folder that any static host can serve.
 
-use crate::esbuild::Esbuild;
+use crate::esbuild::{Bundler as _, Esbuild};
 use crate::workspace::Workspace;
-use crate::{docs, exercises, files, gallery, include, joined, offline, one_file, wasms};
+use crate::{files, include, joined, offline, one_file, wasms};
 use anyhow::{Context, Result};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::thread;
+
+/// How the wasm is compiled.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// As it is published: smallest and fastest.
+    Shipped,
+    /// In a fifth of the time, for work on the page: larger and slower.
+    Draft,
+}
 
 /// The classic scripts of the pages.
 const SCRIPTS: [&str; 3] = ["js/theme-early.js", "l-system.js", "service-worker.js"];
+/// The styles of the documents: those that they share with the playground, then their own.
+const DOCUMENT_STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 
 /// Builds the site and replaces `dist/` as a whole, so that readers of `dist/` find either the old site or the new one.
-pub(crate) fn build(workspace: &Workspace) -> Result<()> {
+pub(crate) fn build(workspace: &Workspace, kind: Kind) -> Result<()> {
     let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(&workspace.root)?;
     let (www, site) = (workspace.www(), new.path().join("site"));
     let esbuild = Esbuild::of(&www)?;
     page(&www, &site)?;
+    let core = thread::scope(|scope| {
+        let core = scope.spawn(|| core(workspace));
+        wasms::compile(workspace, kind)?;
+        core.join().unwrap_or_else(|_| anyhow::bail!("compiling the program `site` failed"))
+    })?;
+    let make = |what| workspace.run(Command::new(&core).arg(what).arg(&workspace.root).arg(&site));
+    make("systems")?;
     for name in SCRIPTS {
         files::write(&site.join(name), esbuild.script(name)?)?;
     }
-    wasms::write(workspace, &esbuild, &site)?;
-    let gallery = gallery::gallery(&workspace.root.join("data_in"))?;
-    files::write(&site.join("gallery.json"), gallery.to_string())?;
-    let exercises = exercises::exercises(&www.join("exercises.json"), &gallery)?;
-    files::write(&site.join("exercises.json"), serde_json::to_string(&exercises)?)?;
-    let lesson = site.join("course.html");
-    files::write(&lesson, exercises::named(&files::read_text(&lesson)?, &exercises)?)?;
+    wasms::write(workspace, kind, &esbuild, &site)?;
     let (index, embed) = ("index.html", site.join("embed.html"));
     let whole = files::read_text(&site.join(index))?;
     let exercise = site.join("exercise.html");
     let text = include::include(&files::read_text(&exercise)?, "embed.html", &files::read_text(&embed)?)?;
-    files::write(&exercise, include::include(&text, index, &whole)?)?;
-    let film = site.join("film.html");
-    files::write(&film, include::include(&files::read_text(&film)?, index, &whole)?)?;
-    files::write(&embed, include::include(&files::read_text(&embed)?, index, &whole)?)?;
+    files::write(&exercise, text)?;
+    let include_index = |file: &Path| files::write(file, include::include(&files::read_text(file)?, index, &whole)?);
+    [&exercise, &site.join("film.html"), &embed].into_iter().try_for_each(|file| include_index(file))?;
     // These pages become single files, with the files that they would fetch inside.
     let all: Vec<_> = wasms::WASMS
         .iter()
@@ -55,11 +68,23 @@ pub(crate) fn build(workspace: &Workspace) -> Result<()> {
         let text = one_file::one_file(&site, page, carried, &esbuild)?;
         files::write(&site.join(file), text)?;
     }
-    docs::write_pages(&workspace.root.join("docs"), &www, &site, &esbuild)?;
+    make("documents")?;
+    let documents = site.join("docs");
+    files::list(&documents, |path| path.extension().is_none_or(|ending| ending == "html"))?
+        .iter()
+        .try_for_each(|file| include_index(file))?;
+    files::write(&documents.join("docs.css"), esbuild.styles(&DOCUMENT_STYLES)?)?;
     joined::join(&site, index, &esbuild)?;
     joined::write_licence(&www, &site)?;
     offline::list_files(&site)?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
+}
+
+/// Compiles the program `site`, which makes what needs the core. Returns its path.
+fn core(workspace: &Workspace) -> Result<PathBuf> {
+    // All crates are named, so that this shares its libraries with the tests.
+    workspace.run(&mut workspace.cargo(["build", "--quiet", "--workspace", "--exclude=bench", "--bin=site"]))?;
+    Ok(workspace.target.join("debug/site").with_extension(std::env::consts::EXE_EXTENSION))
 }
 
 /// Copies the files of `www` that are shipped unchanged.

@@ -1,74 +1,62 @@
 //! `cargo xtask fuzz`: random inputs for the core.
 
-use crate::workspace::{Workspace, output, run};
+use crate::workspace::{Workspace, output};
 use anyhow::{Context, Result, bail};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The options of the command.
-#[derive(Debug, Default, PartialEq)]
-struct FuzzOptions<'a> {
-    targets: Vec<&'a str>,
-    /// The time for all targets together.
-    minutes: Option<f64>,
-    seed: Option<&'a str>,
-    input: Option<&'a str>,
+#[derive(clap::Args)]
+pub(crate) struct FuzzOptions {
+    /// The targets; all if none is named
+    targets: Vec<String>,
+    /// The time for all targets together
+    #[arg(long, default_value_t = 1.0)]
+    minutes: f64,
+    #[arg(long)]
+    seed: Option<String>,
+    /// Try a single input again
+    #[arg(long)]
+    input: Option<PathBuf>,
+    /// Make the single input smaller first
+    #[arg(long, requires = "input")]
     shrink: bool,
+    /// Let libFuzzer choose inputs by the code that they reach (needs a C++ compiler)
+    #[arg(long)]
     guided: bool,
 }
 
-impl<'a> FuzzOptions<'a> {
-    fn read(mut words: impl Iterator<Item = &'a str>) -> Result<Self> {
-        let mut options = Self::default();
-        while let Some(word) = words.next() {
-            let mut value = || words.next().with_context(|| format!("`{word}` needs a value"));
-            match word {
-                "--minutes" => options.minutes = Some(value()?.parse().context("`--minutes` needs a number")?),
-                "--seed" => options.seed = Some(value()?),
-                "--input" => options.input = Some(value()?),
-                "--shrink" => options.shrink = true,
-                "--guided" => options.guided = true,
-                word if word.starts_with('-') => bail!("unknown option `{word}`"),
-                target => options.targets.push(target),
-            }
-        }
-        Ok(options)
-    }
-}
-
 /// Fuzzes the named targets or all, or tries a single input.
-pub(crate) fn fuzz<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
-    let mut options = FuzzOptions::read(words)?;
+pub(crate) fn fuzz(workspace: &Workspace, mut options: FuzzOptions) -> Result<()> {
     let program = build(workspace)?;
     if let Some(input) = options.input {
         let mut command = Command::new(&program);
-        command.args(&options.targets).args(["--input", input]).args(options.shrink.then_some("--shrink"));
-        return run(&mut command);
+        command.args(&options.targets).arg("--input").arg(input).args(options.shrink.then_some("--shrink"));
+        return workspace.run(&mut command);
     }
-    let names = output(Command::new(&program).arg("--list"))?;
     if options.targets.is_empty() {
-        options.targets = names.lines().collect();
+        options.targets = output(Command::new(&program).arg("--list"))?.lines().map(str::to_owned).collect();
     }
-    let seconds = 60.0 * options.minutes.unwrap_or(1.0) / options.targets.len() as f64;
+    let seconds = 60.0 * options.minutes / options.targets.len() as f64;
     if options.guided {
         return guided(workspace, &options.targets, seconds);
     }
     let mut command = Command::new(&program);
     command.args(&options.targets).args(["--seconds", &seconds.to_string()]);
-    command.args(options.seed.map(|seed| ["--seed", seed]).into_iter().flatten());
+    command.args(options.seed.iter().flat_map(|seed| ["--seed", seed]));
     command.arg("--findings").arg(workspace.target.join("fuzz/findings"));
-    run(&mut command)
+    workspace.run(&mut command)
 }
 
 /// The short run of the tests, always with the same inputs.
-pub(crate) fn short(workspace: &Workspace) -> Result<()> {
-    let mut command = Command::new(build(workspace)?);
-    run(command.args(["--short", "--patient", "--findings"]).arg(workspace.target.join("fuzz/findings")))
+pub(crate) fn short(workspace: &Workspace, program: &Path) -> Result<()> {
+    let mut command = Command::new(program);
+    workspace.run(command.args(["--short", "--patient", "--findings"]).arg(workspace.target.join("fuzz/findings")))
 }
 
 /// Builds the program and returns its path.
 fn build(workspace: &Workspace) -> Result<PathBuf> {
-    run(&mut workspace.cargo(["build", "--quiet", "--profile=fuzz", "--package=lsystem-fuzz"]))?;
+    workspace.run(&mut workspace.cargo(["build", "--quiet", "--profile=fuzz", "--package=lsystem-fuzz"]))?;
     Ok(workspace.target.join("fuzz/lsystem-fuzz").with_extension(std::env::consts::EXE_EXTENSION))
 }
 
@@ -85,22 +73,24 @@ const COVERAGE: [&str; 6] = [
 
 /// Lets libFuzzer choose the inputs, for some seconds per target. libFuzzer keeps inputs that reach new code for the
 /// next run, and writes a failing input to a file.
-fn guided(workspace: &Workspace, targets: &[&str], seconds: f64) -> Result<()> {
+fn guided(workspace: &Workspace, targets: &[String], seconds: f64) -> Result<()> {
     let host = output(Command::new("rustc").args(["--print=host-tuple"]))?;
     let host = host.trim();
     // With `--target`, Cargo compiles build scripts without the counters, which they could not link.
     let what = ["build", "--quiet", "--profile=fuzz", "--package=lsystem-fuzz", "--bin=guided", "--features=guided"];
     let folder = workspace.target.join("fuzz/guided");
-    run(workspace
-        .cargo(what)
-        .args(["--target", host])
-        .arg("--target-dir")
-        .arg(&folder)
-        .env("CARGO_ENCODED_RUSTFLAGS", COVERAGE.join("\u{1f}")))?;
+    workspace.run(
+        workspace
+            .cargo(what)
+            .args(["--target", host])
+            .arg("--target-dir")
+            .arg(&folder)
+            .env("CARGO_ENCODED_RUSTFLAGS", COVERAGE.join("\u{1f}")),
+    )?;
     let program = folder.join(host).join("fuzz/guided");
     let findings = workspace.target.join("fuzz/findings");
     let mut failed = vec![];
-    for &target in targets {
+    for target in targets {
         println!("\n=== {target}");
         let corpus = workspace.target.join("fuzz/corpus").join(target);
         std::fs::create_dir_all(&corpus).with_context(|| format!("creating {}", corpus.display()))?;
@@ -109,25 +99,12 @@ fn guided(workspace: &Workspace, targets: &[&str], seconds: f64) -> Result<()> {
         command.arg(&corpus).arg(format!("-artifact_prefix={}/{target}-", findings.display()));
         command.arg(format!("-max_total_time={}", seconds.ceil()));
         command.args(["-max_len=4096", "-timeout=10", "-rss_limit_mb=3072", "-print_final_stats=1", "-verbosity=0"]);
-        if run(command.env("LSYSTEM_FUZZ", target)).is_err() {
-            failed.push(target);
+        if workspace.run(command.env("LSYSTEM_FUZZ", target)).is_err() {
+            failed.push(target.as_str());
         }
     }
     if failed.is_empty() {
         return Ok(());
     }
     bail!("failed: {}; to repeat one: `cargo xtask fuzz TARGET --input FILE`", failed.join(", "))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn options() {
-        let read = |words: &'static [&'static str]| FuzzOptions::read(words.iter().copied());
-        let options = read(&["json", "--minutes", "2.5", "--guided"]).unwrap();
-        assert_eq!((options.targets, options.minutes, options.guided), (vec!["json"], Some(2.5), true));
-        assert!(read(&["--minutes"]).is_err() && read(&["--minutes", "x"]).is_err() && read(&["--what"]).is_err());
-    }
 }

@@ -1,24 +1,49 @@
 //! Formatting, clippy and documentation: warnings are errors.
 
-use crate::report::StepReport;
+use crate::report::Report;
 use crate::tools;
 use crate::wasms::WASMS;
-use crate::workspace::{Workspace, run};
+use crate::workspace::Workspace;
+use anyhow::Result;
 
-pub(crate) fn steps(workspace: &Workspace, report: &mut StepReport) {
-    report.step("formatting", || run(&mut workspace.cargo(["fmt", "--all", "--check"])));
-    report.step("clippy", || {
-        run(&mut workspace.cargo(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]))
+const STRICT: [&str; 3] = ["--", "-D", "warnings"];
+
+/// All that `cargo xtask lint` looks at.
+pub(crate) fn lint(workspace: &Workspace) -> Result<()> {
+    let report = Report::new(workspace, "lint");
+    formatting(workspace, &report);
+    native(workspace, &report);
+    wasm(workspace, &report);
+    report.finish()
+}
+
+pub(crate) fn formatting(workspace: &Workspace, report: &Report) -> bool {
+    report
+        .step(workspace, "formatting", |workspace, _| workspace.run(&mut workspace.cargo(["fmt", "--all", "--check"])))
+}
+
+pub(crate) fn native(workspace: &Workspace, report: &Report) {
+    report.step(workspace, "clippy", |workspace, _| clippy(workspace, &[]));
+    report.step(workspace, "documentation", |workspace, _| {
+        let words = ["doc", "--no-deps", "--workspace", "--exclude", "bench"];
+        workspace.run(workspace.cargo(words).env("RUSTDOCFLAGS", "-D warnings"))
     });
-    report.step("clippy for wasm", || {
+}
+
+/// Clippy for these crates; for all if none is named.
+pub(crate) fn clippy(workspace: &Workspace, packages: &[&str]) -> Result<()> {
+    let which = packages.iter().flat_map(|name| ["--package", name]);
+    let all = packages.is_empty().then_some("--workspace");
+    workspace.run(workspace.cargo(["clippy", "--all-targets"]).args(which).args(all).args(STRICT))
+}
+
+/// Clippy for the crates that are compiled for the browser. In the profile of the tests there, so that they share the
+/// libraries that run while compiling.
+pub(crate) fn wasm(workspace: &Workspace, report: &Report) {
+    report.step(workspace, "clippy for wasm", |workspace, _| {
         tools::wasm_target()?;
-        let packages = WASMS.iter().flat_map(|wasm| ["--package", wasm.package]);
-        let what = ["clippy", "--all-targets", "--target", tools::WASM_TARGET].into_iter().chain(packages);
-        run(workspace.cargo(what).args(["--", "-D", "warnings"]))
+        let packages = WASMS.iter().map(|wasm| wasm.package).chain(["bench"]).flat_map(|name| ["--package", name]);
+        let words = ["clippy", "--lib", "--tests", "--profile=draft", "--target", tools::WASM_TARGET];
+        workspace.run(workspace.cargo(words.into_iter().chain(packages)).args(STRICT))
     });
-    report.step("clippy for the measurements in the browser", || {
-        let what = ["clippy", "--lib", "--package=bench", "--target", tools::WASM_TARGET];
-        run(workspace.cargo(what).args(["--", "-D", "warnings"]))
-    });
-    report.step("documentation", || run(workspace.cargo(["doc", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings")));
 }

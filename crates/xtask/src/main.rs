@@ -1,14 +1,11 @@
-//! The developer's tool. The first word of the command line is the command.
+//! The developer's tool.
 
 mod bench;
 mod bindgen;
 mod build;
-mod docs;
 mod esbuild;
-mod exercises;
 mod files;
 mod fuzz;
-mod gallery;
 mod include;
 mod joined;
 mod lint;
@@ -28,55 +25,53 @@ mod tools;
 mod wasms;
 mod workspace;
 
-use anyhow::{Result, bail};
-use std::ffi::OsString;
+use anyhow::Result;
+use clap::Parser;
+use std::ffi::OsStr;
 use std::process::ExitCode;
-use workspace::{Workspace, run as run_program};
+use workspace::Workspace;
 
-const USAGE: &str = "\
-usage: cargo xtask COMMAND
-
-  build                  the page, ready to be put on any static host under any path: dist/
-  serve [--port N]       build, then serve dist/ on this machine (port 8080 or the next free one)
-  test [--thorough] [PART ...]
-                         all checks before a merge; PART is any of lint, native, outside, fuzz, wasm, size,
-                         page;
-                         --thorough makes the property tests long
-  lint                   formatting, clippy and documentation; warnings are errors
-  outside                open files of all formats with programs of other people, and compare what they find with
-                         what lsys tells
-  package                the npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/
-  tables                 update www/js/tables.js from the tables of the core; a test fails when the file is out of date
-  fuzz [TARGET ...] [--minutes M] [--seed N] [--guided]
-                         try random inputs, M minutes (1) for all targets together; --guided lets libFuzzer choose
-                         inputs by the code that they reach (needs a C++ compiler)
-  fuzz TARGET --input FILE [--shrink]
-                         try one input again; --shrink makes the input smaller first
-  bench [PART ...]       compare speed with other implementations; PART is any of native, web, pictures,
-                         page (how fast the page responds), load (the cost of opening the page and ten embedded
-                         drawings), space (times of pictures in space, moving and at rest),
-                         shares (times of pictures that several workers share),
-                         find (rules of pictures: how many are found, and when),
-                         plot (ink, travel and time of plots, beside vpype's linemerge and linesort)
-  monkey [--minutes M] [--seed S [--actions N]] [--verbose]
-                         random actions on the page and on embedded drawings, M minutes (1); equal seeds give equal
-                         actions
-  mutants [--all] [ARGS] check that tests detect changes of the core's code: a fixed sample of mutants, all of them, or
-                         those that ARGS of cargo-mutants choose, such as --shard 3/40 or --file drawing/hull.rs
-
-Needs: Rust by rustup (the wasm target is added when missing), Node.js 20 or newer with npm; for test, bench and monkey
-also Chromium and ChromeDriver (installed when missing where this runs as root on Debian); for test and outside Python
-3.11 or newer, and ffmpeg, poppler-utils and LaTeX with TikZ where they are installed.
-";
+/// The developer's tool of the L-system playground.
+///
+/// Needs: Rust by rustup (the wasm target is added when missing), Node.js 20 or newer with npm; for test, bench and
+/// monkey also Chromium and ChromeDriver (installed when missing where this runs as root on Debian); for test and outside
+/// Python 3.11 or newer, and ffmpeg, poppler-utils and LaTeX with TikZ where they are installed.
+#[derive(Parser)]
+#[command(name = "cargo xtask")]
+enum Command {
+    /// The page, ready to be put on any static host under any path: dist/
+    Build,
+    /// Build quickly, then serve dist/ on this machine
+    Serve(serve::ServeOptions),
+    /// All checks before a merge; `test quick` while working
+    Test(test::TestOptions),
+    /// Formatting, clippy and documentation; warnings are errors
+    Lint,
+    /// Open files of all formats with programs of other people, and compare what they find with what lsys tells
+    Outside,
+    /// The npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/
+    Package,
+    /// Update www/js/tables.js from the tables of the core; a test fails when the file is out of date
+    Tables,
+    /// Try random inputs
+    Fuzz(fuzz::FuzzOptions),
+    /// Compare speed with other implementations
+    Bench {
+        /// All parts if none is named
+        parts: Vec<bench::Part>,
+    },
+    /// Random actions on the page and on embedded drawings
+    Monkey(monkey::MonkeyOptions),
+    /// Check that tests detect changes of the core's code: a fixed sample of mutants, `--all` of them, or those that
+    /// arguments of cargo-mutants choose, such as `--shard 3/40` or `--file drawing/hull.rs`
+    Mutants {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        words: Vec<String>,
+    },
+}
 
 fn main() -> ExitCode {
-    let mut words = std::env::args_os();
-    let program = words.next().unwrap_or_default();
-    let Some(command) = words.next() else {
-        print!("{USAGE}");
-        return ExitCode::FAILURE;
-    };
-    match run(&program, &command.to_string_lossy(), words.collect()) {
+    match run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error:#}");
@@ -85,57 +80,48 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(program: &OsString, command: &str, rest: Vec<OsString>) -> Result<()> {
-    // Cargo runs this command for every wasm test binary (.cargo/config.toml), in the tested crate's folder.
-    if command == "wasm-bindgen-test-runner" {
-        return bindgen::test_runner([program.clone()].into_iter().chain(rest));
+fn run() -> Result<()> {
+    // Cargo and the tests run this for wasm test binaries, in the tested crate's folder (.cargo/config.toml).
+    let mut words = std::env::args_os();
+    let program = words.next().unwrap_or_default();
+    if std::env::args_os().nth(1).as_deref() == Some(OsStr::new("wasm-bindgen-test-runner")) {
+        return bindgen::test_runner([program].into_iter().chain(words.skip(1)));
     }
-    let mut words = rest.iter().map(|word| word.to_str().unwrap_or("�"));
+    let command = Command::parse();
+    let workspace = &Workspace::find()?;
     match command {
-        "build" => {
-            no_more(words)?;
-            build::build(&Workspace::find()?)
-        }
-        "serve" => {
-            let port = match (words.next(), words.next()) {
-                (None, _) => None,
-                (Some("--port"), Some(port)) => Some(port.parse::<u16>().or_else(|_| bail!("`{port}` is not a port"))?),
-                _ => bail!("usage: cargo xtask serve [--port N]"),
-            };
-            no_more(words)?;
-            serve::serve(&Workspace::find()?, port)
-        }
-        "test" => test::test(&Workspace::find()?, &test::TestOptions::read(words)?),
-        "lint" => {
-            no_more(words)?;
-            test::test(&Workspace::find()?, &test::TestOptions::read(["lint"].into_iter())?)
-        }
-        "tables" => {
-            no_more(words)?;
+        Command::Build => build::build(workspace, build::Kind::Shipped),
+        Command::Serve(options) => serve::serve(workspace, &options),
+        Command::Test(options) => test::test(workspace, &options),
+        Command::Lint => lint::lint(workspace),
+        Command::Outside => test::test(workspace, &test::TestOptions::only(test::Part::Outside)),
+        Command::Package => package::package(workspace),
+        Command::Tables => {
             let tables = ["test", "--package=lsystem", "--test=tables"];
-            run_program(Workspace::find()?.cargo(tables).env("UPDATE_EXPECT", "1"))
+            workspace.run(workspace.cargo(tables).env("UPDATE_EXPECT", "1"))
         }
-        "outside" => {
-            no_more(words)?;
-            outside::check(&Workspace::find()?)
-        }
-        "package" => {
-            no_more(words)?;
-            package::package(&Workspace::find()?)
-        }
-        "mutants" => mutants::mutants(&Workspace::find()?, words),
-        "fuzz" => fuzz::fuzz(&Workspace::find()?, words),
-        "bench" => bench::bench(&Workspace::find()?, words),
-        "monkey" => monkey::monkey(&Workspace::find()?, &monkey::MonkeyOptions::read(words)?),
-        "help" | "--help" | "-h" => {
-            print!("{USAGE}");
-            Ok(())
-        }
-        _ => bail!("there is no command `{command}`\n\n{USAGE}"),
+        Command::Fuzz(options) => fuzz::fuzz(workspace, options),
+        Command::Bench { parts } => bench::bench(workspace, &parts),
+        Command::Monkey(options) => monkey::monkey(workspace, &options),
+        Command::Mutants { words } => mutants::mutants(workspace, &words),
     }
 }
 
-/// Fails if there is another word.
-fn no_more<'a>(mut words: impl Iterator<Item = &'a str>) -> Result<()> {
-    words.next().map_or(Ok(()), |word| bail!("unexpected `{word}`; `cargo xtask help` lists the commands"))
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        Command::command().debug_assert();
+        for right in
+            ["test quick", "test page native --all --thorough", "serve --port 80 --watch", "mutants --shard 3/9"]
+        {
+            Command::try_parse_from(["xtask"].into_iter().chain(right.split(' '))).unwrap();
+        }
+        for wrong in ["test pages", "serve now", "fuzz --minutes x", "monkey --actions 3"] {
+            assert!(Command::try_parse_from(["xtask"].into_iter().chain(wrong.split(' '))).is_err(), "{wrong}");
+        }
+    }
 }

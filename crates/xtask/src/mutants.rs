@@ -2,7 +2,7 @@
 //! changes and the tests.
 
 use crate::files;
-use crate::workspace::{Workspace, output, run};
+use crate::workspace::{Workspace, output};
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 use std::ffi::OsString;
@@ -15,8 +15,8 @@ const VERSION: &str = "27.1.0";
 const SAMPLE: &str = "0/40";
 
 /// Runs cargo-mutants with `words`, and prints the number of mutants that the tests have caught.
-pub(crate) fn mutants<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a str>) -> Result<()> {
-    let words = arguments(words);
+pub(crate) fn mutants(workspace: &Workspace, words: &[String]) -> Result<()> {
+    let words = arguments(words.iter().map(String::as_str));
     let tool = tool(workspace)?;
     let folder = workspace.target.join("mutants");
     let mut command = Command::new(tool);
@@ -24,7 +24,7 @@ pub(crate) fn mutants<'a>(workspace: &Workspace, words: impl Iterator<Item = &'a
     // Few cases, the same every time: an important change shows in most of them.
     command.env("PROPTEST_RNG_SEED", "1").env("LSYSTEM_CASES", "40");
     if words.iter().any(|word| word == "--list" || word == "--help") {
-        return run(&mut command);
+        return workspace.run(&mut command);
     }
     std::fs::create_dir_all(&folder)?;
     let status = command.status().context("starting cargo-mutants")?;
@@ -68,7 +68,7 @@ fn tool(workspace: &Workspace) -> Result<OsString> {
     }
     println!("installing cargo-mutants {VERSION} into {}, once", own.display());
     let install = ["install", "cargo-mutants", "--locked", "--version", VERSION, "--root"];
-    run(workspace.cargo(install).arg(&own)).with_context(|| {
+    workspace.run(workspace.cargo(install).arg(&own)).with_context(|| {
         format!("cargo-mutants {VERSION} is missing: `cargo install cargo-mutants --locked --version {VERSION}`")
     })?;
     Ok(local.into_os_string())

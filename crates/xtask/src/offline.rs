@@ -1,10 +1,9 @@
 //! The list of files that the page keeps for offline use. The list becomes the head of the service worker.
 
-use crate::files;
+use crate::files::{self, hex};
 use anyhow::{Context, Result};
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
-use std::fmt::Write as _;
 use std::path::Path;
 
 const WORKER: &str = "service-worker.js";
@@ -29,13 +28,6 @@ pub(crate) fn list_files(site: &Path) -> Result<()> {
     // A change of the worker itself makes a new version, too.
     let build = &hex(&Sha256::digest(format!("{list}{text}")))[..16];
     files::write(&worker, format!("const BUILD = \"{build}\";\nconst FILES = {list};\n{text}"))
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        _ = write!(text, "{byte:02x}");
-        text
-    })
 }
 
 #[cfg(test)]

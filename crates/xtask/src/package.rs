@@ -1,6 +1,6 @@
 //! `cargo xtask package`: the npm package, and the check that the crates can be published.
 
-use crate::workspace::{Workspace, run};
+use crate::workspace::Workspace;
 use crate::{bindgen, files, tools};
 use anyhow::Result;
 use std::fs;
@@ -29,7 +29,7 @@ const BOUNDARY: (&str, &str) = ("lsystem-wasm", "lsystem_wasm");
 pub(crate) fn package(workspace: &Workspace) -> Result<()> {
     tools::wasm_target()?;
     let build = ["build", "--profile=wasm", "--lib", "--target", tools::WASM_TARGET, "--package", BOUNDARY.0];
-    run(&mut workspace.cargo(build))?;
+    workspace.run(&mut workspace.cargo(build))?;
     npm(workspace)?;
     crates(workspace)?;
     println!("npm package: {}", folder(workspace).display());
@@ -62,7 +62,7 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
     files::write(&list, files::read_text(&list)?.replacen("\"version\": \"0.0.0\"", &version, 1))?;
     let test = workspace.target.join("npm/test.mjs");
     copy(&source.join("test.mjs"), &test)?;
-    run(Command::new(tools::node()?).arg("--test").arg(&test))
+    workspace.run(Command::new(tools::node()?).arg("--test").arg(&test))
 }
 
 /// Packs the crates as for the registry, and makes their documentation as docs.rs does.
@@ -70,8 +70,10 @@ fn crates(workspace: &Workspace) -> Result<()> {
     let names = || CRATES.iter().flat_map(|name| ["--package", name]);
     // The crates use each other, and none is in the registry yet: packing finds the others in the workspace. Other crates are in
     // the cache, because this workspace has been built.
-    run(&mut workspace.cargo(["package", "--offline", "--allow-dirty", "--no-verify"].into_iter().chain(names())))?;
-    run(workspace.cargo(["doc", "--no-deps"].into_iter().chain(names())).env("RUSTDOCFLAGS", "-D warnings"))
+    workspace.run(
+        &mut workspace.cargo(["package", "--offline", "--allow-dirty", "--no-verify"].into_iter().chain(names())),
+    )?;
+    workspace.run(workspace.cargo(["doc", "--no-deps"].into_iter().chain(names())).env("RUSTDOCFLAGS", "-D warnings"))
 }
 
 fn copy(from: &Path, to: &Path) -> Result<()> {
@@ -85,7 +87,7 @@ mod tests {
     #[test]
     fn every_crate_for_others_is_packed() {
         let workspace = Workspace::find().unwrap();
-        let development = ["bench", "fuzz", "xtask"];
+        let development = ["bench", "fuzz", "site", "xtask"];
         for entry in fs::read_dir(workspace.root.join("crates")).unwrap() {
             let name = entry.unwrap().file_name().into_string().unwrap();
             let is_inner = development.contains(&name.as_str()) || name.ends_with("-wasm");

@@ -1,8 +1,9 @@
 //! The page's checks: types, unit tests in Node.js, end-to-end tests in a browser.
 
-use crate::report::StepReport;
-use crate::workspace::{Workspace, run};
-use crate::{files, server, tools};
+use crate::report::Report;
+use crate::server::Server;
+use crate::workspace::{Workspace, output};
+use crate::{files, tools};
 use anyhow::{Result, bail};
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
@@ -12,17 +13,8 @@ use std::thread;
 /// The path of the page in the end-to-end tests. Absolute addresses in the page fail, because the path is not the root.
 const MOUNT: &str = "/some/where/";
 
-/// Checks the built page. `cases` is the number of random states in its unit tests; `None` for the default.
-pub(crate) fn steps(workspace: &Workspace, cases: Option<&str>, report: &mut StepReport) {
-    let www = workspace.www();
-    if !report.step("packages for the page's checks", || packages(&www)) {
-        return;
-    }
-    report.step("types of the page", || types(&www, "tsconfig.json"));
-    report.step("types of the worker", || types(&www, "tsconfig.worker.json"));
-    report.step("unit tests of the page", || unit(&www, cases));
-    report.step("end-to-end tests of the page", || end_to_end(workspace, &www));
-}
+/// The name of the step [`unit`].
+pub(crate) const UNIT: &str = "unit tests of the page";
 
 /// Installs the packages of a folder's lock file into `node_modules`. A copy of the installed lock file shows whether
 /// this has been done.
@@ -32,25 +24,36 @@ pub(crate) fn packages(folder: &Path) -> Result<()> {
     if installed.is_file() && files::read(&installed)? == lock {
         return Ok(());
     }
-    run(Command::new(tools::npm()?).arg("ci").current_dir(folder))?;
+    output(Command::new(tools::npm()?).arg("ci").current_dir(folder))?;
     files::write(&installed, lock)
 }
 
-fn types(www: &Path, project: &str) -> Result<()> {
+/// Checks the types of the page and of the worker. The types of the boundary must have been generated.
+pub(crate) fn types(workspace: &Workspace) -> Result<()> {
+    let www = workspace.www();
+    packages(&www)?;
     let compiler = "node_modules/typescript/bin/tsc";
-    run(Command::new(tools::node()?).args([compiler, "--project", project]).current_dir(www))
+    let check =
+        |project| workspace.run(Command::new(tools::node()?).args([compiler, "--project", project]).current_dir(&www));
+    check("tsconfig.json")?;
+    check("tsconfig.worker.json")
 }
 
-fn unit(www: &Path, cases: Option<&str>) -> Result<()> {
-    let tests = tests(www, |path| path.starts_with("unit"))?;
+/// Runs the tests of single modules. `cases` is the number of random states; `None` for the default.
+pub(crate) fn unit(workspace: &Workspace, cases: Option<&str>) -> Result<()> {
+    let www = workspace.www();
+    packages(&www)?;
+    let tests = tests(&www, |path| path.starts_with("unit"))?;
     let cases = cases.map(|cases| ("LSYSTEM_CASES", cases));
-    run(Command::new(tools::node()?).arg("--test").args(tests).current_dir(www).envs(cases))
+    workspace.run(Command::new(tools::node()?).arg("--test").args(tests).current_dir(&www).envs(cases))
 }
 
-fn end_to_end(workspace: &Workspace, www: &Path) -> Result<()> {
-    let tests = tests(www, |path| !path.starts_with("unit"))?;
+/// Runs the tests of the built page in a browser.
+pub(crate) fn end_to_end(workspace: &Workspace, _report: &Report) -> Result<()> {
+    let www = workspace.www();
+    let tests = tests(&www, |path| !path.starts_with("unit"))?;
     // Two files at a time: tests spend much time waiting, but more browsers would compete for few cores.
-    with_page(workspace, |node| node.args(["--test", "--test-concurrency=2"]).args(tests).current_dir(www))
+    with_page(workspace, |node| node.args(["--test", "--test-concurrency=2"]).args(tests).current_dir(&www))
 }
 
 /// Runs a script that measures the built page.
@@ -70,14 +73,16 @@ fn with_page(workspace: &Workspace, prepare: impl FnOnce(&mut Command) -> &mut C
     let browser = tools::browser()?;
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let address = format!("http://{}{MOUNT}", listener.local_addr()?);
-    let dist = workspace.dist();
+    let server = Server { folder: workspace.dist(), mount: MOUNT, version: None };
     // The listener is bound, so the tests need not wait. The thread ends with the process.
-    thread::spawn(move || server::run(&listener, &dist, MOUNT));
+    thread::spawn(move || server.run(&listener));
     let temporary = tempfile::tempdir()?;
-    run(prepare(&mut Command::new(tools::node()?))
-        .env("LSYSTEM_URL", address)
-        .env("CHROMIUM", browser.chromium)
-        .env("TMPDIR", temporary.path()))
+    workspace.run(
+        prepare(&mut Command::new(tools::node()?))
+            .env("LSYSTEM_URL", address)
+            .env("CHROMIUM", browser.chromium)
+            .env("TMPDIR", temporary.path()),
+    )
 }
 
 /// The test files below `test/` that `wanted` accepts. Finding none is an error, because a moved folder would go

@@ -1,17 +1,77 @@
-//! `cargo xtask serve`: build, then serve on this machine.
+//! `cargo xtask serve`: build quickly, then serve on this machine; with `--watch`, build again after each change.
 
+use crate::server::{Server, Version};
 use crate::workspace::Workspace;
-use crate::{build, server};
+use crate::{build, files};
 use anyhow::{Context, Result};
 use std::net::TcpListener;
+use std::thread;
+use std::time::{Duration, Instant, SystemTime};
+
+/// How often files are looked at.
+const PAUSE: Duration = Duration::from_millis(200);
+
+/// The options of the command.
+#[derive(clap::Args)]
+pub(crate) struct ServeOptions {
+    /// The port; 8080 or the next free one if none is named
+    #[arg(long)]
+    port: Option<u16>,
+    /// Build again after each change, and let the browser reload
+    #[arg(long)]
+    watch: bool,
+}
 
 /// Serves until the program is stopped.
-pub(crate) fn serve(workspace: &Workspace, port: Option<u16>) -> Result<()> {
-    build::build(workspace)?;
-    let listener = listen(port)?;
+pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()> {
+    let before = newest(workspace)?;
+    build::build(workspace, build::Kind::Draft)?;
+    let listener = listen(options.port)?;
     println!("http://{}/", listener.local_addr()?);
-    server::run(&listener, &workspace.dist(), "/");
-    Ok(())
+    let server = Server { folder: workspace.dist(), mount: "/", version: options.watch.then(Version::default) };
+    if let Some(version) = &server.version {
+        thread::scope(|scope| {
+            scope.spawn(|| server.run(&listener));
+            watch(workspace, version, before)
+        })
+    } else {
+        server.run(&listener);
+        Ok(())
+    }
+}
+
+/// Builds after each change, without end. A build that fails is told, and the last page stays.
+fn watch(workspace: &Workspace, version: &Version, mut built: SystemTime) -> Result<()> {
+    loop {
+        let now = newest(workspace)?;
+        if now == built {
+            thread::sleep(PAUSE);
+            continue;
+        }
+        built = now;
+        let start = Instant::now();
+        match build::build(workspace, build::Kind::Draft) {
+            Ok(()) => {
+                println!("built in {:.1} s", start.elapsed().as_secs_f64());
+                version.next();
+            }
+            Err(error) => eprintln!("error: {error:#}"),
+        }
+    }
+}
+
+/// The time of the last change of what the page is made of.
+fn newest(workspace: &Workspace) -> Result<SystemTime> {
+    let mut newest = SystemTime::UNIX_EPOCH;
+    for name in ["crates", "www", "data_in", "docs", "Cargo.toml", "Cargo.lock"] {
+        let path = workspace.root.join(name);
+        let found =
+            if path.is_dir() { files::list(&path, |below| !below.ends_with("node_modules"))? } else { vec![path] };
+        // A file may vanish while an editor writes it anew.
+        let times = found.iter().filter_map(|file| file.metadata().ok()?.modified().ok());
+        newest = times.fold(newest, Ord::max);
+    }
+    Ok(newest)
 }
 
 /// Binds the port asked for, or the first free one from 8080 on.

@@ -5,6 +5,7 @@ use std::fs;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
+use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -13,59 +14,123 @@ const LONGEST_REQUEST: u64 = 64 << 10;
 /// The longest silence of a connection.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// Serves the files below `folder` at the addresses below `mount`, without end. `mount` starts and ends with `/`.
-pub(crate) fn run(listener: &TcpListener, folder: &Path, mount: &str) {
-    thread::scope(|scope| {
-        for stream in listener.incoming().flatten() {
-            // Errors are ignored: browsers often close a connection early.
-            scope.spawn(move || answer(&stream, folder, mount).ok());
-        }
-    });
+/// A server of the files below `folder` at the addresses below `mount`, which starts and ends with `/`.
+pub(crate) struct Server {
+    pub(crate) folder: PathBuf,
+    pub(crate) mount: &'static str,
+    /// Counts the builds, if browsers shall reload after each.
+    pub(crate) version: Option<Version>,
 }
 
-fn answer(stream: &TcpStream, folder: &Path, mount: &str) -> io::Result<()> {
-    stream.set_read_timeout(Some(PATIENCE))?;
-    stream.set_write_timeout(Some(PATIENCE))?;
-    let mut lines = BufReader::new(stream.take(LONGEST_REQUEST)).lines();
-    let request = lines.next().unwrap_or_else(|| Ok(String::new()))?;
-    for line in lines {
-        if line?.is_empty() {
-            break;
-        }
-    }
-    let mut words = request.split(' ');
-    let (method, target) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
-    let (head, body) = respond(method, target, folder, mount);
-    let mut stream = stream;
-    stream.write_all(head.as_bytes())?;
-    if method != "HEAD" {
-        stream.write_all(&body)?;
-    }
-    stream.flush()
+/// The number of a build, for which browsers wait.
+#[derive(Default)]
+pub(crate) struct Version {
+    number: Mutex<u64>,
+    changed: Condvar,
 }
 
-/// The head and the body of the answer.
-fn respond(method: &str, target: &str, folder: &Path, mount: &str) -> (String, Vec<u8>) {
-    let plain = |status: &str, more: &str| {
-        (head(status, "text/plain; charset=utf-8", status.len(), more), status.as_bytes().to_vec())
-    };
-    if method != "GET" && method != "HEAD" {
-        return plain("405 Method Not Allowed", "Allow: GET, HEAD\r\n");
+impl Version {
+    /// Wakes all that wait.
+    pub(crate) fn next(&self) {
+        *self.number.lock().unwrap_or_else(PoisonError::into_inner) += 1;
+        self.changed.notify_all();
     }
-    let path = target.split(['?', '#']).next().unwrap_or_default();
-    let Some(mut file) = path.strip_prefix(mount).and_then(|path| locate(folder, path)) else {
-        return plain("404 Not Found", "");
-    };
-    if file.is_dir() {
-        if !path.ends_with('/') {
-            // The address of a folder must end in `/`, because relative addresses in the page start from there.
-            return plain("301 Moved Permanently", &format!("Location: {path}/\r\n"));
+
+    /// Waits for the next build.
+    fn wait(&self) {
+        let number = self.number.lock().unwrap_or_else(PoisonError::into_inner);
+        let before = *number;
+        drop(self.changed.wait_while(number, |number| *number == before));
+    }
+}
+
+/// The address at which a request waits for the next build, below the mount.
+const RELOAD: &str = "reload.js";
+/// The script that reloads the page after the next build. The answer comes when there is one.
+const RELOADER: &str = "location.reload();\n";
+/// What is added to pages that shall reload. A script and not a request of the page, since pages may forbid requests.
+const RELOADING: &str = "<script src=\"/reload.js\" async></script>";
+/// In place of the worker that keeps the page offline: it would answer with the files of an older build.
+const FORGETTING: &str = "self.addEventListener('install', () => self.skipWaiting());\n\
+                          self.addEventListener('activate', () => self.registration.unregister());\n";
+
+impl Server {
+    /// Serves without end.
+    pub(crate) fn run(&self, listener: &TcpListener) {
+        thread::scope(|scope| {
+            for stream in listener.incoming().flatten() {
+                // Errors are ignored: browsers often close a connection early.
+                scope.spawn(move || self.answer(&stream).ok());
+            }
+        });
+    }
+
+    fn answer(&self, stream: &TcpStream) -> io::Result<()> {
+        stream.set_read_timeout(Some(PATIENCE))?;
+        stream.set_write_timeout(Some(PATIENCE))?;
+        let mut lines = BufReader::new(stream.take(LONGEST_REQUEST)).lines();
+        let request = lines.next().unwrap_or_else(|| Ok(String::new()))?;
+        for line in lines {
+            if line?.is_empty() {
+                break;
+            }
         }
-        file.push("index.html");
+        let mut words = request.split(' ');
+        let (method, target) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+        let (head, body) = self.respond(method, target);
+        let mut stream = stream;
+        stream.write_all(head.as_bytes())?;
+        if method != "HEAD" {
+            stream.write_all(&body)?;
+        }
+        stream.flush()
     }
-    match fs::read(&file) {
-        Ok(body) => (head("200 OK", media_type(&file), body.len(), ""), body),
-        Err(_) => plain("404 Not Found", ""),
+
+    /// The head and the body of the answer.
+    fn respond(&self, method: &str, target: &str) -> (String, Vec<u8>) {
+        let plain = |status: &str, more: &str| {
+            (head(status, "text/plain; charset=utf-8", status.len(), more), status.as_bytes().to_vec())
+        };
+        if method != "GET" && method != "HEAD" {
+            return plain("405 Method Not Allowed", "Allow: GET, HEAD\r\n");
+        }
+        let path = target.split(['?', '#']).next().unwrap_or_default();
+        let below = path.strip_prefix(self.mount);
+        if let (Some(version), Some(RELOAD)) = (&self.version, below) {
+            version.wait();
+            return (head("200 OK", "text/javascript", RELOADER.len(), ""), RELOADER.as_bytes().to_vec());
+        }
+        let Some(mut file) = below.and_then(|path| locate(&self.folder, path)) else {
+            return plain("404 Not Found", "");
+        };
+        if file.is_dir() {
+            if !path.ends_with('/') {
+                // The address of a folder must end in `/`, because relative addresses in the page start from there.
+                return plain("301 Moved Permanently", &format!("Location: {path}/\r\n"));
+            }
+            file.push("index.html");
+        }
+        match fs::read(&file) {
+            Ok(body) => {
+                let body = if self.version.is_some() { reloading(&file, body) } else { body };
+                (head("200 OK", media_type(&file), body.len(), ""), body)
+            }
+            Err(_) => plain("404 Not Found", ""),
+        }
+    }
+}
+
+/// A file for a browser that reloads after each build. Pages whose policy names their scripts by hash stay as they are.
+fn reloading(file: &Path, body: Vec<u8>) -> Vec<u8> {
+    if file.ends_with("service-worker.js") {
+        return FORGETTING.into();
+    }
+    match String::from_utf8(body) {
+        Ok(page) if media_type(file).starts_with("text/html") => {
+            page.replacen("</head>", &format!("{RELOADING}</head>"), 1).into()
+        }
+        Ok(text) => text.into(),
+        Err(error) => error.into_bytes(),
     }
 }
 
@@ -131,7 +196,8 @@ mod tests {
         crate::files::write(&site.join("lsystem.wasm"), b"\0asm").unwrap();
         crate::files::write(&site.join("a b/ä.txt"), "far").unwrap();
         let (method, target) = request.split_once(' ').unwrap();
-        let (head, body) = respond(method, target, &site, "/sub/path/");
+        let server = Server { folder: site, mount: "/sub/path/", version: None };
+        let (head, body) = server.respond(method, target);
         let answer = format!("{head}{}", String::from_utf8(body).unwrap());
         assert!(head.starts_with(&format!("HTTP/1.1 {status}")), "{request}: {head}");
         assert!(answer.contains(contains), "{request}: {answer}");
@@ -171,7 +237,8 @@ mod tests {
         let listener = TcpListener::bind("127.0.0.1:0")?;
         let address = listener.local_addr()?;
         // The thread serves until the test process ends.
-        thread::spawn(move || run(&listener, folder.path(), "/"));
+        let server = Server { folder: folder.path().to_owned(), mount: "/", version: None };
+        thread::spawn(move || server.run(&listener));
         for _ in 0..3 {
             let mut stream = TcpStream::connect(address)?;
             stream.write_all(b"GET / HTTP/1.1\r\nHost: here\r\n\r\n")?;
@@ -180,5 +247,25 @@ mod tests {
             assert!(answer.starts_with("HTTP/1.1 200 OK\r\n") && answer.ends_with("\r\n\r\nhello"), "{answer}");
         }
         Ok(())
+    }
+
+    #[test]
+    fn pages_reload_after_the_next_build() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("index.html"), "<head></head>").unwrap();
+        fs::write(folder.path().join("service-worker.js"), "keep()").unwrap();
+        let server = Server { folder: folder.path().to_owned(), mount: "/", version: Some(Version::default()) };
+        let text = |target| String::from_utf8(server.respond("GET", target).1).unwrap();
+        assert_eq!(text("/"), format!("<head>{RELOADING}</head>"));
+        assert_eq!(text("/service-worker.js"), FORGETTING);
+        thread::scope(|scope| {
+            let waiting = scope.spawn(|| text("/reload.js"));
+            // The request may begin to wait after a build; a later one wakes it.
+            while !waiting.is_finished() {
+                server.version.as_ref().unwrap().next();
+                thread::yield_now();
+            }
+            assert_eq!(waiting.join().unwrap(), RELOADER);
+        });
     }
 }

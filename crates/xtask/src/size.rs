@@ -24,7 +24,7 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
         let name = wasm.file;
         let size = measure(&files::read(&workspace.dist().join(name))?)?;
         let limit = read(&limits, name).with_context(|| format!("in {file}"))?;
-        println!("{name}: {size}; limit {limit}");
+        workspace.say(format_args!("{name}: {size}; limit {limit}"));
         if size.raw > limit.raw || size.gzip > limit.gzip {
             bail!("{name} is larger than its limit: make it smaller, or raise the limit in {file} and give the reason");
         }

@@ -1,6 +1,6 @@
 //! Programs that Cargo does not provide: each is found, installed if that is safe, or named with instructions.
 
-use crate::workspace::{output, run};
+use crate::workspace::output;
 use anyhow::{Context, Result, bail};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ pub(crate) fn wasm_target() -> Result<()> {
         return Ok(());
     }
     println!("adding the compiler's libraries for {WASM_TARGET}: rustup target add {WASM_TARGET}");
-    run(Command::new("rustup").args(["target", "add", WASM_TARGET])).with_context(|| {
+    output(Command::new("rustup").args(["target", "add", WASM_TARGET])).map(drop).with_context(|| {
         format!("this Rust has no libraries for {WASM_TARGET}; with rustup: `rustup target add {WASM_TARGET}`")
     })
 }
@@ -73,8 +73,8 @@ fn install() -> Result<()> {
         command.env("DEBIAN_FRONTEND", "noninteractive");
         command
     };
-    run(apt().arg("update"))?;
-    run(apt().args(["install", "--yes", "--no-install-recommends", SHELL, "chromium-driver"]))
+    output(apt().arg("update"))?;
+    output(apt().args(["install", "--yes", "--no-install-recommends", SHELL, "chromium-driver"])).map(drop)
 }
 
 /// Chromium without a user interface: it opens a page in half the time, with a third of the processor time.

@@ -1,11 +1,12 @@
 //! The wasms of the site: each has a crate, generated JavaScript, and a worker that runs it.
 
+use crate::build::Kind;
 use crate::esbuild::Esbuild;
-use crate::workspace::{Workspace, run};
+use crate::workspace::Workspace;
 use crate::{bindgen, files, tools};
 use anyhow::Result;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A wasm of the site.
 pub(crate) struct Wasm {
@@ -45,18 +46,35 @@ impl Wasm {
     }
 }
 
-/// Compiles the boundary crates, generates their JavaScript, and puts wasms and workers into the folder of the site.
-pub(crate) fn write(workspace: &Workspace, esbuild: &Esbuild, site: &Path) -> Result<()> {
+/// Compiles the boundary crates.
+pub(crate) fn compile(workspace: &Workspace, kind: Kind) -> Result<()> {
     tools::wasm_target()?;
-    let target = tools::WASM_TARGET;
-    // The page's type check reads the generated types here: www/tsconfig.worker.json.
-    let generated = workspace.root.join("target/wasm-bindgen");
+    let profile = format!("--profile={}", profile(kind));
     let packages = WASMS.iter().flat_map(|wasm| ["--package", wasm.package]);
-    run(&mut workspace.cargo(["build", "--profile=wasm", "--lib", "--target", target].into_iter().chain(packages)))?;
+    let words = ["build", &profile, "--lib", "--target", tools::WASM_TARGET].into_iter().chain(packages);
+    workspace.run(&mut workspace.cargo(words))
+}
+
+fn profile(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Shipped => "wasm",
+        Kind::Draft => "draft",
+    }
+}
+
+/// Where the JavaScript of the compiled crates is written. The page's type check reads the generated types there:
+/// `www/tsconfig.worker.json`.
+pub(crate) fn generated(workspace: &Workspace) -> PathBuf {
+    workspace.root.join("target/wasm-bindgen")
+}
+
+/// Generates the JavaScript of the compiled crates, and puts wasms and workers into the folder of the site.
+pub(crate) fn write(workspace: &Workspace, kind: Kind, esbuild: &Esbuild, site: &Path) -> Result<()> {
+    let generated = generated(workspace);
     for wasm in &WASMS {
         let library = wasm.library();
-        let compiled = workspace.target.join(target).join("wasm").join(format!("{library}.wasm"));
-        bindgen::generate(&compiled, &generated, &library)?;
+        let folder = workspace.target.join(tools::WASM_TARGET).join(profile(kind));
+        bindgen::generate(&folder.join(format!("{library}.wasm")), &generated, &library)?;
         wasm.write(esbuild, &generated, site)?;
     }
     Ok(())

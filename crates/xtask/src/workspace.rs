@@ -2,14 +2,20 @@
 
 use anyhow::{Context, Result, bail};
 use std::ffi::OsStr;
+use std::fmt::Display;
+use std::fs::{File, OpenOptions};
+use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// The folders of this repository.
+/// The folders of this repository, and where programs write.
+#[derive(Clone)]
 pub(crate) struct Workspace {
     pub(crate) root: PathBuf,
     /// Cargo's target folder.
     pub(crate) target: PathBuf,
+    /// The file for what programs and steps write; without one they write to the screen.
+    log: Option<PathBuf>,
 }
 
 impl Workspace {
@@ -17,11 +23,22 @@ impl Workspace {
     pub(crate) fn find() -> Result<Self> {
         let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
         let root = root.ancestors().nth(2).context("xtask is not in crates/")?.to_owned();
-        let mut metadata = Command::new(cargo_program());
-        metadata.args(["metadata", "--no-deps", "--format-version=1"]).current_dir(&root);
-        let metadata: serde_json::Value = serde_json::from_str(&output(&mut metadata)?)?;
-        let target = metadata["target_directory"].as_str().context("cargo metadata names no target folder")?;
-        Ok(Self { target: target.into(), root })
+        let mut workspace = Self { target: PathBuf::new(), root, log: None };
+        let target = workspace.metadata()?["target_directory"].as_str().context("cargo names no target folder")?.into();
+        workspace.target = target;
+        Ok(workspace)
+    }
+
+    /// What `cargo metadata` says about the crates of this repository.
+    pub(crate) fn metadata(&self) -> Result<serde_json::Value> {
+        let text = output(&mut self.cargo(["metadata", "--no-deps", "--format-version=1"]))?;
+        Ok(serde_json::from_str(&text)?)
+    }
+
+    /// The same folders; programs write to a new file.
+    pub(crate) fn logging_to(&self, file: PathBuf) -> Result<Self> {
+        crate::files::write(&file, "")?;
+        Ok(Self { log: Some(file), ..self.clone() })
     }
 
     pub(crate) fn www(&self) -> PathBuf {
@@ -34,30 +51,61 @@ impl Workspace {
 
     /// The command `cargo` with these words, in the root folder.
     pub(crate) fn cargo<'a>(&self, words: impl IntoIterator<Item = &'a str>) -> Command {
-        let mut command = Command::new(cargo_program());
+        let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         command.args(words).current_dir(&self.root);
         command
     }
-}
 
-fn cargo_program() -> std::ffi::OsString {
-    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
-}
-
-/// Runs a program to its end; it shares standard output and standard error with this one.
-pub(crate) fn run(command: &mut Command) -> Result<()> {
-    let status = command.status().with_context(|| format!("starting `{}`", words(command)))?;
-    if !status.success() {
-        bail!("`{}` failed ({status})", words(command));
+    /// Runs a program to its end.
+    pub(crate) fn run(&self, command: &mut Command) -> Result<()> {
+        if let Some(mut log) = self.open()? {
+            writeln!(log, "$ {}", words(command))?;
+            command.stdout(log.try_clone()?).stderr(log);
+        }
+        let status = command.status().with_context(|| format!("starting `{}`", words(command)))?;
+        if !status.success() {
+            bail!("`{}` failed ({status})", words(command));
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// Runs a program to its end, and returns its standard output. Its errors go where programs write.
+    pub(crate) fn output(&self, command: &mut Command) -> Result<String> {
+        if let Some(log) = self.open()? {
+            command.stderr(log);
+        } else {
+            command.stderr(std::process::Stdio::inherit());
+        }
+        let output = command.output().with_context(|| format!("starting `{}`", words(command)))?;
+        if !output.status.success() {
+            bail!("`{}` failed ({})", words(command), output.status);
+        }
+        Ok(String::from_utf8(output.stdout)?)
+    }
+
+    /// Writes a line where programs write.
+    pub(crate) fn say(&self, line: impl Display) {
+        match self.open() {
+            Ok(Some(mut log)) => _ = writeln!(log, "{line}"),
+            _ => println!("{line}"),
+        }
+    }
+
+    fn open(&self) -> Result<Option<File>> {
+        let open = |file: &PathBuf| {
+            let opened = OpenOptions::new().append(true).create(true).open(file);
+            opened.with_context(|| format!("writing {}", file.display()))
+        };
+        self.log.as_ref().map(open).transpose()
+    }
 }
 
-/// Runs a program to its end and returns its standard output.
+/// Runs a program to its end and returns its standard output. The error contains all that the program wrote.
 pub(crate) fn output(command: &mut Command) -> Result<String> {
     let output = command.output().with_context(|| format!("starting `{}`", words(command)))?;
     if !output.status.success() {
-        bail!("`{}` failed ({})\n{}", words(command), output.status, String::from_utf8_lossy(&output.stderr));
+        let [out, err] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
+        bail!("`{}` failed ({})\n{out}{err}", words(command), output.status);
     }
     Ok(String::from_utf8(output.stdout)?)
 }

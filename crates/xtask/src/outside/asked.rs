@@ -1,6 +1,7 @@
 //! Questions about files, and the checks of their answers.
 
 use super::programs::Programs;
+use crate::workspace::Workspace;
 use anyhow::{Result, bail};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -55,7 +56,7 @@ impl<'a> Asked<'a> {
     }
 
     /// Asks all questions, and prints a line for each check. Returns the numbers of right and of wrong outputs.
-    pub(super) fn finish(self) -> Result<(usize, usize)> {
+    pub(super) fn finish(self, workspace: &Workspace) -> Result<(usize, usize)> {
         let answers = self.programs.look(&self.questions)?;
         let files: Vec<PathBuf> = self.gltf.iter().map(|check| check.0.clone()).collect();
         let reports = self.programs.validate_gltf(&files)?;
@@ -70,10 +71,10 @@ impl<'a> Asked<'a> {
         let mut wrong = 0;
         for (output, by, result) in &done {
             match result {
-                Ok(found) => println!("{output}: {by}: {found}"),
+                Ok(found) => workspace.say(format_args!("{output}: {by}: {found}")),
                 Err(error) => {
                     wrong += 1;
-                    println!("{output}: {by}: WRONG: {error:#}");
+                    workspace.say(format_args!("{output}: {by}: WRONG: {error:#}"));
                 }
             }
         }

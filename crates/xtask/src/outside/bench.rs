@@ -1,7 +1,7 @@
 //! `cargo xtask bench plot`: plots beside those that vpype makes of the plain SVG.
 
 use super::programs;
-use crate::workspace::{Workspace, output, run};
+use crate::workspace::{Workspace, output};
 use anyhow::{Context, Result};
 use std::process::Command;
 
@@ -23,7 +23,7 @@ const SYSTEMS: [&str; 10] = [
 pub(crate) fn bench(workspace: &Workspace) -> Result<()> {
     let folder = workspace.root.join("crates/xtask/outside");
     let python = programs::python(workspace, &folder)?;
-    run(&mut workspace.cargo(["build", "--quiet", "--release", "--package=lsys"]))?;
+    workspace.run(&mut workspace.cargo(["build", "--quiet", "--release", "--package=lsys"]))?;
     let lsys = workspace.target.join("release").join(format!("lsys{}", std::env::consts::EXE_SUFFIX));
     let vpype = python.parent().context("a folder")?.join(format!("vpype{}", std::env::consts::EXE_SUFFIX));
     let temporary = tempfile::tempdir()?;

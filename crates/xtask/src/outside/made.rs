@@ -1,6 +1,6 @@
 //! The files of the checks, made by `lsys`.
 
-use crate::workspace::{Workspace, output, run};
+use crate::workspace::{Workspace, output};
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 use std::fs;
@@ -31,16 +31,14 @@ impl Told {
 }
 
 impl Made {
-    /// Builds `lsys`, and empties the folder.
-    pub(super) fn new(workspace: &Workspace) -> Result<Self> {
-        run(&mut workspace.cargo(["build", "--quiet", "--package=lsys"]))?;
-        let lsys = workspace.target.join("debug").join(format!("lsys{}", std::env::consts::EXE_SUFFIX));
+    /// Empties the folder. `lsys` is the program.
+    pub(super) fn new(workspace: &Workspace, lsys: &Path) -> Result<Self> {
         let folder = workspace.target.join("outside/files");
         if folder.is_dir() {
             fs::remove_dir_all(&folder)?;
         }
         fs::create_dir_all(&folder)?;
-        Ok(Self { lsys, root: workspace.root.clone(), folder })
+        Ok(Self { lsys: lsys.to_owned(), root: workspace.root.clone(), folder })
     }
 
     /// A file or a folder for a check, which does not exist yet.

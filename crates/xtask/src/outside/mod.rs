@@ -21,20 +21,21 @@ use asked::Asked;
 pub(crate) use bench::bench;
 use made::Made;
 use programs::Programs;
+use std::path::Path;
 
-/// Makes the files, and checks them all. Fails at the end if a check did.
-pub(crate) fn check(workspace: &Workspace) -> Result<()> {
+/// Makes the files by the program `lsys`, and checks them all. Fails at the end if a check did.
+pub(crate) fn check(workspace: &Workspace, lsys: &Path) -> Result<()> {
     let programs = Programs::get(workspace)?;
-    let made = Made::new(workspace)?;
+    let made = Made::new(workspace, lsys)?;
     let mut asked = Asked::new(&programs);
     plane::ask(&made, &mut asked)?;
     paper::ask(&made, &mut asked)?;
     space::ask(&made, &mut asked)?;
     film::ask(&made, &mut asked)?;
     data::ask(&made, &mut asked)?;
-    let (right, wrong) = asked.finish()?;
-    programs.missing().iter().for_each(|line| println!("not checked: {line}"));
-    println!("{right} outputs are read as `lsys` tells");
+    let (right, wrong) = asked.finish(workspace)?;
+    programs.missing().iter().for_each(|line| workspace.say(format_args!("not checked: {line}")));
+    workspace.say(format_args!("{right} outputs are read as `lsys` tells"));
     if wrong > 0 {
         bail!("{wrong} outputs are read otherwise than `lsys` tells");
     }

@@ -1,6 +1,6 @@
 //! The programs that open files.
 
-use crate::workspace::{Workspace, output, run};
+use crate::workspace::{Workspace, output};
 use crate::{files, page, tools};
 use anyhow::{Context, Result};
 use serde_json::Value;
@@ -96,10 +96,10 @@ pub(super) fn python(workspace: &Workspace, folder: &Path) -> Result<PathBuf> {
     if installed.is_file() && files::read(&installed)? == wanted {
         return Ok(python);
     }
-    run(Command::new(tools::python()?).args(["-m", "venv", "--clear"]).arg(&environment))
+    output(Command::new(tools::python()?).args(["-m", "venv", "--clear"]).arg(&environment))
         .context("making a virtual environment of Python (Debian: apt-get install python3-venv)")?;
     let words = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary=:all:"];
-    run(Command::new(&python).args(words).arg("--require-hashes").arg("--requirement").arg(&list)).context(
+    output(Command::new(&python).args(words).arg("--require-hashes").arg("--requirement").arg(&list)).context(
         "installing vpype, trimesh, Pillow, pypdf and markdown-it, which needs PyPI and Python 3.11 or newer",
     )?;
     files::write(&installed, wanted)?;

@@ -11,10 +11,12 @@ use std::path::Path;
 /// An array of `{path, kinds, solid, definition}` for the JSON files below `folder`, sorted by path. The shelves stand in
 /// `www/js/shelves.js`.
 pub(crate) fn gallery(folder: &Path) -> Result<Value> {
-    let files = files::list(folder, |path| path.extension().is_none_or(|ending| ending == "json"))?;
+    let mut files = walkdir::WalkDir::new(folder).into_iter().collect::<Result<Vec<_>, _>>()?;
+    files.retain(|file| file.path().extension().is_some_and(|ending| ending == "json"));
+    files.sort_by(|a, b| a.path().cmp(b.path()));
     let entries = files.iter().map(|file| {
-        let path = file.strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
-        let (definition, system) = read(&path, &files::read_text(file)?)?;
+        let path = file.path().strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
+        let (definition, system) = read(&path, &files::read_text(file.path())?)?;
         let solid = system.is_solid();
         let (n, limits) = (definition.iterations, Limits::default());
         let made = if solid { draw_solid(&system, n, &limits).is_ok() } else { draw(&system, n, &limits).is_ok() };

@@ -3,8 +3,7 @@
 mod drawing;
 mod markdown;
 
-use crate::esbuild::Bundler;
-use crate::{files, include};
+use crate::files;
 use anyhow::{Context, Result, bail};
 use markdown::{Document, Site, escape};
 use std::path::Path;
@@ -36,15 +35,12 @@ const NAVIGATION: [(&str, &str); 6] = [
     ("exercises", "Exercises"),
     ("about", "About"),
 ];
-/// The styles that the pages share with the playground, then their own.
-const STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 
-/// Writes the pages, their styles and their pictures into the folder of the site. `docs` holds the documents, `www` the
-/// template `docs/page.html`. The other pages of the site must be in place, because documents link to them.
-pub(crate) fn write_pages(docs: &Path, www: &Path, site: &Path, bundler: &dyn Bundler) -> Result<()> {
+/// Writes the pages and their pictures into the folder of the site. `docs` holds the documents. The other pages of the
+/// site must be in place, because documents link to them.
+pub(crate) fn write_pages(docs: &Path, template: &Path, site: &Path) -> Result<()> {
     let out = site.join("docs");
-    let template = files::read_text(&www.join("docs/page.html"))?;
-    let template = include::include(&template, "index.html", &files::read_text(&site.join("index.html"))?)?;
+    let template = files::read_text(template)?;
     let is_shipped = |path: &str| site.join(path).is_file();
     let rules = Site { pages: &PAGES, is_shipped: &is_shipped };
     for name in PAGES {
@@ -52,10 +48,10 @@ pub(crate) fn write_pages(docs: &Path, www: &Path, site: &Path, bundler: &dyn Bu
         let document = markdown::render(&text, &rules).with_context(|| format!("in docs/{name}.md"))?;
         files::write(&out.join(format!("{name}.html")), page(&template, name, &document)?)?;
         for image in &document.images {
-            files::write(&out.join(image), files::read(&docs.join(image))?)?;
+            std::fs::copy(docs.join(image), out.join(image)).with_context(|| format!("copying docs/{image}"))?;
         }
     }
-    files::write(&out.join("docs.css"), bundler.styles(&STYLES)?)
+    Ok(())
 }
 
 /// A whole page: the template around a document.
@@ -99,39 +95,23 @@ fn fill(template: &str, values: &[(&str, &str)]) -> Result<String> {
 mod tests {
     use super::*;
 
-    struct NameBundler;
-
-    impl Bundler for NameBundler {
-        fn module(&self, entry: &str, _: &[&str]) -> Result<String> {
-            Ok(entry.to_owned())
-        }
-
-        fn styles(&self, names: &[&str]) -> Result<String> {
-            Ok(names.join(" "))
-        }
-    }
-
     #[test]
-    fn writes_pages_styles_and_pictures() {
+    fn writes_pages_and_pictures() {
         let folder = tempfile::tempdir().unwrap();
-        let [docs, www, site] = ["docs", "www", "site"].map(|name| folder.path().join(name));
+        let [docs, template, site] = ["docs", "page.html", "site"].map(|name| folder.path().join(name));
         for name in PAGES {
             files::write(&docs.join(format!("{name}.md")), format!("# The {name}\n\nA & b.\n")).unwrap();
         }
         files::write(&docs.join("about.md"), "# About\n\n![A leaf](leaf.svg)\n").unwrap();
         files::write(&docs.join("leaf.svg"), "<svg/>").unwrap();
-        files::write(&site.join("index.html"), "<b id=\"mark\">m</b>").unwrap();
-        let template =
-            "{{title}}|{{description}}|<!-- index.html#mark -->|{{navigation}}|{{body}}|{{version}}".to_owned();
-        files::write(&www.join("docs/page.html"), template).unwrap();
-        write_pages(&docs, &www, &site, &NameBundler).unwrap();
+        files::write(&template, "{{title}}|{{description}}|{{navigation}}|{{body}}|{{version}}").unwrap();
+        write_pages(&docs, &template, &site).unwrap();
         let text = files::read_text(&site.join("docs/links.html")).unwrap();
-        assert!(text.starts_with("The links|A &amp; b.|<b id=\"mark\">m</b>|<li><a href=\"lesson.html\">"), "{text}");
+        assert!(text.starts_with("The links|A &amp; b.|<li><a href=\"lesson.html\">"), "{text}");
         assert!(text.contains("<a href=\"links.html\" aria-current=\"page\">Links</a>"), "{text}");
         assert_eq!(text.matches("aria-current").count(), 1);
         assert!(text.ends_with(concat!("|", env!("CARGO_PKG_VERSION"))), "{text}");
         assert_eq!(files::read_text(&site.join("docs/leaf.svg")).unwrap(), "<svg/>");
-        assert_eq!(files::read_text(&site.join("docs/docs.css")).unwrap(), STYLES.join(" "));
         assert!(!site.join("docs/worker.html").exists());
     }
 

@@ -1,0 +1,35 @@
+//! What the core makes for the built page. A program of its own, so that `cargo xtask` starts without compiling the
+//! core, and the core is compiled natively while it is compiled for the page.
+//!
+//! - `site systems ROOT SITE` reads the repository ROOT, writes `gallery.json` and `exercises.json` into the folder
+//!   SITE, and completes links to exercises in `course.html` there.
+//! - `site documents ROOT SITE` writes the pages of `docs/`. All other pages must be in SITE, because documents link to
+//!   them.
+
+mod docs;
+mod exercises;
+mod files;
+mod gallery;
+
+use anyhow::{Result, bail};
+use std::path::{Path, PathBuf};
+
+fn main() -> Result<()> {
+    let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    match words.as_slice() {
+        [what, root, site] if what == Path::new("systems") => systems(root, site),
+        [what, root, site] if what == Path::new("documents") => {
+            docs::write_pages(&root.join("docs"), &root.join("www/docs/page.html"), site)
+        }
+        _ => bail!("usage: site systems|documents ROOT SITE"),
+    }
+}
+
+fn systems(root: &Path, site: &Path) -> Result<()> {
+    let gallery = gallery::gallery(&root.join("data_in"))?;
+    files::write(&site.join("gallery.json"), gallery.to_string())?;
+    let exercises = exercises::exercises(&root.join("www/exercises.json"), &gallery)?;
+    files::write(&site.join("exercises.json"), serde_json::to_string(&exercises)?)?;
+    let lesson = site.join("course.html");
+    files::write(&lesson, exercises::named(&files::read_text(&lesson)?, &exercises)?)
+}

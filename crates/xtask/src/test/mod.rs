@@ -1,0 +1,183 @@
+//! `cargo xtask test`: all checks before a merge, or the quick ones while working.
+//!
+//! Two lanes compile side by side, since Cargo locks a folder for each target: the native one (tests, clippy,
+//! documentation) and the one for wasm (the shipped page, the tests in the browser). Then the tests run.
+
+mod native;
+mod passed;
+mod quick;
+mod wasm;
+
+use crate::report::Report;
+use crate::workspace::Workspace;
+use crate::{build, fuzz, lint, monkey, outside, package, page, size};
+use anyhow::{Context, Result};
+use clap::ValueEnum;
+use native::Built;
+use passed::{Passed, fingerprint};
+use std::path::PathBuf;
+use std::thread;
+
+/// A part of the test.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Part {
+    /// What a change of one crate or of the page can break, without what takes long.
+    Quick,
+    /// Formatting, clippy and documentation; warnings are errors.
+    Lint,
+    /// The tests of all crates.
+    Native,
+    /// Files opened with programs of other people.
+    Outside,
+    /// Random inputs, always the same ones.
+    Fuzz,
+    /// The wasm in the browser.
+    Wasm,
+    /// The sizes of the shipped wasms.
+    Size,
+    /// The built page.
+    Page,
+}
+
+/// The parts to run, and how.
+#[derive(clap::Args)]
+pub(crate) struct TestOptions {
+    /// The parts to run; all but `quick` if none is named
+    parts: Vec<Part>,
+    /// Run what passed as it is, too; always so in continuous integration
+    #[arg(long)]
+    all: bool,
+    /// Large truth tests at their full size, 10,000 new random systems in property tests, a minute of the monkey
+    #[arg(long)]
+    thorough: bool,
+}
+
+impl TestOptions {
+    /// Only this part.
+    pub(crate) fn only(part: Part) -> Self {
+        Self { parts: vec![part], all: false, thorough: false }
+    }
+
+    fn has(&self, part: Part) -> bool {
+        if self.parts.is_empty() { part != Part::Quick } else { self.parts.contains(&part) }
+    }
+
+    /// The number of random cases in the property tests; `None` for the default.
+    fn cases(&self) -> Option<&'static str> {
+        self.thorough.then_some("10000")
+    }
+}
+
+pub(crate) fn test(workspace: &Workspace, options: &TestOptions) -> Result<()> {
+    let all = options.all || options.thorough || std::env::var_os("CI").is_some();
+    let passed = Passed::read(workspace.target.join("test/passed.txt"), all);
+    let report = Report::new(workspace, "test");
+    if options.has(Part::Quick) {
+        quick::run(workspace, &passed, &report)?;
+        return report.finish();
+    }
+    let (built, site) = thread::scope(|scope| {
+        let wasm = scope.spawn(|| compile_wasm(workspace, options, &report));
+        let built = compile(workspace, options, &report);
+        (built, wasm.join().unwrap_or(false))
+    });
+    let step = |name: &str, step: &dyn Fn(&Workspace) -> Result<()>| {
+        report.step(workspace, name, |workspace, _| step(workspace))
+    };
+    if let Some(built) = &built {
+        run_native(workspace, options, built, &passed, &report);
+    }
+    if options.has(Part::Wasm) {
+        report.step(workspace, wasm::TESTS, |workspace, _| wasm::run(workspace, &passed, &report));
+    }
+    if options.has(Part::Size) && site {
+        step("size of the wasm", &size::check);
+    }
+    if options.has(Part::Page) && site {
+        run_page(workspace, options, &passed, &report);
+    }
+    report.finish()
+}
+
+/// The native lane. The compiled programs, if they are needed and could be compiled.
+fn compile(workspace: &Workspace, options: &TestOptions, report: &Report) -> Option<Built> {
+    let mut built = None;
+    if options.has(Part::Lint) {
+        lint::formatting(workspace, report);
+    }
+    if options.has(Part::Native) || options.has(Part::Outside) || options.has(Part::Fuzz) {
+        report.step(workspace, "compiling natively", |workspace, _| {
+            built = Some(native::build(workspace)?);
+            Ok(())
+        });
+    }
+    if options.has(Part::Lint) {
+        lint::native(workspace, report);
+    }
+    built
+}
+
+/// The lane for wasm. Returns whether the page is built.
+fn compile_wasm(workspace: &Workspace, options: &TestOptions, report: &Report) -> bool {
+    let mut site = false;
+    if options.has(Part::Size) || options.has(Part::Page) {
+        site =
+            report.step(workspace, "building the page", |workspace, _| build::build(workspace, build::Kind::Shipped));
+    }
+    if options.has(Part::Wasm) {
+        report.step(workspace, "compiling for the browser", |workspace, _| wasm::build(workspace).map(drop));
+    }
+    if options.has(Part::Lint) {
+        lint::wasm(workspace, report);
+    }
+    if options.has(Part::Page) {
+        report.step(workspace, "types of the page", |workspace, _| page::types(workspace));
+    }
+    site
+}
+
+fn run_native(workspace: &Workspace, options: &TestOptions, built: &Built, passed: &Passed, report: &Report) {
+    if options.has(Part::Native) {
+        report.step(workspace, "native tests", |workspace, bar| {
+            native::run(workspace, built, passed, options.cases(), false, (report, bar))
+        });
+        report.step(workspace, "examples in the documentation", |workspace, _| {
+            native::examples(workspace, passed, report)
+        });
+    }
+    if options.has(Part::Fuzz) {
+        let name = "fuzzing, always the same inputs";
+        report.step(workspace, name, |workspace, _| {
+            let program = built.program("lsystem-fuzz")?;
+            let print = fingerprint([program, &workspace.root.join("crates/fuzz")])?;
+            passed.once(report, name, &print, || fuzz::short(workspace, program))
+        });
+    }
+    if options.has(Part::Outside) {
+        let name = "files opened with other programs";
+        report.step(workspace, name, |workspace, _| {
+            let program = built.program("lsys")?;
+            let beside = ["crates/xtask/outside", "crates/xtask/src/outside", "data_in"];
+            let beside: Vec<PathBuf> = beside.iter().map(|name| workspace.root.join(name)).collect();
+            let print = fingerprint([program].into_iter().chain(beside.iter().map(PathBuf::as_path)))?;
+            passed.once(report, name, &print, || outside::check(workspace, program))
+        });
+    }
+}
+
+fn run_page(workspace: &Workspace, options: &TestOptions, passed: &Passed, report: &Report) {
+    let below = |names: &[&str]| -> Result<String> {
+        let paths: Vec<PathBuf> = names.iter().map(|name| workspace.root.join(name)).collect();
+        fingerprint(paths.iter().map(PathBuf::as_path)).context("reading what the tests read")
+    };
+    let step = |name: &str, reads: &[&str], step: &dyn Fn(&Workspace) -> Result<()>| {
+        report.step(workspace, name, |workspace, _| passed.once(report, name, &below(reads)?, || step(workspace)));
+    };
+    step("npm package", &["dist/lsystem.wasm", "crates/lsystem-wasm/npm"], &package::npm);
+    step(page::UNIT, &["www", "dist"], &|workspace| page::unit(workspace, options.cases()));
+    step("end-to-end tests of the page", &["www", "dist"], &|workspace| page::end_to_end(workspace, report));
+    if options.thorough {
+        let one_minute = monkey::MonkeyOptions::one_minute();
+        step("a minute of the monkey", &["dist"], &|workspace| monkey::run(workspace, &one_minute));
+    }
+}

@@ -1,0 +1,64 @@
+//! The tests of the wasm in headless Chromium, as wasm-bindgen runs them.
+
+use super::passed::{Passed, fingerprint};
+use crate::report::Report;
+use crate::wasms::WASMS;
+use crate::workspace::Workspace;
+use crate::{files, tools};
+use anyhow::Result;
+use serde_json::Value;
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::Instant;
+
+pub(super) const TESTS: &str = "wasm tests in the browser";
+
+/// Compiles the tests. Returns each program with the folder of its crate.
+pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
+    tools::wasm_target()?;
+    // `--tests` leaves out examples in the documentation, which run natively. All boundaries together, so that they
+    // share their libraries with the page that `serve` builds.
+    let words = ["test", "--no-run", "--tests", "--profile=draft", "--message-format=json-render-diagnostics"];
+    let packages = WASMS.iter().flat_map(|wasm| ["--package", wasm.package]);
+    let mut command = workspace.cargo(words.into_iter().chain(packages).chain(["--target", tools::WASM_TARGET]));
+    let messages = workspace.output(&mut command)?;
+    let program = |line| {
+        let message: Value = serde_json::from_str(line).ok()?;
+        let is_test = message["profile"]["test"] == true && message["target"]["kind"][0] == "test";
+        let manifest = PathBuf::from(message["manifest_path"].as_str()?);
+        is_test.then_some((message["executable"].as_str()?.into(), manifest.parent()?.to_owned()))
+    };
+    Ok(messages.lines().filter_map(program).collect())
+}
+
+/// Runs the tests that have not passed as they are.
+pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Result<()> {
+    let programs = build(workspace)?;
+    let print = fingerprint(programs.iter().map(|program| program.0.as_path()))?;
+    passed.once(report, TESTS, &print, || {
+        let browser = tools::browser()?;
+        // The driver leaves megabytes of profiles behind.
+        let temporary = tempfile::tempdir()?;
+        let own = workspace.root.join("crates/lsystem-wasm/webdriver.json");
+        let mut capabilities: Value = serde_json::from_slice(&files::read(&own)?)?;
+        capabilities["goog:chromeOptions"]["binary"] = browser.chromium.to_string_lossy().into();
+        let capabilities_file = temporary.path().join("webdriver.json");
+        files::write(&capabilities_file, capabilities.to_string())?;
+        programs.iter().try_for_each(|(program, folder)| {
+            let start = Instant::now();
+            let ran = workspace.run(
+                Command::new(std::env::current_exe()?)
+                    .arg("wasm-bindgen-test-runner")
+                    .arg(program)
+                    .current_dir(folder)
+                    .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", &capabilities_file)
+                    .env("CHROMEDRIVER", &browser.driver)
+                    .env("TMPDIR", temporary.path())
+                    // The seconds for all tests of a binary, on a slow machine.
+                    .env("WASM_BINDGEN_TEST_TIMEOUT", "300"),
+            );
+            report.time(&program.file_stem().unwrap_or_default().to_string_lossy(), start.elapsed());
+            ran
+        })
+    })
+}
