@@ -56,25 +56,15 @@ export async function saveFile(page, format) {
 /**
  * Opens the page, or the page at `address`, lets `use` work with it, and checks that nothing failed except the
  * `expected` lines of the console. `also` names another address that may be requested. `drawing` is the element that
- * shows that the drawing is ready, or null. A failing test runs once more in a fresh page, and its first error is
- * printed: a busy machine may be late, but a fault is repeated.
+ * shows that the drawing is ready, or null.
  * @typedef {{address?: string, also?: string, drawing?: string | null, hash?: string, expected?: RegExp | undefined, options?: import('playwright-core').BrowserContextOptions, before?: (page: Page) => Promise<unknown>}} How
  * @param {How} how
  * @param {(page: Page) => Promise<unknown>} use
  */
-export async function withPage(how, use) {
-    try {
-        await once(how, use);
-    } catch (error) {
-        console.error('failed once, tried again:', error);
-        await once(how, use);
-    }
-}
-
-/** @param {How} how @param {(page: Page) => Promise<unknown>} use */
-async function once({ address = ADDRESS, also = address, drawing = '#stage.inked', hash = '', expected, options = DESKTOP, before }, use) {
+export async function withPage({ address = ADDRESS, also = address, drawing = '#stage.inked', hash = '', expected, options = DESKTOP, before }, use) {
     const context = await (await launch()).newContext({ reducedMotion: 'reduce', acceptDownloads: true, ...options });
     try {
+        await context.addInitScript(count);
         const page = await context.newPage();
         /** @type {string[]} */
         const wrong = [];
@@ -95,13 +85,40 @@ async function once({ address = ADDRESS, also = address, drawing = '#stage.inked
 }
 
 /**
- * Repeats `check` until it neither throws nor returns false.
+ * Runs in every page, and counts what tests wait for: `pictures` that the canvas of the drawing has shown, and `picking`,
+ * the questions about a place of the drawing without an answer.
+ */
+function count() {
+    const site = /** @type {any} */ (globalThis);
+    site.pictures = 0;
+    site.picking = 0;
+    const canvas = ImageBitmapRenderingContext.prototype;
+    const { transferFromImageBitmap } = canvas;
+    canvas.transferFromImageBitmap = function (bitmap) {
+        if (/** @type {Element} */ (this.canvas).id === 'drawing') site.pictures += 1;
+        return transferFromImageBitmap.call(this, bitmap);
+    };
+    const { postMessage } = Worker.prototype;
+    const heard = new WeakSet();
+    Worker.prototype.postMessage = function (/** @type {any[]} */ ...message) {
+        if (message[0]?.type === 'pick') {
+            site.picking += 1;
+            if (!heard.has(this)) this.addEventListener('message', ({ data }) => (site.picking -= data?.type === 'pick' ? 1 : 0));
+            heard.add(this);
+        }
+        return postMessage.apply(this, /** @type {any} */ (message));
+    };
+}
+
+/**
+ * Repeats `check` until it neither throws nor returns false. The patience is for a busy machine: a fast one never waits
+ * so long.
  * @template T
  * @param {() => Promise<T> | T} check
  * @param {string} what
  * @returns {Promise<NonNullable<T>>}
  */
-export async function until(check, what, patience = 8000) {
+export async function until(check, what, patience = 20_000) {
     const end = Date.now() + patience;
     for (;;) {
         let last;
@@ -117,28 +134,34 @@ export async function until(check, what, patience = 8000) {
 }
 
 /**
+ * Waits where the point is that nothing happens, which no condition can show. `why` says what would happen in that time.
+ * @param {number} milliseconds
+ * @param {string} why
+ */
+export async function quiet(milliseconds, why) {
+    assert.ok(why.length > 10, 'a wait has a reason');
+    await new Promise((resolve) => setTimeout(resolve, milliseconds));
+}
+
+/**
  * Runs a function in the page on the pixels of the drawing, one number per pixel, row by row.
  * @template T
+ * @template [Known=undefined]
  * @param {Page | import('playwright-core').Frame} page
- * @param {(pixels: {words: Uint32Array, width: number, height: number}) => T} read
+ * @param {(pixels: {words: Uint32Array, width: number, height: number}, known: Known) => T} read uses nothing from outside
+ * @param {Known} [known] plain data
  * @returns {Promise<T>}
  */
-export async function onPixels(page, read) {
-    const pixels = await page.evaluateHandle(() => {
-        const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
-        const copy = document.createElement('canvas');
-        copy.width = source.width;
-        copy.height = source.height;
-        const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
-        context.drawImage(source, 0, 0);
-        const words = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
-        return { words, width: copy.width, height: copy.height };
-    });
-    try {
-        return /** @type {T} */ (await pixels.evaluate(/** @type {any} */ (read)));
-    } finally {
-        await pixels.dispose();
-    }
+export const onPixels = (page, read, known) => page.evaluate(`(${read})((${pixels})(), ${JSON.stringify(known)})`);
+
+/** Runs in the page: the pixels of the drawing. */
+function pixels() {
+    const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
+    const copy = new OffscreenCanvas(source.width, source.height);
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (copy.getContext('2d', { willReadFrequently: true }));
+    context.drawImage(source, 0, 0);
+    const words = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    return { words, width: copy.width, height: copy.height };
 }
 
 /**
@@ -171,38 +194,83 @@ export function picture(page) {
 }
 
 /**
- * Waits until the picture differs from `before` and no longer changes.
+ * Waits until the picture differs from `before` and is at rest.
  * @param {Page} page
  * @param {{digest: string}} before
  */
-export async function nextPicture(page, before) {
-    await until(async () => (await picture(page)).digest !== before.digest, 'the picture changes');
-    return stillPicture(page);
+export function nextPicture(page, before) {
+    return until(async () => {
+        const now = await stillPicture(page);
+        return now.digest === before.digest ? null : now;
+    }, 'the picture changes');
 }
 
 /** Waits until a former picture is shown again, with equal pixels. @param {Page} page @param {{digest: string}} former */
 export async function sameAgain(page, former) {
-    await until(async () => (await picture(page)).digest === former.digest, 'the former picture is there again');
+    await until(async () => (await stillPicture(page)).digest === former.digest, 'the former picture is there again');
 }
 
-/** Waits until the page has handled all input. @param {Page} page */
-const frames = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-
-/** Waits until no newer state is being drawn and the picture has stopped changing. @param {Page} page */
+/**
+ * Waits until the page has handled all input and shows the finest picture of its newest state. The page is busy from the
+ * change of a state until that picture. Input and layout change the state in the next frame at the latest; a movement
+ * changes it in every frame, and shows pictures.
+ * @param {Page} page
+ */
 export async function stillPicture(page) {
-    let last = await picture(page);
-    let since = Date.now();
-    return until(async () => {
-        // In this order, because the last picture may come in between.
-        const busy = (await page.getAttribute('#stage', 'aria-busy')) === 'true';
-        await frames(page);
-        const now = await picture(page);
-        if (now.digest !== last.digest) {
-            last = now;
-            since = Date.now();
-        }
-        return !busy && Date.now() - since > 150 ? now : null;
-    }, 'the picture comes to rest');
+    await page.evaluate(
+        () =>
+            /** @type {Promise<void>} */ (
+                new Promise((resolve) => {
+                    const site = /** @type {any} */ (globalThis);
+                    const stage = document.querySelector('#stage');
+                    let [still, seen] = [0, site.pictures];
+                    const frame = () => {
+                        const rests = stage?.getAttribute('aria-busy') !== 'true' && site.pictures === seen;
+                        still = rests ? still + 1 : 0;
+                        seen = site.pictures;
+                        if (still === 3) resolve();
+                        else requestAnimationFrame(frame);
+                    };
+                    requestAnimationFrame(frame);
+                })
+            ),
+    );
+    return picture(page);
+}
+
+/** Waits for a number of further pictures, finished or not. @param {Page} page @param {number} [number] */
+export async function morePictures(page, number = 1) {
+    const seen = await page.evaluate(() => Number(/** @type {any} */ (globalThis).pictures));
+    await page.waitForFunction((wanted) => /** @type {any} */ (globalThis).pictures >= wanted, seen + number);
+}
+
+/** Waits until the page has asked what is at the pointer, and shows the answer. @param {Page} page */
+export const pointed = (page) =>
+    page.evaluate(async () => {
+        const frame = () => new Promise(requestAnimationFrame);
+        await frame();
+        do await frame();
+        while (/** @type {any} */ (globalThis).picking > 0);
+    });
+
+/**
+ * The place of the highest line in one column of the drawing, in CSS pixels of the page.
+ * @param {Page} page
+ * @param {{across: number, from: number}} where parts of the width and of the height, from the left and from the top
+ */
+export async function lineIn(page, where) {
+    const box = await page.locator('#drawing').boundingBox();
+    assert.ok(box);
+    const place = await onPixels(
+        page,
+        ({ words, width, height }, { across, from }) => {
+            const x = Math.floor(width * across);
+            for (let y = Math.floor(height * from); y < height * 0.9; y++) if (words[y * width + x] !== words[0]) return [x / width, y / height];
+            throw new Error('there is no line');
+        },
+        where,
+    );
+    return { x: box.x + box.width * Number(place[0]), y: box.y + box.height * Number(place[1]) };
 }
 
 /**

@@ -8,7 +8,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { ADDRESS, DESKTOP, PHONE, close, picture, ready, until, withPage } from './browser.mjs';
+import { ADDRESS, DESKTOP, PHONE, close, picture, quiet, ready, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('playwright-core').Frame} Frame */
@@ -301,7 +301,7 @@ test('a drawing out of view waits, and stops playing when scrolled away', () =>
         await drawn(page);
         const far = await until(() => embedded(page)[1], 'the second frame');
         await far.waitForSelector('#app');
-        await new Promise((resolve) => setTimeout(resolve, 400));
+        await quiet(400, 'a worker would start');
         assert.equal(page.workers().length, 1);
         assert.equal(await far.locator('#stage.inked').count(), 0);
         await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
@@ -446,6 +446,6 @@ test('a frame accepts messages only from its host, and answers only a known orig
         // A frame beside it is not its host.
         await open.evaluate(() => parent.frames[0]?.postMessage({ lsystem: 'set', values: { n: 1 } }, '*'));
         await strict.evaluate(() => parent.frames[1]?.postMessage({ lsystem: 'set', values: { n: 1 } }, '*'));
-        await new Promise((resolve) => setTimeout(resolve, 300));
+        await quiet(300, 'a message that is not refused would change the drawing');
         assert.match((await open.textContent('#caption-text')) ?? '', /^n = 2/);
     }, { expected: /does not match the recipient window's origin/ }));

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';
 import test, { after } from 'node:test';
-import { DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, close, quiet, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -105,7 +105,7 @@ test('rules of our own and ordinary text stay texts', () =>
         for (const pasted of ['F -> F[+F]F', 'A < B > C -> D\nr = 0.9', 'The course begins on Monday.']) {
             await page.fill('#rules', '');
             await paste(page, '#rules', pasted);
-            await page.waitForTimeout(150);
+            await quiet(150, 'the readers would offer the text');
             assert.ok(!(await page.isVisible('#import-offer')), pasted);
         }
     }));
@@ -121,7 +121,7 @@ test('every case of the readers opens or is refused in the page', () =>
                 const read = each.split('--- read\n')[1]?.trim() ?? '';
                 await paste(page, '#drawing', lines.join('\n').trimEnd());
                 if (read === 'nothing') {
-                    await page.waitForTimeout(60);
+                    await quiet(60, 'the readers would open the dialog');
                     assert.ok(!(await page.isVisible('#import')), title);
                     continue;
                 }

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
-import { ADDRESS, DESKTOP, PHONE, close, drag, ready, stillPicture, until, withPage } from './browser.mjs';
+import { ADDRESS, DESKTOP, PHONE, close, drag, quiet, ready, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -69,7 +69,7 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             await other.click('#fit');
             await other.mouse.move(150, 200);
             if (options === DESKTOP) await other.mouse.wheel(0, -300);
-            await other.waitForTimeout(700);
+            await quiet(700, 'the visit would be saved');
             const third = await another(page, '');
             assert.equal(await third.inputValue('#angle'), '77');
             await offer.click();
@@ -163,7 +163,7 @@ test('two tabs do not overwrite each other’s visits', () =>
 test('a visit without changes is not saved', () =>
     withPage({ hash: ISLAND }, async (page) => {
         await page.click('#zoom-in');
-        await page.waitForTimeout(700);
+        await quiet(700, 'the visit would be saved');
         assert.equal(await page.evaluate(() => localStorage.getItem('l-systems:sessions')), null);
     }));
 

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
-import { DESKTOP, PHONE, close, onPixels, stillPicture, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, close, lineIn, onPixels, pointed, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -27,24 +27,21 @@ async function caretBehind(page, at) {
 /** The corners of the marked part, in CSS pixels. @param {Page} page */
 const markedCorners = (page) => page.evaluate(() => (document.querySelector('#mark-part')?.hasAttribute('hidden') || document.querySelector('#marks')?.hasAttribute('hidden') ? 0 : (document.querySelector('#mark-part .line')?.getAttribute('d')?.match(/[ML]/g) ?? []).length));
 
-/** Moves the mouse over the drawing, row by row, until it is on a line. @param {Page} page @returns {Promise<{x: number, y: number}>} */
+/** Moves the mouse to a line of the drawing. @param {Page} page @returns {Promise<{x: number, y: number}>} */
 async function findLine(page) {
-    const box = await page.locator('#stage').boundingBox();
-    assert.ok(box);
-    for (let part = 0.1; part < 0.9; part += 0.005) {
-        const place = { x: box.x + box.width * 0.46, y: box.y + box.height * part };
-        await page.mouse.move(place.x, place.y);
-        await page.waitForTimeout(60);
-        if (await page.isVisible('#card')) return place;
-    }
-    throw new Error('there is no line');
+    await stillPicture(page);
+    const place = await lineIn(page, { across: 0.46, from: 0.1 });
+    await page.mouse.move(place.x, place.y);
+    await page.waitForSelector('#card:visible');
+    return place;
 }
 
 /** @param {Page} page @param {number} turns of the wheel; positive ones zoom in */
 async function wheel(page, turns) {
     for (let turn = 0; turn < Math.abs(turns); turn++) {
         await page.mouse.wheel(0, turns > 0 ? -300 : 300);
-        await page.waitForTimeout(15);
+        // The page holds on to a line that the worker has found.
+        await pointed(page);
     }
 }
 
@@ -106,12 +103,9 @@ test('a click on a segment opens the string there', () =>
 
 test('on a phone, the card of a segment opens the string', () =>
     withPage({ options: PHONE }, async (page) => {
-        const box = await page.locator('#stage').boundingBox();
-        assert.ok(box);
-        for (let part = 0.3; part < 0.9 && !(await page.isVisible('#card')); part += 0.02) {
-            await page.touchscreen.tap(box.x + box.width / 2, box.y + box.height * part);
-            await page.waitForTimeout(150);
-        }
+        await stillPicture(page);
+        const { x, y } = await lineIn(page, { across: 0.5, from: 0.3 });
+        await page.touchscreen.tap(x, y);
         await page.tap('.card-read');
         await until(() => page.isVisible('#reader .chosen'), 'the symbol is selected');
     }));
@@ -170,7 +164,7 @@ test('the card leaves the buttons free', () =>
         for (const across of [0.3, 0.5, 0.7, 0.8]) {
             for (const down of [0.15, 0.5, 0.8, 0.9]) {
                 await page.mouse.move(stage.x + stage.width * across, stage.y + stage.height * down);
-                await page.waitForTimeout(120);
+                await pointed(page);
                 if (!(await page.isVisible('#card'))) continue;
                 cards += 1;
                 const covered = await page.evaluate(() => {

@@ -7,7 +7,7 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, picture, ready, saveFile, stillPicture, until, withPage } from './browser.mjs';
+import { close, picture, quiet, ready, saveFile, stillPicture, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -194,6 +194,6 @@ test('an incomplete upload is not cached, and neither are files of other sites',
 
 test('a development server’s page caches nothing', () =>
     withPage({ hash: KOCH }, async (page) => {
-        await new Promise((resolve) => setTimeout(resolve, 300));
+        await quiet(300, 'a service worker would be registered');
         assert.deepEqual(await page.evaluate(async () => [(await navigator.serviceWorker.getRegistrations()).length, (await caches.keys()).length]), [0, 0]);
     }));

@@ -83,7 +83,7 @@ test('its policy forbids other scripts and requests', () =>
             script.textContent = 'window.foreign = true';
             document.body.append(script);
             await fetch('data:text/plain,x').catch(() => {});
-            await new Promise((resolve) => setTimeout(resolve, 50));
+            while (refused.length < 2) await new Promise(requestAnimationFrame);
             return { foreign: 'foreign' in window, refused };
         });
         assert.equal(ran.foreign, false);

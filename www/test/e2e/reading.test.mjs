@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, DESKTOP, inkedRows, nextPicture, onPixels, PHONE, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, DESKTOP, inkedRows, nextPicture, onPixels, PHONE, picture, quiet, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -265,7 +265,7 @@ test('hovering asks one question at a time, and without hovering none is asked',
                 for (let at = 0; at < 300; at++) canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: 300 + at, clientY: 400, pointerType: 'mouse', bubbles: true }));
             });
             await until(async () => (await counts()).sent >= 2, 'the first and the last are asked');
-            await page.waitForTimeout(100);
+            await quiet(100, 'further questions would be asked');
             const { sent, most } = await counts();
             assert.ok(sent <= 3 && most === 1, `${sent} sent, ${most} at once`);
         },

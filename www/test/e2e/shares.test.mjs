@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, nextPicture, picture, quiet, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -145,7 +145,7 @@ test('drawings that are not memoised and drawings in the plane are not shared', 
         await withPage({ hash, before: machine(4) }, async (page) => {
             await patient(page);
             const hired = () => page.evaluate(() => /** @type {any} */ (globalThis).workers.length);
-            await page.waitForTimeout(300);
+            await quiet(300, 'mates would be hired');
             assert.equal(await hired(), 1);
             assert.equal(page.workers().length, 1);
         });

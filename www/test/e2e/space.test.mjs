@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, DESKTOP, inkedRows, nextPicture, PHONE, sameAgain, stillPicture, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, close, inkedRows, morePictures, nextPicture, sameAgain, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -131,7 +131,7 @@ test('the turntable turns until it is stopped', () =>
         await stillPicture(page);
         await page.click('#turntable');
         assert.equal(await page.getAttribute('#turntable', 'aria-pressed'), 'true');
-        await page.waitForTimeout(500);
+        await morePictures(page, 3);
         await page.click('#turntable');
         const there = await stillPicture(page);
         assert.equal((await stillPicture(page)).digest, there.digest);
@@ -148,7 +148,7 @@ test('a turning drawing fills the stage with fewer pixels, and has all pixels at
             });
         await page.click('#turntable');
         for (let look = 0; look < 10; look++) {
-            await page.waitForTimeout(60);
+            await morePictures(page);
             const { shown, stage, pixels } = await sizes();
             assert.deepEqual(shown, stage);
             assert.ok(stage.every((side, axis) => [side, Math.ceil(side / 2)].includes(pixels[axis] ?? 0)), `${pixels}`);
