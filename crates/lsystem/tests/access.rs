@@ -1,15 +1,13 @@
 //! Pages, ancestors and segments of derivations, compared with the naive reference.
 
-mod cases;
-mod naive;
-
-use cases::cases;
+use crate::cases::cases;
+use crate::naive;
+use crate::naive::Module;
+use crate::naive::systems::{Features, system};
 use lsystem::derive::{Ancestor, History, Part, Word};
 use lsystem::drawing::symbol_of_polygon;
 use lsystem::render::fitted_polygon;
 use lsystem::{Definition, Limits, Progress, System, draw, draw_solid};
-use naive::Module;
-use naive::systems::{Features, system};
 use proptest::prelude::*;
 
 /// A source of pages of generations.

@@ -4,8 +4,7 @@
 //! before its arrow, and words. Carets below a word mark the modules that match; a word without carets has none. The
 //! core and the naive reference must both agree with the carets.
 
-mod naive;
-
+use crate::naive;
 use lsystem::derive::Rewriter;
 use lsystem::syntax::parse;
 use lsystem::{Limits, System};

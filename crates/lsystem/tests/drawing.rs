@@ -1,9 +1,8 @@
 //! Drawings in the plane, compared with the naive reference.
 
-mod cases;
-mod naive;
-
-use cases::cases;
+use crate::cases::cases;
+use crate::naive;
+use crate::naive::systems::Features;
 use lsystem::derive::Rules;
 use lsystem::drawing::{Segment, Turtle};
 use lsystem::render::{Fitted, Pick, Pointer, Target, fitted_ends, fitted_outline, fitted_scale};
@@ -12,7 +11,6 @@ use lsystem::{
     Definition, Diagnostic, Dialect, Drawer, Drawing, Limits, Progress, SegmentArrays, Style, System, View, Viewport,
     draw, fit, pick,
 };
-use naive::systems::Features;
 use proptest::prelude::*;
 use std::sync::Arc;
 

@@ -1,8 +1,6 @@
 //! JSON files: written files read back as the same, and no text causes a panic.
 
-mod cases;
-
-use cases::cases;
+use crate::cases::cases;
 use expect_test::expect;
 use lsystem::syntax::{Colour, ColourBy, Ink};
 use lsystem::{Definition, Diagnostic, Dialect, Style, System, read_json, render_diagnostic, write_json};

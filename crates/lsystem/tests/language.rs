@@ -1,12 +1,10 @@
 //! Derivation with contexts, parameters and chance, compared with the naive reference.
 
-mod cases;
-mod naive;
-
-use cases::cases;
+use crate::cases::cases;
+use crate::naive;
+use crate::naive::systems::{Features, system};
 use lsystem::derive::{Fault, Letter, Rewriter};
 use lsystem::{Limits, System};
-use naive::systems::{Features, system};
 use proptest::prelude::*;
 
 /// Checks that the core derives the same generations as the naive reference, until the words get long.

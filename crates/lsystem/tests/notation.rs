@@ -1,8 +1,6 @@
 //! The notation: printed texts read back as the same, and no text causes a panic.
 
-mod cases;
-
-use cases::cases;
+use crate::cases::cases;
 use lsystem::syntax::{
     Constant, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen, parse, parse_overrides,
     print_axiom, print_overrides, print_rules,

@@ -1,9 +1,7 @@
 //! Blocks shared among modules with parameters, compared with the naive turtle, and the systems that share blocks.
 
-mod cases;
-mod naive;
-
-use cases::cases;
+use crate::cases::cases;
+use crate::naive;
 use lsystem::syntax::Kind;
 use lsystem::{Definition, Drawing, Limits, System, count_segments, count_symbols, draw};
 use proptest::prelude::*;

@@ -1,8 +1,6 @@
 //! Picking, compared with the distances of all segments and polygons, one by one.
 
-mod cases;
-
-use cases::cases;
+use crate::cases::cases;
 use lsystem::drawing::{Mark, Plane, Space};
 use lsystem::render::{
     Pick, Pointer, Target, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends,

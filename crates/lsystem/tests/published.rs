@@ -1,7 +1,6 @@
 //! Published systems with contexts and parameters, through the notation.
 
-mod naive;
-
+use crate::naive;
 use lsystem::derive::{Rewriter, Template};
 use lsystem::drawing::{expand_once, expand_symbol};
 use lsystem::syntax::Kind;

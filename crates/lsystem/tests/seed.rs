@@ -2,8 +2,7 @@
 //! published definitions (repeated in `data/seed.json`), give the published counts, and draw as the naive reference
 //! does.
 
-mod naive;
-
+use crate::naive;
 use lsystem::drawing::{Segment, Space};
 use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, draw, draw_solid, expand};
 use serde::Deserialize;

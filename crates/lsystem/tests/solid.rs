@@ -1,9 +1,7 @@
 //! Drawings in space, compared with the naive turtle, and the meaning of symbols in space.
 
-mod cases;
-mod naive;
-
-use cases::cases;
+use crate::cases::cases;
+use crate::naive;
 use lsystem::drawing::{Mark, Outlook, Segment};
 use lsystem::syntax::{Action, Kind, LimitName};
 use lsystem::{Definition, Dialect, Drawing, Limits, Solid, System, draw, draw_solid};

@@ -1,9 +1,7 @@
 //! Colours, factors, variation, growth and polygons, compared with the naive reference.
 
-mod cases;
-mod naive;
-
-use cases::cases;
+use crate::cases::cases;
+use crate::naive;
 use lsystem::drawing::{Mark, Segment};
 use lsystem::syntax::{ColourBy, Tint};
 use lsystem::{Definition, Limits, Style, System, draw, draw_solid, read_json, write_json};

@@ -1,7 +1,7 @@
 //! The cost of deriving whole generations, and of remembering them.
 
-use crate::record::{Record, SHARE};
-use crate::systems::{Case, LENGTHS, cases, generations, is_thorough, shrinking};
+use super::record::{Record, SHARE};
+use super::systems::{Case, LENGTHS, cases, generations, is_thorough, shrinking};
 use lsystem::derive::{Fault, Rewriter};
 use lsystem::drawing::why_empty;
 use lsystem::syntax::{LimitName, Meter};

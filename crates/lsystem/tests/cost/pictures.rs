@@ -1,6 +1,6 @@
 //! The cost of the steps of pictures.
 
-use crate::systems::{Case, LENGTHS, LONGEST, cases, generations, is_thorough};
+use super::systems::{Case, LENGTHS, LONGEST, cases, generations, is_thorough};
 use lsystem::render::{Detail, Pointer, Quality, pick_solid};
 use lsystem::syntax::{Ink, Meter};
 use lsystem::{

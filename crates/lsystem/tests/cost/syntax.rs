@@ -1,6 +1,6 @@
 //! The cost of reading texts. If reading took quadratic time, the longest of these texts would take without end.
 
-use crate::systems::texts;
+use super::systems::texts;
 use lsystem::System;
 use lsystem::drawing::{kind, legend};
 use lsystem::syntax::{MAX_ACTIONS, MAX_TEXT, classify, parse_overrides};

@@ -1,0 +1,31 @@
+//! All tests of the core, in one program: one file for each subject. One program links in a tenth of the time of many.
+
+mod access;
+mod annotated;
+mod cases;
+mod compact;
+mod contexts;
+mod cost;
+mod course;
+mod drawing;
+mod export;
+mod films;
+mod gallery;
+mod import;
+mod json;
+mod language;
+mod meshes;
+mod naive;
+mod notation;
+mod parametric;
+mod picking;
+mod prints;
+mod published;
+mod rendering;
+mod reopen;
+mod seed;
+mod solid;
+mod speed;
+mod styling;
+mod tables;
+mod unusual;
