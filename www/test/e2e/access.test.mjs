@@ -1,7 +1,6 @@
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
 import { after, test } from 'node:test';
+import { COLOURS, violations } from './axe.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
@@ -10,22 +9,13 @@ after(close);
 
 const RULES = '// so\nr = 0.9\nb = 2*r\nA(l) : l > 0.1 -> F(l)[+A(l*r)][-A(l*r)] : 0.7\nA(l) -> F(l) : 0.3';
 const TREE = `#v=1&title=Tree&axiom=A(1)&rules=${encodeURIComponent(RULES)}&n=5&angle=25`;
-const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 /**
- * The violations that axe-core finds at the levels that exclude people.
+ * The violations at the levels that exclude people.
  * @param {Page} page
- * @returns {Promise<string[]>}
+ * @param {string[]} [rules] only these
  */
-async function barriers(page) {
-    await page.evaluate(axe);
-    return page.evaluate(async () => {
-        const { violations } = await /** @type {any} */ (globalThis).axe.run(document, { resultTypes: ['violations'], iframes: false, preload: false });
-        return violations
-            .filter((/** @type {any} */ { impact }) => impact === 'serious' || impact === 'critical')
-            .flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ node) => `${id}: ${node.target.join(' ')} ${node.any[0]?.message ?? ''}`));
-    });
-}
+const barriers = async (page, rules) => (await violations(page, rules)).filter(({ impact }) => impact === 'serious' || impact === 'critical').map(({ words }) => words);
 
 /** A tab of the controls, on a phone as well. @param {string} name */
 const tab = (name) => async (/** @type {Page} */ page) => {
@@ -174,22 +164,44 @@ async function leave(page) {
 /** The states that are checked in other sizes and colours. */
 const SOME = ['as it opens', 'mistakes', 'gallery'];
 
-for (const [name, options, states] of /** @type {[string, import('playwright-core').BrowserContextOptions, string[]?][]} */ ([
-    ['desktop', DESKTOP],
-    ['desktop, dark', { ...DESKTOP, colorScheme: 'dark' }],
-    ['phone', PHONE],
-    ['phone, dark', { ...PHONE, colorScheme: 'dark' }, SOME],
-    ['more contrast', { ...DESKTOP, contrast: 'more' }, SOME],
-    ['more contrast, dark', { ...DESKTOP, contrast: 'more', colorScheme: 'dark' }, SOME],
-    ['zoomed to 200 %', { viewport: { width: 640, height: 400 } }, SOME],
-    ['zoomed to 400 %', { viewport: { width: 320, height: 256 } }, [...SOME, 'refused on the drawing', 'growth']],
+/** @typedef {NonNullable<Parameters<Page['emulateMedia']>[0]>} Media */
+/** @type {Media} */
+const PLAIN = { colorScheme: 'light', contrast: 'no-preference' };
+
+/**
+ * Colours in which a state is looked at besides the plain ones. The page has the same elements and layout in all of
+ * them, so only the rules about colours can find something new. @type {{name: string, media: Media, states?: string[]}[]}
+ */
+const DARK = [{ name: 'dark', media: { ...PLAIN, colorScheme: 'dark' } }];
+const MORE = [
+    { name: 'more contrast', media: { ...PLAIN, contrast: /** @type {const} */ ('more') }, states: SOME },
+    { name: 'more contrast, dark', media: { colorScheme: /** @type {const} */ ('dark'), contrast: /** @type {const} */ ('more') }, states: SOME },
+];
+
+/** @param {Page} page */
+const paper = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+
+for (const [name, options, colours, states] of /** @type {[string, import('playwright-core').BrowserContextOptions, typeof DARK, string[]?][]} */ ([
+    ['desktop', DESKTOP, [...DARK, ...MORE]],
+    ['phone', PHONE, DARK.map((dark) => ({ ...dark, states: SOME }))],
+    ['zoomed to 200 %', { viewport: { width: 640, height: 400 } }, [], SOME],
+    ['zoomed to 400 %', { viewport: { width: 320, height: 256 } }, [], [...SOME, 'refused on the drawing', 'growth']],
 ])) {
-    test(`axe-core finds no violation: ${name}`, async () => {
+    test(`axe-core finds no violation: ${[name, ...colours.map((each) => each.name)].join('; ')}`, async () => {
         const entered = Object.entries(STATES).filter(([state]) => !states || states.includes(state));
-        await withPage({ hash: TREE, options }, async (page) => {
+        assert.equal(entered.length, states?.length ?? Object.keys(STATES).length);
+        await withPage({ hash: TREE, options: { ...options, ...PLAIN } }, async (page) => {
+            const plain = await paper(page);
             for (const [state, enter] of entered) {
                 await enter(page);
                 assert.deepEqual(await barriers(page), [], state);
+                for (const { name, media, states } of colours) {
+                    if (states && !states.includes(state)) continue;
+                    await page.emulateMedia(media);
+                    assert.notEqual(await paper(page), plain, name);
+                    assert.deepEqual(await barriers(page, COLOURS), [], `${state}, ${name}`);
+                    await page.emulateMedia(PLAIN);
+                }
                 await leave(page);
             }
         });
