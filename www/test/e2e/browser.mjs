@@ -85,26 +85,29 @@ export async function withPage({ address = ADDRESS, also = address, drawing = '#
 }
 
 /**
- * Runs in every page, and counts what tests wait for: `pictures` that the canvas of the drawing has shown, and `picking`,
- * the questions about a place of the drawing without an answer.
+ * Runs in every page, and counts what tests wait for: `pictures` that the canvas of the drawing has shown, and `asked`,
+ * the questions about a place of the drawing and the calls of tools that have no answer yet.
  */
 function count() {
     const site = /** @type {any} */ (globalThis);
     site.pictures = 0;
-    site.picking = 0;
+    site.asked = 0;
     const canvas = ImageBitmapRenderingContext.prototype;
     const { transferFromImageBitmap } = canvas;
     canvas.transferFromImageBitmap = function (bitmap) {
         if (/** @type {Element} */ (this.canvas).id === 'drawing') site.pictures += 1;
         return transferFromImageBitmap.call(this, bitmap);
     };
+    /** By worker, the ids of its questions. @type {WeakMap<Worker, Set<number>>} */
+    const questions = new WeakMap();
     const { postMessage } = Worker.prototype;
-    const heard = new WeakSet();
     Worker.prototype.postMessage = function (/** @type {any[]} */ ...message) {
-        if (message[0]?.type === 'pick') {
-            site.picking += 1;
-            if (!heard.has(this)) this.addEventListener('message', ({ data }) => (site.picking -= data?.type === 'pick' ? 1 : 0));
-            heard.add(this);
+        const { type, id } = message[0] ?? {};
+        if (type === 'pick' || type === 'call') {
+            const open = questions.get(this) ?? new Set();
+            if (!questions.has(this)) this.addEventListener('message', ({ data }) => data?.type !== 'progress' && open.delete(data?.id) && (site.asked -= 1));
+            questions.set(this, open.add(id));
+            site.asked += 1;
         }
         return postMessage.apply(this, /** @type {any} */ (message));
     };
@@ -244,13 +247,13 @@ export async function morePictures(page, number = 1) {
     await page.waitForFunction((wanted) => /** @type {any} */ (globalThis).pictures >= wanted, seen + number);
 }
 
-/** Waits until the page has asked what is at the pointer, and shows the answer. @param {Page} page */
-export const pointed = (page) =>
+/** Waits until the page has asked its workers what its input needs, and shows the answers. @param {Page} page */
+export const answered = (page) =>
     page.evaluate(async () => {
         const frame = () => new Promise(requestAnimationFrame);
         await frame();
         do await frame();
-        while (/** @type {any} */ (globalThis).picking > 0);
+        while (/** @type {any} */ (globalThis).asked > 0);
     });
 
 /**

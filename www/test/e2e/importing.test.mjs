@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';
 import test, { after } from 'node:test';
-import { DESKTOP, PHONE, close, quiet, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, answered, close, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -100,18 +100,27 @@ test('a file of many systems is a list of pictures, and says what cannot be open
         await until(async () => (await page.inputValue('#axiom')) === 'FX', 'the dragon is open');
     }));
 
+/** Lets the page load its readers. @param {Page} page */
+async function loadReaders(page) {
+    await paste(page, '#drawing', PROSE);
+    await page.waitForSelector('#import[open]');
+    await page.click('#import-cancel');
+}
+
 test('rules of our own and ordinary text stay texts', () =>
     withPage({}, async (page) => {
+        await loadReaders(page);
         for (const pasted of ['F -> F[+F]F', 'A < B > C -> D\nr = 0.9', 'The course begins on Monday.']) {
             await page.fill('#rules', '');
             await paste(page, '#rules', pasted);
-            await quiet(150, 'the readers would offer the text');
+            await answered(page);
             assert.ok(!(await page.isVisible('#import-offer')), pasted);
         }
     }));
 
 test('every case of the readers opens or is refused in the page', () =>
     withPage({}, async (page) => {
+        await loadReaders(page);
         const folder = new URL('../../../crates/lsystem/tests/data/import/', import.meta.url);
         let opened = 0;
         for (const name of await readdir(folder)) {
@@ -121,7 +130,7 @@ test('every case of the readers opens or is refused in the page', () =>
                 const read = each.split('--- read\n')[1]?.trim() ?? '';
                 await paste(page, '#drawing', lines.join('\n').trimEnd());
                 if (read === 'nothing') {
-                    await quiet(60, 'the readers would open the dialog');
+                    await answered(page);
                     assert.ok(!(await page.isVisible('#import')), title);
                     continue;
                 }

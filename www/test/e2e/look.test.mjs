@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
-import { DESKTOP, PHONE, close, lineIn, onPixels, pointed, stillPicture, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, answered, close, lineIn, onPixels, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -41,7 +41,7 @@ async function wheel(page, turns) {
     for (let turn = 0; turn < Math.abs(turns); turn++) {
         await page.mouse.wheel(0, turns > 0 ? -300 : 300);
         // The page holds on to a line that the worker has found.
-        await pointed(page);
+        await answered(page);
     }
 }
 
@@ -164,7 +164,7 @@ test('the card leaves the buttons free', () =>
         for (const across of [0.3, 0.5, 0.7, 0.8]) {
             for (const down of [0.15, 0.5, 0.8, 0.9]) {
                 await page.mouse.move(stage.x + stage.width * across, stage.y + stage.height * down);
-                await pointed(page);
+                await answered(page);
                 if (!(await page.isVisible('#card'))) continue;
                 cards += 1;
                 const covered = await page.evaluate(() => {

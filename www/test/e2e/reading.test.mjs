@@ -178,7 +178,8 @@ for (const [title, own] of /** @type {const} */ ([['Lime twig', 'L'], ['Bush wit
             const before = await stillPicture(page);
             await page.click('#open-gallery');
             await page.fill('#search', title);
-            await page.locator('.card:visible').first().click();
+            // The cards come later than the dialog.
+            await page.locator('.card:visible', { hasText: title }).first().click();
             await nextPicture(page, before);
             await page.click('#open-reader');
             await until(async () => (await symbols(page)).length > 100, 'the string');
