@@ -20,8 +20,10 @@ async function compare({ definition, lost = false, drags = 0 }) {
     const [worker, mate] = [new Worker('worker.js'), new Worker('worker.js')];
     const [near, far] = [new MessageChannel(), new MessageChannel()];
     let [made, stopped] = [0, 0];
+    let asked = () => {};
     near.port1.onmessage = ({ data }) => {
         if (data.round === 0) stopped += 1;
+        else asked();
         if (!lost) far.port1.postMessage(data);
     };
     far.port1.onmessage = ({ data }) => {
@@ -51,8 +53,10 @@ async function compare({ definition, lost = false, drags = 0 }) {
     const alone = await finished();
     worker.postMessage({ type: 'mates', ports: [near.port2] }, [near.port2]);
     for (let drag = 0; drag < drags; drag++) {
+        // The next view comes while the mate draws panes.
+        const begun = /** @type {Promise<void>} */ (new Promise((resolve) => (asked = resolve)));
         look(1.5 + 0.01 * drag);
-        await new Promise((resolve) => setTimeout(resolve, 60));
+        await begun;
     }
     look(1.01);
     await finished();
