@@ -60,7 +60,8 @@ for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a
                 await page.fill('#rules', answer.rules);
                 if (answer.iterations) await page.fill('#iterations', answer.iterations);
                 await page.waitForSelector('#mark.solved');
-                assert.equal(await page.textContent('#mark-percent'), id === 'random-weed' ? await page.textContent('#mark-percent') : '100.0 %');
+                // Chance draws another weed than the target's, which is as good.
+                assert.match((await page.textContent('#mark-percent')) ?? '', id === 'random-weed' ? /^\d\d\.\d %$/ : /^100\.0 %$/);
             }
         }));
 }

@@ -20,6 +20,9 @@ const COMPARISONS = ['===', '!==', '==', '!=', '<', '>', '<=', '>='];
 /** What ends an operand of a comparison, besides brackets. */
 const ENDS = [',', ';', '&&', '||', '??', '?', ':', '=>', '=', '!', 'return', ...COMPARISONS];
 
+/** What stands between the parts of a choice. */
+const CHOICES = ['?', ':', '&&', '||', '??'];
+
 /** The end of a template, whose code may have templates. @param {string} source @param {number} at its first character @returns {number} */
 function endOfTemplate(source, at) {
     for (let end = at + 1; end < source.length; end++) {
@@ -108,6 +111,23 @@ function operand(tokens, at, step) {
     return textOf(step > 0 ? found : found.reverse());
 }
 
+/** Whether an expression is a part of a choice. A constant is a usual last part. @param {Token[]} expression @param {Token[]} tokens */
+const isPart = (expression, tokens) => !isConstant(expression) && partsOf(tokens).includes(textOf(expression));
+
+/** The parts of a choice. @param {Token[]} tokens */
+function partsOf(tokens) {
+    /** @type {Token[][]} */
+    const parts = [[]];
+    let depth = 0;
+    for (const token of tokens) {
+        if (opens(token)) depth += 1;
+        if (closes(token)) depth -= 1;
+        if (depth === 0 && token.kind === 'p' && CHOICES.includes(token.text)) parts.push([]);
+        else parts.at(-1)?.push(token);
+    }
+    return parts.map(textOf);
+}
+
 /** The assertions of a source that cannot fail, or cannot hold. @param {string} source @returns {string[]} */
 function empty(source) {
     const tokens = tokensOf(source);
@@ -121,7 +141,7 @@ function empty(source) {
         const [first = [], second = []] = argumentsFrom(tokens, bracket + 1);
         const words = `${textOf(tokens.slice(at, bracket + 1))} ${textOf(first)}, ${textOf(second)}`.slice(0, 200);
         const isTwoSided = method !== '' && method !== 'ok';
-        const isSame = isTwoSided && textOf(first) === textOf(second);
+        const isSame = isTwoSided && (textOf(first) === textOf(second) || isPart(first, second) || isPart(second, first));
         const arrow = first.findIndex((token) => token.text === '=>');
         const isAboutConstants = isConstant(isTwoSided ? [...first, ...second] : text === 'until' && arrow >= 0 ? first.slice(arrow + 1) : first);
         const comparesItself = first.some((token, place) => token.kind === 'p' && COMPARISONS.includes(token.text) && operand(first, place, -1) === operand(first, place, 1));
@@ -135,6 +155,7 @@ test('assertions without content are found', () => {
         'assert.equal(a.b(c), a.b( c ));',
         "assert.equal(await page.getAttribute('#stage', 'class'), await page.getAttribute('#stage', 'class'));",
         'assert.notEqual(`${a}`, `${a}`, "words");',
+        'assert.equal(a.b, c ? a.b : 1);',
         'assert.ok(true);',
         'assert(1, "words");',
         "assert.match('abc', /b(c)/);",
@@ -152,6 +173,8 @@ test('assertions with content are not found', () => {
     for (const source of [
         'assert.equal(a(1), a(2));',
         'assert.equal(a, 1);',
+        'assert.equal(a, b(a));',
+        'assert.equal(a ?? 1, 1);',
         "assert.equal('a === a', b);",
         'assert.ok(a.b === a.c && a / b / c);',
         "assert.match(a, /\\/(['\"`]/);",
