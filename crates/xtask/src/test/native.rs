@@ -38,6 +38,25 @@ pub(super) struct Built {
 }
 
 impl Built {
+    /// Reads a message of Cargo; those that tell no program are passed over.
+    fn read(&mut self, message: &Value) -> Result<()> {
+        let Some(file) = message["executable"].as_str() else { return Ok(()) };
+        let manifest = Path::new(message["manifest_path"].as_str().context("a crate without a manifest")?);
+        let folder = manifest.parent().context("a manifest without a folder")?;
+        let program = Program {
+            package: folder.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            target: message["target"]["name"].as_str().unwrap_or_default().to_owned(),
+            file: file.into(),
+            folder: folder.to_owned(),
+        };
+        let is_known = |programs: &[Program]| programs.iter().any(|known| known.file == program.file);
+        let programs = if message["profile"]["test"] == true { &mut self.tests } else { &mut self.others };
+        if !is_known(programs) {
+            programs.push(program);
+        }
+        Ok(())
+    }
+
     /// A program that is no test.
     pub(super) fn program(&self, name: &str) -> Result<&Path> {
         let found = self.others.iter().find(|program| program.target == name);
@@ -54,23 +73,14 @@ struct Group {
     print: String,
 }
 
-/// Compiles all tests and programs.
+/// Compiles all programs, then all tests.
 pub(super) fn build(workspace: &Workspace) -> Result<Built> {
-    let words = ["test", "--no-run", "--message-format=json-render-diagnostics"].into_iter().chain(CRATES);
-    let messages = workspace.output(&mut workspace.cargo(words))?;
     let mut built = Built::default();
-    for line in messages.lines() {
-        let message: Value = serde_json::from_str(line)?;
-        let Some(file) = message["executable"].as_str() else { continue };
-        let manifest = Path::new(message["manifest_path"].as_str().context("a crate without a manifest")?);
-        let folder = manifest.parent().context("a manifest without a folder")?;
-        let program = Program {
-            package: folder.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-            target: message["target"]["name"].as_str().unwrap_or_default().to_owned(),
-            file: file.into(),
-            folder: folder.to_owned(),
-        };
-        if message["profile"]["test"] == true { built.tests.push(program) } else { built.others.push(program) }
+    for what in [&["build", "--bins"][..], &["test", "--no-run"]] {
+        let words = what.iter().copied().chain(["--message-format=json-render-diagnostics"]).chain(CRATES);
+        for line in workspace.output(&mut workspace.cargo(words))?.lines() {
+            built.read(&serde_json::from_str(line)?)?;
+        }
     }
     Ok(built)
 }
