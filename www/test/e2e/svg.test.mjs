@@ -33,7 +33,7 @@ async function compare({ definition, size }) {
         URL.revokeObjectURL(image.src);
         const scale = size / Math.max(image.naturalWidth, image.naturalHeight);
         const canvas = new OffscreenCanvas(Math.ceil(image.naturalWidth * scale), Math.ceil(image.naturalHeight * scale));
-        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d'));
+        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d', { willReadFrequently: true }));
         context.drawImage(image, 0, 0, image.naturalWidth * scale, image.naturalHeight * scale);
         return context.getImageData(0, 0, canvas.width, canvas.height);
     };
@@ -45,15 +45,13 @@ async function compare({ definition, size }) {
     let ink = 0;
     const columns = Math.ceil(a.width / 8);
     const tiles = new Float64Array(columns * Math.ceil(a.height / 8));
-    const channelOf = (/** @type {{data: Uint8ClampedArray}} */ { data }, /** @type {number} */ at) => /** @type {number} */ (data[at]);
-    for (let at = 0; at < a.data.length; at += 4) {
+    const [words, others] = [a, b].map(({ data }) => new Uint32Array(data.buffer));
+    for (let pixel = 0; pixel < a.width * a.height; pixel++) {
+        if (words?.[pixel] !== words?.[0]) ink++;
+        if (words?.[pixel] === others?.[pixel]) continue;
         let difference = 0;
-        for (let channel = 0; channel < 3; channel++) {
-            difference += Math.abs(channelOf(a, at + channel) - channelOf(b, at + channel)) / 3;
-            if (channelOf(a, at + channel) !== channelOf(a, channel)) ink++;
-        }
+        for (let at = 4 * pixel; at < 4 * pixel + 3; at++) difference += Math.abs(Number(a.data[at]) - Number(b.data[at])) / 3;
         mean += difference;
-        const pixel = at / 4;
         const tile = Math.floor(pixel / a.width / 8) * columns + Math.floor((pixel % a.width) / 8);
         tiles[tile] = /** @type {number} */ (tiles[tile]) + difference / 64;
     }
