@@ -3,7 +3,7 @@
 use crate::esbuild::{Bundler as _, Esbuild};
 use crate::workspace::Workspace;
 use crate::{files, include, joined, offline, one_file, wasms};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -32,14 +32,17 @@ pub(crate) fn build(workspace: &Workspace, kind: Kind) -> Result<()> {
     let core = thread::scope(|scope| {
         let core = scope.spawn(|| core(workspace));
         wasms::compile(workspace, kind)?;
-        core.join().unwrap_or_else(|_| anyhow::bail!("compiling the program `site` failed"))
+        joined(core)
     })?;
     let make = |what| workspace.run(Command::new(&core).arg(what).arg(&workspace.root).arg(&site));
-    make("systems")?;
-    for name in SCRIPTS {
-        files::write(&site.join(name), esbuild.script(name)?)?;
-    }
-    wasms::write(workspace, kind, &esbuild, &site)?;
+    thread::scope(|scope| {
+        let scripts = scope.spawn(|| {
+            SCRIPTS.iter().try_for_each(|name| files::write(&site.join(name), esbuild.script(name)?))?;
+            make("systems")
+        });
+        wasms::write(workspace, kind, &esbuild, &site)?;
+        joined(scripts)
+    })?;
     let (index, embed) = ("index.html", site.join("embed.html"));
     let whole = files::read_text(&site.join(index))?;
     let exercise = site.join("exercise.html");
@@ -58,16 +61,21 @@ pub(crate) fn build(workspace: &Workspace, kind: Kind) -> Result<()> {
     };
     let drawing: Vec<_> = of("lsystem-wasm").collect();
     let marking: Vec<_> = of("lsystem-wasm").chain(of("course")).collect();
-    for (page, file, carried) in [
+    let maker = &one_file::Maker { site: &site, bundler: &esbuild, packed: &workspace.target.join("packed") };
+    all.iter().filter(|name| !name.ends_with(".js")).try_for_each(|name| maker.pack(name).map(drop))?;
+    let single = [
         (index, "playground.html", all),
         ("embed.html", "embed.html", drawing),
         ("exercise.html", "exercise.html", marking),
         ("film.html", "film.html", of("film").collect()),
-    ] {
-        let carried = &carried;
-        let text = one_file::one_file(&site, page, carried, &esbuild)?;
-        files::write(&site.join(file), text)?;
-    }
+    ];
+    thread::scope(|scope| {
+        let threads = single.iter().map(|(page, _, carried)| scope.spawn(move || maker.make(page, carried)));
+        let threads: Vec<_> = threads.collect();
+        // Written when all are made, since a page is made of its file.
+        let texts = threads.into_iter().map(joined).collect::<Result<Vec<_>>>()?;
+        single.iter().zip(texts).try_for_each(|((_, file, _), text)| files::write(&site.join(file), text))
+    })?;
     make("documents")?;
     let documents = site.join("docs");
     files::list(&documents, |path| path.extension().is_none_or(|ending| ending == "html"))?
@@ -78,6 +86,11 @@ pub(crate) fn build(workspace: &Workspace, kind: Kind) -> Result<()> {
     joined::write_licence(&www, &site)?;
     offline::list_files(&site)?;
     replace(&site, &workspace.dist(), &new.path().join("old"))
+}
+
+/// The result of a thread.
+fn joined<T>(thread: thread::ScopedJoinHandle<'_, Result<T>>) -> Result<T> {
+    thread.join().unwrap_or_else(|_| bail!("a thread of the build has panicked"))
 }
 
 /// Compiles the program `site`, which makes what needs the core. Returns its path.

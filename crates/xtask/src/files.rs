@@ -1,6 +1,7 @@
 //! Small helpers for trees of files.
 
 use anyhow::{Context, Result};
+use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -41,6 +42,21 @@ pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<()> {
         fs::write(path, bytes)
     };
     write().with_context(|| format!("writing {}", path.display()))
+}
+
+/// Makes something of a file, unless it was made of the same file before. `made_of` is a file that tells of which one.
+pub(crate) fn once(file: &Path, made_of: &Path, make: impl FnOnce() -> Result<()>) -> Result<()> {
+    let print = fingerprint(file)?;
+    if made_of.is_file() && read_text(made_of)? == print {
+        return Ok(());
+    }
+    make()?;
+    write(made_of, print)
+}
+
+/// The SHA-256 of a file, as hexadecimal digits.
+pub(crate) fn fingerprint(file: &Path) -> Result<String> {
+    Ok(hex(&Sha256::digest(read(file)?)))
 }
 
 /// Bytes as hexadecimal digits.

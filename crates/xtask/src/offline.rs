@@ -18,7 +18,7 @@ pub(crate) fn list_files(site: &Path) -> Result<()> {
         if LEFT_OUT.contains(&&*path) {
             continue;
         }
-        let hash = hex(&Sha256::digest(files::read(&file)?));
+        let hash = files::fingerprint(&file)?;
         // Some hosts serve the first page only at the folder's address.
         hashes.insert(if path == "index.html" { String::new() } else { path }, hash.into());
     }

@@ -16,12 +16,34 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 
-/// Makes a single file of a page in the folder of the site. `carried` are the files that the page would fetch.
-pub(crate) fn one_file(site: &Path, page: &str, carried: &[&str], bundler: &dyn Bundler) -> Result<String> {
-    let text = files::read_text(&site.join(page))?;
-    Assembly { site, bundler, policy: Policy::default() }
-        .assemble(&text, carried)
-        .with_context(|| format!("making one file of {page}"))
+/// Makes single files of pages.
+pub(crate) struct Maker<'a> {
+    /// The folder of the site.
+    pub(crate) site: &'a Path,
+    pub(crate) bundler: &'a (dyn Bundler + Sync),
+    /// The folder of compressed files, which are made only after a change.
+    pub(crate) packed: &'a Path,
+}
+
+impl Maker<'_> {
+    /// A single file of a page. `carried` are the files that the page would fetch.
+    pub(crate) fn make(&self, page: &str, carried: &[&str]) -> Result<String> {
+        let text = files::read_text(&self.site.join(page))?;
+        Assembly { maker: self, policy: Policy::default() }
+            .assemble(&text, carried)
+            .with_context(|| format!("making one file of {page}"))
+    }
+
+    /// A file, compressed and as base64. A file must be packed once before several threads ask for it.
+    pub(crate) fn pack(&self, name: &str) -> Result<String> {
+        let (file, packed) = (self.site.join(name), self.packed.join(name));
+        files::once(&file, &self.packed.join(format!("{name}.made-of")), || {
+            let mut encoder = GzEncoder::new(vec![], Compression::best());
+            encoder.write_all(&files::read(&file)?)?;
+            files::write(&packed, BASE64.encode(encoder.finish()?))
+        })?;
+        files::read_text(&packed)
+    }
 }
 
 /// The hashes of the scripts and styles that the content security policy allows.
@@ -46,8 +68,7 @@ fn hash(text: &str) -> String {
 }
 
 struct Assembly<'a> {
-    site: &'a Path,
-    bundler: &'a dyn Bundler,
+    maker: &'a Maker<'a>,
     policy: Policy,
 }
 
@@ -77,7 +98,7 @@ impl Assembly<'_> {
                     page.push_str(&self.script("", &script)?);
                 }
                 _ if line == "</head>" => {
-                    let styles = self.bundler.styles(&styles)?;
+                    let styles = self.maker.bundler.styles(&styles)?;
                     self.policy.styles.push(hash(&styles));
                     ensure!(
                         !styles.contains("</") && !styles.contains("@import") && !styles.contains("url("),
@@ -91,7 +112,7 @@ impl Assembly<'_> {
                         page.push_str(&self.carry(name)?);
                     }
                     for module in &modules {
-                        let script = self.bundler.module(module, &[])?;
+                        let script = self.maker.bundler.module(module, &[])?;
                         page.push_str(&self.script(" type=\"module\"", &script)?);
                     }
                     writeln!(page, "{line}")?;
@@ -105,7 +126,7 @@ impl Assembly<'_> {
     }
 
     fn read(&self, name: &str) -> Result<String> {
-        files::read_text(&self.site.join(name))
+        files::read_text(&self.maker.site.join(name))
     }
 
     /// A script element, whose hash the policy allows.
@@ -122,9 +143,7 @@ impl Assembly<'_> {
             check_script(&text)?;
             return Ok(format!("<script type=\"text/plain\" data-file=\"{name}\">{text}</script>\n"));
         }
-        let mut encoder = GzEncoder::new(vec![], Compression::best());
-        encoder.write_all(&files::read(&self.site.join(name))?)?;
-        let text = BASE64.encode(encoder.finish()?);
+        let text = self.maker.pack(name)?;
         Ok(format!("<script type=\"application/gzip;base64\" data-file=\"{name}\">{text}</script>\n"))
     }
 }
@@ -186,6 +205,11 @@ mod tests {
         }
     }
 
+    fn one_file(site: &Path, carried: &[&str]) -> Result<String> {
+        let packed = tempfile::tempdir()?;
+        Maker { site, bundler: &Plain(site), packed: packed.path() }.make("index.html", carried)
+    }
+
     const PAGE: &str = r#"<!doctype html>
 <html lang="en">
 <head>
@@ -223,7 +247,7 @@ mod tests {
     #[test]
     fn puts_everything_into_the_page() {
         let folder = site();
-        let page = one_file(folder.path(), "index.html", &["worker.js", "data.wasm"], &Plain(folder.path())).unwrap();
+        let page = one_file(folder.path(), &["worker.js", "data.wasm"]).unwrap();
         for part in [
             "<link rel=\"icon\" href=\"data:image/svg+xml;base64,PHN2Zy8+\" type=\"image/svg+xml\">",
             "<script>early()</script>",
@@ -242,7 +266,7 @@ mod tests {
     #[test]
     fn names_scripts_and_styles_by_their_hashes() {
         let folder = site();
-        let page = one_file(folder.path(), "index.html", &[], &Plain(folder.path())).unwrap();
+        let page = one_file(folder.path(), &[]).unwrap();
         assert_eq!(hash("early()"), "'sha256-G2Y/0fpEoq/QMzbid/byF0KE5sX9e6ar19Om2+xoMnU='");
         assert!(page.contains(&format!("script-src {} 'sha256-", hash("early()"))), "{page}");
         assert!(page.contains(&format!("style-src {};", hash("a {}b {}"))), "{page}");
@@ -272,7 +296,7 @@ mod tests {
             let path = folder.path().join(name);
             let before = files::read_text(&path).unwrap();
             files::write(&path, text).unwrap();
-            assert!(one_file(folder.path(), "index.html", &["worker.js"], &Plain(folder.path())).is_err(), "{name}");
+            assert!(one_file(folder.path(), &["worker.js"]).is_err(), "{name}");
             files::write(&path, before).unwrap();
         }
     }

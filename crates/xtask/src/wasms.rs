@@ -71,11 +71,13 @@ pub(crate) fn generated(workspace: &Workspace) -> PathBuf {
 /// Generates the JavaScript of the compiled crates, and puts wasms and workers into the folder of the site.
 pub(crate) fn write(workspace: &Workspace, kind: Kind, esbuild: &Esbuild, site: &Path) -> Result<()> {
     let generated = generated(workspace);
-    for wasm in &WASMS {
+    let compiled = workspace.target.join(tools::WASM_TARGET).join(profile(kind));
+    WASMS.iter().try_for_each(|wasm| {
         let library = wasm.library();
-        let folder = workspace.target.join(tools::WASM_TARGET).join(profile(kind));
-        bindgen::generate(&folder.join(format!("{library}.wasm")), &generated, &library)?;
-        wasm.write(esbuild, &generated, site)?;
-    }
-    Ok(())
+        let file = compiled.join(format!("{library}.wasm"));
+        // Reading a wasm and writing it anew takes a second, so it is done only after a change.
+        let made_of = generated.join(format!("{library}.made-of"));
+        files::once(&file, &made_of, || bindgen::generate(&file, &generated, &library))?;
+        wasm.write(esbuild, &generated, site)
+    })
 }
