@@ -18,14 +18,26 @@ pub(crate) enum Kind {
     Draft,
 }
 
+impl Kind {
+    /// The folder of the built site.
+    pub(crate) fn folder(self, workspace: &Workspace) -> PathBuf {
+        match self {
+            Self::Shipped => workspace.root.join("dist"),
+            Self::Draft => workspace.target.join("site"),
+        }
+    }
+}
+
 /// The classic scripts of the pages.
 const SCRIPTS: [&str; 3] = ["js/theme-early.js", "l-system.js", "service-worker.js"];
 /// The styles of the documents: those that they share with the playground, then their own.
 const DOCUMENT_STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 
-/// Builds the site and replaces `dist/` as a whole, so that readers of `dist/` find either the old site or the new one.
+/// Builds the site and replaces its folder as a whole, so that readers find either the old site or the new one.
 pub(crate) fn build(workspace: &Workspace, kind: Kind) -> Result<()> {
-    let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(&workspace.root)?;
+    let place = kind.folder(workspace);
+    let parent = place.parent().context("a folder without a parent")?;
+    let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(parent)?;
     let (www, site) = (workspace.www(), new.path().join("site"));
     let esbuild = Esbuild::of(&www)?;
     page(&www, &site)?;
@@ -85,7 +97,7 @@ pub(crate) fn build(workspace: &Workspace, kind: Kind) -> Result<()> {
     joined::join(&site, index, &esbuild)?;
     joined::write_licence(&www, &site)?;
     offline::list_files(&site)?;
-    replace(&site, &workspace.dist(), &new.path().join("old"))
+    replace(&site, &place, &new.path().join("old"))
 }
 
 /// The result of a thread.

@@ -41,7 +41,7 @@ use workspace::Workspace;
 enum Command {
     /// The page, ready to be put on any static host under any path: dist/
     Build,
-    /// Build quickly, then serve dist/ on this machine
+    /// Build a draft of the page quickly, and serve it on this machine
     Serve(serve::ServeOptions),
     /// All checks before a merge; `test quick` while working
     Test(test::TestOptions),

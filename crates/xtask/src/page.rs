@@ -1,14 +1,16 @@
 //! The page's checks: types, unit tests in Node.js, end-to-end tests in a browser.
 
+use crate::build::Kind;
 use crate::report::Report;
 use crate::server::Server;
 use crate::workspace::{Workspace, output};
 use crate::{files, tools};
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
+use std::time::Duration;
 
 /// The path of the page in the end-to-end tests. Absolute addresses in the page fail, because the path is not the root.
 const MOUNT: &str = "/some/where/";
@@ -43,37 +45,42 @@ pub(crate) fn types(workspace: &Workspace) -> Result<()> {
 pub(crate) fn unit(workspace: &Workspace, cases: Option<&str>) -> Result<()> {
     let www = workspace.www();
     packages(&www)?;
-    let tests = tests(&www, |path| path.starts_with("unit"))?;
+    let tests = unit_tests(&www)?;
     let cases = cases.map(|cases| ("LSYSTEM_CASES", cases));
     workspace.run(Command::new(tools::node()?).arg("--test").args(tests).current_dir(&www).envs(cases))
 }
 
-/// Runs the tests of the built page in a browser.
-pub(crate) fn end_to_end(workspace: &Workspace, _report: &Report) -> Result<()> {
-    let www = workspace.www();
-    let tests = tests(&www, |path| !path.starts_with("unit"))?;
-    // Two files at a time: tests spend much time waiting, but more browsers would compete for few cores.
-    with_page(workspace, |node| node.args(["--test", "--test-concurrency=2"]).args(tests).current_dir(&www))
+/// Runs tests of a built page in a browser: these files of `test/e2e`, or all if none is named.
+pub(crate) fn end_to_end(workspace: &Workspace, kind: Kind, names: &[&str], report: &Report) -> Result<()> {
+    let times = tempfile::NamedTempFile::new()?;
+    let result = with_page(workspace, kind, |node| {
+        node.arg("test/e2e/run.mjs").args(names).current_dir(workspace.www()).env("LSYSTEM_TIMES", times.path())
+    });
+    for line in files::read_text(times.path())?.lines() {
+        let (seconds, name) = line.split_once(' ').context("a time without a test")?;
+        report.time(name, Duration::try_from_secs_f64(seconds.parse()?)?);
+    }
+    result
 }
 
-/// Runs a script that measures the built page.
+/// Runs a script of `www` that measures the page as it is shipped.
 pub(crate) fn bench(workspace: &Workspace, script: &str) -> Result<()> {
     self::script(workspace, &format!("test/bench/{script}"), &[])
 }
 
-/// Runs a script of `www` with the built page.
+/// Runs a script of `www` with the page as it is shipped.
 pub(crate) fn script(workspace: &Workspace, script: &str, words: &[String]) -> Result<()> {
     let www = workspace.www();
     packages(&www)?;
-    with_page(workspace, |node| node.arg(script).args(words).current_dir(&www))
+    with_page(workspace, Kind::Shipped, |node| node.arg(script).args(words).current_dir(&www))
 }
 
-/// Runs Node.js while the page is served. `prepare` completes the command.
-fn with_page(workspace: &Workspace, prepare: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
+/// Runs Node.js while a built page is served. `prepare` completes the command.
+fn with_page(workspace: &Workspace, kind: Kind, prepare: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
     let browser = tools::browser()?;
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let address = format!("http://{}{MOUNT}", listener.local_addr()?);
-    let server = Server { folder: workspace.dist(), mount: MOUNT, version: None };
+    let server = Server { folder: kind.folder(workspace), mount: MOUNT, version: None };
     // The listener is bound, so the tests need not wait. The thread ends with the process.
     thread::spawn(move || server.run(&listener));
     let temporary = tempfile::tempdir()?;
@@ -85,14 +92,12 @@ fn with_page(workspace: &Workspace, prepare: impl FnOnce(&mut Command) -> &mut C
     )
 }
 
-/// The test files below `test/` that `wanted` accepts. Finding none is an error, because a moved folder would go
-/// unnoticed.
-fn tests(www: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<PathBuf>> {
-    let folder = www.join("test");
-    let mut found = files::list(&folder, |path| path.extension().is_none() || wanted(path))?;
-    found.retain(|path| path.to_string_lossy().ends_with(".test.mjs") && path.strip_prefix(&folder).is_ok_and(&wanted));
+/// The tests of single modules. Finding none is an error, because a moved folder would go unnoticed.
+fn unit_tests(www: &Path) -> Result<Vec<PathBuf>> {
+    let mut found = files::list(&www.join("test/unit"), |_| true)?;
+    found.retain(|path| path.to_string_lossy().ends_with(".test.mjs"));
     if found.is_empty() {
-        bail!("there are no tests of this kind in {}", folder.display());
+        bail!("there are no tests in {}/test/unit", www.display());
     }
     Ok(found)
 }
@@ -102,17 +107,13 @@ mod test {
     use super::*;
 
     #[test]
-    fn finds_tests_by_folder() -> Result<()> {
+    fn finds_tests() -> Result<()> {
         let www = tempfile::tempdir()?;
-        for name in ["unit/a.test.mjs", "unit/help.mjs", "e2e/b.test.mjs", "c.test.mjs", "browser.mjs"] {
+        assert!(unit_tests(www.path()).is_err());
+        for name in ["unit/a.test.mjs", "unit/help.mjs", "e2e/b.test.mjs"] {
             files::write(&www.path().join("test").join(name), "")?;
         }
-        let names = |found: Vec<PathBuf>| -> Vec<String> {
-            found.iter().map(|path| path.file_name().unwrap().to_string_lossy().into_owned()).collect()
-        };
-        assert_eq!(names(tests(www.path(), |path| path.starts_with("unit"))?), ["a.test.mjs"]);
-        assert_eq!(names(tests(www.path(), |path| !path.starts_with("unit"))?), ["c.test.mjs", "b.test.mjs"]);
-        assert!(tests(www.path(), |path| path.starts_with("none")).is_err());
+        assert_eq!(unit_tests(www.path())?, [www.path().join("test/unit/a.test.mjs")]);
         Ok(())
     }
 }

@@ -1,8 +1,9 @@
 //! `cargo xtask serve`: build quickly, then serve on this machine; with `--watch`, build again after each change.
 
+use crate::build::{self, Kind};
+use crate::files;
 use crate::server::{Server, Version};
 use crate::workspace::Workspace;
-use crate::{build, files};
 use anyhow::{Context, Result};
 use std::net::TcpListener;
 use std::thread;
@@ -25,10 +26,11 @@ pub(crate) struct ServeOptions {
 /// Serves until the program is stopped.
 pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()> {
     let before = newest(workspace)?;
-    build::build(workspace, build::Kind::Draft)?;
+    build::build(workspace, Kind::Draft)?;
     let listener = listen(options.port)?;
     println!("http://{}/", listener.local_addr()?);
-    let server = Server { folder: workspace.dist(), mount: "/", version: options.watch.then(Version::default) };
+    let server =
+        Server { folder: Kind::Draft.folder(workspace), mount: "/", version: options.watch.then(Version::default) };
     if let Some(version) = &server.version {
         thread::scope(|scope| {
             scope.spawn(|| server.run(&listener));
@@ -50,7 +52,7 @@ fn watch(workspace: &Workspace, version: &Version, mut built: SystemTime) -> Res
         }
         built = now;
         let start = Instant::now();
-        match build::build(workspace, build::Kind::Draft) {
+        match build::build(workspace, Kind::Draft) {
             Ok(()) => {
                 println!("built in {:.1} s", start.elapsed().as_secs_f64());
                 version.next();

@@ -1,5 +1,6 @@
 //! The check of the sizes of the shipped wasms against the committed limits.
 
+use crate::build::Kind;
 use crate::files;
 use crate::wasms::WASMS;
 use crate::workspace::Workspace;
@@ -22,7 +23,7 @@ pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let limits = files::read_text(&workspace.root.join(file))?;
     for wasm in &WASMS {
         let name = wasm.file;
-        let size = measure(&files::read(&workspace.dist().join(name))?)?;
+        let size = measure(&files::read(&Kind::Shipped.folder(workspace).join(name))?)?;
         let limit = read(&limits, name).with_context(|| format!("in {file}"))?;
         workspace.say(format_args!("{name}: {size}; limit {limit}"));
         if size.raw > limit.raw || size.gzip > limit.gzip {

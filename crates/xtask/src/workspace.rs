@@ -45,10 +45,6 @@ impl Workspace {
         self.root.join("www")
     }
 
-    pub(crate) fn dist(&self) -> PathBuf {
-        self.root.join("dist")
-    }
-
     /// The command `cargo` with these words, in the root folder.
     pub(crate) fn cargo<'a>(&self, words: impl IntoIterator<Item = &'a str>) -> Command {
         let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));

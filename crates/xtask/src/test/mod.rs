@@ -8,9 +8,10 @@ mod passed;
 mod quick;
 mod wasm;
 
+use crate::build::{self, Kind};
 use crate::report::Report;
 use crate::workspace::Workspace;
-use crate::{build, fuzz, lint, monkey, outside, package, page, size};
+use crate::{fuzz, lint, monkey, outside, package, page, size};
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use native::Built;
@@ -121,8 +122,7 @@ fn compile(workspace: &Workspace, options: &TestOptions, report: &Report) -> Opt
 fn compile_wasm(workspace: &Workspace, options: &TestOptions, report: &Report) -> bool {
     let mut site = false;
     if options.has(Part::Size) || options.has(Part::Page) {
-        site =
-            report.step(workspace, "building the page", |workspace, _| build::build(workspace, build::Kind::Shipped));
+        site = report.step(workspace, "building the page", |workspace, _| build::build(workspace, Kind::Shipped));
     }
     if options.has(Part::Wasm) {
         report.step(workspace, "compiling for the browser", |workspace, _| wasm::build(workspace).map(drop));
@@ -174,8 +174,10 @@ fn run_page(workspace: &Workspace, options: &TestOptions, passed: &Passed, repor
         report.step(workspace, name, |workspace, _| passed.once(report, name, &below(reads)?, || step(workspace)));
     };
     step("npm package", &["dist/lsystem.wasm", "crates/lsystem-wasm/npm"], &package::npm);
-    step(page::UNIT, &["www", "dist"], &|workspace| page::unit(workspace, options.cases()));
-    step("end-to-end tests of the page", &["www", "dist"], &|workspace| page::end_to_end(workspace, report));
+    step(page::UNIT, &["www"], &|workspace| page::unit(workspace, options.cases()));
+    step("end-to-end tests of the page", &["www", "dist"], &|workspace| {
+        page::end_to_end(workspace, Kind::Shipped, &[], report)
+    });
     if options.thorough {
         let one_minute = monkey::MonkeyOptions::one_minute();
         step("a minute of the monkey", &["dist"], &|workspace| monkey::run(workspace, &one_minute));

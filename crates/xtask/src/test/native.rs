@@ -14,7 +14,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// What Cargo is told to compile: everything but the measurements, so that all crates share their libraries.
-const CRATES: [&str; 3] = ["--workspace", "--exclude", "bench"];
+pub(super) const CRATES: [&str; 3] = ["--workspace", "--exclude", "bench"];
 /// What native tests read beside what is compiled into them.
 const DATA: [&str; 5] = ["data_in", "docs", "README.md", "www/js/tables.js", "crates/fuzz"];
 /// In the quick test, groups that took longer are left out, in seconds.

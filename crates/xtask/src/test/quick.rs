@@ -6,11 +6,15 @@
 
 use super::native;
 use super::passed::{Passed, fingerprint};
+use crate::build::{self, Kind};
 use crate::report::Report;
 use crate::workspace::Workspace;
 use crate::{lint, page, wasms};
 use anyhow::{Context, Result};
 use std::path::{Path, PathBuf};
+
+/// The end-to-end tests that run in the quick test.
+const PAGES: [&str; 1] = ["first"];
 
 /// Where the fingerprint of a crate is kept.
 fn name_of(package: &str) -> String {
@@ -44,6 +48,13 @@ pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Re
     });
     report.step(workspace, page::UNIT, |workspace, _| {
         passed.once(report, "quick units of the page", &print, || page::unit(workspace, None))
+    });
+    report.step(workspace, "the page opens and draws", |workspace, _| {
+        let print = fingerprint([workspace.www().as_path()])?;
+        passed.once(report, "quick pages", &print, || {
+            build::build(workspace, Kind::Draft)?;
+            page::end_to_end(workspace, Kind::Draft, &PAGES, report)
+        })
     });
     if is_right {
         changed.iter().try_for_each(|(package, print)| passed.note(&name_of(package), print, 0.0))?;

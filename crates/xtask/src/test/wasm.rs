@@ -1,5 +1,7 @@
-//! The tests of the wasm in headless Chromium, as wasm-bindgen runs them.
+//! The tests of the wasm in headless Chromium, as wasm-bindgen runs them. One of them compares digests of drawings, pixels
+//! and files with those of a native run just before, which are compiled into it.
 
+use super::native::CRATES;
 use super::passed::{Passed, fingerprint};
 use crate::report::Report;
 use crate::wasms::WASMS;
@@ -13,7 +15,13 @@ use std::time::Instant;
 
 pub(super) const TESTS: &str = "wasm tests in the browser";
 
-/// Compiles the tests. Returns each program with the folder of its crate.
+/// The file of the native digests.
+fn digests(workspace: &Workspace) -> PathBuf {
+    workspace.target.join("test/same-bits.txt")
+}
+
+/// Compiles the tests, with the native digests of the last run if there are any. Returns each program with the folder of
+/// its crate.
 pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
     tools::wasm_target()?;
     // `--tests` leaves out examples in the documentation, which run natively. All boundaries together, so that they
@@ -21,6 +29,9 @@ pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
     let words = ["test", "--no-run", "--tests", "--profile=draft", "--message-format=json-render-diagnostics"];
     let packages = WASMS.iter().flat_map(|wasm| ["--package", wasm.package]);
     let mut command = workspace.cargo(words.into_iter().chain(packages).chain(["--target", tools::WASM_TARGET]));
+    if let Ok(digests) = files::read_text(&digests(workspace)) {
+        command.env("LSYSTEM_SAME_BITS", digests);
+    }
     let messages = workspace.output(&mut command)?;
     let program = |line| {
         let message: Value = serde_json::from_str(line).ok()?;
@@ -33,6 +44,8 @@ pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
 
 /// Runs the tests that have not passed as they are.
 pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Result<()> {
+    let native = ["test", "--test=same_bits"].into_iter().chain(CRATES);
+    workspace.run(workspace.cargo(native).env("LSYSTEM_SAME_BITS_FILE", digests(workspace)))?;
     let programs = build(workspace)?;
     let print = fingerprint(programs.iter().map(|program| program.0.as_path()))?;
     passed.once(report, TESTS, &print, || {
