@@ -97,7 +97,7 @@ test('a dropped picture without a system is offered, its rules are found and ope
         assert.notEqual(await text(page, '#specimen-title'), 'Rules of curve');
         // The dialog keeps what it had.
         await page.click('#section-rules [data-find]');
-        assert.ok(await page.isVisible('.find-card'));
+        await page.waitForSelector('.find-card:visible');
     }));
 
 for (const [type, ink, paper] of /** @type {const} */ ([['image/jpeg', '#fff', '#123'], ['image/webp', '#206030', '#eee']])) {
@@ -188,6 +188,7 @@ test('a string is searched for the shortest rules', () =>
     withPage({}, async (page) => {
         await page.click('#tab-save');
         await page.click('#section-save [data-find]');
+        await page.waitForSelector('#find[open]');
         await page.check('#find-of-string', { force: true });
         await page.fill('#find-string', 'ABAABABA\nABAAB');
         await page.click('#find-start');

@@ -6,10 +6,11 @@ after(close);
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** Opens the gallery and waits for its cards. @param {Page} page */
+/** Opens the gallery and waits for its cards; those of the exercises come last. @param {Page} page */
 async function open(page) {
     await page.click('#open-gallery');
     await page.waitForSelector('#gallery .card');
+    await page.waitForSelector('#gallery a.card[href^="exercise.html#"]', { state: 'attached' });
 }
 
 /** @param {Page} page */
