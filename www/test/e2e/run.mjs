@@ -1,12 +1,13 @@
 /**
  * Runs the end-to-end tests, or the named files of this folder: `node test/e2e/run.mjs [FILES]`. LSYSTEM_URL is the
- * address of the page. Prints every test, the slowest tests, and the sum of all.
+ * address of the page, CHROMIUM the browser. Prints every test, what failed, the slowest tests, and the sum of all.
  */
 
 import { readdir } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { run } from 'node:test';
 import { spec } from 'node:test/reporters';
+import { fileURLToPath } from 'node:url';
 
 /** Tests wait more than they work, but more browsers at once would compete for few cores. */
 const FILES_AT_ONCE = 2;
@@ -15,7 +16,7 @@ const LONGEST = ['access', 'shares', 'exercises', 'page', 'find', 'embed', 'docs
 /** How many of the slowest tests are told. */
 const TOLD = 10;
 
-const folder = import.meta.dirname ?? new URL('.', import.meta.url).pathname;
+const folder = fileURLToPath(new URL('.', import.meta.url));
 const named = process.argv.slice(2).map((name) => basename(name));
 const all = (await readdir(folder)).filter((name) => name.endsWith('.test.mjs'));
 const unknown = named.filter((name) => !all.includes(name));
@@ -36,7 +37,8 @@ events.on('test:fail', (event) => {
     failures += 1;
     ended(event);
 });
-events.on('end', () => {
+// After the report of all tests.
+process.once('beforeExit', () => {
     times.sort((a, b) => b.seconds - a.seconds);
     const sum = times.reduce((total, { seconds }) => total + seconds, 0);
     console.log(`\nThe slowest of ${times.length} tests:`);
