@@ -345,7 +345,7 @@ impl<'a> Word<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::{TestSystem, cases, expand, system};
+    use crate::testing::{TestSystem, expand, system};
     use lsystem_syntax::Limits;
     use proptest::prelude::*;
 
@@ -392,7 +392,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(cases()))]
+        #![proptest_config(test_effort::config())]
         #[test]
         fn places_equal_those_of_the_string(
             axiom in "[ABF+]{1,5}",

@@ -423,7 +423,7 @@ fn fixed(rules: &Rules) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::{TestRule, TestSystem, cases, count_symbols, expand, system};
+    use crate::testing::{TestRule, TestSystem, count_symbols, expand, system};
     use proptest::prelude::*;
 
     fn rules<'a>(text: &[(char, &'a str)]) -> Vec<TestRule<'a>> {
@@ -508,7 +508,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(cases()))]
+        #![proptest_config(test_effort::config())]
         #[test]
         fn copies_equal_the_definition(
             axiom in "[ABCF+]{1,6}",

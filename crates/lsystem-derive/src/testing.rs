@@ -4,11 +4,6 @@ use crate::{Counter, Rules, Tally};
 use lsystem_syntax::{Diagnostic, Grammar, Limits, Meter, Module, Production};
 use std::sync::Arc;
 
-/// The number of cases of a property test: 500, or the value of the environment variable `LSYSTEM_CASES`.
-pub(crate) fn cases() -> u32 {
-    std::env::var("LSYSTEM_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(500)
-}
-
 /// Predecessor, successor, weight.
 pub(crate) type TestRule<'a> = (char, &'a str, Option<f64>);
 

@@ -29,9 +29,6 @@ pub mod triangulate;
 
 mod describe;
 
-#[cfg(test)]
-mod testing;
-
 pub use chunks::Chunks;
 pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{

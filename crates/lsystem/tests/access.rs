@@ -1,6 +1,5 @@
 //! Pages, ancestors and segments of derivations, compared with the naive reference.
 
-use crate::cases::cases;
 use crate::naive;
 use crate::naive::Module;
 use crate::naive::systems::{Features, system};
@@ -143,7 +142,7 @@ fn any_system() -> impl Strategy<Value = System> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn every_place_equals_that_of_the_plain_words(system in any_system(), n in 0_u32..7, piece in 1_usize..900, place: u16) {
@@ -201,7 +200,7 @@ fn leafy(reaching: bool) -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn polygons_come_from_the_symbols_that_open_them(

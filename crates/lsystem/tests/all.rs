@@ -2,7 +2,6 @@
 
 mod access;
 mod annotated;
-mod cases;
 mod compact;
 mod contexts;
 mod cost;

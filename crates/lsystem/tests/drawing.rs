@@ -1,6 +1,5 @@
 //! Drawings in the plane, compared with the naive reference.
 
-use crate::cases::cases;
 use crate::naive;
 use crate::naive::systems::Features;
 use lsystem::derive::Rules;
@@ -425,7 +424,7 @@ fn affordable(system: &System, most: u32) -> u32 {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn balanced_systems_memoise(axiom in balanced(), rules in prop::collection::vec((r"[FGXYLMZ+]", balanced()), 0..4),

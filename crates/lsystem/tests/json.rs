@@ -1,6 +1,5 @@
 //! JSON files: written files read back as the same, and no text causes a panic.
 
-use crate::cases::cases;
 use expect_test::expect;
 use lsystem::syntax::{Colour, ColourBy, Ink};
 use lsystem::{Definition, Diagnostic, Dialect, Style, System, read_json, render_diagnostic, write_json};
@@ -89,7 +88,7 @@ fn definition() -> impl Strategy<Value = Definition> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn written_definitions_read_back(definition in definition()) {

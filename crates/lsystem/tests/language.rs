@@ -1,6 +1,5 @@
 //! Derivation with contexts, parameters and chance, compared with the naive reference.
 
-use crate::cases::cases;
 use crate::naive;
 use crate::naive::systems::{Features, system};
 use lsystem::derive::{Fault, Letter, Rewriter};
@@ -45,7 +44,7 @@ fn check(system: &System, piece: usize) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn context_sensitive_systems(system in system(Features { contexts: true, ..Features::default() }), piece in 1_usize..9) {

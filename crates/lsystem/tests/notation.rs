@@ -1,6 +1,5 @@
 //! The notation: printed texts read back as the same, and no text causes a panic.
 
-use crate::cases::cases;
 use lsystem::syntax::{
     Constant, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen, parse, parse_overrides,
     print_axiom, print_overrides, print_rules,
@@ -138,7 +137,7 @@ fn is_wrong(diagnostics: &[Diagnostic]) -> bool {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn printed_grammars_read_back(grammar in grammar()) {

@@ -1,6 +1,5 @@
 //! Blocks shared among modules with parameters, compared with the naive turtle, and the systems that share blocks.
 
-use crate::cases::cases;
 use crate::naive;
 use lsystem::syntax::Kind;
 use lsystem::{Definition, Drawing, Limits, System, count_segments, count_symbols, draw};
@@ -94,7 +93,7 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn lengths_that_scale_together(system in systems(true, false), n in 0_u32..8) {

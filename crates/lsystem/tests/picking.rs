@@ -1,6 +1,5 @@
 //! Picking, compared with the distances of all segments and polygons, one by one.
 
-use crate::cases::cases;
 use lsystem::drawing::{Mark, Plane, Space};
 use lsystem::render::{
     Pick, Pointer, Target, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends,
@@ -311,7 +310,7 @@ fn camera() -> impl Strategy<Value = Camera> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn what_is_under_a_pointer_is_nearest_to_the_eye(
@@ -348,7 +347,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn what_is_under_a_pointer_is_drawn_last(

@@ -1,6 +1,5 @@
 //! Drawings in space, compared with the naive turtle, and the meaning of symbols in space.
 
-use crate::cases::cases;
 use crate::naive;
 use lsystem::drawing::{Mark, Outlook, Segment};
 use lsystem::syntax::{Action, Kind, LimitName};
@@ -113,7 +112,7 @@ fn levelled() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn drawings_are_as_the_naive_turtle_says((definition, n) in random()) {

@@ -1,6 +1,5 @@
 //! Colours, factors, variation, growth and polygons, compared with the naive reference.
 
-use crate::cases::cases;
 use crate::naive;
 use lsystem::drawing::{Mark, Segment};
 use lsystem::syntax::{ColourBy, Tint};
@@ -158,7 +157,7 @@ fn random() -> impl Strategy<Value = (Definition, u32)> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn drawings_are_as_the_naive_turtle_says((definition, n) in random()) {
@@ -226,7 +225,7 @@ fn with_parameters() -> impl Strategy<Value = (Definition, u32)> {
 }
 
 proptest! {
-    #![proptest_config(cases())]
+    #![proptest_config(test_effort::config())]
 
     #[test]
     fn what_shares_by_parameters_is_as_the_naive_turtle_says((definition, n) in with_parameters()) {

@@ -298,7 +298,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { cases: crate::testing::cases(), failure_persistence: None, ..<_>::default() })]
+        #![proptest_config(test_effort::config())]
 
         #[test]
         fn hulls_contain_and_fit(points in prop::collection::vec((-0.9..0.9, -0.9..0.9), 1..200),

@@ -1,11 +1,12 @@
 //! The cost of deriving whole generations, and of remembering them.
 
 use super::record::{Record, SHARE};
-use super::systems::{Case, LENGTHS, cases, generations, is_thorough, shrinking};
+use super::systems::{Case, LENGTHS, cases, generations, shrinking};
 use lsystem::derive::{Fault, Rewriter};
 use lsystem::drawing::why_empty;
 use lsystem::syntax::{LimitName, Meter};
 use lsystem::{Definition, Limits, Progress, System};
+use test_effort::is_thorough;
 
 /// Small limits, so that derivations exceed them soon.
 const LIMITS: Limits =

@@ -1,6 +1,6 @@
 //! The cost of the steps of pictures.
 
-use super::systems::{Case, LENGTHS, LONGEST, cases, generations, is_thorough};
+use super::systems::{Case, LENGTHS, LONGEST, cases, generations};
 use lsystem::render::{Detail, Pointer, Quality, pick_solid};
 use lsystem::syntax::{Ink, Meter};
 use lsystem::{
@@ -8,6 +8,7 @@ use lsystem::{
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use test_effort::is_thorough;
 
 /// The units of work of a step, as in the page.
 const SHARE: u64 = 16_384;

@@ -4,6 +4,7 @@
 #![allow(dead_code, reason = "a phase may need only some of the generators")]
 
 use lsystem::{Definition, Dialect, System};
+use test_effort::is_thorough;
 
 /// Lengths of successors and axioms, in symbols; the last is nearly the limit of a text.
 pub(crate) const LENGTHS: [usize; 4] = [1, 100, 10_000, LONGEST];
@@ -14,8 +15,8 @@ pub(crate) const LONGEST: usize = 50_000 - 1_000;
 /// The symbols of the longest axiom.
 const LONGEST_AXIOM: usize = 20_000;
 
-/// The numbers of derivation steps for systems with texts of this length: fewer for longer texts, unless
-/// `LSYSTEM_CASES` asks for a thorough test.
+/// The numbers of derivation steps for systems with texts of this length: fewer for longer texts, unless the test is
+/// thorough.
 pub(crate) fn generations(length: usize) -> &'static [u32] {
     match length {
         _ if is_thorough() => &[0, 1, 12, 40, 1000],
@@ -23,11 +24,6 @@ pub(crate) fn generations(length: usize) -> &'static [u32] {
         1_000..20_000 => &[1, 12, 1000],
         _ => &[1, 12],
     }
-}
-
-/// Whether to test all combinations.
-pub(crate) fn is_thorough() -> bool {
-    std::env::var_os("LSYSTEM_CASES").is_some()
 }
 
 /// A definition with a name.
