@@ -1,6 +1,6 @@
 use super::*;
 use crate::rules::ContextPattern;
-use crate::{Key, Letter, LetterId, Rule, Rules, Template};
+use crate::{Letter, LetterId, Rule, Rules, Template};
 use lsystem_syntax::Code;
 use lsystem_syntax::Operator;
 use lsystem_syntax::{LimitName, Limits};
@@ -179,5 +179,4 @@ fn limits_stop_it() {
         }
     };
     assert_eq!((fault, rewriter.generation()), (Fault::Limit(LimitName::Modules), 9));
-    assert_eq!(Key::root(0).number(1, 2, 3), Key::root(0).number(1, 2, 3));
 }
