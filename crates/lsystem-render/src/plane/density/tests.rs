@@ -254,9 +254,7 @@ fn shown(pixels: &[u8], style: &Style) -> f64 {
 
 #[test]
 fn exposure_does_not_jump_while_zooming() {
-    // The sizes of tiles follow the zoom, not the picture, so a quarter of the pixels shows the same jumps.
-    let (width, height) = if test_effort::is_thorough() { (320, 200) } else { (160, 100) };
-    let viewport = Viewport { width, height, ratio: 1.0 };
+    let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
     let mut renderer = Renderer::new();
     for (name, sample) in hard() {
         let drawing = Arc::new(sample.draw(24));
