@@ -1,23 +1,49 @@
-//! Processor time, which does not depend on the load of the machine.
+//! Processor time, which does not depend on the load of the machine. Other systems than Unix tell the time on the wall.
 
-use std::sync::LazyLock;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// The time of the first call.
-static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+#[cfg(unix)]
+mod clocks {
+    use rustix::time::{ClockId, clock_gettime};
+    use std::time::Duration;
 
-/// The processor time of this process so far, to a hundredth of a second. Without Linux's `/proc`, the wall-clock time
-/// since the first call.
-pub(crate) fn processor_time() -> Duration {
-    let told = std::fs::read_to_string("/proc/self/stat").ok().and_then(|text| ticks(&text));
-    // The clock of `/proc` counts hundredths of a second on every machine.
-    told.map_or_else(|| START.elapsed(), |ticks| Duration::from_millis(10 * ticks))
+    fn time(clock: ClockId) -> Duration {
+        let time = clock_gettime(clock);
+        Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec.unsigned_abs() as u32)
+    }
+
+    pub(super) fn process() -> Duration {
+        time(ClockId::ProcessCPUTime)
+    }
+
+    pub(super) fn thread() -> Duration {
+        time(ClockId::ThreadCPUTime)
+    }
 }
 
-/// The ticks in user and kernel mode: fields 14 and 15. Field 2, a name in parentheses, may contain any characters.
-fn ticks(text: &str) -> Option<u64> {
-    let mut fields = text.rsplit_once(')')?.1.split_whitespace().skip(11);
-    Some(fields.next()?.parse::<u64>().ok()? + fields.next()?.parse::<u64>().ok()?)
+#[cfg(not(unix))]
+mod clocks {
+    use std::sync::LazyLock;
+    use std::time::{Duration, Instant};
+
+    /// The time of the first call.
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+
+    pub(super) fn process() -> Duration {
+        START.elapsed()
+    }
+
+    pub(super) use process as thread;
+}
+
+/// The processor time of this process so far.
+pub(crate) fn process_time() -> Duration {
+    clocks::process()
+}
+
+/// The processor time of this thread so far.
+pub(crate) fn thread_time() -> Duration {
+    clocks::thread()
 }
 
 #[cfg(test)]
@@ -25,9 +51,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn reads_the_times_behind_any_name() {
-        let text = "12 (a) b) R 1 2 3 4 5 6 7 8 9 10 150 25 0 0 20 0";
-        assert_eq!(ticks(text), Some(175));
-        assert_eq!(ticks("12 (a"), None);
+    fn sleep_takes_no_processor_time() {
+        let before = thread_time();
+        std::thread::sleep(Duration::from_millis(300));
+        let asleep = thread_time() - before;
+        assert!(!cfg!(unix) || asleep < Duration::from_millis(100), "{asleep:?}");
+        let (process, thread) = (process_time(), thread_time());
+        // `black_box` keeps the loop, which has no result.
+        (0..20_000_000_u64).for_each(|number| _ = std::hint::black_box(number));
+        let thread = thread_time() - thread;
+        let process = process_time() - process;
+        assert!(process >= thread && thread > Duration::ZERO, "{process:?} {thread:?}");
     }
 }

@@ -1,12 +1,17 @@
 //! The resources of one execution, and their limits.
 
 use crate::ALLOCATOR;
+use crate::clock::thread_time;
 use lsystem::Progress;
 use lsystem::syntax::Meter;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The most bytes of one instance in the page.
 const MEMORY: usize = 256 << 20;
+
+/// The most processor time of one step or call. The page counts on 8 ms for a step. The checks of this build, compiled for
+/// debugging, and a slow machine take ten times as long each, so more than this is a loop that nobody has counted.
+const TIME: Duration = Duration::from_secs(1);
 
 /// Measures one execution of a target.
 #[derive(Debug)]
@@ -19,7 +24,7 @@ pub struct Gauge {
     work: u64,
     /// The units of work of all steps.
     total: u64,
-    /// The name and the time of the slowest step or call.
+    /// The name and the processor time of the slowest step or call.
     slowest: (&'static str, Duration),
     /// The names of the points that the execution reached.
     reached: Vec<&'static str>,
@@ -42,9 +47,9 @@ impl Gauge {
 
     /// Measures a synchronous call.
     pub(crate) fn call<T>(&mut self, name: &'static str, call: impl FnOnce() -> T) -> T {
-        let start = Instant::now();
+        let start = thread_time();
         let value = call();
-        let time = start.elapsed();
+        let time = thread_time() - start;
         if time > self.slowest.1 {
             self.slowest = (name, time);
         }
@@ -81,7 +86,7 @@ impl Gauge {
         &self.reached
     }
 
-    /// The slowest step or call, and its time.
+    /// The slowest step or call, and its processor time.
     #[must_use]
     pub fn slowest(&self) -> (&'static str, Duration) {
         self.slowest
@@ -105,9 +110,33 @@ impl Gauge {
         ALLOCATOR.peak_usage().saturating_sub(self.before)
     }
 
-    /// Checks the memory in use against the limit.
+    /// Checks the memory in use and the time of the slowest call against their limits.
     pub(crate) fn check(&self) -> Result<(), String> {
         let (peak, most) = (self.peak() >> 20, self.memory >> 20);
-        if peak <= most { Ok(()) } else { Err(format!("memory: {peak} MiB in use, more than {most} MiB")) }
+        if peak > most {
+            return Err(format!("memory: {peak} MiB in use, more than {most} MiB"));
+        }
+        let (name, time) = self.slowest;
+        if time > TIME {
+            return Err(format!("slow {name}: {time:.1?} of processor time, more than {TIME:?}"));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slow_calls_are_faults_on_busy_machines_too() {
+        let mut gauge = Gauge::new();
+        gauge.call("asleep", || std::thread::sleep(TIME + Duration::from_millis(100)));
+        assert_eq!(gauge.check(), Ok(()));
+        gauge.call("busy", || {
+            let start = thread_time();
+            while thread_time() - start <= TIME {}
+        });
+        assert!(gauge.check().is_err_and(|message| message.starts_with("slow busy: 1.0")));
     }
 }

@@ -6,15 +6,19 @@ use std::time::Duration;
 
 /// The usage text.
 const USAGE: &str = "\
-usage: lsystem-fuzz [TARGET ...] [--seconds S | --executions N] [--seed N] [--findings FOLDER] [--patient] [--short]
+usage: lsystem-fuzz [TARGET ...] [--seconds S | --executions N] [--seed N] [--findings FOLDER] [--jobs N]
+                    [--patient] [--short [--times N]]
        lsystem-fuzz TARGET --input FILE [--shrink]
 
   --seconds S      the time for each target (default 10); or
   --executions N   the number of inputs for each target
   --seed N         the seed of the inputs (default 1)
   --findings F     the folder for inputs that fail
+  --jobs N         the number of targets that are tried at the same time (default 2, or the number of cores if smaller);
+                   each may hold 3 GiB
   --patient        do not stop inputs that hang
   --short          the committed inputs and some thousand random ones, always the same
+  --times N        that many times as many random ones in the short run
   --input FILE     one input: bytes, or a system as JSON
   --shrink         find a smaller input with the same fault
 ";
@@ -34,8 +38,12 @@ pub struct Options {
     pub(crate) findings: PathBuf,
     /// Whether to let inputs that hang continue.
     pub(crate) patient: bool,
+    /// The number of targets that are tried at the same time.
+    pub(crate) jobs: usize,
     /// Whether this is the short run of the tests.
     pub(crate) short: bool,
+    /// How many times the short run's number of random inputs to try.
+    pub(crate) times: u64,
     /// A single input to try.
     pub input: Option<PathBuf>,
     /// Whether to make the single input smaller.
@@ -58,7 +66,9 @@ impl Options {
             from: 0,
             findings: PathBuf::from("target/fuzz"),
             patient: false,
+            jobs: std::thread::available_parallelism().map_or(1, |cores| cores.get().min(2)),
             short: false,
+            times: 1,
             input: None,
             shrink: false,
             worker: false,
@@ -72,6 +82,8 @@ impl Options {
                 "--seed" => options.seed = value()?.parse()?,
                 "--from" => options.from = value()?.parse()?,
                 "--findings" => options.findings = value()?.into(),
+                "--jobs" => options.jobs = value()?.parse()?,
+                "--times" => options.times = value()?.parse()?,
                 "--input" => options.input = Some(value()?.into()),
                 "--short" => options.short = true,
                 "--patient" => options.patient = true,

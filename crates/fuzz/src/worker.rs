@@ -1,6 +1,6 @@
 //! The worker: tries one input after the other, and reports to the supervisor.
 
-use crate::clock::processor_time;
+use crate::clock::process_time;
 use crate::input::{Current, Input, Inputs};
 use crate::shrink::place;
 use crate::{ALLOCATOR, Options, Target, once};
@@ -12,8 +12,6 @@ use std::time::{Duration, Instant};
 
 /// The processor time after which an input counts as hanging.
 const HANG: Duration = Duration::from_secs(10);
-/// The processor time after which a step or call is reported as slow.
-const SLOW: Duration = Duration::from_secs(1);
 /// The bytes at which the program ends itself, before the machine runs out of memory.
 const TOO_MUCH: usize = 3 << 30;
 /// The exit code after an input hangs.
@@ -38,7 +36,7 @@ struct Worker<'a> {
     target: &'static Target,
     /// By place of the fault: the length of the shortest input.
     found: BTreeMap<String, usize>,
-    /// The slowest inputs: time, number, and slowest call.
+    /// The slowest inputs: processor time, number, and slowest call.
     slowest: Vec<(Duration, u64, &'static str)>,
     /// By point: the number of inputs that reached it.
     reached: BTreeMap<&'static str, u64>,
@@ -66,25 +64,18 @@ impl<'a> Worker<'a> {
         while number - from < *executions && self.options.time.is_none_or(|time| start.elapsed() < time) {
             inputs.fill(number, &mut input);
             current.note(number)?;
-            let began = processor_time();
+            let began = process_time();
             SINCE.store(began.as_millis() as u64, Ordering::Relaxed);
-            let before = Instant::now();
             let (gauge, outcome) = once(self.target, &mut input.source());
-            let time = before.elapsed();
+            let time = process_time() - began;
             self.peak = self.peak.max(gauge.peak());
             self.work = self.work.max(gauge.work());
             for &name in gauge.reached() {
                 *self.reached.entry(name).or_default() += 1;
             }
-            let (name, slowest) = gauge.slowest();
-            // On a busy machine the processor time is less than the time that passed.
-            let used = processor_time().saturating_sub(began);
-            let slowest = slowest.min(used);
-            self.rank(time, number, name);
+            self.rank(time, number, gauge.slowest().0);
             if let Err(message) = outcome {
                 self.keep(&message, &input, number)?;
-            } else if slowest > SLOW {
-                self.keep(&format!("slow {name}: {slowest:?}"), &input, number)?;
             }
             number += 1;
         }
@@ -150,7 +141,7 @@ fn watch() {
         loop {
             std::thread::sleep(Duration::from_millis(20));
             let since = Duration::from_millis(SINCE.load(Ordering::Relaxed));
-            if processor_time().saturating_sub(since) > HANG {
+            if process_time().saturating_sub(since) > HANG {
                 std::process::exit(EXIT_HANG);
             }
             if ALLOCATOR.current_usage() > TOO_MUCH {

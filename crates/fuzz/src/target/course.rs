@@ -1,8 +1,9 @@
 //! What courses use: exercises with their marks, growth, and steps.
 
+use crate::gauge::WORK;
 use crate::make;
 use crate::{Gauge, Source};
-use lsystem::compare::{Asks, Exercise, Given, Marker};
+use lsystem::compare::{Asks, Exercise, Given, Mark, Marker};
 use lsystem::growth::growth as growth_of;
 use lsystem::steps::{Order, one_by_one, rows, trace};
 use lsystem::{Definition, Limits, expand};
@@ -41,19 +42,31 @@ pub(super) fn exercises(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
     let Ok(mut marker) = gauge.call("target", || Marker::new(exercise.clone())) else { return };
     let own = Definition { rules: exercise.own_rules(&exercise.target.rules), ..exercise.target.clone() };
-    let mark = gauge.call("mark", || marker.mark(&own));
+    let mark = marked(&mut marker, "mark", &own, gauge);
     assert!((0.0..=1.0).contains(&mark.agreement), "{mark:?}");
     // Lines of several rules in another order may be another system, so only whole targets are sure.
     if exercise.rules.iter().all(|given| *given == Given::Free) && asks != Asks::Statistics && mark.errors.is_empty() {
         gauge.reach("marked");
         assert!(mark.is_same != Some(false), "{mark:?}");
     }
+    // A committed system's answer is a random one, because its own answer has been marked.
+    source.given = None;
     let other = make::definition(source);
-    let mark = gauge.call("other", || marker.mark(&other));
+    let mark = marked(&mut marker, "other", &other, gauge);
     assert!(!mark.is_solved || mark.errors.is_empty());
     assert_eq!(marker.overlay().len(), 512 * 512);
     if source.once_in(8) {
         let _ = gauge.call("hint", || marker.hint(&other));
+    }
+}
+
+/// Marks an answer in steps, as the page does.
+fn marked(marker: &mut Marker, name: &'static str, student: &Definition, gauge: &mut Gauge) -> Mark {
+    let mut marking = gauge.call(name, || marker.begin(student));
+    loop {
+        if let Some(mark) = gauge.call(name, || marker.step(&mut marking, WORK as u64)) {
+            return mark;
+        }
     }
 }
 
