@@ -2,6 +2,7 @@
 
 mod access;
 mod annotated;
+mod assertions;
 mod compact;
 mod contexts;
 mod cost;
