@@ -3,6 +3,7 @@
  * address of the page, CHROMIUM the browser. Prints every test, what failed, the slowest tests, and the sum of all.
  */
 
+import { writeFileSync } from 'node:fs';
 import { readdir } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { run } from 'node:test';
@@ -43,6 +44,7 @@ process.once('beforeExit', () => {
     const sum = times.reduce((total, { seconds }) => total + seconds, 0);
     console.log(`\nThe slowest of ${times.length} tests:`);
     for (const { seconds, name } of times.slice(0, TOLD)) console.log(`${seconds.toFixed(1).padStart(6)} s  ${name}`);
+    if (process.env.LSYSTEM_TIMES) writeFileSync(process.env.LSYSTEM_TIMES, times.map(({ seconds, name }) => `${seconds} ${name}\n`).join(''));
     console.log(`${failures} failed. ${sum.toFixed(0)} s of tests in ${((performance.now() - begun) / 1000).toFixed(0)} s.`);
     process.exitCode = failures > 0 || times.length === 0 ? 1 : 0;
 });

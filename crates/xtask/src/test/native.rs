@@ -144,7 +144,7 @@ impl Group {
         command.arg("--exact").args(&self.tests).current_dir(&self.folder);
         command.env("CARGO_MANIFEST_DIR", &self.folder).env("RUST_TEST_THREADS", "1");
         match cases {
-            Some(cases) => command.env("LSYSTEM_CASES", cases).env("LSYSTEM_THOROUGH", "1"),
+            Some(cases) => command.env("LSYSTEM_CASES", cases),
             // The same random systems every time, so that a change is the only difference.
             None => command.env("PROPTEST_RNG_SEED", "1"),
         };

@@ -14,7 +14,7 @@ use anyhow::{Context, Result};
 use std::path::{Path, PathBuf};
 
 /// The end-to-end tests that run in the quick test.
-const PAGES: [&str; 1] = ["first"];
+const PAGES: [&str; 1] = ["first.test.mjs"];
 
 /// Where the fingerprint of a crate is kept.
 fn name_of(package: &str) -> String {
