@@ -50,15 +50,14 @@ fn visit(folder: &Path, file: &mut dyn FnMut(&Path, &str)) {
 /// The assertions in a text: the line, whether two values must be equal, and the arguments without white space. Two
 /// equal arguments of `assert_ne!` are no fault, because they can only differ if they are random.
 fn assertions(text: &str) -> impl Iterator<Item = (usize, bool, Vec<String>)> {
-    let found = text.match_indices("assert").filter_map(|(at, word)| {
+    text.match_indices("assert").filter_map(|(at, word)| {
         let rest = &text[at + word.len()..];
         let (is_equality, rest) = match rest.strip_prefix("_eq!(") {
             Some(rest) => (true, rest),
             None => (false, rest.strip_prefix("!(")?),
         };
         Some((text[..at].matches('\n').count() + 1, is_equality, arguments(rest)))
-    });
-    found
+    })
 }
 
 /// The arguments up to the closing parenthesis, without white space outside of strings.

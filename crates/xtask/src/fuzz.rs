@@ -41,6 +41,8 @@ pub(crate) fn fuzz(workspace: &Workspace, mut options: FuzzOptions) -> Result<()
     if options.guided {
         return guided(workspace, &options.targets, seconds);
     }
+    // The program tries as many targets at the same time.
+    let seconds = seconds * std::thread::available_parallelism().map_or(1, |cores| cores.get().min(2)) as f64;
     let mut command = Command::new(&program);
     command.args(&options.targets).args(["--seconds", &seconds.to_string()]);
     command.args(options.seed.iter().flat_map(|seed| ["--seed", seed]));
@@ -48,9 +50,10 @@ pub(crate) fn fuzz(workspace: &Workspace, mut options: FuzzOptions) -> Result<()
     workspace.run(&mut command)
 }
 
-/// The short run of the tests, always with the same inputs.
-pub(crate) fn short(workspace: &Workspace, program: &Path) -> Result<()> {
+/// The short run of the tests, always with the same inputs; ten times as many where it is thorough.
+pub(crate) fn short(workspace: &Workspace, program: &Path, is_thorough: bool) -> Result<()> {
     let mut command = Command::new(program);
+    command.args(is_thorough.then_some(["--times", "10"]).into_iter().flatten());
     workspace.run(command.args(["--short", "--patient", "--findings"]).arg(workspace.target.join("fuzz/findings")))
 }
 

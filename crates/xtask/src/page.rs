@@ -15,7 +15,7 @@ use std::time::Duration;
 /// The path of the page in the end-to-end tests. Absolute addresses in the page fail, because the path is not the root.
 const MOUNT: &str = "/some/where/";
 
-/// The name of the step [`unit`].
+/// The name of the step that runs [`unit()`].
 pub(crate) const UNIT: &str = "unit tests of the page";
 
 /// Installs the packages of a folder's lock file into `node_modules`. A copy of the installed lock file shows whether

@@ -150,7 +150,7 @@ fn run_native(workspace: &Workspace, options: &TestOptions, built: &Built, passe
         report.step(workspace, name, |workspace, _| {
             let program = built.program("lsystem-fuzz")?;
             let print = fingerprint([program, &workspace.root.join("crates/fuzz")])?;
-            passed.once(report, name, &print, || fuzz::short(workspace, program))
+            passed.once(report, name, &print, || fuzz::short(workspace, program, options.thorough))
         });
     }
     if options.has(Part::Outside) {
