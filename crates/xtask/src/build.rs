@@ -33,19 +33,27 @@ const SCRIPTS: [&str; 3] = ["js/theme-early.js", "l-system.js", "service-worker.
 /// The styles of the documents: those that they share with the playground, then their own.
 const DOCUMENT_STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 
-/// Builds the site and replaces its folder as a whole, so that readers find either the old site or the new one.
+/// Compiles the core, and builds the site.
 pub(crate) fn build(workspace: &Workspace, kind: Kind) -> Result<()> {
+    thread::scope(|scope| {
+        let core = scope.spawn(|| compile_core(workspace, kind));
+        wasms::compile(workspace, kind)?;
+        joined(core)
+    })?;
+    bundle(workspace, kind)
+}
+
+/// Builds the site from the compiled core, and replaces its folder as a whole, so that readers find either the old site
+/// or the new one.
+pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
     let place = kind.folder(workspace);
     let parent = place.parent().context("a folder without a parent")?;
     let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(parent)?;
     let (www, site) = (workspace.www(), new.path().join("site"));
     let esbuild = Esbuild::of(&www)?;
     page(&www, &site)?;
-    let core = thread::scope(|scope| {
-        let core = scope.spawn(|| core(workspace));
-        wasms::compile(workspace, kind)?;
-        joined(core)
-    })?;
+    let folder = workspace.target.join(if kind == Kind::Draft { "draft" } else { "debug" });
+    let core = folder.join("site").with_extension(std::env::consts::EXE_EXTENSION);
     let make = |what| workspace.run(Command::new(&core).arg(what).arg(&workspace.root).arg(&site));
     thread::scope(|scope| {
         let scripts = scope.spawn(|| {
@@ -105,11 +113,12 @@ fn joined<T>(thread: thread::ScopedJoinHandle<'_, Result<T>>) -> Result<T> {
     thread.join().unwrap_or_else(|_| bail!("a thread of the build has panicked"))
 }
 
-/// Compiles the program `site`, which makes what needs the core. Returns its path.
-fn core(workspace: &Workspace) -> Result<PathBuf> {
-    // All crates are named, so that this shares its libraries with the tests.
-    workspace.run(&mut workspace.cargo(["build", "--quiet", "--workspace", "--exclude=bench", "--bin=site"]))?;
-    Ok(workspace.target.join("debug/site").with_extension(std::env::consts::EXE_EXTENSION))
+/// Compiles the program `site`, which makes what needs the core: a draft's in the draft's profile, so that less is
+/// compiled; else as the tests do, which share its libraries.
+fn compile_core(workspace: &Workspace, kind: Kind) -> Result<()> {
+    let profile = if kind == Kind::Draft { "--profile=draft" } else { "--profile=dev" };
+    // All crates are named, so that the same features are chosen.
+    workspace.run(&mut workspace.cargo(["build", "--quiet", profile, "--workspace", "--exclude=bench", "--bin=site"]))
 }
 
 /// Copies the files of `www` that are shipped unchanged.

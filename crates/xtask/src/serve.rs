@@ -25,7 +25,7 @@ pub(crate) struct ServeOptions {
 
 /// Serves until the program is stopped.
 pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()> {
-    let before = newest(workspace)?;
+    let before = Times::now(workspace)?;
     build::build(workspace, Kind::Draft)?;
     let listener = listen(options.port)?;
     println!("http://{}/", listener.local_addr()?);
@@ -43,16 +43,20 @@ pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()>
 }
 
 /// Builds after each change, without end. A build that fails is told, and the last page stays.
-fn watch(workspace: &Workspace, version: &Version, mut built: SystemTime) -> Result<()> {
+fn watch(workspace: &Workspace, version: &Version, mut built: Times) -> Result<()> {
     loop {
-        let now = newest(workspace)?;
+        let now = Times::now(workspace)?;
         if now == built {
             thread::sleep(PAUSE);
             continue;
         }
-        built = now;
         let start = Instant::now();
-        match build::build(workspace, Kind::Draft) {
+        let made = match now.crates == built.crates {
+            true => build::bundle(workspace, Kind::Draft),
+            false => build::build(workspace, Kind::Draft),
+        };
+        built = now;
+        match made {
             Ok(()) => {
                 println!("built in {:.1} s", start.elapsed().as_secs_f64());
                 version.next();
@@ -62,11 +66,26 @@ fn watch(workspace: &Workspace, version: &Version, mut built: SystemTime) -> Res
     }
 }
 
-/// The time of the last change of what the page is made of.
-fn newest(workspace: &Workspace) -> Result<SystemTime> {
+/// The times of the last changes.
+#[derive(Clone, Copy, PartialEq)]
+struct Times {
+    /// Of what is compiled.
+    crates: SystemTime,
+    /// Of all else that the page is made of.
+    page: SystemTime,
+}
+
+impl Times {
+    fn now(workspace: &Workspace) -> Result<Self> {
+        let crates = newest(workspace, &["crates", "Cargo.toml", "Cargo.lock"])?;
+        Ok(Self { crates, page: newest(workspace, &["www", "data_in", "docs"])? })
+    }
+}
+
+/// The time of the last change below these files and folders.
+fn newest(workspace: &Workspace, names: &[&str]) -> Result<SystemTime> {
     let mut newest = SystemTime::UNIX_EPOCH;
-    for name in ["crates", "www", "data_in", "docs", "Cargo.toml", "Cargo.lock"] {
-        let path = workspace.root.join(name);
+    for path in names.iter().map(|name| workspace.root.join(name)) {
         let found =
             if path.is_dir() { files::list(&path, |below| !below.ends_with("node_modules"))? } else { vec![path] };
         // A file may vanish while an editor writes it anew.
