@@ -109,7 +109,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
 }
 
 /// The result of a thread.
-fn joined<T>(thread: thread::ScopedJoinHandle<'_, Result<T>>) -> Result<T> {
+pub(crate) fn joined<T>(thread: thread::ScopedJoinHandle<'_, Result<T>>) -> Result<T> {
     thread.join().unwrap_or_else(|_| bail!("a thread of the build has panicked"))
 }
 

@@ -1,10 +1,12 @@
 //! The served page with its styles in one file and its modules in another: a tenth of the requests for separate files.
 
+use crate::build::joined;
 use crate::esbuild::Bundler;
 use crate::files;
 use crate::one_file::Tag;
 use anyhow::{Context, Result};
 use std::path::Path;
+use std::thread;
 
 /// The modules that the page imports when they are first needed: their names on the site, which are those in the import
 /// (after `./`), and their files. One of these modules may import another.
@@ -25,7 +27,7 @@ pub(crate) fn write_licence(www: &Path, site: &Path) -> Result<()> {
 }
 
 /// Writes `page.js` and `page.css` into the folder of the site, and makes the page load them.
-pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()> {
+pub(crate) fn join(site: &Path, page: &str, bundler: &(dyn Bundler + Sync)) -> Result<()> {
     let file = site.join(page);
     let before = files::read_text(&file)?;
     let mut text = String::new();
@@ -46,10 +48,12 @@ pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<()>
         }
     }
     let entry = entry.with_context(|| format!("{page} has no module"))?;
-    files::write(&site.join("page.js"), bundler.module(entry, &APART.map(|(name, _)| name))?)?;
-    for (name, file) in APART {
-        files::write(&site.join(name), bundler.module(file, &APART.map(|(name, _)| name))?)?;
-    }
+    let bundle = |name, file| files::write(&site.join(name), bundler.module(file, &APART.map(|(name, _)| name))?);
+    thread::scope(|scope| {
+        let threads = APART.map(|(name, file)| scope.spawn(move || bundle(name, file)));
+        bundle("page.js", entry)?;
+        threads.into_iter().try_for_each(joined)
+    })?;
     files::write(&site.join("page.css"), bundler.styles(&styles)?)?;
     files::write(&file, text)
 }

@@ -32,9 +32,8 @@ pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Re
             let built = native::build(workspace)?;
             native::run(workspace, &built, passed, None, true, (report, bar))
         });
-        is_right &= report.step(workspace, &format!("clippy for {}", packages.join(", ")), |workspace, _| {
-            lint::clippy(workspace, &packages)
-        });
+        is_right &=
+            report.step(workspace, "clippy for what has changed", |workspace, _| lint::clippy(workspace, &packages));
     }
     let reads = ["js", "worker", "test/unit", "index.html", "package.json"].map(|name| workspace.www().join(name));
     let print = fingerprint(reads.iter().map(PathBuf::as_path))?;
