@@ -1,6 +1,7 @@
 /**
  * Runs the end-to-end tests, or the named files of this folder: `node test/e2e/run.mjs [FILES]`. LSYSTEM_URL is the
  * address of the page, CHROMIUM the browser. Prints every test, what failed, the slowest tests, and the sum of all.
+ * LSYSTEM_TIMES names a file for the seconds of each test.
  */
 
 import { writeFileSync } from 'node:fs';
