@@ -174,8 +174,8 @@ fn run_page(workspace: &Workspace, options: &TestOptions, passed: &Passed, repor
         report.step(workspace, name, |workspace, _| passed.once(report, name, &below(reads)?, || step(workspace)));
     };
     step("npm package", &["dist/lsystem.wasm", "crates/lsystem-wasm/npm"], &package::npm);
-    step(page::UNIT, &["www"], &|workspace| page::unit(workspace, options.cases()));
-    step("end-to-end tests of the page", &["www", "dist"], &|workspace| {
+    step(page::UNIT, &["www", "data_in"], &|workspace| page::unit(workspace, options.cases()));
+    step("end-to-end tests of the page", &["www", "dist", "crates/lsystem/tests/data"], &|workspace| {
         page::end_to_end(workspace, Kind::Shipped, &[], report)
     });
     if options.thorough {

@@ -1,8 +1,9 @@
 //! `cargo xtask test quick`: what the last change can break, in a minute or so.
 //!
-//! A crate has changed if its files differ from those of its last quick or whole test. Clippy looks at the changed
+//! A crate has changed if its files differ from those of the last quick test that passed. Clippy looks at the changed
 //! crates. Cargo compiles what depends on them, and the tests of all that was compiled anew run, but for those that took
-//! long when they last ran. The page's types and unit tests run if the page or a boundary has changed.
+//! long when they last ran. If the page has changed, its types and its unit tests are checked, and a draft of it is
+//! opened in the browser.
 
 use super::native;
 use super::passed::{Passed, fingerprint};
@@ -35,7 +36,8 @@ pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Re
         is_right &=
             report.step(workspace, "clippy for what has changed", |workspace, _| lint::clippy(workspace, &packages));
     }
-    let reads = ["js", "worker", "test/unit", "index.html", "package.json"].map(|name| workspace.www().join(name));
+    let reads = ["www/js", "www/worker", "www/test/unit", "www/index.html", "www/package.json", "data_in"];
+    let reads = reads.map(|name| workspace.root.join(name));
     let print = fingerprint(reads.iter().map(PathBuf::as_path))?;
     report.step(workspace, "types of the page", |workspace, _| {
         // The types of the boundary are made by the build.
