@@ -9,10 +9,9 @@ use crate::{CommandFailure, cores, picture, print};
 use lsystem::drawing::{Outlook, why_empty};
 use lsystem::files::{Content, FileOptions, Format, PngWriter, write_all};
 use lsystem::syntax::visible;
-use lsystem::write_json;
+use lsystem::{Figure, write_json};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::sync::Arc;
 
 /// Does all `jobs`; their `folder` is made if it is missing. A failed job is reported, and the others are still done.
 pub(crate) fn draw(jobs: &[Job], folder: Option<&Path>, look: &Look, changes: &Changes) -> Result<(), CommandFailure> {
@@ -102,12 +101,9 @@ fn contents(
     let style = &system.style;
     let wrong = |limit| input.limit(&limit);
     let limits = input.limits(shares);
-    let solid = || input.draw_solid(shares).map_err(wrong);
     // The direction of view is the page's first one.
-    let paper = || match system.is_solid() {
-        true => solid()?.seen_from(&Outlook::default(), limits.segments).map_err(wrong),
-        false => input.draw(shares).map_err(wrong),
-    };
+    let figure = || input.draw(shares).map_err(wrong);
+    let paper = || figure()?.seen_from(&Outlook::default(), limits.segments).map_err(wrong);
     let name = input.definition.label();
     let choices = look.flags.options();
     let bare = choices.bare;
@@ -120,23 +116,23 @@ fn contents(
         Content::System => return Ok(Contents::Bytes(write_json(&input.definition).into_bytes())),
         Content::String => return Ok(Contents::Bytes((input.expand(shares)? + "\n").into_bytes())),
         Content::Pixels => {
-            let definition = stored();
-            let picture = match system.is_solid() {
-                true => picture::solid_png(solid()?, style, &choices, definition),
-                false => picture::png(paper()?, style, &choices, definition),
-            };
-            return picture.map(|picture| Contents::Picture(Box::new(picture))).map_err(wrong);
+            return picture::png(figure()?, style, &choices, stored())
+                .map(|picture| Contents::Picture(Box::new(picture)))
+                .map_err(wrong);
         }
         Content::Mesh(write) => {
             let options = FileOptions { most: MESH_SEGMENTS / shares, memory: limits.memory, ..options() };
-            write(Arc::new(solid()?), style.clone(), &options).map_err(wrong)?
+            let Figure::Space(drawing) = input.draw_in_space(shares).map_err(wrong)? else {
+                return Ok(Contents::Bytes(Vec::new()));
+            };
+            write(drawing, style.clone(), &options).map_err(wrong)?
         }
-        Content::Segments { plane, space } => match system.is_solid() {
-            true => space(Arc::new(solid()?), limits.segments).map_err(wrong)?,
-            false => plane(Arc::new(paper()?), limits.segments).map_err(wrong)?,
+        Content::Segments { plane, space } => match figure()? {
+            Figure::Plane(drawing) => plane(drawing, limits.segments).map_err(wrong)?,
+            Figure::Space(drawing) => space(drawing, limits.segments).map_err(wrong)?,
         },
         Content::Words(write) => write(&input.definition, system, &options()).map_err(wrong)?,
-        Content::Paper(write) => write(Arc::new(paper()?), style.clone(), &options()).map_err(wrong)?,
+        Content::Paper(write) => write(paper()?, style.clone(), &options()).map_err(wrong)?,
     };
     let file = write_all(&mut *writer).map_err(wrong)?;
     writer.remark().iter().for_each(|remark| say(&input.message(remark)));

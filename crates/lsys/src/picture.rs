@@ -2,9 +2,8 @@
 
 use crate::progress::DelayedBar;
 use lsystem::files::{FileOptions, PngOptions, PngWriter, Writer};
-use lsystem::{Camera, Diagnostic, Drawing, Progress, Solid, Style, View, Viewport, fit, render_diagnostic};
+use lsystem::{Camera, Diagnostic, Drawing, Figure, Progress, Style, View, Viewport, fit, render_diagnostic};
 use std::io::{self, Write};
-use std::sync::Arc;
 
 /// The default length of the longer side, in pixels. At this length a stroke's least width is in pixels; larger
 /// pictures scale it.
@@ -14,32 +13,27 @@ const LEAST: u32 = 128;
 /// Units of work between two pieces of the file.
 const WORK: u64 = 1_000_000;
 
-/// The writer of a PNG of the whole drawing, centred, with its `system` inside.
+/// The writer of a PNG of the whole drawing, centred, with its `system` inside. In space it is seen by the page's first
+/// camera.
 ///
 /// # Errors
 /// As [`PngWriter::new`].
 pub(crate) fn png(
-    drawing: Drawing,
+    figure: Figure,
     style: &Style,
     choices: &FileOptions,
     system: String,
 ) -> Result<PngWriter, Diagnostic> {
-    let size = choices.size.unwrap_or_else(|| usual_size(&drawing));
-    PngWriter::new(Arc::new(drawing), style.clone(), View::default(), &options(size, choices, system))
-}
-
-/// As [`png()`], of a drawing in space, from the page's first camera.
-///
-/// # Errors
-/// As [`PngWriter::solid`].
-pub(crate) fn solid_png(
-    drawing: Drawing<Solid>,
-    style: &Style,
-    choices: &FileOptions,
-    system: String,
-) -> Result<PngWriter, Diagnostic> {
-    let size = choices.size.unwrap_or([USUAL; 2]);
-    PngWriter::solid(Arc::new(drawing), style.clone(), Camera::default(), &options(size, choices, system))
+    match figure {
+        Figure::Plane(drawing) => {
+            let size = choices.size.unwrap_or_else(|| usual_size(&drawing));
+            PngWriter::new(drawing, style.clone(), View::default(), &options(size, choices, system))
+        }
+        Figure::Space(drawing) => {
+            let size = choices.size.unwrap_or([USUAL; 2]);
+            PngWriter::solid(drawing, style.clone(), Camera::default(), &options(size, choices, system))
+        }
+    }
 }
 
 fn options(size: [u32; 2], choices: &FileOptions, system: String) -> PngOptions {

@@ -54,10 +54,3 @@ impl Fit {
 pub(crate) fn length([from, to]: &Segment) -> f64 {
     libm::sqrt((0..3).map(|axis| (to[axis] - from[axis]) * (to[axis] - from[axis])).sum())
 }
-
-/// A point with three coordinates; in the plane the third one is 0.
-pub(crate) fn in_space(point: impl AsRef<[f64]>) -> [f64; 3] {
-    let mut all = [0.0; 3];
-    all.iter_mut().zip(point.as_ref()).for_each(|(to, from)| *to = *from);
-    all
-}

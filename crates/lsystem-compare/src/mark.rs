@@ -201,7 +201,7 @@ impl Marker {
             agreement: 0.0,
             is_same: Some(false),
             symbols: marking.symbols,
-            segments: [self.target.shape.segment_count(), 0],
+            segments: [self.target.figure.segment_count(), 0],
             words: String::new(),
             errors,
         }
@@ -211,7 +211,7 @@ impl Marker {
         match self.exercise.asks {
             Asks::Text => self.compared_texts(marking, own),
             Asks::Segments => {
-                let [expected, found] = [self.target.shape.segment_count(), own.shape.segment_count()];
+                let [expected, found] = [self.target.figure.segment_count(), own.figure.segment_count()];
                 let agreement = match expected.max(found) {
                     0 => 1.0,
                     most => expected.min(found) as f64 / most as f64,
@@ -233,11 +233,11 @@ impl Marker {
 
     /// Whether a drawing is the same picture as the target; `None` if unknown.
     fn is_same(&mut self, own: &Sketch, agreement: f64) -> Option<bool> {
-        let target = &self.target.shape;
+        let target = &self.target;
         if agreement < SURELY_DIFFERENT {
             return Some(false);
         }
-        if own.shape.has_graph_of(target) {
+        if own.has_graph_of(target) {
             return Some(true);
         }
         if self.outline.is_none() {
@@ -247,7 +247,7 @@ impl Marker {
         if own.mask.is_empty() != self.target.mask.is_empty() {
             return Some(false);
         }
-        own.shape.has_outline(self.outline.as_mut()?)
+        own.has_outline(self.outline.as_mut()?)
     }
 
     fn compared_texts(&mut self, marking: &Marking, own: &Sketch) -> Mark {
@@ -306,7 +306,7 @@ impl Marker {
             agreement,
             is_same,
             symbols: marking.symbols,
-            segments: [self.target.shape.segment_count(), own.shape.segment_count()],
+            segments: [self.target.figure.segment_count(), own.figure.segment_count()],
             words,
             errors: Vec::new(),
         }

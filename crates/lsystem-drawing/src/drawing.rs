@@ -44,7 +44,6 @@ pub use segments::Frame;
 pub(crate) use segments::SegmentIter;
 pub use shape::{Line, Shape};
 pub use simplify::Simplifier;
-pub use solid::draw_solid;
 pub(crate) use solid_reader::{SolidMark, SolidReader};
 
 use self::block::Contents;

@@ -66,7 +66,7 @@ pub(crate) fn solid_file(
     n: u32,
     begin: impl FnOnce(Arc<Drawing<Solid>>) -> Begun + 'static,
 ) -> FileWriter {
-    drawn_file(Drawer::solid(system, n, LIMITS), begin)
+    drawn_file(Drawer::<Solid>::new(system, n, LIMITS), begin)
 }
 
 fn drawn_file<S: Space + 'static>(

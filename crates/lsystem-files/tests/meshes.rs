@@ -1,7 +1,7 @@
 //! Files of meshes over the systems of `data_in`: prints are closed, and scenes of shared parts show what the drawing has.
 
 use lsystem_drawing::rotation::{Axis, Rotation};
-use lsystem_drawing::{Drawing, Mark, Mesh, Solid, System, draw_solid};
+use lsystem_drawing::{Drawing, Mark, Mesh, Solid, System, draw};
 use lsystem_files::{Content, Writer};
 use lsystem_files::{FileOptions, Format, GlbWriter, StlWriter, read_json, write_all, write_glb};
 use lsystem_syntax::{Definition, Heading, Kind, LimitName, Limits, MAX_MESH_COPIES, Progress, Style};
@@ -23,7 +23,7 @@ fn definition(path: &Path) -> Definition {
 fn drawing(definition: &Definition, n: u32) -> Arc<Drawing<Solid>> {
     let (system, diagnostics) = System::new(definition);
     let system = system.unwrap_or_else(|| panic!("{diagnostics:?}"));
-    Arc::new(draw_solid(&system, n, &Limits::default()).unwrap())
+    Arc::new(draw::<Solid>(&system, n, &Limits::default()).unwrap())
 }
 
 /// The drawing with the most steps, at most the file's own number, that has at most `most` segments.

@@ -18,7 +18,7 @@ mod words;
 
 use closed::{Term, closed, roots};
 use lsystem_derive::Tally;
-use lsystem_drawing::{Drawer, System};
+use lsystem_drawing::{Figure, System};
 use lsystem_syntax::{Limits, MAX_ITERATIONS, Progress};
 use path::Path;
 use process::Process;
@@ -228,18 +228,15 @@ fn rows(process: &Process, path: Option<&Path>, n: u32) -> Vec<Generation> {
 
 /// The generations with the sizes of their drawings, as far as these are quickly made.
 fn measured(system: &System, mut rows: Vec<Generation>) -> Vec<Generation> {
-    if system.is_solid() {
-        return rows;
-    }
     let mut left = LIMITS.work;
     for row in &mut rows {
-        let mut drawer = Drawer::new(system, row.n, LIMITS);
+        let mut drawer = Figure::drawer(system, row.n, LIMITS);
         while drawer.spent() < left && drawer.step(PIECE) == Progress::More {}
         left = left.saturating_sub(drawer.spent());
         if left == 0 {
             break;
         }
-        let Ok(drawing) = drawer.finish() else { break };
+        let Ok(Figure::Plane(drawing)) = drawer.finish() else { break };
         let size = drawing.bounds().map_or([0.0; 2], |[x0, y0, x1, y1]| [x1 - x0, y1 - y0]);
         row.size = Some(size).filter(|size| size.iter().all(|side| side.is_finite()));
     }

@@ -5,14 +5,15 @@ use lsystem::drawing::{Outlook, Projection};
 use lsystem::files::{Svg, SvgForm, SvgWriter};
 use lsystem::syntax::{ColourBy, Kind, LimitName};
 use lsystem::{
-    Definition, Dialect, Drawing, Limits, Progress, Style, SvgOptions, System, draw, draw_solid, read_json, write_csv,
-    write_svg,
+    Definition, Dialect, Drawing, Limits, Plane, Progress, Solid, Style, SvgOptions, System, draw, read_json,
+    write_csv, write_svg,
 };
 use std::path::Path;
 
 fn drawing(definition: &Definition) -> Drawing {
     let (system, diagnostics) = System::new(definition);
-    draw(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default()).unwrap()
+    draw::<Plane>(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default())
+        .unwrap()
 }
 
 fn definition(axiom: &str, rules: &str) -> Definition {
@@ -214,7 +215,7 @@ fn files_do_not_depend_on_the_size_of_steps() {
         let definition = read_json(&std::fs::read_to_string(file.path()).unwrap()).0.unwrap();
         let (system, style) = (System::new(&definition).0.unwrap(), &definition.style);
         let n = definition.iterations.min(4);
-        let drawing = draw(&system, n, &Limits::default()).unwrap();
+        let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
         for form in [SvgForm::Flat, SvgForm::Compact] {
             let options = SvgOptions { title: name.clone(), form, ..SvgOptions::default() };
             let whole = write_svg(&drawing, style, &options).unwrap();
@@ -222,7 +223,7 @@ fn files_do_not_depend_on_the_size_of_steps() {
             compact += u32::from(whole.instances > 0);
         }
         if system.is_solid() {
-            let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
+            let drawing = draw::<Solid>(&system, n, &Limits::default()).unwrap();
             let outlook = Outlook::default();
             let whole = drawing.seen_from(&outlook, u64::MAX).unwrap();
             let mut projection = Projection::new(&drawing, &outlook, u64::MAX).unwrap();

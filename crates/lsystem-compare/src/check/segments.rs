@@ -1,8 +1,8 @@
 //! Segments, compared up to place and size, within the rounding of the output.
 
 use super::{Check, LIMITS, MAX_SEGMENTS, Output, Verdict, candidates};
-use crate::fit::{Fit, Segment, extent, in_space, length};
-use lsystem_drawing::{Drawing, Space, System, count_segments, draw, draw_solid};
+use crate::fit::{Fit, Segment, extent, length};
+use lsystem_drawing::{Figure, System, count_segments};
 use lsystem_files::{SegmentFile, SegmentForm};
 use lsystem_syntax::{Diagnostic, LimitName};
 use std::collections::HashMap;
@@ -62,17 +62,12 @@ fn upright(segments: &[Segment]) -> Vec<Segment> {
 /// # Errors
 /// The limit that the drawing exceeds.
 fn segments_of(system: &System, n: u32) -> Result<Vec<Segment>, Diagnostic> {
-    fn read<S: Space>(drawing: &Drawing<S>) -> Result<Vec<Segment>, Diagnostic> {
-        let most = MAX_SEGMENTS as u64;
-        if drawing.segment_count() > u128::from(most) {
-            return Err(Diagnostic::limit(LimitName::Segments, most, None));
-        }
-        Ok(drawing.segments().map(|segment| [in_space(segment.from), in_space(segment.to)]).collect())
+    let most = MAX_SEGMENTS as u64;
+    let figure = Figure::draw(system, n, &LIMITS)?;
+    if figure.segment_count() > u128::from(most) {
+        return Err(Diagnostic::limit(LimitName::Segments, most, None));
     }
-    match system.is_solid() {
-        true => read(&draw_solid(system, n, &LIMITS)?),
-        false => read(&draw(system, n, &LIMITS)?),
-    }
+    Ok(figure.segments_from(0).map(|segment| [segment.from, segment.to]).collect())
 }
 
 /// Whether two lists of segments are the same, within a tolerance.

@@ -414,13 +414,13 @@ impl<P: Quantity> MaximumSearch<P> {
 mod tests {
     use super::super::segments::{Frame, Strokes};
     use super::*;
-    use crate::{StyleChange, System, draw_solid};
+    use crate::{StyleChange, System, draw};
     use lsystem_syntax::{Definition, Limits};
 
     /// Checks that every block's body contains all that the block draws, and exceeds it by at most the block's slack.
     fn check(rules: &str, angle: f64, n: u32, loose: f64) {
         let definition = Definition { axiom: "A".into(), rules: rules.into(), angle, ..Definition::default() };
-        let drawing = draw_solid(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
         for (id, block) in drawing.blocks.iter().enumerate() {
             let mut strokes = Strokes::new(&drawing);
             strokes.enter(BlockId(id as u32), &Frame::new(1.0, StyleChange::NONE));

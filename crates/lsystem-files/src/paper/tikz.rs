@@ -220,7 +220,8 @@ mod tests {
     use lsystem_syntax::{Definition, LimitName, Limits};
 
     fn writer(definition: &Definition, options: &FileOptions) -> Result<TikzWriter, Diagnostic> {
-        let drawing = draw(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
+        let drawing =
+            draw::<Plane>(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
         TikzWriter::new(Arc::new(drawing), definition.style.clone(), options)
     }
 

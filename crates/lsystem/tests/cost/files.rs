@@ -5,7 +5,7 @@ use super::systems::cases;
 use lsystem::drawing::{MeshMaker, MeshOptions, Outlook, Projection};
 use lsystem::files::{CsvWriter, GlbWriter, ObjWriter, SvgForm, SvgWriter};
 use lsystem::syntax::Meter;
-use lsystem::{Definition, Drawer, Drawing, Progress, Solid, SvgOptions, System, draw, draw_solid};
+use lsystem::{Definition, Drawer, Drawing, Plane, Progress, Solid, SvgOptions, System, draw};
 
 /// The units of work of a step.
 const SHARE: u64 = 1 << 14;
@@ -65,7 +65,7 @@ fn no_step_of_a_writer_takes_more_than_its_share_and_a_piece() {
                 if system.is_solid() {
                     continue;
                 }
-                let Some(drawing) = finished(Drawer::new(&system, n, LIMITS)) else { continue };
+                let Some(drawing) = finished(Drawer::<Plane>::new(&system, n, LIMITS)) else { continue };
                 let name = format!("{}, n = {n}", case.name);
                 if let Ok(mut writer) = CsvWriter::new(&drawing, MOST) {
                     see(&mut csv, &name, |text| (writer.step(&drawing, text, SHARE), writer.spent()));
@@ -85,7 +85,7 @@ fn no_step_of_a_projection_takes_more_than_its_share_and_a_piece() {
         for case in cases(length) {
             let system = case.system();
             for n in [0, 3, 12] {
-                let Some(drawing) = finished(Drawer::solid(&system, n, LIMITS)) else { continue };
+                let Some(drawing) = finished(Drawer::<Solid>::new(&system, n, LIMITS)) else { continue };
                 let name = format!("{}, n = {n}", case.name);
                 let Some(seen) = see_projection(&mut projection, &name, &drawing) else { continue };
                 see_svg(&mut svg, &name, &seen, &case.definition, SvgForm::Flat);
@@ -100,8 +100,8 @@ fn polygons_of_many_vertices_are_written_in_steps() {
     let rules = format!("G -> {{{}}}", "F+".repeat(24_990));
     let definition = Definition { axiom: "G".into(), rules, angle: 0.01, ..Definition::default() };
     let system = System::new(&definition).0.unwrap();
-    let plane = draw(&system, 1, &LIMITS).unwrap();
-    let solid = draw_solid(&system, 1, &LIMITS).unwrap();
+    let plane = draw::<Plane>(&system, 1, &LIMITS).unwrap();
+    let solid = draw::<Solid>(&system, 1, &LIMITS).unwrap();
     assert!(plane.is_memoised() && plane.polygon_count() == 1);
     let (mut svg, mut projection) = (Largest::default(), Largest::default());
     for form in [SvgForm::Flat, SvgForm::Compact] {
@@ -118,7 +118,7 @@ fn no_step_of_a_mesh_takes_more_than_its_share_and_a_piece() {
     for length in [1, 100, 10_000] {
         for case in cases(length) {
             let system = case.system();
-            let Some(drawing) = finished(Drawer::solid(&system, 3, LIMITS)) else { continue };
+            let Some(drawing) = finished(Drawer::<Solid>::new(&system, 3, LIMITS)) else { continue };
             let name = || case.name.clone();
             let style = &case.definition.style;
             let options = MeshOptions { most: MOST, memory: 64 << 20, ..MeshOptions::default() };

@@ -148,7 +148,8 @@ mod tests {
     use miniz_oxide::inflate::decompress_to_vec_zlib;
 
     fn writer(definition: &Definition, options: &FileOptions) -> Result<PdfWriter, Diagnostic> {
-        let drawing = draw(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
+        let drawing =
+            draw::<Plane>(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
         PdfWriter::new(Arc::new(drawing), definition.style.clone(), options)
     }
 
