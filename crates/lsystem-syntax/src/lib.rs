@@ -41,6 +41,7 @@ mod heading;
 pub mod number;
 
 mod classify;
+pub mod lint;
 pub mod notation;
 pub mod overrides;
 pub mod print;
