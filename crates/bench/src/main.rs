@@ -22,7 +22,7 @@ mod native {
     use crate::peers;
     use bench::{Buffers, GROWTHS, Growth, Row, WORKS, Work};
     use lsystem::Definition;
-    use lsystem::compare::{Exercise, Marker};
+    use lsystem::course::{Exercise, Marker};
     use std::hint::black_box;
     use std::time::{Duration, Instant};
 

@@ -1,7 +1,7 @@
 //! Answers to exercises: links, systems in files, and tables with a column of links.
 
 use crate::{CommandFailure, input};
-use lsystem::compare::Exercise;
+use lsystem::course::Exercise;
 use lsystem::files::{Link, read_link};
 use lsystem::{Definition, read_file};
 use std::path::Path;

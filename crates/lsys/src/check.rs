@@ -2,7 +2,7 @@
 
 use crate::cli::Changes;
 use crate::{CommandFailure, input, print, say};
-use lsystem::compare::{Verdict, check as compare};
+use lsystem::course::{Verdict, check as compare};
 use std::path::Path;
 
 /// Compares `output` with the system in `file`, and prints the result.

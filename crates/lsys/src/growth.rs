@@ -3,7 +3,7 @@
 use crate::cli::{Changes, GrowthFormat};
 use crate::output::escape_json;
 use crate::{CommandFailure, input, print, say};
-use lsystem::growth::growth;
+use lsystem::course::growth::growth;
 use std::path::PathBuf;
 
 /// Prints the growth of each file's system.

@@ -190,7 +190,7 @@ pub(crate) fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
 
 /// The bytes of a program's output, or one byte more than the comparison reads.
 pub(crate) fn output_of(file: &Path) -> io::Result<Vec<u8>> {
-    const MOST: u64 = lsystem::compare::MAX_OUTPUT as u64 + 1;
+    const MOST: u64 = lsystem::course::MAX_OUTPUT as u64 + 1;
     let mut bytes = Vec::new();
     open(file)?.take(MOST).read_to_end(&mut bytes)?;
     Ok(bytes)

@@ -5,7 +5,7 @@ mod page;
 use crate::answers::{Answer, answers, exercise};
 use crate::{CommandFailure, print};
 use lsystem::Definition;
-use lsystem::compare::{Exercise, Grade, Marker};
+use lsystem::course::{Exercise, Grade, Marker};
 use lsystem::syntax::visible;
 use std::io::{self, Write};
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use lsystem::Definition;
-use lsystem::compare::{Exercise, Given};
+use lsystem::course::{Exercise, Given};
 use std::path::Path;
 use std::process::Command;
 

@@ -1,7 +1,7 @@
 //! What a program printed, compared with a system.
 
 use crate::{from_js, to_js};
-use lsystem_compare::Verdict;
+use lsystem_course::Verdict;
 use lsystem_drawing::System;
 use lsystem_syntax::Definition;
 use serde::Serialize;
@@ -25,7 +25,7 @@ struct CheckReport {
 #[wasm_bindgen(js_name = checkOutput)]
 pub fn check_output(definition: JsValue, output: &str) -> Result<JsValue, JsValue> {
     let definition: Definition = from_js(definition)?;
-    let check = lsystem_compare::check(&definition, output);
+    let check = lsystem_course::check(&definition, output);
     let symbol = match &check.verdict {
         Verdict::Symbol(difference) => Some(u128::from(difference.index)),
         Verdict::Segment { index, .. } => System::new(&definition)

@@ -1,7 +1,7 @@
 //! Exercises: what a student sees, and marks.
 
 use crate::{from_js, to_js};
-use lsystem_compare::{Asks, Exercise, Given, Grade, Marker, Marking};
+use lsystem_course::{Asks, Exercise, Given, Grade, Marker, Marking};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

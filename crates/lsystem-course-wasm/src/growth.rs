@@ -1,8 +1,8 @@
 //! How the generations of a system grow.
 
 use crate::{from_js, to_js};
+use lsystem_course::growth::{Growth, growth as growth_of};
 use lsystem_drawing::System;
-use lsystem_growth::{Growth, growth as growth_of};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

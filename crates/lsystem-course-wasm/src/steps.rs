@@ -1,8 +1,8 @@
 //! Derivations and turtles step by step.
 
 use crate::{from_js, to_js};
+use lsystem_course::steps::{Order, Why, one_by_one as singles, rows, trace};
 use lsystem_drawing::System;
-use lsystem_steps::{Order, Why, one_by_one as singles, rows, trace};
 use lsystem_syntax::Diagnostic;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

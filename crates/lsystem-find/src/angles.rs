@@ -1,7 +1,7 @@
 //! The angles that a picture's strokes suggest.
 
 use crate::picture::Picture;
-use lsystem_compare::SIDE;
+use lsystem_render::mask::SIDE;
 
 /// The angles that are tried where none is known, in degrees: those of the field's books.
 const USUAL: [f64; 14] = [90.0, 60.0, 120.0, 45.0, 30.0, 36.0, 72.0, 22.5, 25.0, 20.0, 25.7, 15.0, 18.0, 85.0];

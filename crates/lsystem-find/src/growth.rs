@@ -11,7 +11,7 @@ use crate::picture::Picture;
 use crate::source::Told;
 use crate::strokes::{Strokes, pixel};
 use crate::words::{Alphabet, Symbol};
-use lsystem_compare::SIDE;
+use lsystem_render::mask::SIDE;
 use std::cmp::Reverse;
 use std::collections::HashSet;
 use std::sync::Arc;

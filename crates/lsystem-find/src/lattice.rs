@@ -7,7 +7,7 @@ use crate::hull::Target;
 use crate::picture::Picture;
 use crate::strokes::put_stroke;
 use crate::words::{Alphabet, Symbol};
-use lsystem_compare::{Mask, SIDE};
+use lsystem_render::mask::{Mask, SIDE};
 use std::collections::{HashMap, VecDeque};
 
 /// The shortest line, in pixels: between shorter ones no paper is seen.

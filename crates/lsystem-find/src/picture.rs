@@ -2,7 +2,7 @@
 
 use crate::parts::drawing;
 use crate::strokes::put_stroke;
-use lsystem_compare::{Mask, SIDE};
+use lsystem_render::mask::{Mask, SIDE};
 
 /// The pixels around the ink.
 const MARGIN: usize = 4;

@@ -2,7 +2,7 @@
 
 use crate::hull::{Block, Fit, Headings, Hulls, Place, System, Target};
 use crate::picture::Picture;
-use lsystem_compare::{Mask, SIDE};
+use lsystem_render::mask::{Mask, SIDE};
 use std::collections::HashSet;
 
 /// The most strokes of one system.

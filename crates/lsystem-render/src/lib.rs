@@ -5,6 +5,7 @@
 //!
 //! `plane` and `space` each descend the graph of the drawing, in steps of counted work.
 
+pub mod mask;
 mod page;
 mod plane;
 mod space;

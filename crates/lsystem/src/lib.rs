@@ -38,15 +38,14 @@
 //! ```
 
 // All items, by phase.
-pub use lsystem_compare as compare;
+pub use lsystem_course as compare;
+pub use lsystem_course as course;
 pub use lsystem_derive as derive;
 pub use lsystem_drawing as drawing;
 pub use lsystem_files as files;
 pub use lsystem_film as film;
 pub use lsystem_find as find;
-pub use lsystem_growth as growth;
 pub use lsystem_render as render;
-pub use lsystem_steps as steps;
 pub use lsystem_syntax as syntax;
 
 // The most used items.

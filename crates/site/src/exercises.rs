@@ -3,7 +3,7 @@
 use crate::files;
 use anyhow::{Context, Result, bail};
 use lsystem::Diagnostic;
-use lsystem::compare::{Exercise, Marker};
+use lsystem::course::{Exercise, Marker};
 use serde_json::{Value, json};
 use std::path::Path;
 

@@ -8,16 +8,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The crates for others, each after those that it uses.
-const CRATES: [&str; 12] = [
+const CRATES: [&str; 10] = [
     "lsystem-syntax",
     "lsystem-derive",
     "lsystem-drawing",
     "lsystem-render",
     "lsystem-files",
     "lsystem-film",
-    "lsystem-compare",
-    "lsystem-growth",
-    "lsystem-steps",
+    "lsystem-course",
     "lsystem-find",
     "lsystem",
     "lsys",

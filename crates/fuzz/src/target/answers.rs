@@ -2,7 +2,7 @@
 
 use crate::make;
 use crate::{Gauge, Source};
-use lsystem::compare::{Verdict, check};
+use lsystem::course::{Verdict, check};
 use lsystem::files::packed::{pack, unpack};
 use lsystem::files::{read_link, read_segments};
 use lsystem::{Limits, SvgOptions, System, draw, expand, write_csv, write_svg};

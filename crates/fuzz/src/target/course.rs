@@ -3,9 +3,9 @@
 use crate::gauge::WORK;
 use crate::make;
 use crate::{Gauge, Source};
-use lsystem::compare::{Asks, Exercise, Given, Grade, Marker};
-use lsystem::growth::growth as growth_of;
-use lsystem::steps::{Order, one_by_one, rows, trace};
+use lsystem::course::growth::growth as growth_of;
+use lsystem::course::steps::{Order, one_by_one, rows, trace};
+use lsystem::course::{Asks, Exercise, Given, Grade, Marker};
 use lsystem::{Definition, Limits, expand};
 
 /// Exercises of random systems: what is written is read again, and the target solves its own exercise.

@@ -2,7 +2,8 @@
 
 use super::{Marked, title_of};
 use base64::prelude::*;
-use lsystem::compare::{Exercise, SIDE};
+use lsystem::course::Exercise;
+use lsystem::render::mask::SIDE;
 
 /// The side of a picture, in pixels.
 const SMALL: usize = 128;

@@ -1,6 +1,6 @@
 //! The growth factor and its kind, from the letters that make each other again.
 
-use crate::process::Process;
+use crate::growth::process::Process;
 
 /// The most steps of the iteration that finds a growth factor.
 const MAX_STEPS: usize = 20_000;

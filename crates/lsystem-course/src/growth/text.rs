@@ -1,8 +1,8 @@
 //! Recurrences and closed forms as text and as LaTeX.
 
-use crate::closed::{Pair, Term};
-use crate::fraction::Fraction;
-use crate::recurrence::Recurrence;
+use crate::growth::closed::{Pair, Term};
+use crate::growth::fraction::Fraction;
+use crate::growth::recurrence::Recurrence;
 
 /// How a formula is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

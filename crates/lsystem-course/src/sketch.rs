@@ -3,9 +3,10 @@
 use crate::compiled::compiled;
 use crate::fit::Ends;
 use crate::graph::is_same_graph;
-use crate::ink::{Mask, Tracing};
+
 use crate::same::Outline;
 use lsystem_drawing::{Drawing, Figure, FigureDrawer, Outlook, Projection, Solid};
+use lsystem_render::mask::{Mask, Tracing};
 use lsystem_syntax::{Definition, Diagnostic, Limits, Progress};
 use std::sync::Arc;
 

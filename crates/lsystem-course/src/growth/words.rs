@@ -1,7 +1,7 @@
 //! Growth in a few sentences.
 
-use crate::text::decimal;
-use crate::{Growth, GrowthKind, Series};
+use crate::growth::text::decimal;
+use crate::growth::{Growth, GrowthKind, Series};
 
 pub(crate) fn sentences(growth: &Growth) -> Vec<String> {
     let draws = growth.table.iter().any(|row| row.segments.log10.is_some());

@@ -50,7 +50,7 @@ fn the_reference_draws_as_the_library() {
 /// The library agrees with the reference on every edit and every rewriting.
 #[test]
 fn the_same_pictures_as_brute_force() {
-    let in_space = |segments: Vec<[[f64; 2]; 2]>| -> Vec<lsystem_compare::Ends> {
+    let in_space = |segments: Vec<[[f64; 2]; 2]>| -> Vec<lsystem_course::Ends> {
         segments.into_iter().map(|segment| segment.map(|[x, y]| [x, y, 0.0])).collect()
     };
     for system in systems() {
@@ -60,7 +60,7 @@ fn the_same_pictures_as_brute_force() {
         for (kind, other) in edited.chain(rewritings(&system)) {
             let Some(segments) = other.segments() else { continue };
             let expected = is_same(&target, &segments);
-            let found = lsystem_compare::is_same_picture(&in_space(target.clone()), &in_space(segments));
+            let found = lsystem_course::is_same_picture(&in_space(target.clone()), &in_space(segments));
             assert_eq!(found, expected, "{}: {kind}: {other:?}", system.name);
         }
     }

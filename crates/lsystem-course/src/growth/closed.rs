@@ -1,7 +1,7 @@
 //! Closed forms of recurrences whose roots are whole numbers and at most one pair of real square roots.
 
-use crate::fraction::{Fraction, solve};
-use crate::recurrence::Recurrence;
+use crate::growth::fraction::{Fraction, solve};
+use crate::growth::recurrence::Recurrence;
 
 /// The largest whole root that is looked for.
 const MAX_ROOT: i128 = 1_000;

@@ -3,7 +3,7 @@
 //! Counts of a matrix of whole numbers obey a recurrence with whole coefficients. It is found modulo a prime, and
 //! checked modulo another one.
 
-use crate::process::Process;
+use crate::growth::process::Process;
 
 /// Two primes; a coefficient is below half of the first.
 const PRIMES: [u64; 2] = [(1 << 61) - 1, (1 << 62) - 57];

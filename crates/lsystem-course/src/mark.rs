@@ -2,11 +2,12 @@
 
 use crate::compiled::compiled;
 use crate::exercise::{Asks, Exercise};
-use crate::ink::Mask;
+
 use crate::same::Outline;
 use crate::sample::{Sample, Sampling};
 use crate::sketch::{Sketch, Sketching};
 use lsystem_drawing::expand;
+use lsystem_render::mask::Mask;
 use lsystem_render::{Renderer, View, Viewport};
 use lsystem_syntax::message::grouped;
 use lsystem_syntax::{Definition, Diagnostic, Limits, Progress};

@@ -1,7 +1,7 @@
 //! Growth compared with brute force and with published values.
 
+use lsystem_course::growth::{Growth, GrowthKind, growth};
 use lsystem_drawing::{System, expand};
-use lsystem_growth::{Growth, GrowthKind, growth};
 use lsystem_syntax::{Definition, Limits};
 
 fn system(axiom: &str, rules: &str, angle: f64) -> System {

@@ -1,6 +1,6 @@
 //! The length of what is drawn, and the turning of the whole way.
 
-use crate::process::Process;
+use crate::growth::process::Process;
 use lsystem_drawing::System;
 use lsystem_syntax::{Action, Heading};
 

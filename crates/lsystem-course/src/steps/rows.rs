@@ -1,6 +1,6 @@
 //! One derivation step: symbols with what they become.
 
-use crate::Why;
+use crate::steps::Why;
 use core::ops::Range;
 use lsystem_derive::{History, Word};
 use lsystem_drawing::System;

@@ -1,7 +1,7 @@
 //! The turtle's state at each symbol, as it reads them.
 
-use crate::Why;
-use crate::rows::{Reader, text};
+use crate::steps::Why;
+use crate::steps::rows::{Reader, text};
 use lsystem_drawing::rotation::Axis;
 use lsystem_drawing::{Geometry, Solid, System, legend};
 use lsystem_syntax::{Action, Heading};

@@ -1,6 +1,6 @@
 //! Rewriting one symbol at a time, as in a grammar of Chomsky, beside the rewriting of all symbols at once.
 
-use crate::Why;
+use crate::steps::Why;
 use lsystem_derive::Rewrite;
 use lsystem_drawing::System;
 use serde::Serialize;

@@ -1,6 +1,6 @@
 //! Expected numbers and their spread, with rules of chance: a branching process of several types (Harris 1963).
 
-use crate::process::Process;
+use crate::growth::process::Process;
 
 /// The expected number and its standard deviation in each generation.
 pub(crate) fn moments(process: &Process, weights: &[u32], most: usize) -> Vec<[f64; 2]> {

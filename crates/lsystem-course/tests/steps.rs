@@ -1,7 +1,7 @@
 //! Steps compared with strings, with drawings, and with replacing text.
 
+use lsystem_course::steps::{Order, one_by_one, rows, trace};
 use lsystem_drawing::{Plane, Solid, System, draw, expand};
-use lsystem_steps::{Order, one_by_one, rows, trace};
 use lsystem_syntax::{Definition, Limits};
 
 fn system(axiom: &str, rules: &str) -> System {
@@ -153,5 +153,5 @@ fn the_stack_is_told() {
     assert_eq!(trace.states[5].stored.len(), 2);
     assert_eq!(trace.states[5].stored[1], [0.0, 1.0, 0.0]);
     let bent = Definition { axiom: "F".into(), elasticity: 0.2, tropism: [1.0, 0.0, 0.0], ..Definition::default() };
-    assert!(lsystem_steps::trace(&System::new(&bent).0.unwrap(), 0, 9).is_err());
+    assert!(lsystem_course::steps::trace(&System::new(&bent).0.unwrap(), 0, 9).is_err());
 }

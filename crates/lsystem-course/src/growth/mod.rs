@@ -16,16 +16,16 @@ mod recurrence;
 mod text;
 mod words;
 
-use closed::{Term, closed, roots};
+use self::closed::{Term, closed, roots};
+use self::path::Path;
+use self::process::Process;
+use self::rate::{Rate, rate};
+use self::recurrence::{Recurrence, recurrence};
+use self::text::Style;
 use lsystem_derive::Tally;
 use lsystem_drawing::{Figure, System};
 use lsystem_syntax::{Limits, MAX_ITERATIONS, Progress};
-use path::Path;
-use process::Process;
-use rate::{Rate, rate};
-use recurrence::{Recurrence, recurrence};
 use serde::Serialize;
-use text::Style;
 
 /// The most letters that are listed.
 const MAX_LISTED: usize = 24;

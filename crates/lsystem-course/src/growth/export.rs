@@ -1,7 +1,7 @@
 //! Growth as CSV, LaTeX and plain text.
 
-use crate::text::{Style, closed, decimal, recurrence};
-use crate::{Growth, Series};
+use crate::growth::text::{Style, closed, decimal, recurrence};
+use crate::growth::{Growth, Series};
 use core::fmt::Write as _;
 
 impl Growth {

@@ -2,7 +2,7 @@
 //! naive turtle.
 
 use expect_test::{Expect, expect};
-use lsystem_compare::{Check, Output, Verdict, check};
+use lsystem_course::{Check, Output, Verdict, check};
 use lsystem_syntax::{Definition, Dialect};
 use std::fmt::Write;
 

@@ -2,7 +2,7 @@
 
 mod naive;
 
-use lsystem_compare::{Asks, Exercise, First, Given, Grade, Marker};
+use lsystem_course::{Asks, Exercise, First, Given, Grade, Marker};
 use lsystem_syntax::{Definition, Dialect};
 use naive::systems::{one_symbol_edits, rewritings, systems};
 use naive::{System, is_same};

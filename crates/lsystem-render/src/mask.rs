@@ -1,7 +1,7 @@
 //! The pixels that a picture covers, and how much of the ink of two pictures agrees.
 
+use crate::{Detail, Renderer, View, Viewport};
 use lsystem_drawing::Drawing;
-use lsystem_render::{Detail, Renderer, View, Viewport};
 use lsystem_syntax::{Colour, ColourBy, Ink as Blending, Progress, Style};
 use std::sync::Arc;
 
@@ -17,13 +17,13 @@ const LIGHT: u8 = 180;
 pub struct Mask(Box<[[u64; ROW]; SIDE]>);
 
 /// A picture in the making, as a mask.
-pub(crate) struct Tracing {
+pub struct Tracing {
     renderer: Renderer,
 }
 
 impl Tracing {
     /// The drawing as a whole, its longer side filling the mask, with lines one pixel wide.
-    pub(crate) fn new(drawing: Arc<Drawing>) -> Self {
+    pub fn new(drawing: Arc<Drawing>) -> Self {
         let mut renderer = Renderer::light();
         renderer.load(drawing);
         let style = Style {
@@ -40,11 +40,14 @@ impl Tracing {
         Self { renderer }
     }
 
-    pub(crate) fn step(&mut self, work: u64) -> Progress {
+    /// Works for about `work` units.
+    pub fn step(&mut self, work: u64) -> Progress {
         self.renderer.step(work as usize)
     }
 
-    pub(crate) fn finish(mut self) -> Mask {
+    /// Runs all steps left.
+    #[must_use]
+    pub fn finish(mut self) -> Mask {
         while self.renderer.step(usize::MAX) == Progress::More {}
         let mut mask = Mask::default();
         for (at, pixel) in self.renderer.pixels().chunks_exact(4).take(SIDE * SIDE).enumerate() {
@@ -79,7 +82,7 @@ impl Mask {
 
     /// A code for each pixel, row by row from above: 1 for ink of both within one pixel, 2 for ink of the target only, 4
     /// for ink of this picture only, 0 for none.
-    pub(crate) fn compared(&self, target: &Self) -> Vec<u8> {
+    pub fn compared(&self, target: &Self) -> Vec<u8> {
         let (near_target, near_own) = (target.grown(), self.grown());
         let mut pixels = vec![0; SIDE * SIDE];
         for (at, pixel) in pixels.iter_mut().enumerate() {
@@ -96,7 +99,7 @@ impl Mask {
     }
 
     /// The picture mirrored left to right if so told, and then turned by quarters counter-clockwise.
-    pub(crate) fn turned(&self, quarters: u32, is_mirrored: bool) -> Self {
+    pub fn turned(&self, quarters: u32, is_mirrored: bool) -> Self {
         let mut turned = Self::default();
         for y in 0..SIDE {
             for x in 0..SIDE {
@@ -115,7 +118,9 @@ impl Mask {
         turned
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
+    /// Whether no pixel has ink.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
         self.count() == 0
     }
 
