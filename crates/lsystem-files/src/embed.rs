@@ -50,15 +50,15 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
     }
 }
 
-/// Reads all systems of a file in the notation of another program, as [`import`](crate::import()) does. Characters that
-/// are not UTF-8, as in old comments, are replaced. Returns `None` for pictures and for texts of no known notation.
+/// The text of a file. Characters that are not UTF-8, as in old comments, are replaced. `None` for pictures and for texts
+/// longer than [`MAX_TEXT`] bytes.
 #[must_use]
-pub fn import_file(bytes: &[u8]) -> Option<crate::Imported> {
+pub fn text_of(bytes: &[u8]) -> Option<String> {
     let plain = without_byte_order_mark(bytes);
     if png::is_png(&plain) || is_pdf(&plain) || is_xml(&plain) || plain.len() > MAX_TEXT {
         return None;
     }
-    crate::import(&String::from_utf8_lossy(&plain))
+    Some(String::from_utf8_lossy(&plain).into_owned())
 }
 
 /// The result for a file that is not read.

@@ -83,12 +83,12 @@ pub fn read_link(text: &str) -> Option<Link> {
 }
 
 /// The keys and undecoded values of a link without its `#`.
-pub(crate) fn fields_of(hash: &str) -> impl Iterator<Item = (&str, &str)> + Clone {
+pub fn fields_of(hash: &str) -> impl Iterator<Item = (&str, &str)> + Clone {
     hash.split('&').filter_map(|part| part.split_once('=')).filter(|(key, _)| !key.is_empty())
 }
 
 /// Reads fields. If a key stands twice, its last value counts.
-pub(crate) fn read_fields<'a>(fields: impl Iterator<Item = (&'a str, &'a str)>) -> Link {
+pub fn read_fields<'a>(fields: impl Iterator<Item = (&'a str, &'a str)>) -> Link {
     let mut link = Link::default();
     // By key: its place among the fields. Each value is decoded once, so that the time is linear in the length.
     let mut places: HashMap<&str, usize> = HashMap::new();

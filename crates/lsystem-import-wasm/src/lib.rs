@@ -1,6 +1,6 @@
 //! The readers of other notations for JavaScript. The page loads this wasm when text is pasted, dropped or opened.
 
-use lsystem_files::Remark;
+use lsystem_import::Remark;
 use lsystem_syntax::Definition;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -36,7 +36,7 @@ struct ImportRemark {
 /// Throws only if the result cannot be translated.
 #[wasm_bindgen(js_name = importSystems)]
 pub fn import_systems(text: &str) -> Result<JsValue, JsValue> {
-    let report = lsystem_files::import(text).map(|imported| ImportReport {
+    let report = lsystem_import::import(text).map(|imported| ImportReport {
         notation: imported.notation,
         entries: (imported.entries.into_iter())
             .map(|entry| ImportEntry {

@@ -74,7 +74,7 @@ pub use notation::constants::ConstantPlace;
 pub use notation::parse;
 pub use notation::site::{Site, site};
 pub use overrides::{parse_overrides, print_overrides};
-pub use place::{byte_offset, render_diagnostic, utf16_letters, utf16_span, visible};
+pub use place::{byte_offset, line_of, render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};
 pub use problem::{Problem, problems};
 pub use progress::Progress;

@@ -204,3 +204,9 @@ fn floor(text: &str, at: usize) -> usize {
     }
     at
 }
+
+/// The number of the line, from 1, in which byte `at` of a text stands.
+#[must_use]
+pub fn line_of(text: &str, at: usize) -> usize {
+    text.as_bytes()[..at.min(text.len())].iter().filter(|&&byte| byte == b'\n').count() + 1
+}

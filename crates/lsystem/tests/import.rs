@@ -4,7 +4,7 @@
 //! `UPDATE_EXPECT=1 cargo test -p lsystem --test import` updates the files; check the difference.
 
 use expect_test::expect_file;
-use lsystem::files::import;
+use lsystem::import::import;
 use std::fmt::Write;
 use std::path::Path;
 

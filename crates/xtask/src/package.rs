@@ -8,12 +8,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The crates for others, each after those that it uses.
-const CRATES: [&str; 10] = [
+const CRATES: [&str; 11] = [
     "lsystem-syntax",
     "lsystem-derive",
     "lsystem-drawing",
     "lsystem-render",
     "lsystem-files",
+    "lsystem-import",
     "lsystem-film",
     "lsystem-course",
     "lsystem-find",

@@ -2,7 +2,7 @@
 
 use crate::{Gauge, Source};
 use lsystem::System;
-use lsystem::files::import;
+use lsystem::import::import;
 
 /// Texts of every notation, mixed and damaged.
 pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {

@@ -322,20 +322,6 @@ mod tests {
     }
 
     #[test]
-    fn a_declaration_reads_back() {
-        let plant = Definition {
-            rules: "X -> F-[[X]+X]+F[-FX]-X\nF -> FF".into(),
-            overrides: String::new(),
-            heading: 0.0,
-            ..plant()
-        };
-        let imported = crate::import(&written(&plant).unwrap()).unwrap();
-        let read = imported.entries[0].definition.clone().unwrap();
-        let string = |definition: &Definition| expand(&System::new(definition).0.unwrap(), 4, &LIMITS).unwrap();
-        assert_eq!((string(&read), read.angle, read.iterations), (string(&plant), plant.angle, plant.iterations));
-    }
-
-    #[test]
     fn the_library_lacks() {
         let check = |change: &dyn Fn(&mut Definition), expected: TikzObstacle| {
             let mut definition = plant();

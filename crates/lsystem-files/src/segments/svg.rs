@@ -1,7 +1,7 @@
 //! The straight lines of an SVG picture.
 
 use super::{SegmentError, number};
-use crate::lines::line_of;
+use lsystem_syntax::line_of;
 use lsystem_syntax::notes::excerpt;
 
 /// The most nested elements.

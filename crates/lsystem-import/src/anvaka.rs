@@ -15,8 +15,8 @@
 //! and + and - turn by the angle, which is 60 if it is missing; the depth is 5 if it is missing. Of several rules for a
 //! symbol the last one counts.
 
-use super::draft::{Draft, production};
-use super::rules::split_rule;
+use crate::draft::{Draft, production};
+use crate::rules::split_rule;
 use lsystem_syntax::number::number;
 use lsystem_syntax::{Grammar, Module};
 
@@ -167,7 +167,7 @@ fn direction(value: &str, line: usize, draft: &mut Draft) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::check;
+    use crate::tests::check;
     use expect_test::expect;
 
     #[test]

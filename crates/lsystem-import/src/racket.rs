@@ -16,8 +16,8 @@
 //! is not run. With the library `lindenmayer/turtle` the symbols are known: F draws and f moves by 2, the numbers of + and
 //! - are factors of θ, and ! sets the width.
 
-use super::draft::Draft;
-use super::rules::split_rule;
+use crate::draft::Draft;
+use crate::rules::split_rule;
 use std::collections::BTreeSet;
 
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
@@ -216,7 +216,7 @@ fn scale(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::check;
+    use crate::tests::check;
     use expect_test::expect;
 
     #[test]

@@ -1,6 +1,6 @@
 //! A system while a reader translates it.
 
-use super::{Entry, Remark};
+use crate::{Entry, Remark};
 use lsystem_drawing::System;
 use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::sorted::set;

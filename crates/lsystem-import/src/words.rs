@@ -1,6 +1,6 @@
 //! Values behind labels in running text, as in `axiom X, angle 25°, n = 5`.
 
-use crate::lines::line_of;
+use lsystem_syntax::line_of;
 use lsystem_syntax::{decimal, look_alike};
 
 /// Ends a line of a formula. The text itself has no `\r`.

@@ -1,8 +1,8 @@
 //! Links of our own page in the readable form: `#v=1&axiom=F&rules=F%20-%3E%20FF`. The page itself reads the compressed
 //! form.
 
-use super::draft::Draft;
-use crate::link::{fields_of, read_fields};
+use crate::draft::Draft;
+use lsystem_files::link::{fields_of, read_fields};
 
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     let text = text.trim();
@@ -33,7 +33,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::check;
+    use crate::tests::check;
     use expect_test::expect;
 
     #[test]

@@ -12,7 +12,7 @@
 //! and `"`, `_` and `!` scale by 0.9. Symbols that need geometry or change the angle are refused, and so are the time and
 //! the place of the turtle in rules.
 
-use super::draft::Draft;
+use crate::draft::Draft;
 use lsystem_syntax::parse;
 
 /// The actions of Houdini's symbols.
@@ -138,7 +138,7 @@ fn rule(text: &str, line: usize, draft: &mut Draft) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::check;
+    use crate::tests::check;
     use expect_test::expect;
 
     #[test]

@@ -11,9 +11,9 @@
 //! lindsvg, whose symbols are known: `F` draws, `B` moves, `+` turns right on the screen, and every letter without a rule
 //! vanishes.
 
-use super::draft::{Draft, production};
-use super::rules::{Lines, split_rule};
-use super::value::{Node, Scanner, Unit, Value};
+use crate::draft::{Draft, production};
+use crate::rules::{Lines, split_rule};
+use crate::value::{Node, Scanner, Unit, Value};
 use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern};
 
 const AXIOM: &[&str] = &["axiom", "start", "initial", "initiator", "omega", "startString", "start_string", "seed"];
@@ -45,7 +45,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     if first.starts_with('{') && contains_word(text, "initial") {
         return None;
     }
-    if first.starts_with(['{', '/']) && crate::read_json(text).0.is_some_and(|found| !found.axiom.is_empty()) {
+    if first.starts_with(['{', '/']) && lsystem_files::read_json(text).0.is_some_and(|found| !found.axiom.is_empty()) {
         return None;
     }
     let mut systems = Vec::new();
@@ -540,7 +540,7 @@ fn tidy(degrees: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::check;
+    use crate::tests::check;
     use expect_test::expect;
 
     #[test]

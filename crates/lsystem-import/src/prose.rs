@@ -4,9 +4,9 @@
 //! axiom X, angle 25°, rules (X → F+[[X]-X]-F[-FX]+X), (F → FF)
 //! ```
 
-use super::draft::Draft;
-use super::plain::Plain;
-use super::words::{behind, number, original_line, plain};
+use crate::draft::Draft;
+use crate::plain::Plain;
+use crate::words::{behind, number, original_line, plain};
 use lsystem_syntax::decimal;
 
 const AXIOM: &[&str] = &["axiom", "start", "initiator", "initial string", "initial word", "initial axiom", "ω", "s0"];

@@ -15,9 +15,9 @@
 //! the successors, and the values of local assignments in place of their names. Other blocks of code, includes, and
 //! symbols that need other files are refused. The angle stands in another file.
 
-use super::assignments::inlined;
-use super::decomposition::Decomposition;
-use super::draft::{Draft, FreeSymbols};
+use crate::assignments::inlined;
+use crate::decomposition::Decomposition;
+use crate::draft::{Draft, FreeSymbols};
 use lsystem_syntax::{Diagnostic, parse};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -492,7 +492,7 @@ impl Words<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::check;
+    use crate::tests::check;
     use expect_test::expect;
 
     #[test]

@@ -29,6 +29,7 @@ mod words;
 mod tests;
 
 use draft::Draft;
+use lsystem_files::text_of;
 use lsystem_syntax::{Definition, MAX_TEXT};
 
 /// All systems of a text in another notation.
@@ -105,4 +106,11 @@ pub fn import(text: &str) -> Option<Imported> {
         }
         Some(Imported { notation, entries })
     })
+}
+
+/// Reads all systems of a file, as [`import`] does. Characters that are not UTF-8, as in old comments, are replaced.
+/// Returns `None` for pictures and for texts of no known notation.
+#[must_use]
+pub fn import_file(bytes: &[u8]) -> Option<Imported> {
+    import(&text_of(bytes)?)
 }

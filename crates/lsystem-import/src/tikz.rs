@@ -9,8 +9,8 @@
 //! The turtle starts to the right. Angles are 90 degrees where they are missing. `F` draws, `f` moves,
 //! `+ - [ ]` turn and branch; `\symbol` gives other symbols one of these actions.
 
-use super::draft::{Draft, production};
-use super::rules::{Lines, split_rule};
+use crate::draft::{Draft, production};
+use crate::rules::{Lines, split_rule};
 use lsystem_syntax::{Grammar, Module};
 
 /// A declared system.
@@ -191,7 +191,7 @@ fn add_rule(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::check;
+    use crate::tests::check;
     use expect_test::expect;
 
     #[test]

@@ -1,6 +1,6 @@
 //! Cases shared by all readers, and the summary of a result.
 
-use super::{Entry, Imported, import};
+use crate::{Entry, Imported, import};
 use expect_test::Expect;
 use lsystem_syntax::number::number;
 

@@ -1,6 +1,6 @@
 //! A system of plain symbols while a reader translates it.
 
-use super::draft::Draft;
+use crate::draft::Draft;
 use lsystem_syntax::{Definition, Grammar, MAX_ITERATIONS, Module, Production, look_alike};
 
 /// A system of plain symbols: no contexts, no parameters.

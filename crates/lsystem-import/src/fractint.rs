@@ -13,7 +13,7 @@
 //! start to the right. Our turtle has one heading, so a system with both is read only if every group of turns changes
 //! both headings alike.
 
-use super::draft::{Draft, FreeSymbols, production};
+use crate::draft::{Draft, FreeSymbols, production};
 use lsystem_syntax::decimal;
 use lsystem_syntax::number::number;
 use lsystem_syntax::{Colour, Grammar, Module};
@@ -497,7 +497,7 @@ fn colours(parts: &Parts, grammar: &mut Grammar, free: &mut FreeSymbols, draft: 
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::check;
+    use crate::tests::check;
     use expect_test::expect;
 
     #[test]
