@@ -10,7 +10,7 @@
 //! ```
 //!
 //! Carets mark the characters, `|` a place where text is missing, `@` a diagnostic without a place. Then follow
-//! severity, kind and hint. `UPDATE_EXPECT=1 cargo test -p lsystem --test annotated` updates the files; check the
+//! severity, kind and hint. `UPDATE_EXPECT=1 cargo test -p lsystem-playground --test annotated` updates the files; check the
 //! difference.
 
 use expect_test::expect_file;

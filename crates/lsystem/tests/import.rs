@@ -1,7 +1,7 @@
 //! Systems in the notations of other programs and of papers: files in `tests/data/import` with what is read from them.
 //!
 //! A case starts with `=== ` and a title; the pasted text follows, and below `--- read` what the reader makes of it.
-//! `UPDATE_EXPECT=1 cargo test -p lsystem --test import` updates the files; check the difference.
+//! `UPDATE_EXPECT=1 cargo test -p lsystem-playground --test import` updates the files; check the difference.
 
 use expect_test::expect_file;
 use lsystem::import::import;

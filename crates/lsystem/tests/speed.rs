@@ -1,4 +1,4 @@
-//! Timings of drawing, printed: `cargo test --release -p lsystem --test speed -- --ignored --nocapture`.
+//! Timings of drawing, printed: `cargo test --release -p lsystem-playground --test speed -- --ignored --nocapture`.
 
 use lsystem::derive::Rewriter;
 use lsystem::drawing::{Outlook, expand_into};

@@ -97,7 +97,7 @@ fn run() -> Result<()> {
         Command::Outside => test::test(workspace, &test::TestOptions::only(test::Part::Outside)),
         Command::Package => package::package(workspace),
         Command::Tables => {
-            let tables = ["test", "--package=lsystem", "--test=all", "tables::"];
+            let tables = ["test", "--package=lsystem-playground", "--test=all", "tables::"];
             workspace.run(workspace.cargo(tables).env("UPDATE_EXPECT", "1"))
         }
         Command::Fuzz(options) => fuzz::fuzz(workspace, options),

@@ -18,8 +18,8 @@ const CRATES: [&str; 11] = [
     "lsystem-film",
     "lsystem-course",
     "lsystem-find",
-    "lsystem",
-    "lsys",
+    "lsystem-playground",
+    "lsystem-cli",
 ];
 /// The boundary crate and its library.
 const BOUNDARY: (&str, &str) = ("lsystem-wasm", "lsystem_wasm");

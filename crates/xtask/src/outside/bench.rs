@@ -23,7 +23,7 @@ const SYSTEMS: [&str; 10] = [
 pub(crate) fn bench(workspace: &Workspace) -> Result<()> {
     let folder = workspace.root.join("crates/xtask/outside");
     let python = programs::python(workspace, &folder)?;
-    workspace.run(&mut workspace.cargo(["build", "--quiet", "--release", "--package=lsys"]))?;
+    workspace.run(&mut workspace.cargo(["build", "--quiet", "--release", "--package=lsystem-cli"]))?;
     let lsys = workspace.target.join("release").join(format!("lsys{}", std::env::consts::EXE_SUFFIX));
     let vpype = python.parent().context("a folder")?.join(format!("vpype{}", std::env::consts::EXE_SUFFIX));
     let temporary = tempfile::tempdir()?;
