@@ -12,6 +12,8 @@ const PROGRAM: &str = "L-system playground";
 struct Book {
     title: &'static str,
     author: &'static str,
+    /// The authors as sources name them.
+    cited_as: &'static str,
     publisher: &'static str,
     year: &'static str,
 }
@@ -20,25 +22,28 @@ const BOOKS: [Book; 3] = [
     Book {
         title: "The Algorithmic Beauty of Plants",
         author: "Prusinkiewicz, Przemyslaw and Lindenmayer, Aristid",
+        cited_as: "Prusinkiewicz and Lindenmayer",
         publisher: "Springer-Verlag, New York",
         year: "1990",
     },
     Book {
         title: "Lindenmayer Systems, Fractals, and Plants",
         author: "Prusinkiewicz, Przemyslaw and Hanan, James",
+        cited_as: "Prusinkiewicz and Hanan",
         publisher: "Springer-Verlag, New York",
         year: "1989",
     },
     Book {
         title: "The Fractal Geometry of Nature",
         author: "Mandelbrot, Benoit B.",
+        cited_as: "Benoit Mandelbrot",
         publisher: "W. H. Freeman, San Francisco",
         year: "1982",
     },
 ];
 
-/// BibTeX entries: one of the system's source, if it has one, and one of the picture. A source like `Authors, Title
-/// (year), page 9` has its parts in fields; a source of another form becomes a note.
+/// BibTeX entries: one of the system's source, if it has one, and one of the picture. A source in a
+/// known book has its parts in fields; any other source is a note.
 #[must_use]
 pub fn bibtex(definition: &Definition, system: &System) -> String {
     let mut text = String::new();
@@ -78,86 +83,32 @@ fn entry(text: &mut String, kind: &str, key: &str, fields: &[(&str, String)]) {
 
 /// The kind, the start of the key, and the fields of a source's entry.
 fn entry_of(source: &str, label: &str) -> (&'static str, String, Vec<(&'static str, String)>) {
-    let cited = cited(source);
-    let named = |book: &&Book| match &cited {
-        Some(Cited { authors: Some(_), title, .. }) => *title == book.title,
-        _ => source.contains(book.title),
+    // A book that stands behind the first year is not the source itself.
+    let cited = source.split(" (").next().unwrap_or_default();
+    let Some(book) = BOOKS.iter().find(|book| cited.contains(book.title)) else {
+        return ("misc", "source".into(), vec![("title", label.to_owned()), ("note", source.to_owned())]);
     };
-    if let Some(book) = BOOKS.iter().find(named) {
-        let rest = match &cited {
-            Some(Cited { authors: Some(_), rest, .. }) => *rest,
-            _ => source,
-        };
-        let (pages, note) = pages(rest);
-        let fields = vec![
-            ("author", book.author.to_owned()),
-            ("title", book.title.to_owned()),
-            ("publisher", book.publisher.to_owned()),
-            ("year", book.year.to_owned()),
-            ("pages", pages.clone()),
-            ("note", note),
-        ];
-        // A part of a book needs pages.
-        let kind = if pages.is_empty() { "book" } else { "inbook" };
-        let last = book.author.split(',').next().unwrap_or_default();
-        return (kind, format!("{}{}", slug(last), book.year), fields);
-    }
-    match cited {
-        Some(Cited { authors, title, venue, year, rest }) if authors.is_some() || rest.is_empty() => {
-            let authors = authors.unwrap_or_default();
-            let first = authors.split(" and ").next().unwrap_or_default();
-            let last = first.split_whitespace().last().or(title.split_whitespace().next()).unwrap_or_default();
-            let (pages, note) = pages(rest);
-            let fields = vec![
-                ("author", authors.to_owned()),
-                ("title", title.to_owned()),
-                ("howpublished", venue.to_owned()),
-                ("year", year.to_owned()),
-                ("pages", pages),
-                ("note", note),
-            ];
-            ("misc", format!("{}{year}", slug(last)), fields)
+    let cited = format!("{} ({})", book.title, book.year);
+    // The book's own names and title are in fields; a source that names it in other words stays as it is.
+    let rest = match source.split_once(&cited) {
+        Some((authors, rest)) if authors.trim_end_matches([',', ' ']) == book.cited_as => {
+            rest.trim_start_matches([',', ';', ' '])
         }
-        _ => ("misc", "source".into(), vec![("title", label.to_owned()), ("note", source.to_owned())]),
-    }
-}
-
-/// The parts of a source like `Authors, Title (venue, year), rest`.
-struct Cited<'a> {
-    authors: Option<&'a str>,
-    title: &'a str,
-    /// What stands before the year in the parentheses, such as a magazine and a month.
-    venue: &'a str,
-    year: &'a str,
-    rest: &'a str,
-}
-
-fn cited(source: &str) -> Option<Cited<'_>> {
-    let (head, behind) = source.split_once(" (")?;
-    let (inside, rest) = behind.split_once(')')?;
-    let year = inside.get(inside.len().checked_sub(4)?..).filter(|year| year.bytes().all(|b| b.is_ascii_digit()))?;
-    let venue = inside[..inside.len() - 4].trim_end_matches([' ', ',']);
-    let rest = rest.trim_start_matches([',', ';', ' ']);
-    let (authors, title) = match head.split_once(", ") {
-        Some((authors, title)) if authors.split(" and ").all(is_name) => (Some(authors), title),
-        _ => (None, head),
+        _ => source,
     };
-    Some(Cited { authors, title, venue, year, rest })
-}
-
-/// Whether words are probably a person's name: at most four capitalised words, perhaps with particles, that do not
-/// begin as titles do. This is a guess.
-fn is_name(words: &str) -> bool {
-    const PARTICLES: [&str; 7] = ["von", "van", "de", "der", "den", "la", "ten"];
-    const NO_NAMES: [&str; 12] =
-        ["A", "After", "An", "Assignment", "Course", "Exercise", "Figure", "From", "In", "Lecture", "Practical", "The"];
-    let capital = |word: &str| word.chars().next().is_some_and(char::is_uppercase);
-    let letters = |word: &str| word.chars().all(|c| c.is_alphabetic() || matches!(c, '.' | '-' | '\''));
-    let count = words.split(' ').count();
-    (1..=4).contains(&count)
-        && words.split(' ').all(|word| letters(word) && (capital(word) || PARTICLES.contains(&word)))
-        && words.split(' ').next().is_some_and(|first| !NO_NAMES.contains(&first))
-        && words.split(' ').next_back().is_some_and(capital)
+    let (pages, note) = pages(rest);
+    let fields = vec![
+        ("author", book.author.to_owned()),
+        ("title", book.title.to_owned()),
+        ("publisher", book.publisher.to_owned()),
+        ("year", book.year.to_owned()),
+        ("pages", pages.clone()),
+        ("note", note),
+    ];
+    // A part of a book needs pages.
+    let kind = if pages.is_empty() { "book" } else { "inbook" };
+    let last = book.author.split(',').next().unwrap_or_default();
+    (kind, format!("{}{}", slug(last), book.year), fields)
 }
 
 /// The page numbers in a text such as `figure 1.7a, page 9 (after Mandelbrot)`, and the text without them, as a note.
@@ -270,31 +221,21 @@ mod tests {
             }"#]],
         );
         check(
-            "Wacław Sierpiński, Sur une nouvelle courbe continue qui remplit toute une aire plane (1912)",
-            &expect![[r#"
-            @misc{sierpinski1912-1.7a,
-              author = {Wacław Sierpiński},
-              title = {{Sur une nouvelle courbe continue qui remplit toute une aire plane}},
-              year = {1912}
-            }"#]],
-        );
-        check(
             "McWorter and Tazelaar, Creating Fractals (Byte, August 1987)",
             &expect![[r#"
-            @misc{mcworter1987-1.7a,
-              author = {McWorter and Tazelaar},
-              title = {{Creating Fractals}},
-              howpublished = {Byte, August},
-              year = {1987}
+            @misc{source-1.7a,
+              key = {source-1.7a},
+              title = {{1.7a}},
+              note = {McWorter and Tazelaar, Creating Fractals (Byte, August 1987)}
             }"#]],
         );
         check(
-            "Lecture Computer Graphics, Assignment 8: Lindenmayer Systems (2019)",
+            "Roger Penrose, Pentaplexity (1979); after Lindenmayer Systems, Fractals, and Plants (1989)",
             &expect![[r#"
-            @misc{lecture2019-1.7a,
-              key = {lecture2019-1.7a},
-              title = {{Lecture Computer Graphics, Assignment 8: Lindenmayer Systems}},
-              year = {2019}
+            @misc{source-1.7a,
+              key = {source-1.7a},
+              title = {{1.7a}},
+              note = {Roger Penrose, Pentaplexity (1979); after Lindenmayer Systems, Fractals, and Plants (1989)}
             }"#]],
         );
         check(
