@@ -4,12 +4,14 @@ use crate::args::{Destination, Job};
 use crate::cli::{Changes, Look};
 use crate::cores::{Say, SharedLimits};
 use crate::input::{self, InputSystem};
+use crate::output::within;
 use crate::pending::{Pending, with_extension};
+use crate::progress::DelayedBar;
 use crate::{CommandFailure, cores, picture, print};
 use lsystem::drawing::{Outlook, why_empty};
-use lsystem::files::{Content, FileOptions, Format, PngWriter, write_all};
-use lsystem::syntax::visible;
-use lsystem::write_json;
+use lsystem::files::{Content, FileOptions, Format, Notes, Owner, Sink, write_png, write_solid_png};
+use lsystem::syntax::{Halt, visible};
+use lsystem::{Camera, View, write_json};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::sync::Arc;
@@ -49,19 +51,22 @@ fn draw_one(
         {
             Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
-        Destination::Print(format) => limits.make(|shares| {
-            let contents = contents(&input, format, look, shares, say)?;
-            print(|out| contents.write(out))
-        }),
+        Destination::Print(format) => {
+            let wrong = |error: io::Error| CommandFailure::io("standard output", &error);
+            limits.make(|shares| {
+                let write = |out: &mut dyn Write| write_file(&input, format, look, shares, say, out, &wrong);
+                within(|write| print(|out| write(out)), write)
+            })
+        }
         Destination::Write(base, formats) => {
             // All files are complete before the first one gets its name.
             let mut pending = Vec::new();
             for &format in formats {
                 let path = with_extension(base, format.ending);
+                let wrong = |error: io::Error| CommandFailure::io(path.display(), &error);
                 let file = limits.make(|shares| {
-                    let contents = contents(&input, format, look, shares, say)?;
-                    Pending::write(&path, |out| contents.write(out))
-                        .map_err(|error| CommandFailure::io(path.display(), &error))
+                    let write = |out: &mut dyn Write| write_file(&input, format, look, shares, say, out, &wrong);
+                    within(|write| Pending::write(&path, |out| write(out)).map_err(wrong), write)
                 })?;
                 pending.push(file);
             }
@@ -74,73 +79,93 @@ fn draw_one(
 /// The most segments of a mesh: some hundred megabytes, and more than most programs open.
 const MESH_SEGMENTS: u64 = 500_000;
 
-/// The contents of a file.
-enum Contents {
-    Bytes(Vec<u8>),
-    /// A picture, which is painted while it is written.
-    Picture(Box<PngWriter>),
+/// The owner of a file: the stream to which it is written.
+struct Stream<'a> {
+    out: &'a mut dyn Write,
+    /// The error of the stream.
+    error: Option<io::Error>,
+    /// The progress of a picture of pixels.
+    bar: Option<DelayedBar>,
 }
 
-impl Contents {
-    fn write(self, out: &mut dyn Write) -> io::Result<()> {
-        match self {
-            Self::Bytes(bytes) => out.write_all(&bytes),
-            Self::Picture(picture) => picture::write(*picture, out),
-        }
+impl Owner for Stream<'_> {
+    fn piece(&mut self, bytes: &[u8]) -> Result<(), Halt> {
+        self.out.write_all(bytes).map_err(|error| {
+            self.error = Some(error);
+            Halt::Stopped
+        })
+    }
+
+    fn rows(&mut self, done: u32, all: u32) {
+        self.bar.get_or_insert_with(|| DelayedBar::new("picture", Some(all.into()))).at(done.into());
     }
 }
 
-/// The contents of a file of the system, made within one of `shares` equal shares of the limits.
-fn contents(
+/// Writes a file of the system to a stream, within one of `shares` equal shares of the limits. `wrong` is the failure for
+/// an error of the stream.
+fn write_file(
     input: &InputSystem,
     format: &Format,
     look: &Look,
     shares: u64,
     say: Say<'_>,
-) -> Result<Contents, CommandFailure> {
-    let system = &input.system;
+    out: &mut dyn Write,
+    wrong: &dyn Fn(io::Error) -> CommandFailure,
+) -> Result<(), CommandFailure> {
+    let mut stream = Stream { out, error: None, bar: None };
+    let notes = Sink::to(&mut stream, |sink| write(input, format, look, shares, sink)).map_err(|halt| match halt {
+        Halt::Limit(limit) => input.limit(&limit),
+        Halt::Stopped => wrong(stream.error.take().unwrap_or_else(|| io::ErrorKind::Other.into())),
+    })?;
+    notes.remark.iter().for_each(|remark| say(&input.message(remark)));
+    let name = || visible(&input.file.display().to_string());
+    notes.summary.iter().for_each(|summary| say(&format!("{}: {summary}\n", name())));
+    Ok(())
+}
+
+fn write(input: &InputSystem, format: &Format, look: &Look, shares: u64, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
+    let (system, limits) = (&input.system, input.limits(shares));
     let style = &system.style;
-    let wrong = |limit| input.limit(&limit);
-    let limits = input.limits(shares);
-    let solid = || input.draw_solid(shares).map_err(wrong);
-    // The direction of view is the page's first one.
-    let paper = || match system.is_solid() {
-        true => solid()?.seen_from(&Outlook::default(), limits.segments).map_err(wrong),
-        false => input.draw(shares).map_err(wrong),
-    };
-    let name = input.definition.label();
     let choices = look.flags.options();
-    let bare = choices.bare;
-    let stored = || if bare { String::new() } else { write_json(&input.definition) };
-    let options = || {
-        let (title, system) = (name.to_owned(), stored());
-        FileOptions { title, system, most: limits.segments, ..choices.clone() }
-    };
-    let mut writer = match format.content {
-        Content::System => return Ok(Contents::Bytes(write_json(&input.definition).into_bytes())),
-        Content::String => return Ok(Contents::Bytes((input.expand(shares)? + "\n").into_bytes())),
+    let stored = if choices.bare { String::new() } else { write_json(&input.definition) };
+    let title = input.definition.label().to_owned();
+    let options = FileOptions { title, system: stored, most: limits.segments, ..choices };
+    let none = |()| Notes::default();
+    match format.content {
+        Content::System => {
+            sink.text.push_str(&write_json(&input.definition));
+            Ok(Notes::default())
+        }
+        Content::String => {
+            sink.bytes(lsystem::expand(system, input.iterations, &limits)?.as_bytes())?;
+            sink.bytes(b"\n").map(none)
+        }
+        Content::Words(write) => write(&input.definition, system, &options, sink),
+        Content::Pixels if system.is_solid() => {
+            let drawing = Arc::new(input.draw_solid(shares)?);
+            let options = picture::png_options(picture::SOLID_SIZE, options);
+            write_solid_png(drawing, style, Camera::default(), &options, sink).map(none)
+        }
         Content::Pixels => {
-            let definition = stored();
-            let picture = match system.is_solid() {
-                true => picture::solid_png(solid()?, style, &choices, definition),
-                false => picture::png(paper()?, style, &choices, definition),
-            };
-            return picture.map(|picture| Contents::Picture(Box::new(picture))).map_err(wrong);
+            let drawing = Arc::new(input.draw(shares)?);
+            let options = picture::png_options(picture::usual_size(&drawing), options);
+            write_png(drawing, style, View::default(), &options, sink).map(none)
         }
         Content::Mesh(write) => {
-            let options = FileOptions { most: MESH_SEGMENTS / shares, memory: limits.memory, ..options() };
-            write(Arc::new(solid()?), style.clone(), &options).map_err(wrong)?
+            let options = FileOptions { most: MESH_SEGMENTS / shares, memory: limits.memory, ..options };
+            write(Arc::new(input.draw_solid(shares)?), style, &options, sink)
         }
-        Content::Segments { plane, space } => match system.is_solid() {
-            true => space(Arc::new(solid()?), limits.segments).map_err(wrong)?,
-            false => plane(Arc::new(paper()?), limits.segments).map_err(wrong)?,
-        },
-        Content::Words(write) => write(&input.definition, system, &options()).map_err(wrong)?,
-        Content::Paper(write) => write(Arc::new(paper()?), style.clone(), &options()).map_err(wrong)?,
-    };
-    let file = write_all(&mut *writer).map_err(wrong)?;
-    writer.remark().iter().for_each(|remark| say(&input.message(remark)));
-    let name = || visible(&input.file.display().to_string());
-    writer.summary().iter().for_each(|summary| say(&format!("{}: {summary}\n", name())));
-    Ok(Contents::Bytes(file))
+        Content::Segments { space, .. } if system.is_solid() => {
+            space(&input.draw_solid(shares)?, limits.segments, sink).map(none)
+        }
+        Content::Segments { plane, .. } => plane(&input.draw(shares)?, limits.segments, sink).map(none),
+        Content::Paper(write) => {
+            // The direction of view is the page's first one.
+            let drawing = match system.is_solid() {
+                true => input.draw_solid(shares)?.seen_from(&Outlook::default(), limits.segments)?,
+                false => input.draw(shares)?,
+            };
+            write(Arc::new(drawing), style, &options, sink)
+        }
+    }
 }

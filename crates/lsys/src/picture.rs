@@ -1,53 +1,23 @@
-//! PNG pictures, painted by the core's renderers while the file is written.
+//! The sizes of PNG pictures.
 
-use crate::progress::DelayedBar;
-use lsystem::files::{FileOptions, PngOptions, PngWriter, Writer};
-use lsystem::{Camera, Diagnostic, Drawing, Progress, Solid, Style, View, Viewport, fit, render_diagnostic};
-use std::io::{self, Write};
-use std::sync::Arc;
+use lsystem::files::{FileOptions, PngOptions};
+use lsystem::{Drawing, Viewport, fit};
 
 /// The default length of the longer side, in pixels. At this length a stroke's least width is in pixels; larger
 /// pictures scale it.
 const USUAL: u32 = 1024;
 /// The least default length of the shorter side, in pixels.
 const LEAST: u32 = 128;
-/// Units of work between two pieces of the file.
-const WORK: u64 = 1_000_000;
+/// The default size of pictures in space.
+pub(crate) const SOLID_SIZE: [u32; 2] = [USUAL; 2];
 
-/// The writer of a PNG of the whole drawing, centred, with its `system` inside.
-///
-/// # Errors
-/// As [`PngWriter::new`].
-pub(crate) fn png(
-    drawing: Drawing,
-    style: &Style,
-    choices: &FileOptions,
-    system: String,
-) -> Result<PngWriter, Diagnostic> {
-    let size = choices.size.unwrap_or_else(|| usual_size(&drawing));
-    PngWriter::new(Arc::new(drawing), style.clone(), View::default(), &options(size, choices, system))
-}
-
-/// As [`png()`], of a drawing in space, from the page's first camera.
-///
-/// # Errors
-/// As [`PngWriter::solid`].
-pub(crate) fn solid_png(
-    drawing: Drawing<Solid>,
-    style: &Style,
-    choices: &FileOptions,
-    system: String,
-) -> Result<PngWriter, Diagnostic> {
-    let size = choices.size.unwrap_or([USUAL; 2]);
-    PngWriter::solid(Arc::new(drawing), style.clone(), Camera::default(), &options(size, choices, system))
-}
-
-fn options(size: [u32; 2], choices: &FileOptions, system: String) -> PngOptions {
+/// The options of a picture whose default size is `usual`.
+pub(crate) fn png_options(usual: [u32; 2], choices: FileOptions) -> PngOptions {
     PngOptions {
-        viewport: viewport(size),
+        viewport: viewport(choices.size.unwrap_or(usual)),
         dpi: choices.dpi,
         is_transparent: choices.transparent,
-        system,
+        system: choices.system,
         ..PngOptions::default()
     }
 }
@@ -56,27 +26,8 @@ fn viewport([width, height]: [u32; 2]) -> Viewport {
     Viewport { width, height, ratio: (f64::from(width.max(height)) / f64::from(USUAL)).max(1.0) }
 }
 
-/// Writes a picture piece by piece, with a progress bar.
-///
-/// # Errors
-/// Errors of the stream.
-pub(crate) fn write(mut picture: PngWriter, out: &mut dyn Write) -> io::Result<()> {
-    let mut bar = DelayedBar::new("picture", Some(u64::from(picture.height())));
-    let mut piece = Vec::new();
-    loop {
-        let progress =
-            picture.step(&mut piece, WORK).map_err(|error| io::Error::other(render_diagnostic(&error, "PNG", "")))?;
-        out.write_all(&piece)?;
-        piece.clear();
-        bar.at(u64::from(picture.rows()));
-        if progress == Progress::Done {
-            return Ok(());
-        }
-    }
-}
-
 /// The default size, in the proportions of the drawing.
-fn usual_size(drawing: &Drawing) -> [u32; 2] {
+pub(crate) fn usual_size(drawing: &Drawing) -> [u32; 2] {
     let extent = fit(drawing);
     let longer = extent.width.max(extent.height);
     let side = |length: f64| {

@@ -22,8 +22,6 @@ pub(crate) const FEW_SEGMENTS: u64 = 200_000;
 pub(crate) const MESH: u64 = 42 << 20;
 /// The most pixels of a picture that are painted at a time. A pixel takes up to 28 bytes, so a band takes 56 MiB.
 pub(crate) const BAND: u32 = 1 << 21;
-/// The units of work of a step: well under a millisecond.
-pub(crate) const WORK: u64 = 16_384;
 
 // The drawing and what is made of it fit into their shares.
 const _: () = assert!(MESH <= LIMITS.memory && HISTORY.memory + (16 << 20) <= LIMITS.memory);

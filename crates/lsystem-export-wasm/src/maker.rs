@@ -1,12 +1,14 @@
-//! A file of a system, made in steps and taken piece by piece.
+//! Files of systems.
 
-use crate::budget::{BAND, FEW_SEGMENTS, MESH, TEXT_SEGMENTS, WORK};
-use crate::stages::{Begun, FileWriter, described_file, plane_file, projected_file, solid_file, text_file};
-use crate::string::string_file;
-use lsystem_drawing::{Outlook, System};
-use lsystem_files::{Content, FileOptions, Format, PngOptions, PngWriter, write_json};
+use crate::budget::{BAND, FEW_SEGMENTS, LIMITS, MESH, TEXT_SEGMENTS};
+use crate::string::write_string;
+use lsystem_drawing::{Drawer, Drawing, Outlook, Projection, Solid, Space, System, describe};
+use lsystem_files::{
+    Content, FileOptions, Format, Notes, Owner, PngOptions, Sink, write_json, write_png, write_solid_png,
+};
 use lsystem_render::{Camera, View, Viewport};
-use lsystem_syntax::{Definition, Problem, Progress, problems};
+use lsystem_syntax::{Definition, Halt, Problem, Work, problems, run_steps};
+use std::sync::Arc;
 
 /// The side of a picture of pixels whose size is not given.
 const USUAL: u32 = 1024;
@@ -25,111 +27,114 @@ pub(crate) struct Order {
     pub(crate) ratio: f64,
 }
 
-/// A file in the making.
-pub(crate) struct FileMaker {
-    definition: Definition,
-    /// The writer; `None` at the end.
-    writer: Option<FileWriter>,
-    /// The bytes written and not yet taken.
-    piece: Vec<u8>,
+/// The report on a file.
+#[derive(Debug)]
+pub(crate) struct Report {
     /// Whether the whole file was written.
     pub(crate) complete: bool,
     /// The reasons why there is no file, or remarks about it.
     pub(crate) diagnostics: Vec<Problem>,
 }
 
-impl FileMaker {
-    /// Begins a file. A definition with errors has none.
-    pub(crate) fn new(order: Order) -> Self {
-        let definition = order.definition.clone();
-        let (system, diagnostics) = System::new(&definition);
-        let mut maker = Self { definition, writer: None, piece: vec![], complete: false, diagnostics: vec![] };
-        match system.map(|system| begin(order, system)) {
-            Some(Ok(writer)) => maker.writer = Some(writer),
-            Some(Err(limit)) => maker.diagnostics = problems(&[limit], &maker.definition, ""),
-            None => maker.diagnostics = problems(&diagnostics, &maker.definition, ""),
-        }
-        maker
-    }
-
-    /// Works for about [`WORK`] units.
-    pub(crate) fn step(&mut self) -> Progress {
-        let Some(writer) = &mut self.writer else { return Progress::Done };
-        match writer.step(&mut self.piece, WORK) {
-            Ok(Progress::More) => return Progress::More,
-            Ok(Progress::Done) => {
-                self.complete = true;
-                self.diagnostics = problems(writer.remark().as_slice(), &self.definition, "");
-            }
-            Err(limit) => self.diagnostics = problems(&[limit], &self.definition, ""),
-        }
-        self.writer = None;
-        Progress::Done
-    }
-
-    /// The number of bytes written and not yet taken.
-    pub(crate) fn waiting(&self) -> usize {
-        self.piece.len()
-    }
-
-    /// Takes the bytes written since the last call.
-    pub(crate) fn take(&mut self) -> Vec<u8> {
-        core::mem::take(&mut self.piece)
-    }
+/// Makes a file. A definition with errors has none.
+pub(crate) fn make(order: Order, owner: &mut dyn Owner) -> Report {
+    let definition = order.definition.clone();
+    let (system, diagnostics) = System::new(&definition);
+    let Some(system) = system else {
+        return Report { complete: false, diagnostics: problems(&diagnostics, &definition, "") };
+    };
+    let (complete, remarks) = match Sink::to(owner, |sink| write(order, &system, sink)) {
+        Ok(notes) => (true, notes.remark),
+        Err(halt) => (false, Some(halt.diagnostic())),
+    };
+    Report { complete, diagnostics: problems(remarks.as_slice(), &definition, "") }
 }
 
-/// The writer of a file from its first stage on.
-fn begin(Order { definition, format, options, view, camera, ratio }: Order, system: System) -> Begun {
-    let n = definition.iterations;
-    let outlook = Outlook { azimuth: camera.azimuth, elevation: camera.elevation };
-    let (style, name) = (system.style.clone(), definition.label().to_owned());
+/// Writes a file.
+fn write(order: Order, system: &System, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
+    let Order { definition, format, options, view, camera, ratio } = order;
+    let (n, style) = (definition.iterations, &system.style);
+    let title = definition.label().to_owned();
     let stored = if options.bare { String::new() } else { write_json(&definition) };
-    let options = FileOptions { title: name.clone(), system: stored, most: TEXT_SEGMENTS, ..options };
+    let options = FileOptions { title, system: stored, most: TEXT_SEGMENTS, ..options };
+    let none = |()| Notes::default();
     match format.content {
-        Content::System => Ok(text_file(write_json(&definition))),
-        Content::String => string_file(system, n),
-        Content::Words(write) => write(&definition, &system, &options),
+        Content::System => {
+            sink.text.push_str(&write_json(&definition));
+            Ok(Notes::default())
+        }
+        Content::String => write_string(system, n, sink).map(none),
+        Content::Words(write) => write(&definition, system, &options, sink),
         Content::Pixels => {
             let [width, height] = options.size.unwrap_or([USUAL; 2]);
             let viewport = Viewport { width, height, ratio };
             let FileOptions { dpi, transparent: is_transparent, system: stored, .. } = options;
             let png = PngOptions { viewport, dpi, is_transparent, system: stored, band: BAND };
-            Ok(match system.is_solid() {
-                true => {
-                    solid_file(&system, n, move |drawing| Ok(Box::new(PngWriter::solid(drawing, style, camera, &png)?)))
-                }
-                false => {
-                    plane_file(&system, n, move |drawing| Ok(Box::new(PngWriter::new(drawing, style, view, &png)?)))
-                }
-            })
+            match system.is_solid() {
+                true => write_solid_png(solid(system, n, sink)?, style, camera, &png, sink).map(none),
+                false => write_png(plane(system, n, sink)?, style, view, &png, sink).map(none),
+            }
         }
         Content::Segments { space, .. } if system.is_solid() => {
-            Ok(solid_file(&system, n, move |drawing| space(drawing, TEXT_SEGMENTS)))
+            space(&*solid(system, n, sink)?, TEXT_SEGMENTS, sink).map(none)
         }
-        Content::Segments { plane, .. } => Ok(plane_file(&system, n, move |drawing| plane(drawing, TEXT_SEGMENTS))),
+        Content::Segments { plane: write, .. } => write(&*plane(system, n, sink)?, TEXT_SEGMENTS, sink).map(none),
+        Content::Paper(write) if system.is_solid() => {
+            let drawing = solid(system, n, sink)?;
+            let bounds = drawing.bounds().map(|[low, high]| [low[0], low[1], high[0], high[1]]);
+            let description = description(system, n, &*drawing, bounds, sink)?;
+            let outlook = Outlook { azimuth: camera.azimuth, elevation: camera.elevation };
+            let mut projection = Projection::new(&drawing, &outlook, FEW_SEGMENTS)?;
+            run_steps(sink, |units| projection.step(&drawing, units))?;
+            let projected = Arc::new(projection.finish(&drawing));
+            // To save memory.
+            drop(drawing);
+            write(projected, style, &FileOptions { description, ..options }, sink)
+        }
         Content::Paper(write) => {
-            let most = if format.name == "svg-compact" && !system.is_solid() { FEW_SEGMENTS } else { TEXT_SEGMENTS };
-            let with = move |description| FileOptions { description, most, ..options };
-            if !system.is_solid() {
-                return Ok(plane_file(&system.clone(), n, move |drawing| {
-                    let bounds = drawing.bounds();
-                    described_file(system, n, drawing, bounds, move |drawing, words| {
-                        write(drawing, style, &with(words))
-                    })
-                }));
-            }
-            Ok(solid_file(&system.clone(), n, move |drawing| {
-                let bounds = drawing.bounds().map(|[low, high]| [low[0], low[1], high[0], high[1]]);
-                described_file(system, n, drawing, bounds, move |drawing, words| {
-                    projected_file(drawing, outlook, move |drawing| write(drawing, style, &with(words)))
-                })
-            }))
+            let drawing = plane(system, n, sink)?;
+            let description = description(system, n, &*drawing, drawing.bounds(), sink)?;
+            let most = if format.name == "svg-compact" { FEW_SEGMENTS } else { TEXT_SEGMENTS };
+            write(drawing, style, &FileOptions { description, most, ..options }, sink)
         }
         Content::Mesh(write) => {
             let options = FileOptions { most: FEW_SEGMENTS, memory: MESH, ..options };
-            Ok(solid_file(&system, n, move |drawing| write(drawing, style, &options)))
+            write(solid(system, n, sink)?, style, &options, sink)
         }
     }
+}
+
+/// The drawing in the plane.
+fn plane(system: &System, n: u32, work: &mut dyn Work) -> Result<Arc<Drawing>, Halt> {
+    drawn(Drawer::new(system, n, LIMITS), work)
+}
+
+/// The drawing in space. Systems in the plane have one, too, for meshes.
+fn solid(system: &System, n: u32, work: &mut dyn Work) -> Result<Arc<Drawing<Solid>>, Halt> {
+    drawn(Drawer::solid(system, n, LIMITS), work)
+}
+
+fn drawn<S: Space>(mut drawer: Drawer<S>, work: &mut dyn Work) -> Result<Arc<Drawing<S>>, Halt> {
+    run_steps(work, |units| drawer.step(units))?;
+    Ok(Arc::new(drawer.finish()?))
+}
+
+/// The drawing in words. The number of segments is counted where the drawing does not tell.
+fn description<S: Space>(
+    system: &System,
+    n: u32,
+    drawing: &Drawing<S>,
+    bounds: Option<[f64; 4]>,
+    work: &mut dyn Work,
+) -> Result<String, Halt> {
+    let shared = drawing.is_memoised().then(|| drawing.block_count());
+    let count = drawing.segment_count();
+    if count < u128::MAX {
+        return Ok(describe(system, n, &count.into(), shared, bounds));
+    }
+    let mut counter = system.segments(n);
+    run_steps(work, |units| counter.step(units))?;
+    Ok(counter.count().map(|count| describe(system, n, count, shared, bounds)).unwrap_or_default())
 }
 
 #[cfg(test)]
@@ -143,18 +148,22 @@ mod tests {
         Order { definition, format, options: FileOptions::default(), view, camera, ratio: 1.0 }
     }
 
-    /// Runs all steps, with the sizes of the pieces.
-    fn finish(order: Order) -> (FileMaker, Vec<u8>, usize) {
-        let mut maker = FileMaker::new(order);
-        let (mut file, mut largest) = (vec![], 0);
-        loop {
-            let progress = maker.step();
-            largest = largest.max(maker.waiting());
-            file.append(&mut maker.take());
-            if progress == Progress::Done {
-                return (maker, file, largest);
-            }
+    /// The whole file, and its largest piece.
+    #[derive(Default)]
+    struct Pieces(Vec<u8>, usize);
+
+    impl Owner for Pieces {
+        fn piece(&mut self, bytes: &[u8]) -> Result<(), Halt> {
+            self.0.extend(bytes);
+            self.1 = self.1.max(bytes.len());
+            Ok(())
         }
+    }
+
+    fn finish(order: Order) -> (Report, Vec<u8>, usize) {
+        let mut pieces = Pieces::default();
+        let report = make(order, &mut pieces);
+        (report, pieces.0, pieces.1)
     }
 
     fn weed(n: u32) -> Definition {

@@ -1,8 +1,8 @@
 //! PNG files that are painted while they are written: the same pixels as the renderers make at once.
 
-use lsystem::files::{PngOptions, PngWriter, Writer, read_file, write_all};
+use lsystem::files::{Owner, PngOptions, Sink, collect, read_file, write_png, write_solid_png};
 use lsystem::render::Quality;
-use lsystem::syntax::{ColourBy, Ink};
+use lsystem::syntax::{ColourBy, Halt, Ink};
 use lsystem::{Camera, Definition, Drawing, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
 use lsystem::{View, Viewport, draw, draw_solid, write_json};
 use std::sync::Arc;
@@ -41,6 +41,14 @@ fn whole(drawing: &Arc<Drawing>, style: &Style, viewport: Viewport) -> Vec<u8> {
     renderer.pixels().to_vec()
 }
 
+fn png(drawing: &Arc<Drawing>, style: &Style, options: &PngOptions) -> Vec<u8> {
+    collect(|sink| write_png(drawing.clone(), style, View::default(), options, sink)).unwrap().0
+}
+
+fn solid_png(drawing: &Arc<Drawing<Solid>>, style: &Style, options: &PngOptions) -> Vec<u8> {
+    collect(|sink| write_solid_png(drawing.clone(), style, Camera::default(), options, sink)).unwrap().0
+}
+
 /// The file's bytes and its pixels, without the channels that the file does not have.
 fn read(file: &[u8]) -> (png::Info<'static>, Vec<u8>) {
     let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
@@ -68,6 +76,27 @@ fn most_difference(a: &[u8], b: &[u8]) -> u8 {
     a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
 }
 
+/// A file with the number of its rows and the bytes of its largest piece.
+#[derive(Default)]
+struct Rows {
+    file: Vec<u8>,
+    done: u32,
+    largest: usize,
+}
+
+impl Owner for Rows {
+    fn piece(&mut self, bytes: &[u8]) -> Result<(), Halt> {
+        self.file.extend(bytes);
+        self.largest = self.largest.max(bytes.len());
+        Ok(())
+    }
+
+    fn rows(&mut self, done: u32, all: u32) {
+        assert!(self.done <= done && done <= all && all == VIEWPORT.height);
+        self.done = done;
+    }
+}
+
 #[test]
 fn streamed_is_whole() {
     for (definition, n) in [
@@ -80,15 +109,12 @@ fn streamed_is_whole() {
         let expected = opaque(&whole(&drawing, &definition.style, VIEWPORT));
         for band in [1 << 22, 300 * 48] {
             let options = PngOptions { viewport: VIEWPORT, band, ..PngOptions::default() };
-            let mut writer =
-                PngWriter::new(drawing.clone(), definition.style.clone(), View::default(), &options).unwrap();
-            // Small steps, whose pieces are the file.
-            let (mut file, mut piece) = (vec![], vec![]);
-            while writer.step(&mut piece, 777).unwrap() == Progress::More {
-                file.append(&mut piece);
-            }
-            file.append(&mut piece);
-            assert_eq!(writer.rows(), VIEWPORT.height);
+            let mut rows = Rows::default();
+            let write =
+                |sink: &mut Sink<'_>| write_png(drawing.clone(), &definition.style, View::default(), &options, sink);
+            Sink::to(&mut rows, write).unwrap();
+            assert_eq!((rows.done, rows.largest < 20_000), (VIEWPORT.height, true), "{}", rows.largest);
+            let file = rows.file;
             let (_, pixels) = read(&file);
             let differ = pixels.iter().zip(&expected).filter(|(a, b)| a != b).count();
             // Bands round the places of strokes in another way: some strokes are off by a subsample.
@@ -111,8 +137,7 @@ fn transparent_over_the_background_is_opaque() {
         let drawing = drawing(&definition, 6);
         let opaque = opaque(&whole(&drawing, &definition.style, VIEWPORT));
         let options = PngOptions { viewport: VIEWPORT, is_transparent: true, ..PngOptions::default() };
-        let style = definition.style.clone();
-        let file = write_all(&mut PngWriter::new(drawing, style, View::default(), &options).unwrap()).unwrap();
+        let file = png(&drawing, &definition.style, &options);
         let (info, pixels) = read(&file);
         assert_eq!(info.color_type, png::ColorType::Rgba);
         assert_eq!((pixels[3], pixels[0]), (0, 0), "the corner is empty");
@@ -134,11 +159,9 @@ fn drawings_in_space_are_streamed_in_panes() {
     let expected = opaque(renderer.pixels());
     for band in [1 << 22, 1] {
         let options = PngOptions { viewport, band, ..PngOptions::default() };
-        let mut writer = PngWriter::solid(drawing.clone(), style.clone(), Camera::default(), &options).unwrap();
-        assert_eq!(read(&write_all(&mut writer).unwrap()).1, expected, "{band}");
+        assert_eq!(read(&solid_png(&drawing, &style, &options)).1, expected, "{band}");
         let options = PngOptions { is_transparent: true, ..options };
-        let mut writer = PngWriter::solid(drawing.clone(), style.clone(), Camera::default(), &options).unwrap();
-        let (_, pixels) = read(&write_all(&mut writer).unwrap());
+        let (_, pixels) = read(&solid_png(&drawing, &style, &options));
         assert!(most_difference(&over(&pixels, style.background.rgb), &expected) <= 1);
     }
 }
@@ -152,9 +175,7 @@ fn files_tell_resolution_and_system() {
         system: write_json(&definition),
         ..PngOptions::default()
     };
-    let style = definition.style.clone();
-    let mut writer = PngWriter::new(drawing(&definition, 2), style, View::default(), &options).unwrap();
-    let file = write_all(&mut writer).unwrap();
+    let file = png(&drawing(&definition, 2), &definition.style, &options);
     let (info, _) = read(&file);
     assert_eq!((info.width, info.height, info.color_type), (20, 10, png::ColorType::Rgb));
     let dims = info.pixel_dims.unwrap();
