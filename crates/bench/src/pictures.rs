@@ -1,7 +1,7 @@
 //! Pictures that a script in the browser times: each system at several depths and magnifications.
 
 use lsystem::syntax::Ink;
-use lsystem::{Definition, Drawing, Limits, Progress, Renderer, System, View, Viewport, draw, fit, read_json};
+use lsystem::{Definition, Drawing, Limits, Plane, Progress, Renderer, System, View, Viewport, draw, fit, read_json};
 use serde_json::{Value, json};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -63,7 +63,7 @@ impl Pictures {
         let systems = definitions.into_iter().filter_map(|(name, mut definition)| {
             definition.style.ink = Ink::Solid;
             let system = System::new(&definition).0?;
-            let drawing = draw(&system, 2, &Limits::default());
+            let drawing = draw::<Plane>(&system, 2, &Limits::default());
             let memoises = !system.is_solid() && drawing.is_ok_and(|drawing| drawing.is_memoised());
             let bush = definition.rules.replace('g', "F").contains(BUSH);
             memoises.then_some((name, bush, system))
@@ -75,7 +75,7 @@ impl Pictures {
     /// segments and blocks. `undefined` after the last system or if a limit is exceeded.
     pub fn build(&mut self, index: usize, n: u32) -> Option<String> {
         let (name, bush, system) = self.systems.get(index)?;
-        let drawing = draw(system, n, &Limits::default()).ok()?;
+        let drawing = draw::<Plane>(system, n, &Limits::default()).ok()?;
         let (segments, blocks) = (drawing.segment_count().to_string(), drawing.block_count());
         self.current = index;
         self.drawing = Some(Arc::new(drawing));

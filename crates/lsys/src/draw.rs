@@ -7,14 +7,12 @@ use crate::input::{self, InputSystem};
 use crate::output::within;
 use crate::pending::{Pending, with_extension};
 use crate::progress::DelayedBar;
-use crate::{CommandFailure, cores, picture, print};
-use lsystem::drawing::{Outlook, why_empty};
-use lsystem::files::{Content, FileOptions, Format, Notes, Owner, Sink, write_png, write_solid_png};
+use crate::{CommandFailure, cores, print};
+use lsystem::drawing::why_empty;
+use lsystem::files::{FileLimits, FileTask, FileView, Format, Owner, PngOptions, Sink, make};
 use lsystem::syntax::{Halt, visible};
-use lsystem::{Camera, View, write_json};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::sync::Arc;
 
 /// Does all `jobs`; their `folder` is made if it is missing. A failed job is reported, and the others are still done.
 pub(crate) fn draw(jobs: &[Job], folder: Option<&Path>, look: &Look, changes: &Changes) -> Result<(), CommandFailure> {
@@ -40,15 +38,13 @@ fn draw_one(
         Destination::Print(format) => core::slice::from_ref(format),
         Destination::Write(_, formats) => formats,
     };
-    if formats.iter().any(|format| !matches!(format.content, Content::System | Content::String | Content::Words(_)))
+    if formats.iter().any(|format| format.shows_drawing())
         && let Some(reason) = why_empty(&input.system, input.iterations)
     {
         say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     match &job.target {
-        Destination::Print(format)
-            if matches!(format.name, "png" | "glb" | "pdf" | "stl") && io::stdout().is_terminal() =>
-        {
+        Destination::Print(format) if format.is_binary && io::stdout().is_terminal() => {
             Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
         Destination::Print(format) => {
@@ -105,7 +101,7 @@ impl Owner for Stream<'_> {
 /// an error of the stream.
 fn write_file(
     input: &InputSystem,
-    format: &Format,
+    format: &'static Format,
     look: &Look,
     shares: u64,
     say: Say<'_>,
@@ -113,7 +109,25 @@ fn write_file(
     wrong: &dyn Fn(io::Error) -> CommandFailure,
 ) -> Result<(), CommandFailure> {
     let mut stream = Stream { out, error: None, bar: None };
-    let notes = Sink::to(&mut stream, |sink| write(input, format, look, shares, sink)).map_err(|halt| match halt {
+    let limits = input.limits(shares);
+    let task = FileTask {
+        definition: &input.definition,
+        system: &input.system,
+        format,
+        options: &look.flags.options(),
+        view: FileView::default(),
+        limits: FileLimits {
+            drawing: input.drawing_limits(),
+            drawing_bytes: limits.memory,
+            string: limits,
+            remembers: false,
+            segments: limits.segments,
+            held: limits.segments,
+            mesh: [MESH_SEGMENTS / shares, limits.memory],
+            band: PngOptions::default().band,
+        },
+    };
+    let notes = Sink::to(&mut stream, |sink| make(&task, sink)).map_err(|halt| match halt {
         Halt::Limit(limit) => input.limit(&limit),
         Halt::Stopped => wrong(stream.error.take().unwrap_or_else(|| io::ErrorKind::Other.into())),
     })?;
@@ -121,51 +135,4 @@ fn write_file(
     let name = || visible(&input.file.display().to_string());
     notes.summary.iter().for_each(|summary| say(&format!("{}: {summary}\n", name())));
     Ok(())
-}
-
-fn write(input: &InputSystem, format: &Format, look: &Look, shares: u64, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
-    let (system, limits) = (&input.system, input.limits(shares));
-    let style = &system.style;
-    let choices = look.flags.options();
-    let stored = if choices.bare { String::new() } else { write_json(&input.definition) };
-    let title = input.definition.label().to_owned();
-    let options = FileOptions { title, system: stored, most: limits.segments, ..choices };
-    let none = |()| Notes::default();
-    match format.content {
-        Content::System => {
-            sink.text.push_str(&write_json(&input.definition));
-            Ok(Notes::default())
-        }
-        Content::String => {
-            sink.bytes(lsystem::expand(system, input.iterations, &limits)?.as_bytes())?;
-            sink.bytes(b"\n").map(none)
-        }
-        Content::Words(write) => write(&input.definition, system, &options, sink),
-        Content::Pixels if system.is_solid() => {
-            let drawing = Arc::new(input.draw_solid(shares)?);
-            let options = picture::png_options(picture::SOLID_SIZE, options);
-            write_solid_png(drawing, style, Camera::default(), &options, sink).map(none)
-        }
-        Content::Pixels => {
-            let drawing = Arc::new(input.draw(shares)?);
-            let options = picture::png_options(picture::usual_size(&drawing), options);
-            write_png(drawing, style, View::default(), &options, sink).map(none)
-        }
-        Content::Mesh(write) => {
-            let options = FileOptions { most: MESH_SEGMENTS / shares, memory: limits.memory, ..options };
-            write(Arc::new(input.draw_solid(shares)?), style, &options, sink)
-        }
-        Content::Segments { space, .. } if system.is_solid() => {
-            space(&input.draw_solid(shares)?, limits.segments, sink).map(none)
-        }
-        Content::Segments { plane, .. } => plane(&input.draw(shares)?, limits.segments, sink).map(none),
-        Content::Paper(write) => {
-            // The direction of view is the page's first one.
-            let drawing = match system.is_solid() {
-                true => input.draw_solid(shares)?.seen_from(&Outlook::default(), limits.segments)?,
-                false => input.draw(shares)?,
-            };
-            write(Arc::new(drawing), style, &options, sink)
-        }
-    }
 }

@@ -5,9 +5,8 @@ use crate::input::{self, InputSystem};
 use crate::output::escape_json;
 use crate::{CommandFailure, cores, print};
 use lsystem::derive::Tally;
-use lsystem::drawing::Space;
 use lsystem::syntax::visible;
-use lsystem::{Diagnostic, Drawing, Progress, count_segments, count_symbols};
+use lsystem::{Diagnostic, Figure, Progress, count_segments, count_symbols};
 use serde::Serialize;
 use std::fmt::{self, Display};
 use std::path::PathBuf;
@@ -69,24 +68,11 @@ pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(
 
 /// The facts that are known within one of `shares` equal shares of the limits.
 fn facts(input: &InputSystem, shares: u64) -> FileFacts {
-    if input.system.is_solid() {
-        facts_of(input, shares, &input.draw_solid(shares), |drawing| drawing.bounds().map(|bounds| bounds.concat()))
-    } else {
-        facts_of(input, shares, &input.draw(shares), |drawing| drawing.bounds().map(Vec::from))
-    }
-}
-
-/// The facts about a system with this `drawing`.
-fn facts_of<S: Space>(
-    input: &InputSystem,
-    shares: u64,
-    drawing: &Result<Drawing<S>, Diagnostic>,
-    bounds: fn(&Drawing<S>) -> Option<Vec<f64>>,
-) -> FileFacts {
+    let drawing = input.draw(shares);
     let (system, n) = (&input.system, input.iterations);
     let (drawn, limit) = (drawing.as_ref().ok(), drawing.as_ref().err());
     let now = GenerationCounts::new(input, shares, n, drawn);
-    let before = n.checked_sub(1).map(|n| GenerationCounts::new(input, shares, n, None::<&Drawing<S>>));
+    let before = n.checked_sub(1).map(|n| GenerationCounts::new(input, shares, n, None));
     let ratio = |of: fn(&GenerationCounts) -> &Option<Tally>| ratio(of(&now).as_ref()?, of(before.as_ref()?).as_ref()?);
     FileFacts {
         file: input.file.display().to_string(),
@@ -98,9 +84,12 @@ fn facts_of<S: Space>(
         growth: GrowthFactors { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
         symbols: now.symbols.map(|count| count.to_string()),
         segments: now.segments.map(|count| count.to_string()),
-        bounds: drawn.and_then(bounds).filter(|b| b.iter().all(|x| x.is_finite())),
-        memoised: drawn.map(Drawing::is_memoised),
-        blocks: drawn.map(Drawing::block_count),
+        bounds: drawn
+            .and_then(Figure::bounds)
+            .map(|bounds| bounds.concat())
+            .filter(|b| b.iter().all(|x| x.is_finite())),
+        memoised: drawn.map(Figure::is_memoised),
+        blocks: drawn.map(Figure::block_count),
         limit: limit.map(Diagnostic::message),
     }
 }
@@ -114,7 +103,7 @@ struct GenerationCounts {
 
 impl GenerationCounts {
     /// The counts of generation `n`: added up by the rules, or else from the drawing, or else by derivation.
-    fn new<S: Space>(input: &InputSystem, shares: u64, n: u32, drawing: Option<&Drawing<S>>) -> Self {
+    fn new(input: &InputSystem, shares: u64, n: u32, drawing: Option<&Figure>) -> Self {
         let summed = Self { symbols: count_symbols(&input.system, n), segments: count_segments(&input.system, n) };
         let drawn = || Self {
             symbols: drawing.and_then(|drawing| Some(drawing.symbol_count()?.into())),

@@ -3,10 +3,10 @@
 use crate::cli::Changes;
 use crate::cores::Say;
 use crate::{CommandFailure, settings};
-use lsystem::drawing::Space;
+use lsystem::drawing::FigureDrawer;
 use lsystem::files::{Entry, FileContent, Imported, Remark, import_file};
 use lsystem::syntax::{LimitName, MAX_TEXT, visible};
-use lsystem::{Definition, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, System, read_file, render_diagnostic};
+use lsystem::{Definition, Diagnostic, Figure, Limits, Progress, System, read_file, render_diagnostic};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -122,31 +122,16 @@ impl InputSystem {
         Limits { symbols: symbols / shares, segments: segments / shares, memory: memory / shares, ..self.limits }
     }
 
-    /// The drawing in the plane, within one of `shares` equal shares of memory.
+    /// The drawing in the space of the system, within one of `shares` equal shares of memory. The drawer itself has the
+    /// whole limits, because limits decide how a drawing is made and the result must not depend on `shares`.
     ///
     /// # Errors
     /// The limit that the drawing exceeds.
-    pub(crate) fn draw(&self, shares: u64) -> Result<Drawing, Diagnostic> {
-        self.finish(Drawer::new(&self.system, self.iterations, self.drawing_limits()), shares)
+    pub(crate) fn draw(&self, shares: u64) -> Result<Figure, Diagnostic> {
+        self.finish(Figure::drawer(&self.system, self.iterations, self.drawing_limits()), shares)
     }
 
-    /// The drawing in space, as [`InputSystem::draw`].
-    ///
-    /// # Errors
-    /// As [`InputSystem::draw`].
-    pub(crate) fn draw_solid(&self, shares: u64) -> Result<Drawing<Solid>, Diagnostic> {
-        self.finish(Drawer::solid(&self.system, self.iterations, self.drawing_limits()), shares)
-    }
-
-    /// The limits of a drawing. Only memory limits the segments of a drawing; [`Limits::segments`] of the input is for
-    /// text files.
-    fn drawing_limits(&self) -> Limits {
-        Limits { segments: u64::from(u32::MAX), work: 1 << 30, ..self.limits }
-    }
-
-    /// Runs all steps of a drawing within its share of memory. The drawer itself has the whole limits, because limits
-    /// decide how a drawing is made and the result must not depend on `shares`.
-    fn finish<S: Space>(&self, mut drawer: Drawer<S>, shares: u64) -> Result<Drawing<S>, Diagnostic> {
+    fn finish(&self, mut drawer: FigureDrawer, shares: u64) -> Result<Figure, Diagnostic> {
         let share = self.limits.memory / shares;
         while drawer.step(WORK) == Progress::More {
             if shares > 1 && drawer.bytes() > share {
@@ -154,6 +139,12 @@ impl InputSystem {
             }
         }
         drawer.finish()
+    }
+
+    /// The limits of a drawing. Only memory limits the segments of a drawing; [`Limits::segments`] of the input is for
+    /// text files.
+    pub(crate) fn drawing_limits(&self) -> Limits {
+        Limits { segments: u64::from(u32::MAX), work: 1 << 30, ..self.limits }
     }
 
     /// The derived string.

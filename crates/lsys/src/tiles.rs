@@ -32,14 +32,9 @@ pub(crate) fn tiles(file: &Path, to: &Path, options: &TileOptions, changes: &Cha
         say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     let wrong = |limit| input.limit(&limit);
-    let drawing = match input.system.is_solid() {
-        // The direction of view is the page's first one.
-        true => {
-            let solid = input.draw_solid(1).map_err(wrong)?;
-            solid.seen_from(&Outlook::default(), input.limits(1).segments).map_err(wrong)?
-        }
-        false => input.draw(1).map_err(wrong)?,
-    };
+    // The direction of view is the page's first one.
+    let drawing = input.draw(1).and_then(|figure| figure.seen_from(&Outlook::default(), input.limits(1).segments));
+    let drawing = drawing.map_err(wrong)?;
     let style = input.system.style.clone();
     let layout = Layout { options: *options, background: style.background.rgb, name: input.definition.label() };
     let failed = |error: io::Error| CommandFailure::io(to.display(), &error);
@@ -47,7 +42,7 @@ pub(crate) fn tiles(file: &Path, to: &Path, options: &TileOptions, changes: &Cha
     for (path, text) in layout.descriptions() {
         folder.write(&path, text.as_bytes()).map_err(failed)?;
     }
-    let pyramid = Arc::new(Pyramid::new(Arc::new(drawing), style, options.size));
+    let pyramid = Arc::new(Pyramid::new(drawing, style, options.size));
     let tally = Maker { layout: &layout, folder: &folder, pyramid: &pyramid }.make().map_err(failed)?;
     print(|out| writeln!(out, "{tally}"))
 }

@@ -1,7 +1,7 @@
 //! Hints for wrong answers: what is probably wrong, found by trying.
 
 use crate::exercise::{Asks, Exercise, Given};
-use crate::fit::{Fit, Segment};
+use crate::fit::{Ends, Fit};
 use crate::mark::{Marker, counted};
 use crate::sketch::{Sketch, Sketching};
 use core::cell::Cell;
@@ -71,7 +71,7 @@ impl Marker {
         if !self.looks_like(own) {
             return None;
         }
-        let [expected, found] = [self.target().shape.segment_count(), own.shape.segment_count()];
+        let [expected, found] = [self.target().figure.segment_count(), own.figure.segment_count()];
         Some(match found.cmp(&expected) {
             core::cmp::Ordering::Equal => "It looks right, but details differ. Compare the finest parts.".to_owned(),
             order => {
@@ -124,10 +124,10 @@ impl Marker {
 
     /// How many of the first segments are right.
     fn common_start(&self, own: &Sketch) -> Option<String> {
-        let (target, _) = self.target().shape.lists()?;
-        let (own, _) = own.shape.lists()?;
+        let (target, _) = self.target().lists()?;
+        let (own, _) = own.lists()?;
         let [a, b] = [Fit::first(&target), Fit::first(&own)];
-        let is_near = |a: &Segment, b: &Segment| {
+        let is_near = |a: &Ends, b: &Ends| {
             a.as_flattened().iter().zip(b.as_flattened()).all(|(a, b)| (a - b).abs() < NEAR * (1.0 + a.abs()))
         };
         let same = target.iter().zip(&own).take_while(|(x, y)| is_near(&a.place(x), &b.place(y))).count();

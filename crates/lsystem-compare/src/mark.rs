@@ -21,7 +21,7 @@ const SEEDS: [u32; 2] = [0, 1_000];
 
 /// The mark of an answer.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mark {
+pub struct Grade {
     /// Whether the exercise is solved.
     pub is_solved: bool,
     /// How near the answer is, from 0 to 1. For pictures, the part of the ink that agrees.
@@ -65,7 +65,7 @@ enum Stage {
     Failed(Vec<Diagnostic>),
 }
 
-impl Mark {
+impl Grade {
     /// The agreement in percent, rounded down: what is not the same is never called 100 %.
     #[must_use]
     pub fn percent(&self) -> String {
@@ -128,7 +128,7 @@ impl Marker {
     }
 
     /// Marks an answer at once.
-    pub fn mark(&mut self, student: &Definition) -> Mark {
+    pub fn mark(&mut self, student: &Definition) -> Grade {
         let mut marking = self.begin(student);
         loop {
             if let Some(mark) = self.step(&mut marking, u64::MAX) {
@@ -138,7 +138,7 @@ impl Marker {
     }
 
     /// Works on a mark for about `work` units, or until a longer step is done. Returns the mark after the last step.
-    pub fn step(&mut self, marking: &mut Marking, work: u64) -> Option<Mark> {
+    pub fn step(&mut self, marking: &mut Marking, work: u64) -> Option<Grade> {
         let stage = core::mem::replace(&mut marking.stage, Stage::Failed(Vec::new()));
         match stage {
             Stage::Failed(errors) => Some(self.failed(marking, errors)),
@@ -193,25 +193,25 @@ impl Marker {
         &self.target
     }
 
-    fn failed(&mut self, marking: &Marking, errors: Vec<Diagnostic>) -> Mark {
+    fn failed(&mut self, marking: &Marking, errors: Vec<Diagnostic>) -> Grade {
         self.own = Mask::default();
         self.own_text = None;
-        Mark {
+        Grade {
             is_solved: false,
             agreement: 0.0,
             is_same: Some(false),
             symbols: marking.symbols,
-            segments: [self.target.shape.segment_count(), 0],
+            segments: [self.target.figure.segment_count(), 0],
             words: String::new(),
             errors,
         }
     }
 
-    fn compared(&mut self, marking: &Marking, own: &Sketch) -> Mark {
+    fn compared(&mut self, marking: &Marking, own: &Sketch) -> Grade {
         match self.exercise.asks {
             Asks::Text => self.compared_texts(marking, own),
             Asks::Segments => {
-                let [expected, found] = [self.target.shape.segment_count(), own.shape.segment_count()];
+                let [expected, found] = [self.target.figure.segment_count(), own.figure.segment_count()];
                 let agreement = match expected.max(found) {
                     0 => 1.0,
                     most => expected.min(found) as f64 / most as f64,
@@ -233,11 +233,11 @@ impl Marker {
 
     /// Whether a drawing is the same picture as the target; `None` if unknown.
     fn is_same(&mut self, own: &Sketch, agreement: f64) -> Option<bool> {
-        let target = &self.target.shape;
+        let target = &self.target;
         if agreement < SURELY_DIFFERENT {
             return Some(false);
         }
-        if own.shape.has_graph_of(target) {
+        if own.has_graph_of(target) {
             return Some(true);
         }
         if self.outline.is_none() {
@@ -247,10 +247,10 @@ impl Marker {
         if own.mask.is_empty() != self.target.mask.is_empty() {
             return Some(false);
         }
-        own.shape.has_outline(self.outline.as_mut()?)
+        own.has_outline(self.outline.as_mut()?)
     }
 
-    fn compared_texts(&mut self, marking: &Marking, own: &Sketch) -> Mark {
+    fn compared_texts(&mut self, marking: &Marking, own: &Sketch) -> Grade {
         let text = match string(&marking.whole) {
             Ok(text) => text,
             Err(errors) => return self.failed(marking, errors),
@@ -271,7 +271,7 @@ impl Marker {
         self.marked(marking, own, agreement, Some(is_same), words)
     }
 
-    fn sampled(&mut self, marking: &Marking, own: &Sketch, sample: &Sample) -> Mark {
+    fn sampled(&mut self, marking: &Marking, own: &Sketch, sample: &Sample) -> Grade {
         let distance = self.sample.as_ref().map_or(1.0, |target| target.distance(sample));
         let is_near = Sample::is_near(distance);
         let words = match is_near {
@@ -291,7 +291,7 @@ impl Marker {
         agreement: f64,
         is_same: Option<bool>,
         words: String,
-    ) -> Mark {
+    ) -> Grade {
         self.own = own.mask.clone();
         let is_close = is_same == Some(true) || self.exercise.tolerance.is_some_and(|least| agreement >= least);
         let is_short = self.exercise.most_symbols.is_none_or(|most| marking.symbols <= most);
@@ -301,12 +301,12 @@ impl Marker {
             }
             _ => words,
         };
-        Mark {
+        Grade {
             is_solved: is_close && is_short,
             agreement,
             is_same,
             symbols: marking.symbols,
-            segments: [self.target.shape.segment_count(), own.shape.segment_count()],
+            segments: [self.target.figure.segment_count(), own.figure.segment_count()],
             words,
             errors: Vec::new(),
         }

@@ -1,7 +1,7 @@
 //! Drawings of one system with many seeds, as statistics.
 
 use crate::compiled::compiled;
-use lsystem_drawing::{Drawer, System};
+use lsystem_drawing::{Drawer, Plane, System};
 use lsystem_syntax::{Definition, Diagnostic, Limits};
 
 /// The number of seeds.
@@ -48,7 +48,7 @@ impl Sampling {
             return Ok(Some(sample));
         }
         self.system.seed = self.first + done;
-        let drawing = Drawer::new(&self.system, self.n, LIMITS).finish()?;
+        let drawing = Drawer::<Plane>::new(&self.system, self.n, LIMITS).finish()?;
         let [x0, y0, x1, y1] = drawing.bounds().unwrap_or_default();
         let measures = [drawing.segment_count() as f64, x1 - x0, y1 - y0];
         self.sample.0.iter_mut().zip(measures).for_each(|(list, measure)| list.push(measure));

@@ -271,7 +271,8 @@ fn space_and_polygons() {
         ..Definition::default()
     };
     let system = lsystem_drawing::System::new(&cube).0.unwrap();
-    let drawing = lsystem_drawing::draw_solid(&system, 0, &lsystem_syntax::Limits::default()).unwrap();
+    let drawing =
+        lsystem_drawing::draw::<lsystem_drawing::Solid>(&system, 0, &lsystem_syntax::Limits::default()).unwrap();
     let table = lsystem_files::write_csv(&drawing, 100).unwrap();
     assert!(check(&cube, &table).is_right());
     assert!(!check(&cube, &table.replacen(",1,", ",2,", 1)).is_right(), "{table}");

@@ -37,7 +37,8 @@ fn the_reference_draws_as_the_library() {
             let Some(expected) = system.segments() else { continue };
             let definition = system.definition();
             let compiled = lsystem_drawing::System::new(&definition).0.expect("edits stay readable");
-            let drawing = lsystem_drawing::draw(&compiled, system.n, &Limits::default()).expect("a small drawing");
+            let drawing = lsystem_drawing::draw::<lsystem_drawing::Plane>(&compiled, system.n, &Limits::default())
+                .expect("a small drawing");
             let found: Vec<_> = drawing.segments().map(|segment| [segment.from, segment.to]).collect();
             assert_eq!(found.len(), expected.len(), "{system:?}");
             let ends = found.iter().flatten().flatten().zip(expected.iter().flatten().flatten());
@@ -49,7 +50,7 @@ fn the_reference_draws_as_the_library() {
 /// The library agrees with the reference on every edit and every rewriting.
 #[test]
 fn the_same_pictures_as_brute_force() {
-    let in_space = |segments: Vec<[[f64; 2]; 2]>| -> Vec<lsystem_compare::Segment> {
+    let in_space = |segments: Vec<[[f64; 2]; 2]>| -> Vec<lsystem_compare::Ends> {
         segments.into_iter().map(|segment| segment.map(|[x, y]| [x, y, 0.0])).collect()
     };
     for system in systems() {

@@ -43,7 +43,6 @@ pub use scene::SceneSize;
 pub use segments::Frame;
 pub(crate) use segments::SegmentIter;
 pub use shape::{Line, Shape};
-pub use solid::draw_solid;
 pub(crate) use solid_reader::{SolidMark, SolidReader};
 
 use self::block::Contents;

@@ -5,6 +5,7 @@
 //!
 //! A [`System`] is a checked and compiled definition. Its rules derive strings ([`expand`], [`count_symbols`]). A
 //! [`Turtle`] reads the symbols, in the [`Plane`] or in space ([`Solid`]). A [`Drawer`] makes the blocks in steps.
+//! A [`Figure`] is a drawing in the space of its system, for readers to whom the space makes no difference.
 
 // In the order of the data.
 mod chunks;
@@ -28,14 +29,16 @@ mod opening;
 pub mod triangulate;
 
 mod describe;
+mod figure;
 
 pub use chunks::Chunks;
 pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{
     Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon, Projection,
-    SceneSize, Segment, SegmentArrays, Shape, Space, Stroke, draw, draw_solid, hull,
+    SceneSize, Segment, SegmentArrays, Shape, Space, Stroke, draw, hull,
 };
 pub use drawn::drawn_by_letter;
+pub use figure::{Figure, FigureDrawer};
 pub use mesh::{Material, Mesh, MeshForm, MeshOptions, MeshParts};
 pub use opening::symbol_of_polygon;
 pub use plane::{Directions, Plane};

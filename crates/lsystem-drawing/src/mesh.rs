@@ -232,7 +232,7 @@ mod tests {
     use super::tubes::ROUND;
     use super::*;
     use crate::rotation::{cross, dot, norm};
-    use crate::{System, draw_solid};
+    use crate::{System, draw};
     use lsystem_syntax::{Definition, Limits};
     use std::collections::BTreeMap;
 
@@ -246,7 +246,7 @@ mod tests {
             ..Definition::default()
         };
         let system = System::new(&definition).0.unwrap();
-        Mesh::new(&draw_solid(&system, n, &Limits::default()).unwrap(), &style, 100_000).unwrap()
+        Mesh::new(&draw::<Solid>(&system, n, &Limits::default()).unwrap(), &style, 100_000).unwrap()
     }
 
     /// The volume inside; triangles that face inwards count as negative.
@@ -309,7 +309,7 @@ mod tests {
         let definition = Definition { axiom: "{f+f+f}".into(), angle: 90.0, ..Definition::default() };
         let style = Style { min_width: 102.4, ..Style::default() };
         let system = System::new(&definition).0.unwrap();
-        let leaf = Mesh::for_printing(&draw_solid(&system, 0, &Limits::default()).unwrap(), &style, 100).unwrap();
+        let leaf = Mesh::for_printing(&draw::<Solid>(&system, 0, &Limits::default()).unwrap(), &style, 100).unwrap();
         check_closed(&leaf);
         // The least width is a tenth of the extent, which is 1; the outline is a square.
         assert!((volume(&leaf) - 0.1).abs() < 1e-6, "{}", volume(&leaf));
@@ -320,7 +320,7 @@ mod tests {
     fn printed_strokes_are_drawn_once() {
         let definition = Definition { axiom: "F[F]FF|FF".into(), ..Definition::default() };
         let system = System::new(&definition).0.unwrap();
-        let drawing = draw_solid(&system, 0, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&system, 0, &Limits::default()).unwrap();
         let print = Mesh::for_printing(&drawing, &definition.style, 100).unwrap();
         check_closed(&print);
         // Two tubes are left: from 0 to 2 with three rings, and from 2 to 3.

@@ -107,8 +107,8 @@ impl System {
     }
 
     /// Whether the drawing leaves the plane: a symbol that may occur pitches or rolls, or the tropism has a z
-    /// component. [`draw_solid`](crate::draw_solid) draws such a system; [`draw`](crate::draw) ignores its rotations
-    /// out of the plane.
+    /// component. A [`Figure`](crate::Figure) of such a system is in space; a [`draw`](crate::draw)ing in the plane ignores
+    /// rotations out of it.
     #[must_use]
     pub fn is_solid(&self) -> bool {
         // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.

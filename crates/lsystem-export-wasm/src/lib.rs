@@ -4,10 +4,9 @@
 
 mod budget;
 mod maker;
-mod string;
 
 use js_sys::{Function, Uint8Array};
-use lsystem_files::{FileOptions, Format, OptionValue, Owner};
+use lsystem_files::{FileOptions, FileView, Format, OptionValue, Owner};
 use lsystem_render::{PageCamera, PageView};
 use lsystem_syntax::{Definition, Halt, Problem};
 use maker::{Order, Report, make};
@@ -90,8 +89,9 @@ pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
     let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
     let options = FileOptions::from_values(&options)?;
     let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into).unwrap_or_default());
+    let view = FileView { view, camera, ratio: Some(ratio), is_described: true };
     let mut page = Page { tell, piece: vec![] };
-    let Report { complete, diagnostics } = make(Order { definition, format, options, view, camera, ratio }, &mut page);
+    let Report { complete, diagnostics } = make(&Order { definition, format, options, view }, &mut page);
     let complete = complete && page.hand_on().is_ok();
     let report = ExportReport { complete, diagnostics };
     report.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).map_err(JsValue::from)

@@ -1,30 +1,17 @@
 //! Files of systems.
 
-use crate::budget::{BAND, FEW_SEGMENTS, LIMITS, MESH, TEXT_SEGMENTS};
-use crate::string::write_string;
-use lsystem_drawing::{Drawer, Drawing, Outlook, Projection, Solid, Space, System, describe};
-use lsystem_files::{
-    Content, FileOptions, Format, Notes, Owner, PngOptions, Sink, write_json, write_png, write_solid_png,
-};
-use lsystem_render::{Camera, View, Viewport};
-use lsystem_syntax::{Definition, Halt, Problem, Work, problems, run_steps};
-use std::sync::Arc;
-
-/// The side of a picture of pixels whose size is not given.
-const USUAL: u32 = 1024;
+use crate::budget::LIMITS;
+use lsystem_drawing::System;
+use lsystem_files::{FileOptions, FileTask, FileView, Format, Owner, Sink};
+use lsystem_syntax::{Definition, Problem, problems};
 
 /// What to make.
 pub(crate) struct Order {
     pub(crate) definition: Definition,
     pub(crate) format: &'static Format,
-    /// The choices of the reader. Title, description, system and limits are filled in.
+    /// The choices of the reader.
     pub(crate) options: FileOptions,
-    /// The place of pictures of pixels in the plane.
-    pub(crate) view: View,
-    /// The camera on drawings in space.
-    pub(crate) camera: Camera,
-    /// Device pixels in a CSS pixel, for pictures of pixels.
-    pub(crate) ratio: f64,
+    pub(crate) view: FileView,
 }
 
 /// The report on a file.
@@ -37,115 +24,30 @@ pub(crate) struct Report {
 }
 
 /// Makes a file. A definition with errors has none.
-pub(crate) fn make(order: Order, owner: &mut dyn Owner) -> Report {
-    let definition = order.definition.clone();
-    let (system, diagnostics) = System::new(&definition);
+pub(crate) fn make(order: &Order, owner: &mut dyn Owner) -> Report {
+    let Order { definition, format, options, view } = order;
+    let (system, diagnostics) = System::new(definition);
     let Some(system) = system else {
-        return Report { complete: false, diagnostics: problems(&diagnostics, &definition, "") };
+        return Report { complete: false, diagnostics: problems(&diagnostics, definition, "") };
     };
-    let (complete, remarks) = match Sink::to(owner, |sink| write(order, &system, sink)) {
+    let task = FileTask { definition, system: &system, format, options, view: *view, limits: LIMITS };
+    let (complete, remarks) = match Sink::to(owner, |sink| lsystem_files::make(&task, sink)) {
         Ok(notes) => (true, notes.remark),
         Err(halt) => (false, Some(halt.diagnostic())),
     };
-    Report { complete, diagnostics: problems(remarks.as_slice(), &definition, "") }
-}
-
-/// Writes a file.
-fn write(order: Order, system: &System, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
-    let Order { definition, format, options, view, camera, ratio } = order;
-    let (n, style) = (definition.iterations, &system.style);
-    let title = definition.label().to_owned();
-    let stored = if options.bare { String::new() } else { write_json(&definition) };
-    let options = FileOptions { title, system: stored, most: TEXT_SEGMENTS, ..options };
-    let none = |()| Notes::default();
-    match format.content {
-        Content::System => {
-            sink.text.push_str(&write_json(&definition));
-            Ok(Notes::default())
-        }
-        Content::String => write_string(system, n, sink).map(none),
-        Content::Words(write) => write(&definition, system, &options, sink),
-        Content::Pixels => {
-            let [width, height] = options.size.unwrap_or([USUAL; 2]);
-            let viewport = Viewport { width, height, ratio };
-            let FileOptions { dpi, transparent: is_transparent, system: stored, .. } = options;
-            let png = PngOptions { viewport, dpi, is_transparent, system: stored, band: BAND };
-            match system.is_solid() {
-                true => write_solid_png(solid(system, n, sink)?, style, camera, &png, sink).map(none),
-                false => write_png(plane(system, n, sink)?, style, view, &png, sink).map(none),
-            }
-        }
-        Content::Segments { space, .. } if system.is_solid() => {
-            space(&*solid(system, n, sink)?, TEXT_SEGMENTS, sink).map(none)
-        }
-        Content::Segments { plane: write, .. } => write(&*plane(system, n, sink)?, TEXT_SEGMENTS, sink).map(none),
-        Content::Paper(write) if system.is_solid() => {
-            let drawing = solid(system, n, sink)?;
-            let bounds = drawing.bounds().map(|[low, high]| [low[0], low[1], high[0], high[1]]);
-            let description = description(system, n, &*drawing, bounds, sink)?;
-            let outlook = Outlook { azimuth: camera.azimuth, elevation: camera.elevation };
-            let mut projection = Projection::new(&drawing, &outlook, FEW_SEGMENTS)?;
-            run_steps(sink, |units| projection.step(&drawing, units))?;
-            let projected = Arc::new(projection.finish(&drawing));
-            // To save memory.
-            drop(drawing);
-            write(projected, style, &FileOptions { description, ..options }, sink)
-        }
-        Content::Paper(write) => {
-            let drawing = plane(system, n, sink)?;
-            let description = description(system, n, &*drawing, drawing.bounds(), sink)?;
-            let most = if format.name == "svg-compact" { FEW_SEGMENTS } else { TEXT_SEGMENTS };
-            write(drawing, style, &FileOptions { description, most, ..options }, sink)
-        }
-        Content::Mesh(write) => {
-            let options = FileOptions { most: FEW_SEGMENTS, memory: MESH, ..options };
-            write(solid(system, n, sink)?, style, &options, sink)
-        }
-    }
-}
-
-/// The drawing in the plane.
-fn plane(system: &System, n: u32, work: &mut dyn Work) -> Result<Arc<Drawing>, Halt> {
-    drawn(Drawer::new(system, n, LIMITS), work)
-}
-
-/// The drawing in space. Systems in the plane have one, too, for meshes.
-fn solid(system: &System, n: u32, work: &mut dyn Work) -> Result<Arc<Drawing<Solid>>, Halt> {
-    drawn(Drawer::solid(system, n, LIMITS), work)
-}
-
-fn drawn<S: Space>(mut drawer: Drawer<S>, work: &mut dyn Work) -> Result<Arc<Drawing<S>>, Halt> {
-    run_steps(work, |units| drawer.step(units))?;
-    Ok(Arc::new(drawer.finish()?))
-}
-
-/// The drawing in words. The number of segments is counted where the drawing does not tell.
-fn description<S: Space>(
-    system: &System,
-    n: u32,
-    drawing: &Drawing<S>,
-    bounds: Option<[f64; 4]>,
-    work: &mut dyn Work,
-) -> Result<String, Halt> {
-    let shared = drawing.is_memoised().then(|| drawing.block_count());
-    let count = drawing.segment_count();
-    if count < u128::MAX {
-        return Ok(describe(system, n, &count.into(), shared, bounds));
-    }
-    let mut counter = system.segments(n);
-    run_steps(work, |units| counter.step(units))?;
-    Ok(counter.count().map(|count| describe(system, n, count, shared, bounds)).unwrap_or_default())
+    Report { complete, diagnostics: problems(remarks.as_slice(), definition, "") }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use lsystem_files::FORMATS;
+    use lsystem_syntax::Halt;
 
     fn order(format: &str, definition: Definition) -> Order {
         let format = Format::named(format).unwrap();
-        let (view, camera) = (View::default(), Camera::default());
-        Order { definition, format, options: FileOptions::default(), view, camera, ratio: 1.0 }
+        let view = FileView { is_described: true, ..FileView::default() };
+        Order { definition, format, options: FileOptions::default(), view }
     }
 
     /// The whole file, and its largest piece.
@@ -162,7 +64,7 @@ mod tests {
 
     fn finish(order: Order) -> (Report, Vec<u8>, usize) {
         let mut pieces = Pieces::default();
-        let report = make(order, &mut pieces);
+        let report = make(&order, &mut pieces);
         (report, pieces.0, pieces.1)
     }
 

@@ -24,6 +24,10 @@ pub struct Format {
     pub help: &'static str,
     /// The purposes of the format's files.
     pub purposes: &'static [Purpose],
+    /// Whether the format's files are no text.
+    pub is_binary: bool,
+    /// Whether all parts of a file are in memory before the first one is written.
+    pub is_made_in_memory: bool,
     /// The input of the format's writer.
     pub content: Content,
     /// The names of the choices that the format reads, in the order of [`FILE_OPTIONS`](crate::FILE_OPTIONS).
@@ -141,6 +145,8 @@ pub static FORMATS: [Format; 16] = [
         label: "SVG",
         help: "Picture of strokes",
         purposes: &[Purpose::Screen],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::Paper(|drawing, style, options, sink| picture(&drawing, style, options, SvgForm::Flat, sink)),
         options: &["transparent", "bare"],
     },
@@ -151,6 +157,8 @@ pub static FORMATS: [Format; 16] = [
         label: "Compact SVG",
         help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
         purposes: &[Purpose::Screen],
+        is_binary: false,
+        is_made_in_memory: true,
         content: Content::Paper(|drawing, style, options, sink| {
             picture(&drawing, style, options, SvgForm::Compact, sink)
         }),
@@ -163,6 +171,8 @@ pub static FORMATS: [Format; 16] = [
         label: "Plotter SVG",
         help: "Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel",
         purposes: &[Purpose::Plotter],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::Paper(|drawing, style, options, sink| {
             let summary = write_plot(drawing, style, options, sink)?.words(&options.plot);
             Ok(Notes { summary: Some(summary), ..Notes::default() })
@@ -188,6 +198,8 @@ pub static FORMATS: [Format; 16] = [
         label: "PNG",
         help: "Picture of pixels",
         purposes: &[Purpose::Screen, Purpose::Print],
+        is_binary: true,
+        is_made_in_memory: false,
         content: Content::Pixels,
         options: &["size", "dpi", "transparent", "bare"],
     },
@@ -198,6 +210,8 @@ pub static FORMATS: [Format; 16] = [
         label: "PDF",
         help: "Page of strokes",
         purposes: &[Purpose::Paper],
+        is_binary: true,
+        is_made_in_memory: false,
         content: Content::Paper(|drawing, style, options, sink| write_pdf(&drawing, style, options, sink)),
         options: &["sheet", "landscape", "margin", "whole-sheet", "bare"],
     },
@@ -208,6 +222,8 @@ pub static FORMATS: [Format; 16] = [
         label: "TikZ",
         help: "Picture of strokes for LaTeX",
         purposes: &[Purpose::Paper],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::Paper(|drawing, style, options, sink| write_tikz(&drawing, style, options, sink)),
         options: &[],
     },
@@ -218,6 +234,8 @@ pub static FORMATS: [Format; 16] = [
         label: "TikZ L-system",
         help: "System for TikZ's library lindenmayersystems, which draws simple systems while LaTeX runs",
         purposes: &[Purpose::Paper],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::Words(write_tikz_library),
         options: &[],
     },
@@ -228,6 +246,8 @@ pub static FORMATS: [Format; 16] = [
         label: "LaTeX",
         help: "System typeset as in books: axiom, productions, constants and angles",
         purposes: &[Purpose::Paper],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::Words(|definition, system, _, sink| words(&latex(definition, system), sink)),
         options: &[],
     },
@@ -238,6 +258,8 @@ pub static FORMATS: [Format; 16] = [
         label: "Markdown",
         help: "System as a list: axiom, productions, constants and angles",
         purposes: &[Purpose::Paper],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::Words(|definition, system, _, sink| words(&markdown(definition, system), sink)),
         options: &[],
     },
@@ -248,6 +270,8 @@ pub static FORMATS: [Format; 16] = [
         label: "BibTeX",
         help: "Entries of the system's source and of its picture",
         purposes: &[Purpose::Paper],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::Words(|definition, system, _, sink| words(&bibtex(definition, system), sink)),
         options: &[],
     },
@@ -258,6 +282,8 @@ pub static FORMATS: [Format; 16] = [
         label: "JSON",
         help: "System, to open again",
         purposes: &[Purpose::Data],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::System,
         options: &[],
     },
@@ -268,6 +294,8 @@ pub static FORMATS: [Format; 16] = [
         label: "Text",
         help: "Derived string",
         purposes: &[Purpose::Data],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::String,
         options: &[],
     },
@@ -278,6 +306,8 @@ pub static FORMATS: [Format; 16] = [
         label: "CSV",
         help: "Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour",
         purposes: &[Purpose::Data],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::Segments { plane: csv, space: csv },
         options: &[],
     },
@@ -288,6 +318,8 @@ pub static FORMATS: [Format; 16] = [
         label: "OBJ",
         help: "Mesh of coloured tubes, as text",
         purposes: &[Purpose::Mesh],
+        is_binary: false,
+        is_made_in_memory: true,
         content: Content::Mesh(mesh_file::write_obj),
         options: &["finest"],
     },
@@ -298,6 +330,8 @@ pub static FORMATS: [Format; 16] = [
         label: "glTF",
         help: "Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines",
         purposes: &[Purpose::Mesh],
+        is_binary: true,
+        is_made_in_memory: true,
         content: Content::Mesh(mesh_file::glb),
         options: &["finest"],
     },
@@ -308,6 +342,8 @@ pub static FORMATS: [Format; 16] = [
         label: "STL",
         help: "Mesh of closed tubes and slabs for printers, 100 mm long",
         purposes: &[Purpose::Mesh],
+        is_binary: true,
+        is_made_in_memory: true,
         content: Content::Mesh(mesh_file::stl),
         options: &["finest"],
     },
@@ -318,6 +354,12 @@ impl Format {
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         FORMATS.iter().find(|format| format.name == name)
+    }
+
+    /// Whether the format's files show the drawing.
+    #[must_use]
+    pub fn shows_drawing(&self) -> bool {
+        !matches!(self.content, Content::System | Content::String | Content::Words(_))
     }
 
     /// Whether the format's files are pictures.

@@ -87,7 +87,7 @@ fn normal(corners: [[f32; 3]; 3]) -> [f32; 3] {
 mod tests {
     use super::*;
     use crate::collect;
-    use lsystem_drawing::{System, draw_solid};
+    use lsystem_drawing::{Solid, System, draw};
     use lsystem_syntax::{Definition, Limits, Style};
     use std::collections::BTreeMap;
 
@@ -95,7 +95,7 @@ mod tests {
         let style = Style { width: 0.1, ..Style::default() };
         let definition = Definition { axiom: axiom.into(), angle: 30.0, style, ..Definition::default() };
         let system = System::new(&definition).0.unwrap();
-        let drawing = draw_solid(&system, 0, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&system, 0, &Limits::default()).unwrap();
         Mesh::for_printing(&drawing, &definition.style, 1_000).unwrap()
     }
 

@@ -1,7 +1,7 @@
 //! Files of meshes over the systems of `data_in`: prints are closed, and scenes of shared parts show what the drawing has.
 
 use lsystem_drawing::rotation::{Axis, Rotation};
-use lsystem_drawing::{Drawing, Mark, Mesh, Solid, System, draw_solid};
+use lsystem_drawing::{Drawing, Mark, Mesh, Solid, System, draw};
 use lsystem_files::{Content, FileOptions, Format, collect, read_json, write_glb, write_stl};
 use lsystem_syntax::{Definition, Diagnostic, Heading, Kind, LimitName, Limits, MAX_MESH_COPIES, Meter, Style};
 use serde_json::Value;
@@ -22,7 +22,7 @@ fn definition(path: &Path) -> Definition {
 fn drawing(definition: &Definition, n: u32) -> Arc<Drawing<Solid>> {
     let (system, diagnostics) = System::new(definition);
     let system = system.unwrap_or_else(|| panic!("{diagnostics:?}"));
-    Arc::new(draw_solid(&system, n, &Limits::default()).unwrap())
+    Arc::new(draw::<Solid>(&system, n, &Limits::default()).unwrap())
 }
 
 /// The drawing with the most steps, at most the file's own number, that has at most `most` segments.

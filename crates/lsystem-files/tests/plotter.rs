@@ -1,6 +1,6 @@
 //! Files for pen plotters, against plain geometry.
 
-use lsystem_drawing::{Drawing, Mark, System, draw};
+use lsystem_drawing::{Drawing, Mark, Plane, System, draw};
 use lsystem_files::{
     Corner, FileOptions, Owner, PlotOptions, PlotSummary, Sheet, Sink, collect, read_json, read_segments, write_plot,
 };
@@ -32,7 +32,7 @@ fn definition(name: &str) -> Definition {
 fn drawing(definition: &Definition, n: u32) -> Option<Arc<Drawing>> {
     let (system, diagnostics) = System::new(definition);
     let system = system.unwrap_or_else(|| panic!("{diagnostics:?}"));
-    draw(&system, n, &Limits::default()).ok().map(Arc::new)
+    draw::<Plane>(&system, n, &Limits::default()).ok().map(Arc::new)
 }
 
 /// The drawing with the most steps that has at most `most` segments.

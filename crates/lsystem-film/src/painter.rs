@@ -120,7 +120,7 @@ impl Painter {
             // The former drawing is dropped first, so that one drawing is in memory at a time.
             self.forget();
             self.task = Task::Drawing(Box::new(match system.is_solid() {
-                true => Making::Space(Drawer::solid(&system, n, self.limits)),
+                true => Making::Space(Drawer::<Solid>::new(&system, n, self.limits)),
                 false => Making::Plane(Drawer::new(&system, n, self.limits)),
             }));
         }
@@ -311,7 +311,8 @@ mod tests {
     fn parts_of_large_drawings_are_exact() {
         let system = System::new(&Definition { axiom: "F".into(), rules: "F -> FFFF".into(), ..Definition::default() });
         let system = system.0.unwrap();
-        let count = |n, part| first_part(&lsystem_drawing::draw(&system, n, &Limits::default()).unwrap(), part);
+        let count =
+            |n, part| first_part(&lsystem_drawing::draw::<Plane>(&system, n, &Limits::default()).unwrap(), part);
         assert_eq!((count(3, 0.5), count(3, 0.0), count(3, 1.0)), (Some(32), Some(0), None));
         assert_eq!(count(60, 0.75), Some(3 << 118));
     }

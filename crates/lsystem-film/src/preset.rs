@@ -140,7 +140,7 @@ fn track(script: &Script, subject: Subject, keys: &[(f64, Vec<f64>)], easing: Ea
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lsystem_drawing::{System, draw};
+    use lsystem_drawing::{Plane, System, draw};
     use lsystem_syntax::{Definition, Limits};
 
     #[test]
@@ -167,7 +167,7 @@ mod tests {
     fn a_segment_fills_its_share() {
         let curve =
             Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
-        let drawing = draw(&System::new(&curve).0.unwrap(), 30, &Limits::default()).unwrap();
+        let drawing = draw::<Plane>(&System::new(&curve).0.unwrap(), 30, &Limits::default()).unwrap();
         let view = view_of_segment(&drawing, drawing.segment_count() / 3).unwrap();
         // A segment is a 3^30th of the width.
         assert!((view.zoom / (SHARE * libm::pow(3.0, 30.0)) - 1.0).abs() < 1e-6, "{}", view.zoom);

@@ -4,7 +4,7 @@ use crate::hull::{Fit, Target};
 use crate::picture::Picture;
 use crate::strokes::Strokes;
 use crate::{Found, printed};
-use lsystem_drawing::draw;
+use lsystem_drawing::{Plane, draw};
 use lsystem_syntax::{Definition, Dialect, Limits};
 use std::iter::once;
 
@@ -68,7 +68,7 @@ impl Drawn {
             self.agreement = 0.0;
             return;
         };
-        let Ok(drawing) = draw(&system, self.found.n, &limits) else { return };
+        let Ok(drawing) = draw::<Plane>(&system, self.found.n, &limits) else { return };
         if drawing.segment_count() <= u128::from(MAX_CONFIRMED) {
             let segments = drawing.segments().map(|segment| [segment.from, segment.to]);
             self.agreement = Strokes::of_segments(segments, target).agreement(target, picture, fit);

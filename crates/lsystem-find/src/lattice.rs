@@ -309,7 +309,8 @@ mod tests {
         let definition =
             Definition { axiom: axiom.to_owned(), rules: rules.to_owned(), angle, ..Definition::default() };
         let system = lsystem_drawing::System::new(&definition).0.expect("a system");
-        let drawing = lsystem_drawing::draw(&system, n, &Limits::default()).expect("a drawing");
+        let drawing =
+            lsystem_drawing::draw::<lsystem_drawing::Plane>(&system, n, &Limits::default()).expect("a drawing");
         let segments: Vec<[f64; 4]> =
             drawing.segments().map(|at| [at.from[0], at.from[1], at.to[0], at.to[1]]).collect();
         Picture::of_segments(&segments).expect("a picture")

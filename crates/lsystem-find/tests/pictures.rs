@@ -1,6 +1,6 @@
 //! The rules of pictures that are drawn here, naively, with strokes of any width.
 
-use lsystem_drawing::{System, draw};
+use lsystem_drawing::{Plane, System, draw};
 use lsystem_find::{Drawn, FOUND, Finder, Known, Picture, PictureSearch, Question, Searched, merged};
 use lsystem_syntax::Limits;
 use std::sync::Arc;
@@ -146,7 +146,7 @@ fn systems_of_which_nothing_is_known_are_found() {
         // The definition is a system that the whole library reads and draws.
         let definition = finder.found()[0].definition();
         let system = System::new(&definition).0.expect("a system");
-        let drawing = draw(&system, definition.iterations, &Limits::default()).expect("a drawing");
+        let drawing = draw::<Plane>(&system, definition.iterations, &Limits::default()).expect("a drawing");
         let segments: Vec<[f64; 4]> =
             drawing.segments().map(|at| [at.from[0], at.from[1], at.to[0], at.to[1]]).collect();
         assert!(picture.agreement(&drawn(&segments, 2.0)) >= FOUND, "{definition:?}");

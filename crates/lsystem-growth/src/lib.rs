@@ -18,7 +18,7 @@ mod words;
 
 use closed::{Term, closed, roots};
 use lsystem_derive::Tally;
-use lsystem_drawing::{Drawer, System};
+use lsystem_drawing::{Figure, System};
 use lsystem_syntax::{Limits, MAX_ITERATIONS, Progress};
 use path::Path;
 use process::Process;
@@ -72,7 +72,7 @@ pub struct Generation {
 /// How a number grows in the long run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum GrowthKind {
     /// It becomes 0.
     Dying,
     /// It stays below a bound.
@@ -88,7 +88,7 @@ pub enum Kind {
 #[serde(rename_all = "camelCase")]
 pub struct Series {
     /// How it grows.
-    pub kind: Kind,
+    pub kind: GrowthKind,
     /// The power of n beside the factor.
     pub degree: u32,
     /// The factor of each step in the long run: the dominant eigenvalue.
@@ -151,7 +151,7 @@ pub fn growth(system: &System, n: u32) -> Result<Growth, &'static str> {
     };
     let (symbols, segments) = (series(&all, |row| &row.symbols), series(&process.drawn, |row| &row.segments));
     let stretch = curve::stretch(system);
-    let is_fractal = segments.kind == Kind::Exponential && segments.degree == 0 && !process.is_random();
+    let is_fractal = segments.kind == GrowthKind::Exponential && segments.degree == 0 && !process.is_random();
     let dimension = stretch.filter(|_| is_fractal).map(|stretch| libm::log(segments.factor) / libm::log(stretch));
     let mut growth = Growth {
         letters: process.symbols[..listed].iter().map(char::to_string).collect(),
@@ -228,18 +228,15 @@ fn rows(process: &Process, path: Option<&Path>, n: u32) -> Vec<Generation> {
 
 /// The generations with the sizes of their drawings, as far as these are quickly made.
 fn measured(system: &System, mut rows: Vec<Generation>) -> Vec<Generation> {
-    if system.is_solid() {
-        return rows;
-    }
     let mut left = LIMITS.work;
     for row in &mut rows {
-        let mut drawer = Drawer::new(system, row.n, LIMITS);
+        let mut drawer = Figure::drawer(system, row.n, LIMITS);
         while drawer.spent() < left && drawer.step(PIECE) == Progress::More {}
         left = left.saturating_sub(drawer.spent());
         if left == 0 {
             break;
         }
-        let Ok(drawing) = drawer.finish() else { break };
+        let Ok(Figure::Plane(drawing)) = drawer.finish() else { break };
         let size = drawing.bounds().map_or([0.0; 2], |[x0, y0, x1, y1]| [x1 - x0, y1 - y0]);
         row.size = Some(size).filter(|size| size.iter().all(|side| side.is_finite()));
     }
@@ -266,10 +263,10 @@ fn expected(value: f64) -> Count {
 fn series(process: &Process, weights: &[u32], values: &[i128]) -> Series {
     let Rate { factor, degree } = rate(process, weights);
     let kind = match () {
-        () if factor < 1.0 - 1e-9 => Kind::Dying,
-        () if factor > 1.0 + 1e-9 => Kind::Exponential,
-        () if degree > 0 => Kind::Polynomial,
-        () => Kind::Bounded,
+        () if factor < 1.0 - 1e-9 => GrowthKind::Dying,
+        () if factor > 1.0 + 1e-9 => GrowthKind::Exponential,
+        () if degree > 0 => GrowthKind::Polynomial,
+        () => GrowthKind::Bounded,
     };
     let found = recurrence(process, weights);
     let roots = found.as_ref().map(roots);

@@ -1,6 +1,6 @@
 //! Steps compared with strings, with drawings, and with replacing text.
 
-use lsystem_drawing::{System, draw, draw_solid, expand};
+use lsystem_drawing::{Plane, Solid, System, draw, expand};
 use lsystem_steps::{Order, one_by_one, rows, trace};
 use lsystem_syntax::{Definition, Limits};
 
@@ -130,8 +130,8 @@ fn the_turtle_draws_what_the_drawing_has() {
             let segments: Vec<[[f64; 3]; 2]> = trace.states.iter().filter_map(|state| state.segment).collect();
             let limits = Limits::default();
             let expected: Vec<[[f64; 3]; 2]> = match system.is_solid() {
-                true => draw_solid(&system, n, &limits).unwrap().segments().map(|s| [s.from, s.to]).collect(),
-                false => (draw(&system, n, &limits).unwrap().segments())
+                true => draw::<Solid>(&system, n, &limits).unwrap().segments().map(|s| [s.from, s.to]).collect(),
+                false => (draw::<Plane>(&system, n, &limits).unwrap().segments())
                     .map(|s| [s.from, s.to].map(|[x, y]| [x, y, 0.0]))
                     .collect(),
             };

@@ -57,7 +57,7 @@ mod tests {
     use super::*;
     use lsystem::render::Detail;
     use lsystem::syntax::Ink;
-    use lsystem::{Definition, Renderer, SolidRenderer, Style, System, draw};
+    use lsystem::{Definition, Plane, Renderer, SolidRenderer, Style, System, draw};
 
     const SCREENS: [[u32; 2]; 6] = [[300, 200], [1280, 800], [1920, 1080], [2560, 1440], [3840, 2160], [7680, 4320]];
 
@@ -69,7 +69,7 @@ mod tests {
     fn pictures_of_any_screen_stay_within_their_share() {
         let definition = Definition { axiom: "F".into(), rules: "F -> F+F".into(), ..Definition::default() };
         let system = System::new(&definition).0.unwrap();
-        let drawing = draw(&system, 10, &LIMITS).unwrap();
+        let drawing = draw::<Plane>(&system, 10, &LIMITS).unwrap();
         for [width, height] in SCREENS {
             let viewport = Viewport { width, height, ratio: 1.0 };
             for bytes in [drawing.bytes(), LIMITS.memory] {

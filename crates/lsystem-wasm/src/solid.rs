@@ -95,7 +95,7 @@ impl Default for SolidView {
 
 impl Viewer for SolidView {
     fn start(&mut self, system: &System, n: u32, limits: Limits) {
-        self.drawer = Some(Box::new(Drawer::solid(system, n, limits)));
+        self.drawer = Some(Box::new(Drawer::<Solid>::new(system, n, limits)));
     }
 
     fn stop(&mut self) {

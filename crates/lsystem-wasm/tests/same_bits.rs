@@ -15,8 +15,8 @@ use lsystem::files::SvgForm;
 use lsystem::render::{Detail, Quality};
 use lsystem::syntax::Ink;
 use lsystem::{
-    Camera, Definition, Limits, Mesh, Progress, Renderer, SegmentArrays, SolidRenderer, Style, SvgOptions, System,
-    View, Viewport, draw, draw_solid, expand, read_json, write_csv, write_glb, write_obj, write_svg,
+    Camera, Definition, Limits, Mesh, Plane, Progress, Renderer, SegmentArrays, Solid, SolidRenderer, Style,
+    SvgOptions, System, View, Viewport, draw, expand, read_json, write_csv, write_glb, write_obj, write_svg,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -110,7 +110,7 @@ fn density() -> String {
         let definition = read_json(file).0.unwrap_or_default();
         let system = compiled(&definition);
         let mut renderer = Renderer::new();
-        renderer.load(Arc::new(draw(&system, definition.iterations, &Limits::default()).unwrap()));
+        renderer.load(Arc::new(draw::<Plane>(&system, definition.iterations, &Limits::default()).unwrap()));
         let mut pixels = Digest::new();
         let style = Style { ink: Ink::Density, ..system.style.clone() };
         for detail in [Detail::Coarse, Detail::Fine] {
@@ -130,7 +130,7 @@ fn solid() -> String {
     let mut found = String::new();
     for (name, file, n) in SOLID {
         let system = compiled(&read_json(file).0.unwrap_or_default());
-        let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&system, n, &Limits::default()).unwrap();
         let mut segments = Digest::new();
         for segment in drawing.segments() {
             segments.numbers(segment.from.iter().chain(&segment.to).chain(&[segment.width]).map(|v| v.to_bits()));
@@ -165,7 +165,7 @@ fn plane() -> String {
     for (name, file, n) in CORPUS {
         let system = compiled(&read_json(file).0.unwrap_or_default());
         let text = expand(&system, n, &Limits::default()).unwrap();
-        let drawing = Arc::new(draw(&system, n, &Limits::default()).unwrap());
+        let drawing = Arc::new(draw::<Plane>(&system, n, &Limits::default()).unwrap());
         let mut segments = Digest::new();
         for segment in drawing.segments() {
             segments.numbers(segment.from.iter().chain(&segment.to).chain(&[segment.width]).map(|v| v.to_bits()));

@@ -2,7 +2,7 @@
 
 use lsystem::files::{PngOptions, collect, write_png};
 use lsystem::{Definition, Limits, Style, SvgOptions, System, View, Viewport};
-use lsystem::{count_segments, draw, expand, render_diagnostic, write_svg};
+use lsystem::{Plane, count_segments, draw, expand, render_diagnostic, write_svg};
 use std::error::Error;
 use std::sync::Arc;
 
@@ -21,11 +21,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!("n = 2: {}", expand(&system, 2, &Limits::default()).map_err(told)?);
 
-    let few = draw(&system, 5, &Limits::default()).map_err(told)?;
+    let few = draw::<Plane>(&system, 5, &Limits::default()).map_err(told)?;
     std::fs::write("plant.svg", write_svg(&few, &Style::default(), &SvgOptions::default()).map_err(told)?.text)?;
 
     // No file holds these segments, but a picture shows them.
-    let many = draw(&system, 40, &Limits::default()).map_err(told)?;
+    let many = draw::<Plane>(&system, 40, &Limits::default()).map_err(told)?;
     println!("n = 40: {} segments", count_segments(&system, 40).map_or_else(String::new, |count| count.to_string()));
     let viewport = Viewport { width: 800, height: 1000, ratio: 1.0 };
     let options = PngOptions { viewport, dpi: Some(300.0), is_transparent: true, ..PngOptions::default() };

@@ -6,7 +6,8 @@
 //!
 //! - a string for each generation: [`expand`]; for a string that is too long for memory, a [`Word`](derive::Word) reads
 //!   parts and [`count_symbols`] gives the length;
-//! - a [`Drawing`] in the plane or in [space](Solid): [`draw`] and [`draw_solid`], or a [`Drawer`] in steps.
+//! - a [`Drawing`] in the [`Plane`] or in [space](Solid): [`draw`], or a [`Drawer`] in steps. A [`Figure`] is the drawing in the
+//!   space of its system.
 //!
 //! A drawing has pixels ([`Renderer`], [`SolidRenderer`]), files ([`write_svg`], [`write_csv`],
 //! [`write_glb`], and [`write_obj`] of its [`Mesh`]), segments, and a mark at each point ([`pick`]).
@@ -50,7 +51,7 @@ pub use lsystem_syntax as syntax;
 
 // The most used items.
 pub use lsystem_drawing::{
-    Drawer, Drawing, Mesh, SegmentArrays, Solid, System, count_segments, count_symbols, draw, draw_solid, expand,
+    Drawer, Drawing, Figure, Mesh, Plane, SegmentArrays, Solid, System, count_segments, count_symbols, draw, expand,
 };
 pub use lsystem_files::{SvgOptions, read_file, read_json, write_csv, write_glb, write_json, write_obj, write_svg};
 pub use lsystem_render::{Camera, Renderer, SolidRenderer, View, Viewport, fit, pick};

@@ -6,7 +6,7 @@ use crate::naive::systems::{Features, system};
 use lsystem::derive::{Ancestor, History, Part, Word};
 use lsystem::drawing::symbol_of_polygon;
 use lsystem::render::fitted_polygon;
-use lsystem::{Definition, Limits, Progress, System, draw, draw_solid};
+use lsystem::{Definition, Limits, Plane, Progress, Solid, System, draw};
 use proptest::prelude::*;
 
 /// A source of pages of generations.
@@ -161,7 +161,7 @@ proptest! {
         // The segments are numbered as in the drawing.
         if naive::images(&system.grammar, system.seed, &words[n as usize]).is_some() {
             let total = drawn.iter().sum::<usize>() as u128;
-            prop_assert_eq!(draw(&system, n, &Limits::default()).unwrap().segment_count(), total);
+            prop_assert_eq!(draw::<Plane>(&system, n, &Limits::default()).unwrap().segment_count(), total);
         }
     }
 }
@@ -232,7 +232,7 @@ proptest! {
             outline.windows(2).map(|p| (0..3).map(|i| (p[0][i] - p[1][i]).abs()).fold(0.0, f64::max)).fold(f64::INFINITY, f64::min)
         };
         prop_assume!(expected.iter().all(|polygon| steps(&polygon.0) > 1e-9 * reach));
-        let solid = draw_solid(&system, n, &Limits::default()).unwrap();
+        let solid = draw::<Solid>(&system, n, &Limits::default()).unwrap();
         let symbols = |count: u128, symbol: &dyn Fn(u128) -> Option<u128>| -> Vec<u128> {
             (0..count).map(|number| symbol(number).unwrap()).collect()
         };
@@ -247,7 +247,7 @@ proptest! {
         prop_assert_eq!(&found, &own);
         prop_assert_eq!(symbol_of_polygon(&system, n, &solid, own.len() as u128), None);
         if !system.is_solid() {
-            let flat = draw(&system, n, &Limits::default()).unwrap();
+            let flat = draw::<Plane>(&system, n, &Limits::default()).unwrap();
             let found = symbols(flat.polygon_count(), &|number| symbol_of_polygon(&system, n, &flat, number));
             prop_assert_eq!(&found, &own);
             let rect = lsystem::fit(&flat);
@@ -280,7 +280,7 @@ fn polygons_of_a_generation_without_end() {
     // Each apex leaves a leaf of moves on either side. Leaves that are no polygons do not count.
     let system = read("X", "X -> F[+X{.f-f-f.}]{}{f}F[-X]{.+f+f+f.}X\nF -> FF");
     let n = 60;
-    let drawing = draw(&system, n, &Limits::default()).unwrap();
+    let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
     let word = system.word(n).unwrap();
     assert!(drawing.is_memoised());
     let count = drawing.polygon_count();
@@ -306,7 +306,7 @@ fn polygons_of_a_long_word() {
     let axiom = "A[{F+F+F}]F-".repeat(400);
     for rules in ["A -> FA{f-f-f}", "A -> FP(2){f-f-f}\nP(x) : x > 0 -> {.f.-f.-f.}P(x-1)F(x)"] {
         let system = read(&axiom, rules);
-        let drawing = draw(&system, 3, &Limits::default()).unwrap();
+        let drawing = draw::<Plane>(&system, 3, &Limits::default()).unwrap();
         assert!(drawing.is_memoised());
         let opened = (0..drawing.polygon_count()).map(|number| symbol_of_polygon(&system, 3, &drawing, number));
         let expected = naive::solid_polygons(&system, 3);
@@ -322,7 +322,7 @@ fn leaves_of_modules_with_parameters_are_shared() {
         "A(l) -> F(l)[+B(l*0.6){.f(l).+f(l).+f(l).}]A(l*0.9)\nB(l) -> F(l)[-{.f(l).-f(l).-f(l).}][-B(l*0.9)]A(l*0.6)",
     );
     let n = 60;
-    let drawing = draw(&system, n, &Limits::default()).unwrap();
+    let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
     let word = system.word(n).unwrap();
     assert!(drawing.is_memoised() && drawing.polygon_count() > 1 << 40);
     let mut last = None;

@@ -2,7 +2,7 @@
 
 use lsystem::files::{Svg, SvgForm};
 use lsystem::syntax::{ColourBy, Kind, LimitName, Tint};
-use lsystem::{Definition, Drawing, Limits, SvgOptions, System, draw, read_json, write_svg};
+use lsystem::{Definition, Drawing, Limits, Plane, SvgOptions, System, draw, read_json, write_svg};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -15,7 +15,8 @@ fn plant(n: u32) -> Definition {
 
 fn drawing(definition: &Definition) -> Drawing {
     let (system, diagnostics) = System::new(definition);
-    draw(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default()).unwrap()
+    draw::<Plane>(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default())
+        .unwrap()
 }
 
 fn compact(definition: &Definition, size: f64) -> Svg {

@@ -7,8 +7,8 @@ use lsystem::drawing::{Segment, Turtle};
 use lsystem::render::{Fitted, Pick, Pointer, Target, fitted_ends, fitted_outline, fitted_scale};
 use lsystem::syntax::{Action, Grammar, Heading, Kind, LimitName, Module, Production};
 use lsystem::{
-    Definition, Diagnostic, Dialect, Drawer, Drawing, Limits, Progress, SegmentArrays, Style, System, View, Viewport,
-    draw, fit, pick,
+    Definition, Diagnostic, Dialect, Drawer, Drawing, Limits, Plane, Progress, SegmentArrays, Style, System, View,
+    Viewport, draw, fit, pick,
 };
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -52,7 +52,7 @@ fn plain(axiom: &str, rules: &[(char, &str)], angle: f64) -> System {
 }
 
 fn drawn(system: &System, n: u32) -> Drawing {
-    draw(system, n, &Limits::default()).unwrap()
+    draw::<Plane>(system, n, &Limits::default()).unwrap()
 }
 
 fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
@@ -61,7 +61,7 @@ fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
 
 /// Checks that the drawing equals that of the naive turtle, to 1e-9 of the extent.
 fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
-    let drawing = draw(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
+    let drawing = draw::<Plane>(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
     let expected = naive::segments(system, n);
     prop_assert_eq!(drawing.segment_count(), expected.len() as u128);
     if let Some(symbols) = drawing.symbol_count() {
@@ -319,7 +319,7 @@ fn a_thousand_iterations() {
 }
 
 fn failure(system: &System, n: u32, limits: Limits) -> Kind {
-    let diagnostic: Diagnostic = draw(system, n, &limits).unwrap_err();
+    let diagnostic: Diagnostic = draw::<Plane>(system, n, &limits).unwrap_err();
     diagnostic.kind
 }
 
@@ -333,7 +333,7 @@ fn limits_name_themselves_and_the_largest_n() {
     let segments = |largest| Kind::Limit { limit: LimitName::Segments, value: 1000, largest };
     assert_eq!(failure(&unbalanced, 1000, limits), segments(Some(9)));
     assert_eq!(failure(&random, 1000, limits), segments(Some(9)));
-    assert!(draw(&random, 9, &limits).is_ok());
+    assert!(draw::<Plane>(&random, 9, &limits).is_ok());
     let work = |value, largest| Kind::Limit { limit: LimitName::Work, value, largest };
     assert!(matches!(failure(&idle, 1000, limits), Kind::Limit { limit: LimitName::Work, largest: Some(13..16), .. }));
     assert_eq!(failure(&branches, 1000, Limits { work: 3400, ..limits }), work(3400, Some(99)));
@@ -342,7 +342,7 @@ fn limits_name_themselves_and_the_largest_n() {
         Kind::Limit { limit: LimitName::Iterations, value: 1000, largest: Some(1000) }
     );
     assert_eq!(failure(&plain("F", &KOCH, 90.0), 500, limits), segments(Some(111)));
-    assert!(draw(&plain("F", &KOCH, 90.0), 111, &limits).is_ok());
+    assert!(draw::<Plane>(&plain("F", &KOCH, 90.0), 111, &limits).is_ok());
 }
 
 #[test]
@@ -350,7 +350,7 @@ fn small_steps_lead_to_the_same_drawing() {
     let random = system("X", &[('X', "F[+X]F", 0.5), ('X', "F[-X]X", 0.5), ('F', "FF", 2.0)], 25.7);
     let unbalanced = plain("F", &[('F', "F]F[+F")], 33.3);
     for (system, n) in [(plain("X", &PLANT, 25.7), 30), (random, 8), (unbalanced, 8), (plain("", &[], 1.0), 0)] {
-        let mut drawer = Drawer::new(&system, n, Limits::default());
+        let mut drawer = Drawer::<Plane>::new(&system, n, Limits::default());
         let mut steps = 0;
         while drawer.step(1) == Progress::More {
             steps += 1;
@@ -361,7 +361,7 @@ fn small_steps_lead_to_the_same_drawing() {
         assert_eq!((slow.segment_count(), slow.block_count()), (fast.segment_count(), fast.block_count()));
         assert!(slow.segments().take(10_000).eq(fast.segments().take(10_000)));
     }
-    let failing = Drawer::new(&plain("F", &[('F', "F]F")], 1.0), 1000, Limits::default());
+    let failing = Drawer::<Plane>::new(&plain("F", &[('F', "F]F")], 1.0), 1000, Limits::default());
     assert!(failing.clone().finish().is_err());
     let mut failing = failing;
     while failing.step(1) == Progress::More {}
@@ -461,7 +461,7 @@ proptest! {
         let finite = |n: u32| word(n).is_some_and(|word| naive::images(&system.grammar, system.seed, &word).is_some());
         match (0..=n).find(|&n| !finite(n)) {
             Some(wrong) if word(wrong).is_none() => {
-                let kind = draw(&system, wrong, &Limits::default()).map(|_| ()).unwrap_err().kind;
+                let kind = draw::<Plane>(&system, wrong, &Limits::default()).map(|_| ()).unwrap_err().kind;
                 prop_assert!(matches!(kind, Kind::NotFinite { .. }), "{:?}", kind);
             }
             Some(_) => {}
@@ -490,7 +490,7 @@ fn no_step_takes_long() {
     let steps = |rules: &str, limits: Limits| {
         let definition = Definition { axiom: "F".repeat(1000), rules: rules.into(), ..Definition::default() };
         let (system, _) = System::new(&definition);
-        let mut drawer = Drawer::new(&system.unwrap(), 12, limits);
+        let mut drawer = Drawer::<Plane>::new(&system.unwrap(), 12, limits);
         let steps = (0..).take_while(|_| drawer.step(1000) == Progress::More).count();
         (drawer.finish().is_err(), steps)
     };

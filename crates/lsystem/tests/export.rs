@@ -5,14 +5,15 @@ use lsystem::drawing::{Outlook, Projection};
 use lsystem::files::SvgForm;
 use lsystem::syntax::{ColourBy, Kind, LimitName};
 use lsystem::{
-    Definition, Dialect, Drawing, Limits, Progress, Style, SvgOptions, System, draw, draw_solid, read_json, write_csv,
-    write_svg,
+    Definition, Dialect, Drawing, Limits, Plane, Progress, Solid, Style, SvgOptions, System, draw, read_json,
+    write_csv, write_svg,
 };
 use std::path::Path;
 
 fn drawing(definition: &Definition) -> Drawing {
     let (system, diagnostics) = System::new(definition);
-    draw(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default()).unwrap()
+    draw::<Plane>(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), definition.iterations, &Limits::default())
+        .unwrap()
 }
 
 fn definition(axiom: &str, rules: &str) -> Definition {
@@ -217,14 +218,14 @@ fn files_of_all_systems() {
         let definition = read_json(&std::fs::read_to_string(file.path()).unwrap()).0.unwrap();
         let (system, style) = (System::new(&definition).0.unwrap(), &definition.style);
         let n = definition.iterations.min(4);
-        let drawing = draw(&system, n, &Limits::default()).unwrap();
+        let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
         for form in [SvgForm::Flat, SvgForm::Compact] {
             let svg = write_svg(&drawing, style, &SvgOptions { form, ..SvgOptions::default() }).unwrap();
             assert!(svg.text.ends_with("</g>\n</svg>\n"), "{name}");
             compact += u32::from(svg.instances > 0);
         }
         if system.is_solid() {
-            let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
+            let drawing = draw::<Solid>(&system, n, &Limits::default()).unwrap();
             let outlook = Outlook::default();
             let whole = drawing.seen_from(&outlook, u64::MAX).unwrap();
             let mut projection = Projection::new(&drawing, &outlook, u64::MAX).unwrap();

@@ -2,7 +2,7 @@
 
 use lsystem::film::{Film, Script, growth};
 use lsystem::render::{fitted_ends, fitted_scale, fitted_solid_ends, fitted_solid_polygon, solid_scale};
-use lsystem::{Camera, Definition, Limits, System, View, Viewport, draw, draw_solid, read_file};
+use lsystem::{Camera, Definition, Limits, Plane, Solid, System, View, Viewport, draw, read_file};
 
 /// A square: the margins are as wide as they are high.
 const VIEWPORT: Viewport = Viewport { width: 1000, height: 1000, ratio: 1.0 };
@@ -24,7 +24,7 @@ fn reach(points: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
 }
 
 fn reach_in_plane(definition: &Definition) -> Option<[f64; 2]> {
-    let drawing = draw(&System::new(definition).0?, definition.iterations, &Limits::default()).ok()?;
+    let drawing = draw::<Plane>(&System::new(definition).0?, definition.iterations, &Limits::default()).ok()?;
     let scale = fitted_scale(&drawing, VIEWPORT);
     let ends = (0..drawing.segment_count()).filter_map(|number| fitted_ends(&drawing, number)).flatten();
     (drawing.segment_count() > 0).then(|| reach(ends.map(|[x, y, ..]| [x * scale, y * scale])))
@@ -32,7 +32,7 @@ fn reach_in_plane(definition: &Definition) -> Option<[f64; 2]> {
 
 /// The picture has room for the drawing from all sides: the distance to the side is that from the upright axis.
 fn reach_in_space(definition: &Definition, camera: &Camera) -> Option<[f64; 2]> {
-    let drawing = draw_solid(&System::new(definition).0?, definition.iterations, &Limits::default()).ok()?;
+    let drawing = draw::<Solid>(&System::new(definition).0?, definition.iterations, &Limits::default()).ok()?;
     let scale = solid_scale(&drawing, VIEWPORT, camera);
     let ends = (0..drawing.segment_count()).filter_map(|number| fitted_solid_ends(&drawing, number)).flatten();
     let vertices = (0..drawing.polygon_count()).flat_map(|number| fitted_solid_polygon(&drawing, number));

@@ -3,7 +3,7 @@
 use lsystem::render::{
     Pointer, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends, pick_solid, solid_scale,
 };
-use lsystem::{Camera, Limits, System, View, Viewport, draw, draw_solid, pick, read_json, write_json};
+use lsystem::{Camera, Limits, Plane, Solid, System, View, Viewport, draw, pick, read_json, write_json};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -41,7 +41,7 @@ fn files_read_without_a_doubt_and_draw() {
         let (system, diagnostics) = System::new(&definition);
         assert_eq!(diagnostics, [], "{what}");
         let system = system.unwrap_or_else(|| panic!("{what}"));
-        let drawing = draw(&system, definition.iterations, &Limits::default());
+        let drawing = draw::<Plane>(&system, definition.iterations, &Limits::default());
         let drawing = drawing.unwrap_or_else(|limit| panic!("{what}: {limit:?}"));
         assert_eq!(drawing.bounds().is_none(), DRAWS_NOTHING.contains(&definition.name.as_str()), "{what}");
         assert!(names.insert((folder, definition.name)), "{what}: its name is taken");
@@ -71,7 +71,7 @@ fn everything_is_picked_within_a_budget() {
         let definition = read_json(&text).0.unwrap();
         let system = System::new(&definition).0.unwrap();
         if system.is_solid() {
-            let drawing = draw_solid(&system, definition.iterations, &Limits::default()).unwrap();
+            let drawing = draw::<Solid>(&system, definition.iterations, &Limits::default()).unwrap();
             for k in 0..20 {
                 let Some([from, to]) = fitted_solid_ends(&drawing, drawing.segment_count() / 20 * k) else { continue };
                 let camera = Camera { azimuth: 17.0 * k as f64, ..Camera::default() };
@@ -84,8 +84,10 @@ fn everything_is_picked_within_a_budget() {
             }
             continue;
         }
-        let later = draw(&system, 40, &Limits::default()).ok().filter(lsystem::Drawing::is_memoised);
-        for drawing in [draw(&system, definition.iterations, &Limits::default()).ok(), later].into_iter().flatten() {
+        let later = draw::<Plane>(&system, 40, &Limits::default()).ok().filter(lsystem::Drawing::is_memoised);
+        for drawing in
+            [draw::<Plane>(&system, definition.iterations, &Limits::default()).ok(), later].into_iter().flatten()
+        {
             for zoom in [1.0, 30.0, 1e3, 1e6, 1e9] {
                 for k in 0..20 {
                     let ends = fitted_ends(&drawing, drawing.segment_count() / 20 * k + k);

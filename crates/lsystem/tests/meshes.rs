@@ -1,7 +1,7 @@
 //! Meshes as files: the files keep the rules of their formats.
 
 use lsystem::syntax::{Kind, LimitName};
-use lsystem::{Definition, Limits, Mesh, System, draw_solid, write_obj};
+use lsystem::{Definition, Limits, Mesh, Solid, System, draw, write_obj};
 
 fn mesh(axiom: &str, n: u32, most: u64) -> Result<Mesh, lsystem::Diagnostic> {
     let definition = Definition {
@@ -12,7 +12,7 @@ fn mesh(axiom: &str, n: u32, most: u64) -> Result<Mesh, lsystem::Diagnostic> {
         ..Definition::default()
     };
     let system = System::new(&definition).0.unwrap();
-    Mesh::new(&draw_solid(&system, n, &Limits::default()).unwrap(), &system.style, most)
+    Mesh::new(&draw::<Solid>(&system, n, &Limits::default()).unwrap(), &system.style, most)
 }
 
 #[test]

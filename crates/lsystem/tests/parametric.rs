@@ -2,7 +2,7 @@
 
 use crate::naive;
 use lsystem::syntax::Kind;
-use lsystem::{Definition, Drawing, Limits, System, count_segments, count_symbols, draw};
+use lsystem::{Definition, Drawing, Limits, Plane, System, count_segments, count_symbols, draw};
 use proptest::prelude::*;
 
 fn system(axiom: &str, rules: &str) -> System {
@@ -12,7 +12,7 @@ fn system(axiom: &str, rules: &str) -> System {
 }
 
 fn drawn(system: &System, n: u32) -> Drawing {
-    draw(system, n, &Limits::default()).unwrap()
+    draw::<Plane>(system, n, &Limits::default()).unwrap()
 }
 
 /// A module of a successor, for a production with the parameters x and y: letters that draw, turn and grow. Arguments
@@ -156,11 +156,11 @@ fn too_many_states_are_drawn_one_by_one() {
     let drawing = drawn(&apart, 17);
     assert!(!drawing.is_memoised());
     assert_eq!(drawing.segment_count(), (1 << 17) - 1);
-    let kind = draw(&apart, 40, &Limits::default()).unwrap_err().kind;
+    let kind = draw::<Plane>(&apart, 40, &Limits::default()).unwrap_err().kind;
     assert!(matches!(kind, Kind::Limit { largest: Some(19..=21), .. }), "{kind:?}");
     // If unfolding manages fewer steps, the diagnostic names the largest n of sharing.
     let ending = system("A(1,1)", "A(x,k) -> F(x)[+(k)A(x*0.9,k*2)][-(k)A(x*0.9,k*2 + 1)]F(x)F(x)");
     let limits = Limits { segments: 1000, ..Limits::default() };
-    let kind = draw(&ending, 40, &limits).unwrap_err().kind;
+    let kind = draw::<Plane>(&ending, 40, &limits).unwrap_err().kind;
     assert!(matches!(kind, Kind::Limit { largest: Some(_), .. }), "{kind:?}");
 }

@@ -5,7 +5,7 @@ use lsystem::render::{
     Pick, Pointer, Target, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends,
     fitted_solid_polygon, pick_solid, solid_scale,
 };
-use lsystem::{Camera, Definition, Drawing, Limits, Solid, Style, System, View, Viewport, draw, draw_solid, pick};
+use lsystem::{Camera, Definition, Drawing, Limits, Solid, Style, System, View, Viewport, draw, pick};
 use proptest::prelude::*;
 
 const VIEWPORT: Viewport = Viewport { width: 400, height: 300, ratio: 1.0 };
@@ -323,7 +323,7 @@ proptest! {
     ) {
         let system = system(words, chance, width, step);
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
-        let drawing = draw_solid(&system, n, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&system, n, &Limits::default()).unwrap();
         let count = drawing.segment_count();
         // Pointers at random places and on segments.
         for (k, (x, y)) in places.into_iter().enumerate() {
@@ -362,7 +362,7 @@ proptest! {
         let words = words.map(|word| word.replace(['&', '^', '\\', '/', '$'], "+"));
         let system = system(words, chance, width, step);
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
-        let drawing: Drawing<Plane> = draw(&system, n, &Limits::default()).unwrap();
+        let drawing: Drawing<Plane> = draw::<Plane>(&system, n, &Limits::default()).unwrap();
         let (count, polygons) = (drawing.segment_count(), drawing.polygon_count());
         let view = View { x, y, zoom, fine: [0.0; 2] };
         let scale = fitted_scale(&drawing, VIEWPORT) * zoom;
@@ -391,7 +391,7 @@ fn deep_bushes_are_picked_within_a_budget() {
     let tree = "A -> AF\nF -> F[+F][-FF][\\F][/FF][&F]";
     for (rules, angle, n) in [(bush, 22.5, 40), (tree, 40.0, 30)] {
         let definition = Definition { axiom: "A".into(), rules: rules.into(), angle, ..Definition::default() };
-        let drawing = draw_solid(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
         let large = Viewport { width: 1000, height: 800, ratio: 1.0 };
         let mut missed = 0;
         for k in 0..200 {

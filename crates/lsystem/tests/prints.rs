@@ -4,7 +4,7 @@ use lsystem::files::{Owner, PngOptions, Sink, collect, read_file, write_png, wri
 use lsystem::render::Quality;
 use lsystem::syntax::{ColourBy, Halt, Ink};
 use lsystem::{Camera, Definition, Drawing, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
-use lsystem::{View, Viewport, draw, draw_solid, write_json};
+use lsystem::{Plane, View, Viewport, draw, write_json};
 use std::sync::Arc;
 
 const VIEWPORT: Viewport = Viewport { width: 300, height: 200, ratio: 1.0 };
@@ -22,13 +22,13 @@ fn crowd() -> Definition {
 }
 
 fn drawing(definition: &Definition, n: u32) -> Arc<Drawing> {
-    Arc::new(draw(&System::new(definition).0.unwrap(), n, &Limits::default()).unwrap())
+    Arc::new(draw::<Plane>(&System::new(definition).0.unwrap(), n, &Limits::default()).unwrap())
 }
 
 fn solid() -> (Style, Arc<Drawing<Solid>>) {
     let rules = "A -> F[&FA]/[&FA]".into();
     let definition = Definition { axiom: "A".into(), rules, angle: 40.0, ..Definition::default() };
-    let drawing = draw_solid(&System::new(&definition).0.unwrap(), 7, &Limits::default()).unwrap();
+    let drawing = draw::<Solid>(&System::new(&definition).0.unwrap(), 7, &Limits::default()).unwrap();
     (definition.style, Arc::new(drawing))
 }
 

@@ -95,7 +95,7 @@ fn branches_are_shed() {
 fn plain_systems_are_cut_too() {
     let system = system("A", "A -> F[+B]A\nB -> FC\nC -> %F");
     assert_eq!(expand(&system, 4, &Limits::default()).unwrap(), "F[+F]F[+F%F]F[+FC]F[+B]A");
-    let drawn = lsystem::draw(&system, 4, &Limits::default()).unwrap();
+    let drawn = lsystem::draw::<lsystem::Plane>(&system, 4, &Limits::default()).unwrap();
     assert_eq!((drawn.segment_count(), drawn.symbol_count()), (8, Some(24)));
     assert_eq!(lsystem::count_segments(&system, 4), None);
 }
@@ -149,7 +149,7 @@ fn koch_curves_have_the_published_sizes() {
     let sizes = [("1.7a", 4, 18), ("1.9a", 4, 8), ("1.9b", 4, 7), ("1.9c", 4, 7), ("1.9e", 4, 5), ("1.9f", 4, 5)];
     for (name, sides, parts) in [&sizes[..], &[("1.7b", 1, 5)]].concat() {
         let (system, n) = file(name);
-        let drawing = lsystem::draw(&system, n, &Limits::default()).unwrap();
+        let drawing = lsystem::draw::<lsystem::Plane>(&system, n, &Limits::default()).unwrap();
         assert_eq!(drawing.segment_count(), sides * u128::pow(parts, n), "{name}");
         let ends: Vec<_> = drawing.segments().map(|segment| (segment.from, segment.to)).collect();
         let (first, last) = (ends[0].0, ends[ends.len() - 1].1);
@@ -161,7 +161,7 @@ fn koch_curves_have_the_published_sizes() {
         let mut system = system;
         Arc::make_mut(&mut system.rules).axiom = Template { letters: vec![2], arguments: vec![] };
         assert_eq!(system.rules.symbol(2), 'F');
-        let drawing = lsystem::draw(&system, 1, &Limits::default()).unwrap();
+        let drawing = lsystem::draw::<lsystem::Plane>(&system, 1, &Limits::default()).unwrap();
         let last = drawing.segments().last().unwrap();
         assert_eq!(last.to, [0.0, length], "{name}");
     }

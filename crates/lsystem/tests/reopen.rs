@@ -2,7 +2,9 @@
 
 use lsystem::files::{SvgForm, tag_png};
 use lsystem::syntax::{Kind, MAX_TEXT};
-use lsystem::{Definition, Diagnostic, Limits, SvgOptions, System, draw, read_file, read_json, write_json, write_svg};
+use lsystem::{
+    Definition, Diagnostic, Limits, Plane, SvgOptions, System, draw, read_file, read_json, write_json, write_svg,
+};
 use proptest::prelude::*;
 use std::path::Path;
 
@@ -14,7 +16,7 @@ fn files(definition: &Definition) -> Vec<Vec<u8>> {
     let json = write_json(definition);
     let mut files = vec![tag_png(PIXEL, &json).unwrap()];
     if let (Some(system), _) = System::new(definition) {
-        let drawing = draw(&system, definition.iterations.min(3), &Limits::default()).unwrap();
+        let drawing = draw::<Plane>(&system, definition.iterations.min(3), &Limits::default()).unwrap();
         for form in [SvgForm::Flat, SvgForm::Compact] {
             let options = SvgOptions { title: "<T>".into(), system: json.clone(), form, ..SvgOptions::default() };
             files.push(write_svg(&drawing, &definition.style, &options).unwrap().text.into_bytes());

@@ -4,7 +4,7 @@
 
 use crate::naive;
 use lsystem::drawing::{Segment, Space};
-use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, draw, draw_solid, expand};
+use lsystem::{Definition, Dialect, Limits, Plane, Solid, System, count_segments, count_symbols, draw, expand};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -135,7 +135,7 @@ fn text(system: &System, n: u32) -> String {
 }
 
 fn segments(system: &System, n: u32) -> Vec<Segment> {
-    draw(system, n, &Limits::default()).unwrap_or_else(|limit| panic!("{limit:?}")).segments().collect()
+    draw::<Plane>(system, n, &Limits::default()).unwrap_or_else(|limit| panic!("{limit:?}")).segments().collect()
 }
 
 #[test]
@@ -201,7 +201,7 @@ fn strings_and_segments_equal_the_reference() {
             assert_eq!(text(&system, n), naive::expand(&system.grammar, system.seed, n), "{file} at {n}");
             let what = format!("{file} at {n}");
             if system.is_solid() {
-                let drawing = draw_solid(&system, n, &Limits::default()).unwrap_or_else(|limit| panic!("{limit:?}"));
+                let drawing = draw::<Solid>(&system, n, &Limits::default()).unwrap_or_else(|limit| panic!("{limit:?}"));
                 let fast: Vec<_> = drawing.segments().collect();
                 same_segments(&fast, &naive::solid_segments(&system, n), &what);
             } else {
@@ -239,7 +239,9 @@ fn means_over_seeds_are_as_published() {
         let Some(expected) = published.mean_segments else { continue };
         let file = &published.file;
         let counts: Vec<u128> = (0..SEEDS)
-            .map(|seed| draw(&published.system(seed), published.n, &Limits::default()).expect("fits").segment_count())
+            .map(|seed| {
+                draw::<Plane>(&published.system(seed), published.n, &Limits::default()).expect("fits").segment_count()
+            })
             .collect();
         let mean = counts.iter().sum::<u128>() as f64 / f64::from(SEEDS);
         let variance =

@@ -3,7 +3,7 @@
 use crate::naive;
 use lsystem::drawing::{Mark, Outlook, Segment};
 use lsystem::syntax::{Action, Kind, LimitName};
-use lsystem::{Definition, Dialect, Drawing, Limits, Solid, System, draw, draw_solid};
+use lsystem::{Definition, Dialect, Drawing, Limits, Plane, Solid, System, draw};
 use proptest::prelude::*;
 
 fn system(definition: &Definition) -> System {
@@ -25,7 +25,7 @@ fn bounds(segments: &[Segment<Solid>], filled: &[[f64; 3]]) -> Option<[[f64; 3];
 
 /// Checks that the drawing equals that of the naive turtle, to 1e-9 of the extent.
 fn check(system: &System, n: u32) -> Result<Drawing<Solid>, TestCaseError> {
-    let drawing = draw_solid(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
+    let drawing = draw::<Solid>(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
     let expected = naive::solid_segments(system, n);
     prop_assert_eq!(drawing.segment_count(), expected.len() as u128);
     prop_assert!(drawing.symbol_count().is_some() || drawing.is_memoised());
@@ -146,7 +146,7 @@ proptest! {
         let system = system(&definition);
         prop_assert!(!system.is_solid());
         let limits = Limits::default();
-        let (flat, solid) = (draw(&system, 4, &limits).unwrap(), draw_solid(&system, 4, &limits).unwrap());
+        let (flat, solid) = (draw::<Plane>(&system, 4, &limits).unwrap(), draw::<Solid>(&system, 4, &limits).unwrap());
         prop_assert_eq!(flat.segment_count(), solid.segment_count());
         let expected = naive::segments(&system, 4);
         for ((a, b), c) in flat.segments().zip(solid.segments()).zip(expected) {
@@ -184,7 +184,7 @@ fn what_leads_out_of_the_plane_is_solid() {
 
 /// The end of the last segment, to nine decimals.
 fn end(definition: &Definition) -> [f64; 3] {
-    let drawing = draw_solid(&system(definition), 0, &Limits::default()).unwrap();
+    let drawing = draw::<Solid>(&system(definition), 0, &Limits::default()).unwrap();
     drawing.segments().last().unwrap().to.map(|c| (c * 1e9).round() / 1e9)
 }
 
@@ -250,7 +250,7 @@ fn by_matrices(word: &str, start: [[f64; 3]; 3], axis: usize, table: &[(char, ch
 
 fn check_matrices(dialect: Dialect, word: &str, expected: &[[f64; 3]]) {
     let definition = Definition { axiom: word.into(), dialect, ..six() };
-    let drawing = draw_solid(&system(&definition), 0, &Limits::default()).unwrap();
+    let drawing = draw::<Solid>(&system(&definition), 0, &Limits::default()).unwrap();
     let ends: Vec<[f64; 3]> = drawing.segments().map(|segment| segment.to).collect();
     assert_eq!(ends.len(), expected.len());
     for (a, b) in ends.iter().zip(expected) {
@@ -281,10 +281,10 @@ fn memoised_bushes_are_deep_and_cheap() {
     let bush = system(&abop("A", rules, 22.5));
     let small = check(&bush, 5).unwrap();
     assert!(small.is_memoised());
-    let deep = draw_solid(&bush, 60, &Limits::default()).unwrap();
+    let deep = draw::<Solid>(&bush, 60, &Limits::default()).unwrap();
     assert!(deep.is_memoised() && deep.block_count() < 400, "{}", deep.block_count());
     assert!(deep.segment_count() > 1 << 60 && deep.bounds().unwrap().iter().flatten().all(|c| c.is_finite()));
-    assert!(draw_solid(&bush, 1000, &Limits::default()).is_ok());
+    assert!(draw::<Solid>(&bush, 1000, &Limits::default()).is_ok());
 }
 
 #[test]
@@ -295,7 +295,7 @@ fn trees_with_level_branches_are_deep_and_cheap() {
         let definition = lsystem::read_json(&std::fs::read_to_string(file).unwrap()).0.unwrap();
         let tree = system(&definition);
         assert!(check(&tree, 7).unwrap().is_memoised());
-        let deep = |n| draw_solid(&tree, n, &Limits::default()).unwrap();
+        let deep = |n| draw::<Solid>(&tree, n, &Limits::default()).unwrap();
         let apices = deep(12).block_count() - deep(11).block_count();
         assert!(apices <= 24, "{name}: {apices}");
         assert_eq!(deep(40).segment_count(), (1 << 40) - 1);
@@ -324,7 +324,7 @@ fn quarter_turns_stay_on_the_lattice() {
 fn limits_hold_in_space_too() {
     let random = system(&abop("F", "F -> F[&F]F : 1\nF -> F/F[^F] : 1", 20.0));
     let limits = Limits { segments: 1000, ..Limits::default() };
-    let error = draw_solid(&random, 20, &limits).unwrap_err();
+    let error = draw::<Solid>(&random, 20, &limits).unwrap_err();
     assert!(
         matches!(error.kind, Kind::Limit { limit: LimitName::Segments, value: 1000, largest: Some(6) }),
         "{error:?}"
@@ -336,7 +336,7 @@ fn numbers_of_all_sizes_stay_numbers() {
     for angle in [f64::MAX, 1e300, f64::MIN_POSITIVE] {
         let wild =
             Definition { pitch_down: Some(angle), roll_left: Some(-angle), ..abop("F&F/F^F\\$F", "F -> F&F", angle) };
-        let drawing = draw_solid(&system(&wild), 3, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&system(&wild), 3, &Limits::default()).unwrap();
         assert!(drawing.segments().all(|s| s.to.iter().all(|c| c.is_finite())));
     }
     assert!(Action::PitchDown(None).is_solid() && !Action::TurnLeft(None).is_solid());
@@ -384,7 +384,7 @@ fn files_equal_the_reference() {
 #[test]
 fn modules_of_figure_2_6_are_as_counted() {
     for (n, modules) in [(10, 7162), (17, 917_498)] {
-        let drawing = draw_solid(&system(&file("abop/2.6a")), n, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&system(&file("abop/2.6a")), n, &Limits::default()).unwrap();
         assert_eq!(drawing.symbol_count(), Some(modules));
     }
 }
@@ -393,7 +393,7 @@ fn modules_of_figure_2_6_are_as_counted() {
 fn on_paper_what_is_nearer_covers_what_is_farther() {
     // Three arms from the start: away from the viewer, to the left, and towards the viewer.
     let cross = system(&Definition { step: 2.0, start: [5.0, 1.0], ..abop("'[&F]'[+F]'[^F]", "", 90.0) });
-    let drawing = draw_solid(&cross, 0, &Limits::default()).unwrap();
+    let drawing = draw::<Solid>(&cross, 0, &Limits::default()).unwrap();
     let from = |azimuth: f64, elevation: f64| {
         let outlook = Outlook { azimuth, elevation };
         let seen = drawing.seen_from(&outlook, 10).unwrap();
@@ -412,14 +412,14 @@ fn on_paper_what_is_nearer_covers_what_is_farther() {
     // A negative length reverses a segment.
     let back = system(&Definition { overrides: "F: draw -2".into(), ..abop("'[&F]'[^F]", "", 90.0) });
     let seen =
-        draw_solid(&back, 0, &Limits::default()).unwrap().seen_from(&Outlook { azimuth: 0.0, elevation: 0.0 }, 9);
+        draw::<Solid>(&back, 0, &Limits::default()).unwrap().seen_from(&Outlook { azimuth: 0.0, elevation: 0.0 }, 9);
     assert_eq!(seen.unwrap().segments().map(|s| s.colour).collect::<Vec<_>>(), [2, 1]);
 }
 
 #[test]
 fn on_paper_colours_follow_the_path_in_space() {
     let line = system(&abop("F&F&F", "", 90.0));
-    let drawing = draw_solid(&line, 0, &Limits::default()).unwrap();
+    let drawing = draw::<Solid>(&line, 0, &Limits::default()).unwrap();
     // The first segment is nearest from one side and farthest from the other.
     for (azimuth, places) in [(0.0, [2.5, 1.5, 0.5]), (180.0, [0.5, 1.5, 2.5])] {
         let seen = drawing.seen_from(&Outlook { azimuth, elevation: 0.0 }, 10).unwrap();
@@ -432,7 +432,7 @@ fn on_paper_colours_follow_the_path_in_space() {
 
 #[test]
 fn tables_have_a_column_for_each_coordinate() {
-    let drawing = draw_solid(&system(&abop("F&F", "", 90.0)), 0, &Limits::default()).unwrap();
+    let drawing = draw::<Solid>(&system(&abop("F&F", "", 90.0)), 0, &Limits::default()).unwrap();
     let text = lsystem::write_csv(&drawing, 10).unwrap();
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("x0,y0,z0,x1,y1,z1,level,colour"));

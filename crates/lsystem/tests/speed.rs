@@ -2,7 +2,7 @@
 
 use lsystem::derive::Rewriter;
 use lsystem::drawing::{Outlook, expand_into};
-use lsystem::{Definition, Dialect, Limits, SegmentArrays, System, draw, draw_solid};
+use lsystem::{Definition, Dialect, Limits, Plane, SegmentArrays, Solid, System, draw};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -50,7 +50,7 @@ fn building() {
     for (name, system, _) in samples() {
         for n in [8, 40, 1000] {
             let began = Instant::now();
-            let drawing = draw(&system, n, &Limits::default()).unwrap();
+            let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
             let time = began.elapsed().as_secs_f64() * 1e3;
             let began = Instant::now();
             black_box(drawing.bounds());
@@ -83,7 +83,7 @@ fn building_in_space() {
         for n in generations {
             let limits = Limits { segments: 3_000_000, ..Limits::default() };
             let began = Instant::now();
-            let drawing = draw_solid(&system, n, &limits).unwrap();
+            let drawing = draw::<Solid>(&system, n, &limits).unwrap();
             let time = began.elapsed().as_secs_f64() * 1e3;
             let began = Instant::now();
             black_box(drawing.bounds());
@@ -109,14 +109,14 @@ fn materialising() {
     ] {
         let system = system("F", rules, 25.7);
         let limits = Limits::default();
-        let largest = (0..100).take_while(|&n| draw(&system, n, &limits).is_ok()).last().unwrap();
+        let largest = (0..100).take_while(|&n| draw::<Plane>(&system, n, &limits).is_ok()).last().unwrap();
         let began = Instant::now();
-        let drawing = draw(&system, largest, &limits).unwrap();
+        let drawing = draw::<Plane>(&system, largest, &limits).unwrap();
         let seconds = began.elapsed().as_secs_f64();
         let count = drawing.segment_count();
         println!("{name:12} n = {largest}: {count} segments, {:.1} M/s", count as f64 / seconds / 1e6);
         let began = Instant::now();
-        let error = draw(&system, 1000, &limits).unwrap_err();
+        let error = draw::<Plane>(&system, 1000, &limits).unwrap_err();
         println!("{:12} n = 1000 refused in {:.1} ms: {:?}", "", began.elapsed().as_secs_f64() * 1e3, error.kind);
     }
 }
@@ -126,7 +126,7 @@ fn materialising() {
 fn emitting() {
     let (mut arrays, mut source) = (SegmentArrays::default(), vec![]);
     for (name, system, n) in samples().into_iter().take(4) {
-        let drawing = draw(&system, n, &Limits::default()).unwrap();
+        let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
         let count = drawing.segment_count() as f64;
         drawing.write_segments(1 << 26, &mut arrays).unwrap();
         let rate = |work: &mut dyn FnMut()| {

@@ -3,7 +3,7 @@
 use crate::naive;
 use lsystem::drawing::{Mark, Segment};
 use lsystem::syntax::{ColourBy, Tint};
-use lsystem::{Definition, Limits, Style, System, draw, draw_solid, read_json, write_json};
+use lsystem::{Definition, Limits, Plane, Solid, Style, System, draw, read_json, write_json};
 use proptest::prelude::*;
 
 fn system(definition: &Definition) -> System {
@@ -23,8 +23,8 @@ fn near<const N: usize>(a: [f64; N], b: [f64; N], tolerance: f64) -> bool {
 fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
     let system = system(definition);
     let limits = Limits::default();
-    let flat = draw(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
-    let solid = draw_solid(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
+    let flat = draw::<Plane>(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
+    let solid = draw::<Solid>(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
     let expected = naive::segments(&system, n);
     let reach = expected.iter().flat_map(|s| s.from.into_iter().chain(s.to)).fold(1.0_f64, |r, c| r.max(c.abs()));
     prop_assert_eq!(flat.segment_count(), expected.len() as u128);
@@ -231,13 +231,13 @@ proptest! {
     fn what_shares_by_parameters_is_as_the_naive_turtle_says((definition, n) in with_parameters()) {
         let system = system(&definition);
         prop_assume!(naive::modules(&system.grammar, system.seed, n).is_some_and(|word| word.len() < 600));
-        prop_assert!(draw(&system, n, &Limits::default()).unwrap().is_memoised());
+        prop_assert!(draw::<Plane>(&system, n, &Limits::default()).unwrap().is_memoised());
         check(&definition, n)?;
     }
 }
 
 fn drawn(definition: &Definition, n: u32) -> lsystem::Drawing {
-    draw(&system(definition), n, &Limits::default()).unwrap()
+    draw::<Plane>(&system(definition), n, &Limits::default()).unwrap()
 }
 
 #[test]
@@ -361,7 +361,7 @@ fn half_a_turn_grows_to_its_own_side() {
     let bent = |axiom: &str, rules: &str| {
         let definition = Definition { growth: 0.5, ..abop(axiom, rules, 180.0) };
         check(&definition, 1).unwrap();
-        let last = draw_solid(&system(&definition), 1, &Limits::default()).unwrap().segments().last().unwrap();
+        let last = draw::<Solid>(&system(&definition), 1, &Limits::default()).unwrap().segments().last().unwrap();
         [0, 1, 2].map(|i| last.to[i] - last.from[i])
     };
     for (symbol, expected) in [

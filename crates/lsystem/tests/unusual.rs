@@ -5,8 +5,8 @@ use lsystem::files::SvgForm;
 use lsystem::render::{Detail, Effort, Pointer, Quality, Spent, pick_solid};
 use lsystem::syntax::{ColourBy, Expected, Ink, Kind, LimitName, MAX_TEXT, Meter};
 use lsystem::{
-    Camera, Definition, Drawer, Limits, Mesh, Progress, Renderer, SolidRenderer, Style, SvgOptions, System, View,
-    Viewport, draw, draw_solid, pick, read_file, read_json, write_csv, write_json, write_svg,
+    Camera, Definition, Drawer, Limits, Mesh, Plane, Progress, Renderer, Solid, SolidRenderer, Style, SvgOptions,
+    System, View, Viewport, draw, pick, read_file, read_json, write_csv, write_json, write_svg,
 };
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ fn crowded_hulls_end() {
     for (count, angle, n) in
         [(8192, 89.999_999, 1), (8192, 30.000_000_246, 1), (12_000, 60.000_000_083, 1), (2000, 180.000_001_189, 2)]
     {
-        let drawing = draw(&system(&turning(count, angle)), n, &Limits::default()).unwrap();
+        let drawing = draw::<Plane>(&system(&turning(count, angle)), n, &Limits::default()).unwrap();
         assert_eq!(drawing.segment_count(), (count as u128).pow(n));
         let bounds = drawing.bounds().unwrap();
         let ends = drawing.segments().take(100_000).flat_map(|segment| [segment.from, segment.to]);
@@ -41,7 +41,7 @@ fn extents_take_a_bounded_effort() {
     let system = system(&definition);
     let mut all = vec![];
     for share in [10_000, 1 << 20] {
-        let mut drawer = Drawer::new(&system, 8, Limits::default());
+        let mut drawer = Drawer::<Plane>::new(&system, 8, Limits::default());
         let mut before = 0;
         while drawer.step(share) == Progress::More {
             assert!(drawer.spent() - before <= share + Meter::PIECE);
@@ -64,7 +64,7 @@ fn long_words_of_modules_are_drawn_in_steps() {
     let system = system(&definition);
     let mut all = vec![];
     for share in [1, 16_384, 1 << 40] {
-        let mut drawer = Drawer::new(&system, 8, Limits::default());
+        let mut drawer = Drawer::<Plane>::new(&system, 8, Limits::default());
         let mut before = 0;
         while drawer.step(share) == Progress::More {
             assert!(drawer.spent() - before <= share + Meter::PIECE, "{} of {share}", drawer.spent() - before);
@@ -80,11 +80,11 @@ fn long_words_of_modules_are_drawn_in_steps() {
 fn long_words_are_drawn_in_parts() {
     let rules = format!("A -> {}", "F+".repeat(24_000));
     let plain = Definition { axiom: "AAAA".into(), rules, angle: 0.01, ..Definition::default() };
-    let drawing = draw(&system(&plain), 1, &Limits::default()).unwrap();
+    let drawing = draw::<Plane>(&system(&plain), 1, &Limits::default()).unwrap();
     assert_eq!(drawing.segment_count(), 96_000);
     // The unfolded drawing has the same strokes.
     let apart = Definition { rules: plain.rules.clone() + "\nF -> F : 1\nF -> F : 1", ..plain };
-    let expected = draw(&system(&apart), 1, &Limits::default()).unwrap();
+    let expected = draw::<Plane>(&system(&apart), 1, &Limits::default()).unwrap();
     for (a, b) in drawing.segments().zip(expected.segments()) {
         for (a, b) in a.from.iter().chain(&a.to).zip(b.from.iter().chain(&b.to)) {
             assert!((a - b).abs() < 1e-6, "{a} {b}");
@@ -98,8 +98,8 @@ fn long_words_are_drawn_in_parts() {
         ..Definition::default()
     };
     let system = system(&parametric);
-    let whole = draw(&system, 2, &Limits::default()).unwrap();
-    let mut drawer = Drawer::new(&system, 2, Limits::default());
+    let whole = draw::<Plane>(&system, 2, &Limits::default()).unwrap();
+    let mut drawer = Drawer::<Plane>::new(&system, 2, Limits::default());
     while drawer.step(100) == Progress::More {}
     let slow = drawer.finish().unwrap();
     assert_eq!(whole.bounds().map(|b| b.map(f64::to_bits)), slow.bounds().map(|b| b.map(f64::to_bits)));
@@ -115,7 +115,7 @@ fn drawings_stay_within_their_memory() {
     let open = Definition { axiom: "[".repeat(20_000), ..Definition::default() };
     for (definition, n, memory) in [(random, 12, 4 << 20), (long, 2, 1 << 20), (open, 0, 1 << 18)] {
         let limits = Limits { memory, ..Limits::default() };
-        let mut drawer = Drawer::new(&system(&definition), n, limits);
+        let mut drawer = Drawer::<Plane>::new(&system(&definition), n, limits);
         while drawer.step(50_000) == Progress::More {
             assert!(drawer.bytes() <= limits.memory);
         }
@@ -135,13 +135,13 @@ fn polygons_count_where_everything_is_written() {
         ..Definition::default()
     };
     let system = system(&leaves);
-    let drawing = draw(&system, 100, &Limits::default()).unwrap();
+    let drawing = draw::<Plane>(&system, 100, &Limits::default()).unwrap();
     assert_eq!((drawing.segment_count(), drawing.polygon_count()), (0, (1 << 100) - 1));
     let refused = |kind: Kind| matches!(kind, Kind::Limit { limit: LimitName::Segments, .. });
     assert!(refused(write_csv(&drawing, 1000).unwrap_err().kind));
     let options = SvgOptions { most: 1000, ..SvgOptions::default() };
     assert!(refused(write_svg(&drawing, &leaves.style, &options).unwrap_err().kind));
-    let solid = draw_solid(&system, 100, &Limits::default()).unwrap();
+    let solid = draw::<Solid>(&system, 100, &Limits::default()).unwrap();
     let mesh = Mesh::new(&solid, &leaves.style, 1000).unwrap_err().kind;
     assert!(matches!(mesh, Kind::Limit { limit: LimitName::Mesh, .. }), "{mesh:?}");
     assert!(refused(solid.seen_from(&Outlook::default(), 1000).unwrap_err().kind));
@@ -154,7 +154,7 @@ fn pictures_hold_numbers() {
             for min_width in [0.0, 1.0, 10_000.0] {
                 let style = Style { min_width, width: 1.0, ..Style::default() };
                 let definition = Definition { axiom: axiom.into(), step, style, angle: 90.0, ..Definition::default() };
-                let drawing = draw(&system(&definition), 0, &Limits::default()).unwrap();
+                let drawing = draw::<Plane>(&system(&definition), 0, &Limits::default()).unwrap();
                 for form in [SvgForm::Flat, SvgForm::Compact] {
                     let options = SvgOptions { form, ..SvgOptions::default() };
                     let text = write_svg(&drawing, &definition.style, &options).unwrap().text;
@@ -178,13 +178,13 @@ fn files_hold_numbers_where_strokes_are_wider_than_any() {
             ..Definition::default()
         };
         let system = system(&definition);
-        let drawing = draw(&system, 0, &Limits::default()).unwrap();
+        let drawing = draw::<Plane>(&system, 0, &Limits::default()).unwrap();
         for form in [SvgForm::Flat, SvgForm::Compact] {
             let options = SvgOptions { form, ..SvgOptions::default() };
             let text = write_svg(&drawing, &definition.style, &options).unwrap().text;
             assert!(!text.contains("NaN") && !text.contains("inf"), "{min_width} {form:?}\n{text}");
         }
-        let solid = draw_solid(&system, 0, &Limits::default()).unwrap();
+        let solid = draw::<Solid>(&system, 0, &Limits::default()).unwrap();
         let mesh = Mesh::new(&solid, &definition.style, 1000).unwrap();
         assert!(!mesh.positions.is_empty());
         assert!(mesh.positions.iter().chain(&mesh.normals).flatten().all(|c| c.is_finite()), "{min_width}");
@@ -196,7 +196,7 @@ fn meshes_of_drawings_as_large_as_numbers_hold_numbers() {
     for min_width in [0.0, 10.0, 10_000.0] {
         let style = Style { min_width, ..Style::default() };
         let definition = Definition { axiom: "F+Ff(1e308)F".into(), style, angle: 30.0, ..Definition::default() };
-        let drawing = draw_solid(&system(&definition), 0, &Limits::default()).unwrap();
+        let drawing = draw::<Solid>(&system(&definition), 0, &Limits::default()).unwrap();
         let mesh = Mesh::new(&drawing, &definition.style, 1000).unwrap();
         assert!(!mesh.positions.is_empty());
         assert!(mesh.positions.iter().chain(&mesh.normals).flatten().all(|c| c.is_finite()), "{min_width}");
@@ -239,7 +239,7 @@ fn a_symbol_alone_has_no_context() {
 #[test]
 fn a_pointer_that_is_nowhere_finds_nothing() {
     let definition = Definition { axiom: "F{FFFFFF}FF".into(), angle: 90.0, ..Definition::default() };
-    let drawing = draw(&system(&definition), 0, &Limits::default()).unwrap();
+    let drawing = draw::<Plane>(&system(&definition), 0, &Limits::default()).unwrap();
     let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
     let found = |at| {
         let pointer = Pointer { at, tolerance: 1e3, upto: None, visits: 1000 };
@@ -255,7 +255,7 @@ fn a_pointer_that_is_nowhere_finds_nothing() {
 fn distances_at_any_magnification_are_numbers() {
     let definition = Definition { axiom: "F{FFF}+F{FFFF}&F".into(), angle: 60.0, ..Definition::default() };
     let system = system(&definition);
-    let (flat, solid) = (draw(&system, 0, &Limits::default()), draw_solid(&system, 0, &Limits::default()));
+    let (flat, solid) = (draw::<Plane>(&system, 0, &Limits::default()), draw::<Solid>(&system, 0, &Limits::default()));
     let (flat, solid) = (flat.unwrap(), solid.unwrap());
     let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
     for zoom in [1.0, 1e25, 1e150, 1e160, 1e300, f64::MAX] {
@@ -276,7 +276,7 @@ fn distances_at_any_magnification_are_numbers() {
 
 /// Makes a picture. Returns the units of work.
 fn spent_on(ink: Ink, definition: &Definition, [width, height]: [u32; 2], ratio: f64, upto: Option<u128>) -> u64 {
-    let drawing = draw(&system(definition), definition.iterations, &Limits::default()).unwrap();
+    let drawing = draw::<Plane>(&system(definition), definition.iterations, &Limits::default()).unwrap();
     let mut renderer = Renderer::new();
     renderer.load(Arc::new(drawing));
     let viewport = Viewport { width, height, ratio };
@@ -379,7 +379,7 @@ fn wide_strokes_in_space_cover_the_picture_alone() {
         style: Style { width: 0.0, min_width: 10_000.0, ..Style::default() },
         ..Definition::default()
     };
-    let drawing = draw_solid(&system(&definition), 1000, &Limits::default()).unwrap();
+    let drawing = draw::<Solid>(&system(&definition), 1000, &Limits::default()).unwrap();
     let mut renderer = SolidRenderer::new();
     renderer.load(Arc::new(drawing));
     let viewport = Viewport { width: 100, height: 2, ratio: 1.0 };
@@ -400,7 +400,7 @@ fn panes_of_wide_strokes_in_space_are_the_picture() {
         style: Style { width: 100.0, width_factor: 0.7, min_width: 10.0, ..Style::default() },
         ..Definition::default()
     };
-    let drawing = Arc::new(draw_solid(&system(&definition), definition.iterations, &Limits::default()).unwrap());
+    let drawing = Arc::new(draw::<Solid>(&system(&definition), definition.iterations, &Limits::default()).unwrap());
     let (viewport, camera) = (Viewport { width: 1920, height: 1080, ratio: 1.0 }, Camera::default());
     let mut renderer = SolidRenderer::new();
     renderer.load(drawing);

@@ -4,7 +4,7 @@ use crate::files;
 use anyhow::{Context, Result, bail};
 use lsystem::drawing::kind;
 use lsystem::syntax::Field;
-use lsystem::{Definition, Diagnostic, Limits, System, draw, draw_solid, read_json, render_diagnostic};
+use lsystem::{Definition, Diagnostic, Figure, Limits, System, read_json, render_diagnostic};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -17,16 +17,13 @@ pub(crate) fn gallery(folder: &Path) -> Result<Value> {
     let entries = files.iter().map(|file| {
         let path = file.path().strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
         let (definition, system) = read(&path, &files::read_text(file.path())?)?;
-        let solid = system.is_solid();
-        let (n, limits) = (definition.iterations, Limits::default());
-        let made = if solid { draw_solid(&system, n, &limits).is_ok() } else { draw(&system, n, &limits).is_ok() };
-        if !made {
+        let Ok(figure) = Figure::draw(&system, definition.iterations, &Limits::default()) else {
             bail!("{path} grows too large for the gallery");
-        }
+        };
         Ok(json!({
             "path": path,
             "kinds": kind(&system).split(", ").collect::<Vec<_>>(),
-            "solid": solid,
+            "solid": figure.is_solid(),
             "definition": definition,
         }))
     });

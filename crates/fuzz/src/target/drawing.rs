@@ -21,7 +21,7 @@ pub(super) fn drawn_in_space(
     limits: &Limits,
     gauge: &mut Gauge,
 ) -> Option<Arc<Drawing<Solid>>> {
-    build(Drawer::solid(system, n, *limits), gauge)
+    build(Drawer::new(system, n, *limits), gauge)
 }
 
 fn build<S: Space>(mut drawer: Drawer<S>, gauge: &mut Gauge) -> Option<Arc<Drawing<S>>> {

@@ -11,13 +11,14 @@ use crate::{Plane, System};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
 use std::sync::OnceLock;
 
-/// Draws generation `n`.
+/// Draws generation `n` in a space: `draw::<Plane>` or `draw::<Solid>`. In space also a system that does not [leave the
+/// plane](System::is_solid) is drawn; [`Figure::draw`](crate::Figure::draw) chooses.
 ///
 /// # Errors
 /// [`Kind::Limit`](lsystem_syntax::Kind::Limit): the drawing would exceed [`Limits::segments`], [`Limits::work`],
 /// [`Limits::modules`] or [`Limits::memory`], or `n` is above [`MAX_ITERATIONS`].
 /// [`Kind::NotFinite`](lsystem_syntax::Kind::NotFinite): a production computes a number that is not finite.
-pub fn draw(system: &System, n: u32, limits: &Limits) -> Result<Drawing, Diagnostic> {
+pub fn draw<S: Space>(system: &System, n: u32, limits: &Limits) -> Result<Drawing<S>, Diagnostic> {
     Drawer::new(system, n, *limits).finish()
 }
 
@@ -52,17 +53,10 @@ enum Stage<S: Space> {
     Failed(Diagnostic),
 }
 
-impl Drawer {
-    /// Prepares to draw generation `n` in the plane.
+impl<S: Space> Drawer<S> {
+    /// Prepares to draw generation `n` in a space.
     #[must_use]
     pub fn new(system: &System, n: u32, limits: Limits) -> Self {
-        Self::within(system, n, limits)
-    }
-}
-
-impl<S: Space> Drawer<S> {
-    /// Prepares to draw generation `n`.
-    pub(super) fn within(system: &System, n: u32, limits: Limits) -> Self {
         let (rules, turtle, seed) = (system.rules.clone(), system.turtle.clone(), system.seed);
         // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.
         let reachable = if rules.is_plain() { rules.reachable() } else { vec![true; turtle.actions.len()] };

@@ -1,24 +1,7 @@
 //! Drawings in space.
 
-use super::{Drawer, Drawing, body};
-use crate::{Solid, System};
-use lsystem_syntax::{Diagnostic, Limits};
-
-/// Draws generation `n` in space, also of a system that does not [leave the plane](System::is_solid).
-///
-/// # Errors
-/// As [`draw`](crate::draw).
-pub fn draw_solid(system: &System, n: u32, limits: &Limits) -> Result<Drawing<Solid>, Diagnostic> {
-    Drawer::solid(system, n, *limits).finish()
-}
-
-impl Drawer<Solid> {
-    /// Prepares to draw generation `n` in space.
-    #[must_use]
-    pub fn solid(system: &System, n: u32, limits: Limits) -> Self {
-        Self::within(system, n, limits)
-    }
-}
+use super::{Drawing, body};
+use crate::Solid;
 
 impl Drawing<Solid> {
     /// A box around all segments' axes and polygons, without stroke widths: the least and the greatest coordinates, in

@@ -168,11 +168,12 @@ mod tests {
     use super::*;
     use crate::collect;
     use expect_test::expect;
-    use lsystem_drawing::{System, draw};
+    use lsystem_drawing::{Plane, System, draw};
     use lsystem_syntax::{Definition, Diagnostic, Kind, LimitName, Limits};
 
     fn written(definition: &Definition, options: &FileOptions) -> Result<String, Diagnostic> {
-        let drawing = draw(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
+        let drawing =
+            draw::<Plane>(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
         collect(|sink| write_tikz(&drawing, &definition.style, options, sink)).map(|(text, _)| text)
     }
 

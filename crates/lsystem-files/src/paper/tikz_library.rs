@@ -10,7 +10,7 @@ use crate::formats::Notes;
 use crate::svg::warning;
 use crate::{FileOptions, Sink};
 use core::fmt::Write;
-use lsystem_drawing::{Drawer, Drawing, System, expand};
+use lsystem_drawing::{Drawer, Drawing, Plane, System, expand};
 use lsystem_syntax::number::number;
 use lsystem_syntax::{
     Action, ColourBy, Definition, Diagnostic, Field, Grammar, Halt, Heading, Kind, Limits, Module, TikzObstacle,
@@ -49,7 +49,7 @@ pub(crate) fn write_tikz_library(
     let codes = codes(system).map_err(lacking)?;
     let word = expand(system, definition.iterations, &LIMITS)?;
     check_branches(system, &word).map_err(lacking)?;
-    let mut drawer = Drawer::new(system, definition.iterations, LIMITS);
+    let mut drawer = Drawer::<Plane>::new(system, definition.iterations, LIMITS);
     run_steps(sink, |units| drawer.step(units))?;
     let drawing = drawer.finish()?;
     let mut grammar = system.grammar.clone();

@@ -1,7 +1,7 @@
 //! The pictures as a visitor may have them: clean, blurred, noisy, compressed, in a frame.
 
 use crate::cases::Case;
-use lsystem_drawing::{System, draw};
+use lsystem_drawing::{Plane, System, draw};
 use lsystem_find::Picture;
 use lsystem_render::{Detail, Renderer, View, Viewport};
 use lsystem_syntax::{Colour, ColourBy, Definition, Ink, Limits, Progress, Style};
@@ -56,7 +56,7 @@ fn rendered(definition: &Definition, side: usize) -> Result<Grey, &'static str> 
     (thin.style.width, thin.style.width_factor) = (0.0, 1.0);
     let system = System::new(&thin).0.ok_or("the system is wrong")?;
     let limits = Limits::default();
-    let drawing = draw(&system, definition.iterations, &limits).map_err(|_| "the drawing is too large")?;
+    let drawing = draw::<Plane>(&system, definition.iterations, &limits).map_err(|_| "the drawing is too large")?;
     let mut renderer = Renderer::light();
     renderer.load(Arc::new(drawing));
     let style = Style {

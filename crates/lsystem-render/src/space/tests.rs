@@ -2,7 +2,7 @@ use super::camera::Lens;
 use super::light::LIGHT;
 use super::*;
 use lsystem_drawing::rotation::{Vector, dot};
-use lsystem_drawing::{System, draw_solid};
+use lsystem_drawing::{Solid, System, draw};
 use lsystem_syntax::{ColourBy, Definition, Dialect, Limits};
 
 const SIZE: Viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
@@ -24,7 +24,7 @@ fn bush() -> System {
 }
 
 fn drawing(system: &System, n: u32) -> Arc<Drawing<Solid>> {
-    Arc::new(draw_solid(system, n, &Limits::default()).unwrap())
+    Arc::new(draw::<Solid>(system, n, &Limits::default()).unwrap())
 }
 
 fn picture(

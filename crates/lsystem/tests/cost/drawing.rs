@@ -3,7 +3,7 @@
 use super::systems::{LENGTHS, cases, generations};
 use lsystem::drawing::Space;
 use lsystem::syntax::{Kind, LimitName, Meter};
-use lsystem::{Definition, Dialect, Drawer, Drawing, Limits, Progress, System, draw, draw_solid};
+use lsystem::{Definition, Dialect, Drawer, Drawing, Limits, Plane, Progress, Solid, System, draw};
 
 /// The limits of the page, except for memory, which is larger here.
 pub(crate) const LIMITS: Limits =
@@ -62,9 +62,9 @@ fn check(lengths: &[usize]) {
     let (mut largest, mut fullest) = (Largest::default(), Largest::default());
     each(lengths, |name, system, n| {
         if system.is_solid() {
-            step(Drawer::solid(system, n, LIMITS), name, (&mut largest, &mut fullest));
+            step(Drawer::<Solid>::new(system, n, LIMITS), name, (&mut largest, &mut fullest));
         } else {
-            step(Drawer::new(system, n, LIMITS), name, (&mut largest, &mut fullest));
+            step(Drawer::<Plane>::new(system, n, LIMITS), name, (&mut largest, &mut fullest));
         }
     });
     println!(
@@ -97,7 +97,7 @@ fn no_step_of_a_drawing_of_many_symbols_with_numbers_or_branches_is_too_large() 
     {
         let definition = Definition { dialect, axiom: axiom.into(), rules, angle, ..Definition::default() };
         let system = System::new(&definition).0.unwrap();
-        let mut drawer = Drawer::new(&system, n, LIMITS);
+        let mut drawer = Drawer::<Plane>::new(&system, n, LIMITS);
         while {
             let before = drawer.spent();
             let progress = drawer.step(16_384);
@@ -124,7 +124,7 @@ fn refused_drawings_stay_within_their_memory() {
             ..Definition::default()
         };
         let system = System::new(&definition).0.unwrap();
-        let mut drawer = Drawer::solid(&system, n, LIMITS);
+        let mut drawer = Drawer::<Solid>::new(&system, n, LIMITS);
         let mut largest = 0;
         while drawer.step(16_384) == Progress::More {
             largest = largest.max(drawer.bytes());
@@ -141,10 +141,10 @@ fn what_a_drawing_is_derived_from_counts() {
         Definition { axiom: "FF".into(), rules: rules.into(), length_variation: 10.0, ..Definition::default() };
     let system = System::new(&definition).0.unwrap();
     let n = 16;
-    let whole = draw(&system, n, &LIMITS).unwrap();
+    let whole = draw::<Plane>(&system, n, &LIMITS).unwrap();
     // The bytes of a letter and its place in the derivation.
     let word = 10 * (2 << n);
-    let mut drawer = Drawer::new(&system, n, LIMITS);
+    let mut drawer = Drawer::<Plane>::new(&system, n, LIMITS);
     let mut largest = 0;
     // Small steps, so that one ends when only the last blocks are missing.
     while drawer.step(100) == Progress::More {
@@ -152,7 +152,7 @@ fn what_a_drawing_is_derived_from_counts() {
     }
     assert!(largest >= whole.bytes() + word && largest <= LIMITS.memory, "{largest}, {} and {word}", whole.bytes());
     for share in [1000, u64::MAX] {
-        let mut drawer = Drawer::new(&system, n, Limits { memory: whole.bytes() + word / 2, ..LIMITS });
+        let mut drawer = Drawer::<Plane>::new(&system, n, Limits { memory: whole.bytes() + word / 2, ..LIMITS });
         while drawer.step(share) == Progress::More {}
         let refused = drawer.finish().expect_err("more than the memory allowed");
         assert!(matches!(refused.kind, Kind::Limit { limit: LimitName::Memory, .. }), "{refused:?}");
@@ -171,9 +171,9 @@ fn segments_take_few_bytes() {
     let definition = Definition { axiom: "F".into(), rules: rules.into(), angle: 25.7, ..Definition::default() };
     let system = System::new(&definition).0.unwrap();
     let limits = Limits { segments: 300_000, ..LIMITS };
-    let n = (0..20).take_while(|&n| draw(&system, n, &limits).is_ok()).last().unwrap();
-    let plane = draw(&system, n, &limits).unwrap();
-    let solid = draw_solid(&system, n, &limits).unwrap();
+    let n = (0..20).take_while(|&n| draw::<Plane>(&system, n, &limits).is_ok()).last().unwrap();
+    let plane = draw::<Plane>(&system, n, &limits).unwrap();
+    let solid = draw::<Solid>(&system, n, &limits).unwrap();
     let each = |bytes: u64, count: u128| bytes as f64 / count as f64;
     let [plane, solid] = [each(plane.bytes(), plane.segment_count()), each(solid.bytes(), solid.segment_count())];
     println!("bytes of a segment: {plane:.1} in the plane, {solid:.1} in space, with what pictures are made from");

@@ -5,7 +5,7 @@ use super::systems::cases;
 use lsystem::drawing::{Outlook, Projection};
 use lsystem::files::{Content, FileOptions, Format, Owner, Sink};
 use lsystem::syntax::{Halt, Meter};
-use lsystem::{Definition, Drawer, Drawing, Progress, Solid, System, draw, draw_solid};
+use lsystem::{Definition, Drawer, Drawing, Plane, Progress, Solid, System, draw};
 use std::sync::Arc;
 
 /// The units of work between two calls.
@@ -89,7 +89,7 @@ fn no_part_of_a_file_takes_more_than_its_share_and_a_piece() {
                 if system.is_solid() {
                     continue;
                 }
-                let Some(drawing) = finished(Drawer::new(&system, n, LIMITS)) else { continue };
+                let Some(drawing) = finished(Drawer::<Plane>::new(&system, n, LIMITS)) else { continue };
                 let name = format!("{}, n = {n}", case.name);
                 let drawing = Arc::new(drawing);
                 see_table(&mut csv, &name, &drawing);
@@ -108,7 +108,7 @@ fn no_step_of_a_projection_takes_more_than_its_share_and_a_piece() {
         for case in cases(length) {
             let system = case.system();
             for n in [0, 3, 12] {
-                let Some(drawing) = finished(Drawer::solid(&system, n, LIMITS)) else { continue };
+                let Some(drawing) = finished(Drawer::<Solid>::new(&system, n, LIMITS)) else { continue };
                 let name = format!("{}, n = {n}", case.name);
                 let Some(seen) = see_projection(&mut projection, &name, &drawing) else { continue };
                 see_paper(&mut svg, "svg", &name, &seen, &case.definition);
@@ -123,8 +123,8 @@ fn polygons_of_many_vertices_are_counted() {
     let rules = format!("G -> {{{}}}", "F+".repeat(24_990));
     let definition = Definition { axiom: "G".into(), rules, angle: 0.01, ..Definition::default() };
     let system = System::new(&definition).0.unwrap();
-    let plane = Arc::new(draw(&system, 1, &LIMITS).unwrap());
-    let solid = draw_solid(&system, 1, &LIMITS).unwrap();
+    let plane = Arc::new(draw::<Plane>(&system, 1, &LIMITS).unwrap());
+    let solid = draw::<Solid>(&system, 1, &LIMITS).unwrap();
     assert!(plane.is_memoised() && plane.polygon_count() == 1);
     let (mut svg, mut projection) = (Largest::default(), Largest::default());
     for format in ["svg", "svg-compact"] {
@@ -140,7 +140,7 @@ fn no_part_of_a_mesh_takes_more_than_its_share_and_a_piece() {
     let mut meshes = ["obj", "glb", "stl"].map(|format| (format, Largest::default()));
     for length in [1, 100, 10_000] {
         for case in cases(length) {
-            let Some(drawing) = finished(Drawer::solid(&case.system(), 3, LIMITS)) else { continue };
+            let Some(drawing) = finished(Drawer::<Solid>::new(&case.system(), 3, LIMITS)) else { continue };
             let drawing = Arc::new(drawing);
             for (format, largest) in &mut meshes {
                 let Content::Mesh(write) = Format::named(format).unwrap().content else { panic!("{format}") };

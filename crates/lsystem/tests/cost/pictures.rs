@@ -4,7 +4,7 @@ use super::systems::{Case, LENGTHS, LONGEST, cases, generations};
 use lsystem::render::{Detail, Pointer, Quality, pick_solid};
 use lsystem::syntax::{Ink, Meter};
 use lsystem::{
-    Camera, Drawing, Limits, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport, draw, draw_solid, pick,
+    Camera, Drawing, Limits, Plane, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport, draw, pick,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -97,12 +97,12 @@ fn check(case: &Case, n: u32, views: &[(Viewport, f64)], most: &mut Most) {
         format!("{} n {n} {}x{} zoom {zoom}", case.name, viewport.width, viewport.height)
     };
     if system.is_solid() {
-        let Ok(drawing) = draw_solid(&system, n, &LIMITS).map(Arc::new) else { return };
+        let Ok(drawing) = draw::<Solid>(&system, n, &LIMITS).map(Arc::new) else { return };
         for (viewport, zoom) in views {
             check_space(&drawing, &name(viewport, *zoom), *viewport, *zoom, most);
         }
     } else {
-        let Ok(drawing) = draw(&system, n, &LIMITS).map(Arc::new) else { return };
+        let Ok(drawing) = draw::<Plane>(&system, n, &LIMITS).map(Arc::new) else { return };
         for (viewport, zoom) in views {
             check_plane(&drawing, &name(viewport, *zoom), *viewport, View { zoom: *zoom, ..View::default() }, most);
         }

@@ -73,12 +73,13 @@ mod tests {
     use super::*;
     use crate::{collect, read_file, write_json};
     use expect_test::expect;
-    use lsystem_drawing::{System, draw};
+    use lsystem_drawing::{Plane, System, draw};
     use lsystem_syntax::{ColourBy, Definition, Diagnostic, Kind, LimitName, Limits};
     use miniz_oxide::inflate::decompress_to_vec_zlib;
 
     fn written(definition: &Definition, options: &FileOptions) -> Result<Vec<u8>, Diagnostic> {
-        let drawing = draw(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
+        let drawing =
+            draw::<Plane>(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
         collect(|sink| write_pdf(&drawing, &definition.style, options, sink)).map(|(file, _)| file)
     }
 
