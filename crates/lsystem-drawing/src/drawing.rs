@@ -35,7 +35,6 @@ pub use bulk::SegmentArrays;
 pub use drawer::{Drawer, draw};
 pub use hull::hull;
 pub use marks::Mark;
-pub use marks::MarkReader;
 pub(crate) use piece::Piece;
 pub(crate) use pieces::{Pieces, StateWord, StateWords};
 pub use projection::{Outlook, Projection};

@@ -175,7 +175,7 @@ impl MeshParts {
     }
 
     fn read(
-        mut reader: SolidReader,
+        reader: SolidReader<'_>,
         drawing: &Drawing<Solid>,
         style: &Style,
         options: &MeshOptions,
@@ -194,7 +194,7 @@ impl MeshParts {
             true => Err(Diagnostic::limit(LimitName::Memory, options.memory, None)),
             false => Ok(()),
         };
-        while let Some(mark) = reader.next(drawing) {
+        for mark in reader {
             let (marks, units) = match &mark {
                 SolidMark::Mark(mark @ Mark::Polygon(vertices, _)) => (vertices.len() as u64, mark.work()),
                 SolidMark::Mark(mark) => (1, mark.work()),

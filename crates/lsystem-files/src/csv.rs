@@ -13,11 +13,11 @@ use lsystem_syntax::{Diagnostic, Halt, Work};
 /// # Errors
 /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if there are more than `most` segments and vertices of polygons.
 pub fn write_csv<S: Space>(drawing: &Drawing<S>, most: u64) -> Result<String, Diagnostic> {
-    collect(|sink| csv(drawing, most, sink)).map(|(text, ())| text)
+    collect(|sink| csv_file(drawing, most, sink)).map(|(text, ())| text)
 }
 
 /// As [`write_csv`], piece by piece.
-pub(crate) fn csv<S: Space>(drawing: &Drawing<S>, most: u64, sink: &mut Sink<'_>) -> Result<(), Halt> {
+pub(crate) fn csv_file<S: Space>(drawing: &Drawing<S>, most: u64, sink: &mut Sink<'_>) -> Result<(), Halt> {
     drawing.check_size(most)?;
     let is_flat = S::Point::default().as_ref().len() == 2;
     sink.text.push_str(if is_flat { "x0,y0,x1,y1,level,colour\n" } else { "x0,y0,z0,x1,y1,z1,level,colour\n" });

@@ -2,9 +2,9 @@
 //!
 //! A new format needs a writer in its own file and a row here.
 
-use super::csv::csv;
+use super::csv::csv_file;
 use super::paper::{write_pdf, write_tikz, write_tikz_library};
-use super::svg::{svg, warning};
+use super::svg::{svg_file, warning};
 use super::{FileOptions, Sink, SvgForm, SvgOptions, bibtex, latex, markdown, mesh_file, write_plot};
 use lsystem_drawing::{Drawing, Solid, System};
 use lsystem_syntax::{Definition, Diagnostic, Halt, Style};
@@ -308,7 +308,7 @@ pub static FORMATS: [Format; 16] = [
         purposes: &[Purpose::Data],
         is_binary: false,
         is_made_in_memory: false,
-        content: Content::Segments { plane: csv, space: csv },
+        content: Content::Segments { plane: csv_file, space: csv_file },
         options: &[],
     },
     Format {
@@ -320,7 +320,7 @@ pub static FORMATS: [Format; 16] = [
         purposes: &[Purpose::Mesh],
         is_binary: false,
         is_made_in_memory: true,
-        content: Content::Mesh(mesh_file::write_obj),
+        content: Content::Mesh(mesh_file::obj),
         options: &["finest"],
     },
     Format {
@@ -396,6 +396,6 @@ fn picture(
 ) -> Result<Notes, Halt> {
     let FileOptions { title, description, system, most, transparent, .. } = options.clone();
     let options = SvgOptions { title, description, system, most, form, transparent, ..SvgOptions::default() };
-    let instances = svg(drawing, style, &options, sink)?;
+    let instances = svg_file(drawing, style, &options, sink)?;
     Ok(Notes { remark: warning(instances, style.ink), ..Notes::default() })
 }

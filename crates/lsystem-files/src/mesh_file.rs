@@ -2,21 +2,21 @@
 
 use crate::formats::Notes;
 use crate::gltf::glb_file;
-use crate::obj::obj;
+use crate::obj::obj_file;
 use crate::{FileOptions, Sink, write_stl};
 use lsystem_drawing::{Drawing, Mesh, MeshForm, MeshOptions, MeshParts, Solid};
 use lsystem_syntax::{Halt, Style};
 use std::sync::Arc;
 
 /// Writes OBJ.
-pub(crate) fn write_obj(
+pub(crate) fn obj(
     drawing: Arc<Drawing<Solid>>,
     style: &Style,
     options: &FileOptions,
     sink: &mut Sink<'_>,
 ) -> Result<Notes, Halt> {
     let mesh = mesh(drawing, style, options, MeshForm::Coloured, sink)?;
-    obj(&mesh, &options.title, sink)?;
+    obj_file(&mesh, &options.title, sink)?;
     Ok(Notes::default())
 }
 

@@ -14,11 +14,11 @@ const LINE_WORK: u64 = 8;
 /// extension that many programs read and other programs ignore. `name` becomes the name of the object.
 #[must_use]
 pub fn write_obj(mesh: &Mesh, name: &str) -> String {
-    collect(|sink| obj(mesh, name, sink)).map(|(text, ())| text).unwrap_or_default()
+    collect(|sink| obj_file(mesh, name, sink)).map(|(text, ())| text).unwrap_or_default()
 }
 
 /// As [`write_obj`], piece by piece.
-pub(crate) fn obj(mesh: &Mesh, name: &str, sink: &mut Sink<'_>) -> Result<(), Halt> {
+pub(crate) fn obj_file(mesh: &Mesh, name: &str, sink: &mut Sink<'_>) -> Result<(), Halt> {
     let size = mesh.positions.iter().flatten().fold(0.0_f64, |size, c| size.max(f64::from(c.abs())));
     let (places, units) = (Decimals::for_size(size), Decimals::for_size(1e3));
     // The name must be one word on one line.

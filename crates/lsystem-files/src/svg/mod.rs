@@ -97,12 +97,17 @@ impl Default for SvgOptions {
 /// # Errors
 /// [`Kind::Limit`] if there is more to write than [`SvgOptions::most`].
 pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
-    let (text, instances) = collect(|sink| svg(drawing, style, options, sink))?;
+    let (text, instances) = collect(|sink| svg_file(drawing, style, options, sink))?;
     Ok(Svg { text, instances, ink: style.ink })
 }
 
 /// As [`write_svg`], piece by piece. Returns [`Svg::instances`].
-pub(crate) fn svg(drawing: &Drawing, style: &Style, options: &SvgOptions, sink: &mut Sink<'_>) -> Result<u128, Halt> {
+pub(crate) fn svg_file(
+    drawing: &Drawing,
+    style: &Style,
+    options: &SvgOptions,
+    sink: &mut Sink<'_>,
+) -> Result<u128, Halt> {
     match (options.form, drawing.root) {
         (SvgForm::Compact, Some(root)) if is_shareable(drawing, style) => {
             write_compact(drawing, root, style, options, sink)
