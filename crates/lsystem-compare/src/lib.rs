@@ -12,7 +12,7 @@ mod same;
 mod sample;
 mod sketch;
 
-pub use check::{Check, MAX_OUTPUT, Output, SymbolDifference, Verdict, check};
+pub use check::{Check, MAX_OUTPUT, Output, Verdict, check};
 pub use exercise::{Asks, Exercise, First, Given};
 pub use fit::Ends;
 pub use ink::{Mask, SIDE};
