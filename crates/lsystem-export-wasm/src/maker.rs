@@ -62,9 +62,9 @@ mod tests {
         }
     }
 
-    fn finish(order: Order) -> (Report, Vec<u8>, usize) {
+    fn finish(order: &Order) -> (Report, Vec<u8>, usize) {
         let mut pieces = Pieces::default();
-        let report = make(&order, &mut pieces);
+        let report = make(order, &mut pieces);
         (report, pieces.0, pieces.1)
     }
 
@@ -85,7 +85,7 @@ mod tests {
             // TikZ's library has no symbols for space.
             let says_it = |format: &&Format| format.name != "tikz-library" || !definition.rules.contains('&');
             for format in FORMATS.iter().filter(says_it) {
-                let (maker, file, _) = finish(order(format.name, definition.clone()));
+                let (maker, file, _) = finish(&order(format.name, definition.clone()));
                 assert!(maker.complete && !file.is_empty(), "{} {:?}", format.name, maker.diagnostics);
             }
         }
@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn large_files_are_taken_in_small_pieces() {
         for (format, n) in [("csv", 8), ("svg", 8), ("txt", 9), ("obj", 6)] {
-            let (maker, file, largest) = finish(order(format, weed(n)));
+            let (maker, file, largest) = finish(&order(format, weed(n)));
             assert!(maker.complete && file.len() > 3_000_000, "{format}: {}", file.len());
             assert!(largest < 1 << 20, "{format}: {largest}");
         }
@@ -107,7 +107,7 @@ mod tests {
         for (format, definition) in
             [("svg", weed(20)), ("txt", weed(40)), ("glb", weed(20)), ("csv", large), ("json", wrong)]
         {
-            let (maker, _, _) = finish(order(format, definition));
+            let (maker, _, _) = finish(&order(format, definition));
             assert!(!maker.complete && !maker.diagnostics.is_empty(), "{format}");
         }
     }
@@ -117,8 +117,10 @@ mod tests {
         for bare in [false, true] {
             // 5^60 segments exceed 128 bits.
             for (format, n) in [("svg", 2), ("svg-compact", 60)] {
-                let (maker, file, _) =
-                    finish(Order { options: FileOptions { bare, ..FileOptions::default() }, ..order(format, weed(n)) });
+                let (maker, file, _) = finish(&Order {
+                    options: FileOptions { bare, ..FileOptions::default() },
+                    ..order(format, weed(n))
+                });
                 let text = String::from_utf8(file).unwrap();
                 assert!(maker.complete && text.contains("<desc"), "{format}");
                 assert_eq!(text.contains("F[+F]F[-F]F"), !bare, "{format}");

@@ -96,6 +96,9 @@ pub struct Notes {
     pub summary: Option<String>,
 }
 
+/// The result of writing a file.
+pub type Written = Result<Notes, Halt>;
+
 /// The input of a file, with the function that writes it. A limit is an error before the first byte.
 #[derive(Clone, Copy, Debug)]
 pub enum Content {
@@ -104,11 +107,11 @@ pub enum Content {
     /// The derived string.
     String,
     /// A definition and its system, in another notation.
-    Words(fn(&Definition, &System, &FileOptions, &mut Sink<'_>) -> Result<Notes, Halt>),
+    Words(fn(&Definition, &System, &FileOptions, &mut Sink<'_>) -> Written),
     /// Pixels, made by a renderer.
     Pixels,
     /// Strokes in the plane. A drawing in space is projected first.
-    Paper(fn(Arc<Drawing>, &Style, &FileOptions, &mut Sink<'_>) -> Result<Notes, Halt>),
+    Paper(fn(Arc<Drawing>, &Style, &FileOptions, &mut Sink<'_>) -> Written),
     /// Segments in the plane or in space. The number is the most segments and vertices of polygons.
     Segments {
         /// Writes a drawing in the plane.
@@ -117,7 +120,7 @@ pub enum Content {
         space: fn(&Drawing<Solid>, u64, &mut Sink<'_>) -> Result<(), Halt>,
     },
     /// A mesh of tubes. A drawing in the plane becomes one in space.
-    Mesh(fn(Arc<Drawing<Solid>>, &Style, &FileOptions, &mut Sink<'_>) -> Result<Notes, Halt>),
+    Mesh(fn(Arc<Drawing<Solid>>, &Style, &FileOptions, &mut Sink<'_>) -> Written),
 }
 
 impl Content {

@@ -32,7 +32,7 @@ mod xml;
 
 pub use csv::write_csv;
 pub use embed::{FileContent, import_file, read_file};
-pub use formats::{Content, FORMATS, Format, Notes, Purpose};
+pub use formats::{Content, FORMATS, Format, Notes, Purpose, Written};
 pub use gltf::write_glb;
 pub use import::{Entry, Imported, MAX_ENTRIES, Remark, import};
 pub use json::read_json;
