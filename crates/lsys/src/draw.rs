@@ -116,7 +116,7 @@ fn contents(
         Content::System => return Ok(Contents::Bytes(write_json(&input.definition).into_bytes())),
         Content::String => return Ok(Contents::Bytes((input.expand(shares)? + "\n").into_bytes())),
         Content::Pixels => {
-            return picture::png(figure()?, style, &choices, stored())
+            return picture::png(&figure()?, style, &choices, stored())
                 .map(|picture| Contents::Picture(Box::new(picture)))
                 .map_err(wrong);
         }

@@ -2,7 +2,7 @@
 
 use crate::progress::DelayedBar;
 use lsystem::files::{FileOptions, PngOptions, PngWriter, Writer};
-use lsystem::{Camera, Diagnostic, Drawing, Figure, Progress, Style, View, Viewport, fit, render_diagnostic};
+use lsystem::{Diagnostic, Figure, Progress, Style, Vantage, Viewport, fit, render_diagnostic};
 use std::io::{self, Write};
 
 /// The default length of the longer side, in pixels. At this length a stroke's least width is in pixels; larger
@@ -19,31 +19,19 @@ const WORK: u64 = 1_000_000;
 /// # Errors
 /// As [`PngWriter::new`].
 pub(crate) fn png(
-    figure: Figure,
+    figure: &Figure,
     style: &Style,
     choices: &FileOptions,
     system: String,
 ) -> Result<PngWriter, Diagnostic> {
-    match figure {
-        Figure::Plane(drawing) => {
-            let size = choices.size.unwrap_or_else(|| usual_size(&drawing));
-            PngWriter::new(drawing, style.clone(), View::default(), &options(size, choices, system))
-        }
-        Figure::Space(drawing) => {
-            let size = choices.size.unwrap_or([USUAL; 2]);
-            PngWriter::solid(drawing, style.clone(), Camera::default(), &options(size, choices, system))
-        }
-    }
-}
-
-fn options(size: [u32; 2], choices: &FileOptions, system: String) -> PngOptions {
-    PngOptions {
-        viewport: viewport(size),
+    let options = PngOptions {
+        viewport: viewport(choices.size.unwrap_or_else(|| usual_size(figure))),
         dpi: choices.dpi,
         is_transparent: choices.transparent,
         system,
         ..PngOptions::default()
-    }
+    };
+    PngWriter::new(figure, style.clone(), Vantage::default(), &options)
 }
 
 fn viewport([width, height]: [u32; 2]) -> Viewport {
@@ -69,8 +57,9 @@ pub(crate) fn write(mut picture: PngWriter, out: &mut dyn Write) -> io::Result<(
     }
 }
 
-/// The default size, in the proportions of the drawing.
-fn usual_size(drawing: &Drawing) -> [u32; 2] {
+/// The default size: in the plane in the proportions of the drawing, in space a square.
+fn usual_size(figure: &Figure) -> [u32; 2] {
+    let Figure::Plane(drawing) = figure else { return [USUAL; 2] };
     let extent = fit(drawing);
     let longer = extent.width.max(extent.height);
     let side = |length: f64| {

@@ -7,6 +7,7 @@
 //! | 16 | counts of any size ([`lsystem_syntax::MAX_COUNTING`]) |
 //! | 16 | texts, compiled systems, and the piece of the file that waits for the page |
 
+use lsystem_render::BAND_PIXEL;
 use lsystem_syntax::Limits;
 
 /// The limits of drawings and strings: what the page shows can be saved.
@@ -20,10 +21,11 @@ pub(crate) const TEXT_SEGMENTS: u64 = 2_000_000;
 pub(crate) const FEW_SEGMENTS: u64 = 200_000;
 /// The most bytes of a mesh.
 pub(crate) const MESH: u64 = 42 << 20;
-/// The most pixels of a picture that are painted at a time. A pixel takes up to 28 bytes, so a band takes 56 MiB.
+/// The most pixels of a picture that are painted at a time. A band takes up to 48 MiB.
 pub(crate) const BAND: u32 = 1 << 21;
 /// The units of work of a step: well under a millisecond.
 pub(crate) const WORK: u64 = 16_384;
 
 // The drawing and what is made of it fit into their shares.
+const _: () = assert!(BAND as u64 * BAND_PIXEL <= LIMITS.memory);
 const _: () = assert!(MESH <= LIMITS.memory && HISTORY.memory + (16 << 20) <= LIMITS.memory);

@@ -3,9 +3,9 @@
 use crate::budget::{BAND, FEW_SEGMENTS, MESH, TEXT_SEGMENTS, WORK};
 use crate::stages::{Begun, FileWriter, described_file, plane_file, projected_file, solid_file, text_file};
 use crate::string::string_file;
-use lsystem_drawing::{Outlook, System};
+use lsystem_drawing::{Figure, Outlook, System};
 use lsystem_files::{Content, FileOptions, Format, PngOptions, PngWriter, write_json};
-use lsystem_render::{Camera, View, Viewport};
+use lsystem_render::{Camera, Vantage, View, Viewport};
 use lsystem_syntax::{Definition, Problem, Progress, problems};
 
 /// The side of a picture of pixels whose size is not given.
@@ -93,14 +93,15 @@ fn begin(Order { definition, format, options, view, camera, ratio }: Order, syst
             let [width, height] = options.size.unwrap_or([USUAL; 2]);
             let viewport = Viewport { width, height, ratio };
             let FileOptions { dpi, transparent: is_transparent, system: stored, .. } = options;
-            let png = PngOptions { viewport, dpi, is_transparent, system: stored, band: BAND };
+            let png = PngOptions { viewport, dpi, is_transparent, system: stored, upto: None, band: BAND };
+            let vantage = Vantage { view, camera };
             Ok(match system.is_solid() {
-                true => {
-                    solid_file(&system, n, move |drawing| Ok(Box::new(PngWriter::solid(drawing, style, camera, &png)?)))
-                }
-                false => {
-                    plane_file(&system, n, move |drawing| Ok(Box::new(PngWriter::new(drawing, style, view, &png)?)))
-                }
+                true => solid_file(&system, n, move |drawing| {
+                    Ok(Box::new(PngWriter::new(&Figure::Space(drawing), style, vantage, &png)?))
+                }),
+                false => plane_file(&system, n, move |drawing| {
+                    Ok(Box::new(PngWriter::new(&Figure::Plane(drawing), style, vantage, &png)?))
+                }),
             })
         }
         Content::Segments { space, .. } if system.is_solid() => {

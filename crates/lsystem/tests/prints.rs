@@ -3,8 +3,8 @@
 use lsystem::files::{PngOptions, PngWriter, Writer, read_file, write_all};
 use lsystem::render::Quality;
 use lsystem::syntax::{ColourBy, Ink};
-use lsystem::{Camera, Definition, Drawing, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
-use lsystem::{Plane, View, Viewport, draw, write_json};
+use lsystem::{Camera, Definition, Drawing, Figure, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
+use lsystem::{Plane, Vantage, View, Viewport, draw, write_json};
 use std::sync::Arc;
 
 const VIEWPORT: Viewport = Viewport { width: 300, height: 200, ratio: 1.0 };
@@ -78,10 +78,10 @@ fn streamed_is_whole() {
     ] {
         let drawing = drawing(&definition, n);
         let expected = opaque(&whole(&drawing, &definition.style, VIEWPORT));
+        let figure = Figure::Plane(drawing);
         for band in [1 << 22, 300 * 48] {
             let options = PngOptions { viewport: VIEWPORT, band, ..PngOptions::default() };
-            let mut writer =
-                PngWriter::new(drawing.clone(), definition.style.clone(), View::default(), &options).unwrap();
+            let mut writer = PngWriter::new(&figure, definition.style.clone(), Vantage::default(), &options).unwrap();
             // Small steps, whose pieces are the file.
             let (mut file, mut piece) = (vec![], vec![]);
             while writer.step(&mut piece, 777).unwrap() == Progress::More {
@@ -112,7 +112,8 @@ fn transparent_over_the_background_is_opaque() {
         let opaque = opaque(&whole(&drawing, &definition.style, VIEWPORT));
         let options = PngOptions { viewport: VIEWPORT, is_transparent: true, ..PngOptions::default() };
         let style = definition.style.clone();
-        let file = write_all(&mut PngWriter::new(drawing, style, View::default(), &options).unwrap()).unwrap();
+        let mut writer = PngWriter::new(&Figure::Plane(drawing), style, Vantage::default(), &options).unwrap();
+        let file = write_all(&mut writer).unwrap();
         let (info, pixels) = read(&file);
         assert_eq!(info.color_type, png::ColorType::Rgba);
         assert_eq!((pixels[3], pixels[0]), (0, 0), "the corner is empty");
@@ -132,12 +133,13 @@ fn drawings_in_space_are_streamed_in_panes() {
     renderer.begin(&style, viewport, &Camera::default(), Quality::BEST);
     while renderer.step(100_000) == Progress::More {}
     let expected = opaque(renderer.pixels());
+    let figure = Figure::Space(drawing);
     for band in [1 << 22, 1] {
         let options = PngOptions { viewport, band, ..PngOptions::default() };
-        let mut writer = PngWriter::solid(drawing.clone(), style.clone(), Camera::default(), &options).unwrap();
+        let mut writer = PngWriter::new(&figure, style.clone(), Vantage::default(), &options).unwrap();
         assert_eq!(read(&write_all(&mut writer).unwrap()).1, expected, "{band}");
         let options = PngOptions { is_transparent: true, ..options };
-        let mut writer = PngWriter::solid(drawing.clone(), style.clone(), Camera::default(), &options).unwrap();
+        let mut writer = PngWriter::new(&figure, style.clone(), Vantage::default(), &options).unwrap();
         let (_, pixels) = read(&write_all(&mut writer).unwrap());
         assert!(most_difference(&over(&pixels, style.background.rgb), &expected) <= 1);
     }
@@ -153,7 +155,8 @@ fn files_tell_resolution_and_system() {
         ..PngOptions::default()
     };
     let style = definition.style.clone();
-    let mut writer = PngWriter::new(drawing(&definition, 2), style, View::default(), &options).unwrap();
+    let figure = Figure::Plane(drawing(&definition, 2));
+    let mut writer = PngWriter::new(&figure, style, Vantage::default(), &options).unwrap();
     let file = write_all(&mut writer).unwrap();
     let (info, _) = read(&file);
     assert_eq!((info.width, info.height, info.color_type), (20, 10, png::ColorType::Rgb));
