@@ -31,6 +31,8 @@ struct Asked {
     /// Device pixels in a CSS pixel, for pictures of pixels.
     #[serde(default = "one")]
     ratio: f64,
+    /// The number of segments that pictures of pixels show; all if it is missing.
+    upto: Option<u128>,
 }
 
 const fn one() -> f64 {
@@ -50,17 +52,17 @@ pub struct Export(FileMaker);
 
 #[wasm_bindgen]
 impl Export {
-    /// Begins a file: `{definition, format, options, view, camera, ratio}`.
+    /// Begins a file: `{definition, format, options, view, camera, ratio, upto}`.
     ///
     /// # Errors
     /// Throws if there is no such format or option, or if the argument cannot be translated.
     #[wasm_bindgen(constructor)]
     pub fn new(asked: JsValue) -> Result<Self, JsValue> {
-        let Asked { definition, format, options, view, camera, ratio } = serde_wasm_bindgen::from_value(asked)?;
+        let Asked { definition, format, options, view, camera, ratio, upto } = serde_wasm_bindgen::from_value(asked)?;
         let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
         let options = FileOptions::from_values(&options)?;
         let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into).unwrap_or_default());
-        Ok(Self(FileMaker::new(Order { definition, format, options, view, camera, ratio })))
+        Ok(Self(FileMaker::new(Order { definition, format, options, view, camera, ratio, upto })))
     }
 
     /// Works for well under a millisecond. Returns whether the file is at its end.

@@ -23,6 +23,8 @@ pub(crate) struct Order {
     pub(crate) camera: Camera,
     /// Device pixels in a CSS pixel, for pictures of pixels.
     pub(crate) ratio: f64,
+    /// The number of segments that pictures of pixels show; `None` for all.
+    pub(crate) upto: Option<u128>,
 }
 
 /// A file in the making.
@@ -79,7 +81,7 @@ impl FileMaker {
 }
 
 /// The writer of a file from its first stage on.
-fn begin(Order { definition, format, options, view, camera, ratio }: Order, system: System) -> Begun {
+fn begin(Order { definition, format, options, view, camera, ratio, upto }: Order, system: System) -> Begun {
     let n = definition.iterations;
     let outlook = Outlook { azimuth: camera.azimuth, elevation: camera.elevation };
     let (style, name) = (system.style.clone(), definition.label().to_owned());
@@ -93,7 +95,7 @@ fn begin(Order { definition, format, options, view, camera, ratio }: Order, syst
             let [width, height] = options.size.unwrap_or([USUAL; 2]);
             let viewport = Viewport { width, height, ratio };
             let FileOptions { dpi, transparent: is_transparent, system: stored, .. } = options;
-            let png = PngOptions { viewport, dpi, is_transparent, system: stored, upto: None, band: BAND };
+            let png = PngOptions { viewport, dpi, is_transparent, system: stored, upto, band: BAND };
             let vantage = Vantage { view, camera };
             Ok(match system.is_solid() {
                 true => solid_file(&system, n, move |drawing| {
@@ -141,7 +143,7 @@ mod tests {
     fn order(format: &str, definition: Definition) -> Order {
         let format = Format::named(format).unwrap();
         let (view, camera) = (View::default(), Camera::default());
-        Order { definition, format, options: FileOptions::default(), view, camera, ratio: 1.0 }
+        Order { definition, format, options: FileOptions::default(), view, camera, ratio: 1.0, upto: None }
     }
 
     /// Runs all steps, with the sizes of the pieces.
