@@ -5,7 +5,7 @@ mod page;
 use crate::answers::{Answer, answers, exercise};
 use crate::{CommandFailure, print};
 use lsystem::Definition;
-use lsystem::compare::{Exercise, Mark, Marker};
+use lsystem::compare::{Exercise, Grade, Marker};
 use lsystem::syntax::visible;
 use std::io::{self, Write};
 use std::path::Path;
@@ -14,7 +14,7 @@ use std::path::Path;
 struct Marked {
     answer: Answer,
     /// `None` if there is nothing to mark.
-    mark: Option<Mark>,
+    mark: Option<Grade>,
     /// The remark in the table.
     words: String,
     /// The differences from the target, for pages: a PNG.
@@ -59,7 +59,7 @@ fn marked_by(marker: &mut Marker, answer: Answer, with_picture: bool) -> Marked 
 }
 
 /// What is wrong with an answer, as the student is told.
-fn said(marker: &Marker, student: &Definition, mark: &Mark) -> String {
+fn said(marker: &Marker, student: &Definition, mark: &Grade) -> String {
     if let Some(error) = mark.errors.first() {
         return error.message();
     }
@@ -74,7 +74,7 @@ impl Marked {
 
     /// The agreement in percent.
     fn percent(&self) -> String {
-        self.mark.as_ref().map(Mark::percent).unwrap_or_default()
+        self.mark.as_ref().map(Grade::percent).unwrap_or_default()
     }
 
     fn symbols(&self) -> String {

@@ -1,7 +1,7 @@
 //! Segments brought to a common place and size.
 
 /// A segment: both ends. In the plane the third coordinate is 0.
-pub type Segment = [[f64; 3]; 2];
+pub type Ends = [[f64; 3]; 2];
 
 /// A map of points to a common place and size.
 #[derive(Clone, Copy)]
@@ -11,7 +11,7 @@ pub(crate) struct Fit {
 }
 
 /// The least and the greatest coordinates.
-pub(crate) fn extent(segments: &[Segment]) -> [[f64; 3]; 2] {
+pub(crate) fn extent(segments: &[Ends]) -> [[f64; 3]; 2] {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for point in segments.iter().flatten() {
         for axis in 0..3 {
@@ -24,7 +24,7 @@ pub(crate) fn extent(segments: &[Segment]) -> [[f64; 3]; 2] {
 
 impl Fit {
     /// Puts the centre of the extent to the origin and makes its longest side 1.
-    pub(crate) fn whole(segments: &[Segment]) -> Self {
+    pub(crate) fn whole(segments: &[Ends]) -> Self {
         Self::of(extent(segments))
     }
 
@@ -36,7 +36,7 @@ impl Fit {
     }
 
     /// Puts the start of the first segment to the origin and makes its length 1.
-    pub(crate) fn first(segments: &[Segment]) -> Self {
+    pub(crate) fn first(segments: &[Ends]) -> Self {
         let Some(first) = segments.iter().find(|segment| length(segment) > 0.0) else { return Self::whole(segments) };
         Self { at: first[0], size: length(first) }.usable()
     }
@@ -46,11 +46,11 @@ impl Fit {
         Self { at: self.at.map(|value| if value.is_finite() { value } else { 0.0 }), size }
     }
 
-    pub(crate) fn place(&self, segment: &Segment) -> Segment {
+    pub(crate) fn place(&self, segment: &Ends) -> Ends {
         segment.map(|point| [0, 1, 2].map(|axis| (point[axis] - self.at[axis]) / self.size))
     }
 }
 
-pub(crate) fn length([from, to]: &Segment) -> f64 {
+pub(crate) fn length([from, to]: &Ends) -> f64 {
     libm::sqrt((0..3).map(|axis| (to[axis] - from[axis]) * (to[axis] - from[axis])).sum())
 }

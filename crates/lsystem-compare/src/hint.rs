@@ -1,7 +1,7 @@
 //! Hints for wrong answers: what is probably wrong, found by trying.
 
 use crate::exercise::{Asks, Exercise, Given};
-use crate::fit::{Fit, Segment};
+use crate::fit::{Ends, Fit};
 use crate::mark::{Marker, counted};
 use crate::sketch::{Sketch, Sketching};
 use core::cell::Cell;
@@ -127,7 +127,7 @@ impl Marker {
         let (target, _) = self.target().lists()?;
         let (own, _) = own.lists()?;
         let [a, b] = [Fit::first(&target), Fit::first(&own)];
-        let is_near = |a: &Segment, b: &Segment| {
+        let is_near = |a: &Ends, b: &Ends| {
             a.as_flattened().iter().zip(b.as_flattened()).all(|(a, b)| (a - b).abs() < NEAR * (1.0 + a.abs()))
         };
         let same = target.iter().zip(&own).take_while(|(x, y)| is_near(&a.place(x), &b.place(y))).count();

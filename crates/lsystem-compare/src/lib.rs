@@ -12,9 +12,9 @@ mod same;
 mod sample;
 mod sketch;
 
-pub use check::{Check, MAX_OUTPUT, Output, SymbolDifference, Verdict, check};
+pub use check::{Check, MAX_OUTPUT, Output, Verdict, check};
 pub use exercise::{Asks, Exercise, First, Given};
-pub use fit::Segment;
+pub use fit::Ends;
 pub use ink::{Mask, SIDE};
-pub use mark::{Mark, Marker, Marking};
+pub use mark::{Grade, Marker, Marking};
 pub use same::is_same_picture;

@@ -21,7 +21,7 @@ const SEEDS: [u32; 2] = [0, 1_000];
 
 /// The mark of an answer.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mark {
+pub struct Grade {
     /// Whether the exercise is solved.
     pub is_solved: bool,
     /// How near the answer is, from 0 to 1. For pictures, the part of the ink that agrees.
@@ -65,7 +65,7 @@ enum Stage {
     Failed(Vec<Diagnostic>),
 }
 
-impl Mark {
+impl Grade {
     /// The agreement in percent, rounded down: what is not the same is never called 100 %.
     #[must_use]
     pub fn percent(&self) -> String {
@@ -128,7 +128,7 @@ impl Marker {
     }
 
     /// Marks an answer at once.
-    pub fn mark(&mut self, student: &Definition) -> Mark {
+    pub fn mark(&mut self, student: &Definition) -> Grade {
         let mut marking = self.begin(student);
         loop {
             if let Some(mark) = self.step(&mut marking, u64::MAX) {
@@ -138,7 +138,7 @@ impl Marker {
     }
 
     /// Works on a mark for about `work` units, or until a longer step is done. Returns the mark after the last step.
-    pub fn step(&mut self, marking: &mut Marking, work: u64) -> Option<Mark> {
+    pub fn step(&mut self, marking: &mut Marking, work: u64) -> Option<Grade> {
         let stage = core::mem::replace(&mut marking.stage, Stage::Failed(Vec::new()));
         match stage {
             Stage::Failed(errors) => Some(self.failed(marking, errors)),
@@ -193,10 +193,10 @@ impl Marker {
         &self.target
     }
 
-    fn failed(&mut self, marking: &Marking, errors: Vec<Diagnostic>) -> Mark {
+    fn failed(&mut self, marking: &Marking, errors: Vec<Diagnostic>) -> Grade {
         self.own = Mask::default();
         self.own_text = None;
-        Mark {
+        Grade {
             is_solved: false,
             agreement: 0.0,
             is_same: Some(false),
@@ -207,7 +207,7 @@ impl Marker {
         }
     }
 
-    fn compared(&mut self, marking: &Marking, own: &Sketch) -> Mark {
+    fn compared(&mut self, marking: &Marking, own: &Sketch) -> Grade {
         match self.exercise.asks {
             Asks::Text => self.compared_texts(marking, own),
             Asks::Segments => {
@@ -250,7 +250,7 @@ impl Marker {
         own.has_outline(self.outline.as_mut()?)
     }
 
-    fn compared_texts(&mut self, marking: &Marking, own: &Sketch) -> Mark {
+    fn compared_texts(&mut self, marking: &Marking, own: &Sketch) -> Grade {
         let text = match string(&marking.whole) {
             Ok(text) => text,
             Err(errors) => return self.failed(marking, errors),
@@ -271,7 +271,7 @@ impl Marker {
         self.marked(marking, own, agreement, Some(is_same), words)
     }
 
-    fn sampled(&mut self, marking: &Marking, own: &Sketch, sample: &Sample) -> Mark {
+    fn sampled(&mut self, marking: &Marking, own: &Sketch, sample: &Sample) -> Grade {
         let distance = self.sample.as_ref().map_or(1.0, |target| target.distance(sample));
         let is_near = Sample::is_near(distance);
         let words = match is_near {
@@ -291,7 +291,7 @@ impl Marker {
         agreement: f64,
         is_same: Option<bool>,
         words: String,
-    ) -> Mark {
+    ) -> Grade {
         self.own = own.mask.clone();
         let is_close = is_same == Some(true) || self.exercise.tolerance.is_some_and(|least| agreement >= least);
         let is_short = self.exercise.most_symbols.is_none_or(|most| marking.symbols <= most);
@@ -301,7 +301,7 @@ impl Marker {
             }
             _ => words,
         };
-        Mark {
+        Grade {
             is_solved: is_close && is_short,
             agreement,
             is_same,

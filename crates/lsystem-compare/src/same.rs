@@ -1,6 +1,6 @@
 //! Whether two pictures have the same ink, whatever the order of their segments, their repeats and their subdivision.
 
-use crate::fit::{Fit, Segment, extent, length};
+use crate::fit::{Ends, Fit, extent, length};
 use std::collections::HashMap;
 
 /// Places and directions that differ by less are equal, in pictures whose longest side is 1.
@@ -29,13 +29,13 @@ pub(crate) struct Outline {
 ///
 /// The work grows as m log m in the number of segments.
 #[must_use]
-pub fn is_same_picture(a: &[Segment], b: &[Segment]) -> bool {
+pub fn is_same_picture(a: &[Ends], b: &[Ends]) -> bool {
     Outline::new(a, &[]).is_some_and(|mut outline| outline.is_of(b, &[]) == Some(true))
 }
 
 impl Outline {
     /// The ink of segments and of the sides of filled shapes; `None` if a coordinate is not finite.
-    pub(crate) fn new(segments: &[Segment], sides: &[Segment]) -> Option<Self> {
+    pub(crate) fn new(segments: &[Ends], sides: &[Ends]) -> Option<Self> {
         let fit = fit(segments, sides)?;
         let mut lines = Lines::default();
         let stretches = lines.stretches(&fit, segments, sides, true)?;
@@ -43,7 +43,7 @@ impl Outline {
     }
 
     /// Whether another picture has the same ink; `None` if a coordinate of the other is not finite.
-    pub(crate) fn is_of(&mut self, segments: &[Segment], sides: &[Segment]) -> Option<bool> {
+    pub(crate) fn is_of(&mut self, segments: &[Ends], sides: &[Ends]) -> Option<bool> {
         let fit = fit(segments, sides)?;
         let Some(others) = self.lines.stretches(&fit, segments, sides, false) else { return Some(false) };
         let near = |a: f64, b: f64| (a - b).abs() < 2.0 * NEAR;
@@ -55,8 +55,8 @@ impl Outline {
 }
 
 /// How a picture is moved and scaled; `None` if a coordinate or the size is not finite.
-fn fit(segments: &[Segment], sides: &[Segment]) -> Option<Fit> {
-    let is_finite = |segment: &Segment| segment.as_flattened().iter().all(|value| value.is_finite());
+fn fit(segments: &[Ends], sides: &[Ends]) -> Option<Fit> {
+    let is_finite = |segment: &Ends| segment.as_flattened().iter().all(|value| value.is_finite());
     if !segments.iter().chain(sides).all(is_finite) {
         return None;
     }
@@ -79,7 +79,7 @@ struct Lines {
 impl Lines {
     /// The ink as disjoint stretches in order, after the picture is moved and scaled. `None` if a line is not known and
     /// `learns` is false.
-    fn stretches(&mut self, fit: &Fit, segments: &[Segment], sides: &[Segment], learns: bool) -> Option<Vec<Stretch>> {
+    fn stretches(&mut self, fit: &Fit, segments: &[Ends], sides: &[Ends], learns: bool) -> Option<Vec<Stretch>> {
         let mut stretches = Vec::with_capacity(segments.len() + sides.len());
         for (list, is_side) in [(segments, false), (sides, true)] {
             for segment in list {
@@ -141,7 +141,7 @@ fn cell_or(value: f64, offset: f64) -> i32 {
 
 /// The line that carries a segment, as its direction and its point nearest to the origin, and where the segment starts
 /// and ends along it.
-fn line(segment: &Segment) -> ([f64; 6], [f64; 2]) {
+fn line(segment: &Ends) -> ([f64; 6], [f64; 2]) {
     let [from, to] = segment;
     let along = [0, 1, 2].map(|axis| to[axis] - from[axis]);
     let length = length(segment);
@@ -176,7 +176,7 @@ mod tests {
     use super::*;
 
     /// The edges of a box of the given size, with its lowest corner at `at`.
-    fn edges(at: [f64; 3], size: [f64; 3]) -> Vec<Segment> {
+    fn edges(at: [f64; 3], size: [f64; 3]) -> Vec<Ends> {
         let corner = |bits: usize| [0, 1, 2].map(|axis| at[axis] + size[axis] * (bits >> axis & 1) as f64);
         let pairs = (0..8).flat_map(|bits| (0..3).map(move |axis| (bits, bits | 1 << axis)));
         pairs.filter(|(from, to)| from != to).map(|(from, to)| [corner(from), corner(to)]).collect()
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn pictures_in_space_are_compared() {
         let cube = edges([0.0; 3], [1.0; 3]);
-        let moved: Vec<Segment> = edges([5.0, -7.0, 0.1], [0.3; 3]).iter().rev().map(|&[a, b]| [b, a]).collect();
+        let moved: Vec<Ends> = edges([5.0, -7.0, 0.1], [0.3; 3]).iter().rev().map(|&[a, b]| [b, a]).collect();
         assert_eq!((cube.len(), moved.len()), (12, 12));
         assert!(is_same_picture(&cube, &moved), "moved, smaller, the other way round");
         let halves = cube.iter().flat_map(|&[a, b]| {
@@ -197,7 +197,7 @@ mod tests {
         assert!(!is_same_picture(&cube, &edges([0.0; 3], [1.0, 1.0, 0.999])), "not as deep");
         let diagonal = [&cube[..], &[[[0.0; 3], [1.0; 3]]]].concat();
         assert!(!is_same_picture(&cube, &diagonal), "a diagonal more");
-        let flat: Vec<Segment> = cube.iter().map(|edge| edge.map(|[x, y, _]| [x, y, 0.0])).collect();
+        let flat: Vec<Ends> = cube.iter().map(|edge| edge.map(|[x, y, _]| [x, y, 0.0])).collect();
         assert!(!is_same_picture(&cube, &flat), "seen from above");
     }
 

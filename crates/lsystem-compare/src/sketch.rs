@@ -1,7 +1,7 @@
 //! A system's drawing with its mask, made in steps.
 
 use crate::compiled::compiled;
-use crate::fit::Segment;
+use crate::fit::Ends;
 use crate::graph::is_same_graph;
 use crate::ink::{Mask, Tracing};
 use crate::same::Outline;
@@ -120,7 +120,7 @@ impl Sketch {
     }
 
     /// The segments, and the sides of all polygons.
-    pub(crate) fn lists(&self) -> Option<(Vec<Segment>, Vec<Segment>)> {
+    pub(crate) fn lists(&self) -> Option<(Vec<Ends>, Vec<Ends>)> {
         let figure = &self.figure;
         figure.check_size(MAX_SEGMENTS).ok()?;
         let segments = figure.segments_from(0).map(|segment| [segment.from, segment.to]).collect();

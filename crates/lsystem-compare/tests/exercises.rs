@@ -2,7 +2,7 @@
 
 mod naive;
 
-use lsystem_compare::{Asks, Exercise, First, Given, Mark, Marker};
+use lsystem_compare::{Asks, Exercise, First, Given, Grade, Marker};
 use lsystem_syntax::{Definition, Dialect};
 use naive::systems::{one_symbol_edits, rewritings, systems};
 use naive::{System, is_same};
@@ -15,7 +15,7 @@ fn exercise(target: &Definition) -> Exercise {
     Exercise { target: target.clone(), ..Exercise::default() }
 }
 
-fn mark(exercise: &Exercise, rules: &str) -> Mark {
+fn mark(exercise: &Exercise, rules: &str) -> Grade {
     Marker::new(exercise.clone()).unwrap().mark(&Definition { rules: rules.into(), ..exercise.start() })
 }
 

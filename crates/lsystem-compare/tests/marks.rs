@@ -50,7 +50,7 @@ fn the_reference_draws_as_the_library() {
 /// The library agrees with the reference on every edit and every rewriting.
 #[test]
 fn the_same_pictures_as_brute_force() {
-    let in_space = |segments: Vec<[[f64; 2]; 2]>| -> Vec<lsystem_compare::Segment> {
+    let in_space = |segments: Vec<[[f64; 2]; 2]>| -> Vec<lsystem_compare::Ends> {
         segments.into_iter().map(|segment| segment.map(|[x, y]| [x, y, 0.0])).collect()
     };
     for system in systems() {

@@ -1,7 +1,7 @@
 //! Exercises: what a student sees, and marks.
 
 use crate::{from_js, to_js};
-use lsystem_compare::{Asks, Exercise, Given, Mark, Marker, Marking};
+use lsystem_compare::{Asks, Exercise, Given, Grade, Marker, Marking};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -125,7 +125,7 @@ impl OpenExercise {
         self.marking = None;
         self.is_solved |= mark.is_solved;
         let percent = mark.percent();
-        let Mark { is_solved, agreement, is_same, symbols, words, errors, .. } = mark;
+        let Grade { is_solved, agreement, is_same, symbols, words, errors, .. } = mark;
         let errors = errors.iter().map(Diagnostic::message).collect();
         let exercise = self.marker.exercise();
         let is_open = exercise.axiom != Given::Hidden && !exercise.rules.contains(&Given::Hidden);

@@ -17,9 +17,9 @@ const COPIED: u128 = 16 << 10;
 
 /// The successor of `symbol` in one derivation step, as text. `roll`, uniform in `0.0..1.0`, selects among stochastic
 /// productions. A symbol without a production stays. The symbol has neither neighbours nor parameters, so productions
-/// with contexts do not apply; for words of modules there is [`expand_once`].
+/// with contexts do not apply; for words of modules there is [`derive_once`].
 #[must_use]
-pub fn expand_symbol(rules: &Rules, symbol: char, roll: f64) -> String {
+pub fn derive_symbol(rules: &Rules, symbol: char, roll: f64) -> String {
     if !rules.is_plain() {
         return alone(rules, symbol, roll);
     }
@@ -35,13 +35,13 @@ pub fn expand_symbol(rules: &Rules, symbol: char, roll: f64) -> String {
 /// parentheses. The word stays if it is malformed, if a number is not finite, or if the result exceeds
 /// [`Limits::default`].
 #[must_use]
-pub fn expand_once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step: u32) -> String {
+pub fn derive_once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step: u32) -> String {
     if !rules.is_plain() {
         return once(grammar, rules, seed, word, step).unwrap_or_else(|| word.to_owned());
     }
     let mut text = String::new();
     for (index, symbol) in word.chars().enumerate() {
-        text += &expand_symbol(rules, symbol, Key::root(index as u64).choice(seed, step));
+        text += &derive_symbol(rules, symbol, Key::root(index as u64).choice(seed, step));
         if text.len() as u64 > Limits::default().symbols {
             return word.to_owned();
         }
@@ -113,7 +113,7 @@ fn once(grammar: &Grammar, rules: &Rules, seed: u32, word: &str, step: u32) -> O
 /// [`Kind::Limit`] if the string has more than [`Limits::symbols`] symbols, if the
 /// derivation exceeds another limit, or if `n` is above [`MAX_ITERATIONS`].
 /// [`Kind::NotFinite`] if a number is not finite. `text` is then empty.
-pub fn expand(
+pub fn derive_string(
     rules: &Arc<Rules>,
     seed: u32,
     n: u32,
@@ -525,7 +525,7 @@ mod tests {
                 prop_assert_eq!(count, (expected.chars().count() as u64).into());
             }
             if n == 1 {
-                prop_assert_eq!(expand_once(&system.grammar, &system.rules, seed, &axiom, 1), expected);
+                prop_assert_eq!(derive_once(&system.grammar, &system.rules, seed, &axiom, 1), expected);
             }
         }
     }

@@ -5,7 +5,7 @@
 //!
 //! [`Rules`] are the compiled grammar, in which letters are small integers. If every letter derives independently of
 //! its neighbours ([`Rules::is_plain`]), a generation is visited depth first ([`Walk`]), written from copied parts
-//! ([`expand()`]), counted without being derived ([`Counter`]) and read at any position ([`Word`]). Otherwise a
+//! ([`derive_string`]), counted without being derived ([`Counter`]) and read at any position ([`Word`]). Otherwise a
 //! [`Rewriter`] makes one generation after another, and a [`History`] records the successors of every module. A random
 //! choice depends only on the place of its module ([`Key`]), so that all these methods give the same result.
 
@@ -28,8 +28,8 @@ mod testing;
 
 pub use access::{Ancestor, Part, Word};
 pub use counts::{Counter, weigh_until};
-pub use derivation::{expand, expand_once, expand_symbol, fault};
-pub use key::{Key, Purpose};
+pub use derivation::{derive_once, derive_string, derive_symbol, fault};
+pub use key::{Key, Varied};
 pub use rewrite::Rewrite;
 pub use rewriting::{Age, Fault, History, Image, Rewriter};
 pub use rules::{Letter, LetterId, Rule, Rules, Template};

@@ -27,7 +27,7 @@ pub(crate) fn system(axiom: &str, rules: &[TestRule], seed: u32) -> TestSystem {
 
 pub(crate) fn expand(system: &TestSystem, n: u32, limits: &Limits) -> Result<String, Diagnostic> {
     let mut text = String::new();
-    crate::expand(&system.rules, system.seed, n, limits, &mut text, &mut Meter::new(u64::MAX)).map(|()| text)
+    crate::derive_string(&system.rules, system.seed, n, limits, &mut text, &mut Meter::new(u64::MAX)).map(|()| text)
 }
 
 pub(crate) fn count_symbols(system: &TestSystem, n: u32) -> Option<Tally> {

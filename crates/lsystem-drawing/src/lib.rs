@@ -31,7 +31,6 @@ pub mod triangulate;
 mod describe;
 mod figure;
 
-pub use chunks::Chunks;
 pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{
     Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon, Projection,

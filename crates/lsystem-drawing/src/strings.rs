@@ -5,16 +5,16 @@ use crate::drawn::{drawn_alone, drawn_by_letter};
 use lsystem_derive::{Counter, History, Tally, Word};
 use lsystem_syntax::{Diagnostic, Limits, Meter};
 
-/// The successor of `symbol` after one derivation step, as [`lsystem_derive::expand_symbol`].
+/// The successor of `symbol` after one derivation step, as [`lsystem_derive::derive_symbol`].
 #[must_use]
 pub fn expand_symbol(system: &System, symbol: char, roll: f64) -> String {
-    lsystem_derive::expand_symbol(&system.rules, symbol, roll)
+    lsystem_derive::derive_symbol(&system.rules, symbol, roll)
 }
 
-/// The word that derivation step `step` (1-based) makes from `word`, as [`lsystem_derive::expand_once`].
+/// The word that derivation step `step` (1-based) makes from `word`, as [`lsystem_derive::derive_once`].
 #[must_use]
 pub fn expand_once(system: &System, word: &str, step: u32) -> String {
-    lsystem_derive::expand_once(&system.grammar, &system.rules, system.seed, word, step)
+    lsystem_derive::derive_once(&system.grammar, &system.rules, system.seed, word, step)
 }
 
 /// The string of generation `n`.
@@ -32,14 +32,14 @@ pub fn expand(system: &System, n: u32, limits: &Limits) -> Result<String, Diagno
 /// # Errors
 /// As [`expand`]; `text` is then empty.
 pub fn expand_into(system: &System, n: u32, limits: &Limits, text: &mut String) -> Result<(), Diagnostic> {
-    lsystem_derive::expand(&system.rules, system.seed, n, limits, text, &mut Meter::new(u64::MAX))
+    lsystem_derive::derive_string(&system.rules, system.seed, n, limits, text, &mut Meter::new(u64::MAX))
 }
 
 /// As [`expand`], with the units of work spent: at most about [`Limits::symbols`] plus a small multiple of
 /// [`Limits::work`].
 pub fn expand_counted(system: &System, n: u32, limits: &Limits) -> (Result<String, Diagnostic>, u64) {
     let (mut text, mut meter) = (String::new(), Meter::new(u64::MAX));
-    let outcome = lsystem_derive::expand(&system.rules, system.seed, n, limits, &mut text, &mut meter);
+    let outcome = lsystem_derive::derive_string(&system.rules, system.seed, n, limits, &mut text, &mut meter);
     (outcome.map(|()| text), meter.spent())
 }
 

@@ -5,7 +5,7 @@ use crate::room::{bytes_of, reserve};
 use crate::rotation::Axis;
 use crate::space::{Geometry, Tropism, exponent_of, finite, unit_of};
 use crate::style::{ColourChange, StyleChange, WidthChange};
-use lsystem_derive::{Fate, LetterId, Purpose, Rule, Rules};
+use lsystem_derive::{Fate, LetterId, Rule, Rules, Varied};
 use lsystem_syntax::{Action, CIRCLE_SIDES, Heading};
 
 /// The actions of all letters and the settings of the turtle.
@@ -337,11 +337,11 @@ impl<S: Geometry> Score<S> {
         let [angles, lengths] = self.variations;
         // The slot counts lengths and angles only, so that other operations do not change the random numbers.
         let mut slot = 0;
-        let mut varied = |most: f64, purpose: Purpose| {
+        let mut varied = |most: f64, what: Varied| {
             slot += 1;
             match most {
                 0.0 => grown,
-                _ => grown * (1.0 + most * fate.key.variation(seed, purpose, slot - 1)),
+                _ => grown * (1.0 + most * fate.key.variation(seed, what, slot - 1)),
             }
         };
         own.clear();
@@ -352,9 +352,9 @@ impl<S: Geometry> Score<S> {
             TurtleOp::Turn(turning) => {
                 // A half turn leads straight back and does not vary.
                 let most = if turning.by == Heading::HALF { 0.0 } else { angles };
-                TurtleOp::Turn(turning.part(varied(most, Purpose::Angle)))
+                TurtleOp::Turn(turning.part(varied(most, Varied::Angle)))
             }
-            other => other.map_length(|length| length * varied(lengths, Purpose::Length)),
+            other => other.map_length(|length| length * varied(lengths, Varied::Length)),
         }));
     }
 

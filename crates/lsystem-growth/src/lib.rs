@@ -72,7 +72,7 @@ pub struct Generation {
 /// How a number grows in the long run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum GrowthKind {
     /// It becomes 0.
     Dying,
     /// It stays below a bound.
@@ -88,7 +88,7 @@ pub enum Kind {
 #[serde(rename_all = "camelCase")]
 pub struct Series {
     /// How it grows.
-    pub kind: Kind,
+    pub kind: GrowthKind,
     /// The power of n beside the factor.
     pub degree: u32,
     /// The factor of each step in the long run: the dominant eigenvalue.
@@ -151,7 +151,7 @@ pub fn growth(system: &System, n: u32) -> Result<Growth, &'static str> {
     };
     let (symbols, segments) = (series(&all, |row| &row.symbols), series(&process.drawn, |row| &row.segments));
     let stretch = curve::stretch(system);
-    let is_fractal = segments.kind == Kind::Exponential && segments.degree == 0 && !process.is_random();
+    let is_fractal = segments.kind == GrowthKind::Exponential && segments.degree == 0 && !process.is_random();
     let dimension = stretch.filter(|_| is_fractal).map(|stretch| libm::log(segments.factor) / libm::log(stretch));
     let mut growth = Growth {
         letters: process.symbols[..listed].iter().map(char::to_string).collect(),
@@ -263,10 +263,10 @@ fn expected(value: f64) -> Count {
 fn series(process: &Process, weights: &[u32], values: &[i128]) -> Series {
     let Rate { factor, degree } = rate(process, weights);
     let kind = match () {
-        () if factor < 1.0 - 1e-9 => Kind::Dying,
-        () if factor > 1.0 + 1e-9 => Kind::Exponential,
-        () if degree > 0 => Kind::Polynomial,
-        () => Kind::Bounded,
+        () if factor < 1.0 - 1e-9 => GrowthKind::Dying,
+        () if factor > 1.0 + 1e-9 => GrowthKind::Exponential,
+        () if degree > 0 => GrowthKind::Polynomial,
+        () => GrowthKind::Bounded,
     };
     let found = recurrence(process, weights);
     let roots = found.as_ref().map(roots);

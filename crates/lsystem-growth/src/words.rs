@@ -1,7 +1,7 @@
 //! Growth in a few sentences.
 
 use crate::text::decimal;
-use crate::{Growth, Kind, Series};
+use crate::{Growth, GrowthKind, Series};
 
 pub(crate) fn sentences(growth: &Growth) -> Vec<String> {
     let draws = growth.table.iter().any(|row| row.segments.log10.is_some());
@@ -40,14 +40,14 @@ fn grows(is_random: bool, what: &str, series: &Series) -> String {
         None => four(series.factor),
     };
     match (series.kind, series.degree) {
-        (Kind::Dying, _) => format!("The {what} die out{mean}."),
-        (Kind::Bounded, _) => format!("The number of {what} stays below a bound{mean}."),
-        (Kind::Polynomial, 1) => format!("The number of {what} grows like n{mean}."),
-        (Kind::Polynomial, degree) => format!("The number of {what} grows like n^{degree}{mean}."),
-        (Kind::Exponential, 0) => {
+        (GrowthKind::Dying, _) => format!("The {what} die out{mean}."),
+        (GrowthKind::Bounded, _) => format!("The number of {what} stays below a bound{mean}."),
+        (GrowthKind::Polynomial, 1) => format!("The number of {what} grows like n{mean}."),
+        (GrowthKind::Polynomial, degree) => format!("The number of {what} grows like n^{degree}{mean}."),
+        (GrowthKind::Exponential, 0) => {
             format!("In the long run each step multiplies the number of {what} by {factor}{mean}.")
         }
-        (Kind::Exponential, degree) => {
+        (GrowthKind::Exponential, degree) => {
             let power = if degree == 1 { "n".to_owned() } else { format!("n^{degree}") };
             format!("The number of {what} grows like {power} times the n-th power of {factor}{mean}.")
         }

@@ -1,7 +1,7 @@
 //! Growth compared with brute force and with published values.
 
 use lsystem_drawing::{System, expand};
-use lsystem_growth::{Growth, Kind, growth};
+use lsystem_growth::{Growth, GrowthKind, growth};
 use lsystem_syntax::{Definition, Limits};
 
 fn system(axiom: &str, rules: &str, angle: f64) -> System {
@@ -131,7 +131,7 @@ fn random_systems_are_counted_as_by_brute_force() {
             }
         }
         // The factor agrees with quotients far out.
-        if series.kind == Kind::Exponential && series.factor > 1.1 {
+        if series.kind == GrowthKind::Exponential && series.factor > 1.1 {
             let far = growth_at(&system, 400);
             let quotient = (far[1] - far[0]) / 20.0 * core::f64::consts::LN_10;
             assert!(
@@ -213,15 +213,15 @@ fn the_kinds_of_growth_are_told() {
         let series = of(axiom, rules, 90.0).symbols;
         (series.kind, series.degree, series.closed.unwrap_or_default())
     };
-    assert_eq!(kind("A", "A -> AB"), (Kind::Polynomial, 1, "n + 1".into()));
-    assert_eq!(kind("A", "A -> AB\nB -> BC"), (Kind::Polynomial, 2, "1/2 · n^2 + 1/2 · n + 1".into()));
-    assert_eq!(kind("A", "A -> B\nB -> A"), (Kind::Bounded, 0, "1".into()));
-    assert_eq!(kind("A", "A -> B\nB ->"), (Kind::Dying, 0, "0".into()));
-    assert_eq!(kind("A", "A -> ABA\nB -> BBB"), (Kind::Exponential, 0, "3^n".into()));
-    assert_eq!(kind("A", "A -> AAB\nB -> BB"), (Kind::Exponential, 1, "1/2 · n · 2^n + 2^n".into()));
+    assert_eq!(kind("A", "A -> AB"), (GrowthKind::Polynomial, 1, "n + 1".into()));
+    assert_eq!(kind("A", "A -> AB\nB -> BC"), (GrowthKind::Polynomial, 2, "1/2 · n^2 + 1/2 · n + 1".into()));
+    assert_eq!(kind("A", "A -> B\nB -> A"), (GrowthKind::Bounded, 0, "1".into()));
+    assert_eq!(kind("A", "A -> B\nB ->"), (GrowthKind::Dying, 0, "0".into()));
+    assert_eq!(kind("A", "A -> ABA\nB -> BBB"), (GrowthKind::Exponential, 0, "3^n".into()));
+    assert_eq!(kind("A", "A -> AAB\nB -> BB"), (GrowthKind::Exponential, 1, "1/2 · n · 2^n + 2^n".into()));
     let roots = "((4 + 3√2)/4) · (√2)^n + ((4 - 3√2)/4) · (-√2)^n";
-    assert_eq!(kind("AB", "A -> BB\nB -> A"), (Kind::Exponential, 0, roots.into()));
-    assert_eq!(kind("A", "A -> BC\nB -> C\nC -> AA"), (Kind::Exponential, 0, String::new()));
+    assert_eq!(kind("AB", "A -> BB\nB -> A"), (GrowthKind::Exponential, 0, roots.into()));
+    assert_eq!(kind("A", "A -> BC\nB -> C\nC -> AA"), (GrowthKind::Exponential, 0, String::new()));
     let thue_morse = of("A", "A -> AB\nB -> BA", 90.0);
     assert_eq!(thue_morse.symbols.closed.as_deref(), Some("2^n"));
     assert!(thue_morse.sentences[0].contains("multiplies the number of symbols by 2"), "{:?}", thue_morse.sentences);

@@ -3,7 +3,7 @@
 use crate::gauge::WORK;
 use crate::make;
 use crate::{Gauge, Source};
-use lsystem::compare::{Asks, Exercise, Given, Mark, Marker};
+use lsystem::compare::{Asks, Exercise, Given, Grade, Marker};
 use lsystem::growth::growth as growth_of;
 use lsystem::steps::{Order, one_by_one, rows, trace};
 use lsystem::{Definition, Limits, expand};
@@ -61,7 +61,7 @@ pub(super) fn exercises(source: &mut Source<'_>, gauge: &mut Gauge) {
 }
 
 /// Marks an answer in steps, as the page does.
-fn marked(marker: &mut Marker, name: &'static str, student: &Definition, gauge: &mut Gauge) -> Mark {
+fn marked(marker: &mut Marker, name: &'static str, student: &Definition, gauge: &mut Gauge) -> Grade {
     let mut marking = gauge.call(name, || marker.begin(student));
     loop {
         if let Some(mark) = gauge.call(name, || marker.step(&mut marking, WORK as u64)) {

@@ -1,7 +1,7 @@
 //! Segments, compared up to place and size, within the rounding of the output.
 
 use super::{Check, LIMITS, MAX_SEGMENTS, Output, Verdict, candidates};
-use crate::fit::{Fit, Segment, extent, length};
+use crate::fit::{Ends, Fit, extent, length};
 use lsystem_drawing::{Figure, System, count_segments};
 use lsystem_files::{SegmentFile, SegmentForm};
 use lsystem_syntax::{Diagnostic, LimitName};
@@ -53,7 +53,7 @@ pub(super) fn check(system: &System, n: u32, file: &SegmentFile) -> Check {
 }
 
 /// The segments of a picture with y up.
-fn upright(segments: &[Segment]) -> Vec<Segment> {
+fn upright(segments: &[Ends]) -> Vec<Ends> {
     segments.iter().map(|segment| segment.map(|[x, y, z]| [x, -y, z])).collect()
 }
 
@@ -61,7 +61,7 @@ fn upright(segments: &[Segment]) -> Vec<Segment> {
 ///
 /// # Errors
 /// The limit that the drawing exceeds.
-fn segments_of(system: &System, n: u32) -> Result<Vec<Segment>, Diagnostic> {
+fn segments_of(system: &System, n: u32) -> Result<Vec<Ends>, Diagnostic> {
     let most = MAX_SEGMENTS as u64;
     let figure = Figure::draw(system, n, &LIMITS)?;
     if figure.segment_count() > u128::from(most) {
@@ -71,10 +71,10 @@ fn segments_of(system: &System, n: u32) -> Result<Vec<Segment>, Diagnostic> {
 }
 
 /// Whether two lists of segments are the same, within a tolerance.
-type Test = fn(&[Segment], &[Segment], f64) -> bool;
+type Test = fn(&[Ends], &[Ends], f64) -> bool;
 
 /// The verdict if both are the same up to order, turns by 90 degrees and mirroring.
-fn compare(expected: &[Segment], found: &[Segment], rounding: f64) -> Option<Verdict> {
+fn compare(expected: &[Ends], found: &[Ends], rounding: f64) -> Option<Verdict> {
     if is_same(expected, found, rounding).is_ok() {
         return Some(Verdict::Same);
     }
@@ -87,7 +87,7 @@ fn compare(expected: &[Segment], found: &[Segment], rounding: f64) -> Option<Ver
         let turns =
             [false, true].into_iter().flat_map(|is_mirrored| (0..4).map(move |quarters| (quarters, is_mirrored)));
         turns.skip(1).find_map(|(quarters, is_mirrored)| {
-            let turned: Vec<Segment> = expected.iter().map(|&segment| turn(segment, quarters, is_mirrored)).collect();
+            let turned: Vec<Ends> = expected.iter().map(|&segment| turn(segment, quarters, is_mirrored)).collect();
             let verdict = Verdict::Placed { degrees: 90 * quarters, is_mirrored };
             test(&turned, found, rounding).then_some(verdict)
         })
@@ -95,7 +95,7 @@ fn compare(expected: &[Segment], found: &[Segment], rounding: f64) -> Option<Ver
 }
 
 /// A segment mirrored left to right, then turned by quarters counter-clockwise about the z axis.
-fn turn(segment: Segment, quarters: u32, is_mirrored: bool) -> Segment {
+fn turn(segment: Ends, quarters: u32, is_mirrored: bool) -> Ends {
     segment.map(|[x, y, z]| {
         let x = if is_mirrored { -x } else { x };
         match quarters {
@@ -115,7 +115,7 @@ struct Pair {
 }
 
 impl Pair {
-    fn new(segments: [&[Segment]; 2], fit: fn(&[Segment]) -> Fit, rounding: f64) -> Self {
+    fn new(segments: [&[Ends]; 2], fit: fn(&[Ends]) -> Fit, rounding: f64) -> Self {
         let [expected, found] = segments.map(fit);
         let mut lengths: Vec<f64> = segments[0].iter().map(length).filter(|&length| length > 0.0).collect();
         let middle = lengths.len() / 2;
@@ -132,39 +132,39 @@ impl Pair {
     }
 
     /// Whether the ends of two fitted segments are at most `near` apart along each axis, in either direction.
-    fn is_near(a: &Segment, b: &Segment, near: f64) -> bool {
+    fn is_near(a: &Ends, b: &Ends, near: f64) -> bool {
         let ends = |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() <= near);
         (ends(&a[0], &b[0]) && ends(&a[1], &b[1])) || (ends(&a[0], &b[1]) && ends(&a[1], &b[0]))
     }
 
-    fn is_equal(&self, expected: &Segment, found: &Segment) -> bool {
+    fn is_equal(&self, expected: &Ends, found: &Ends) -> bool {
         Self::is_near(&self.expected.place(expected), &self.found.place(found), self.near)
     }
 }
 
 /// Whether the segments are the same in the same order; the first difference if not.
-fn is_same(expected: &[Segment], found: &[Segment], rounding: f64) -> Result<(), usize> {
+fn is_same(expected: &[Ends], found: &[Ends], rounding: f64) -> Result<(), usize> {
     let pair = Pair::new([expected, found], Fit::whole, rounding);
     same_start(&pair, expected, found)
 }
 
-fn same_start(pair: &Pair, expected: &[Segment], found: &[Segment]) -> Result<(), usize> {
+fn same_start(pair: &Pair, expected: &[Ends], found: &[Ends]) -> Result<(), usize> {
     let equal = expected.iter().zip(found).take_while(|(expected, found)| pair.is_equal(expected, found)).count();
     if equal == expected.len() && equal == found.len() { Ok(()) } else { Err(equal) }
 }
 
 /// The number of equal segments at the start, fitted as a whole or by the first segment, whichever explains more.
-fn common_start(expected: &[Segment], found: &[Segment], rounding: f64) -> usize {
-    let fits: [fn(&[Segment]) -> Fit; 2] = [Fit::whole, Fit::first];
+fn common_start(expected: &[Ends], found: &[Ends], rounding: f64) -> usize {
+    let fits: [fn(&[Ends]) -> Fit; 2] = [Fit::whole, Fit::first];
     let start = |fit| same_start(&Pair::new([expected, found], fit, rounding), expected, found).err();
     fits.into_iter().filter_map(start).max().unwrap_or(0)
 }
 
 /// Whether each segment has an equal one on the other side. Repeats do not count.
-fn is_same_set(expected: &[Segment], found: &[Segment], rounding: f64) -> bool {
+fn is_same_set(expected: &[Ends], found: &[Ends], rounding: f64) -> bool {
     let pair = Pair::new([expected, found], Fit::whole, rounding);
-    let expected: Vec<Segment> = expected.iter().map(|segment| pair.expected.place(segment)).collect();
-    let found: Vec<Segment> = found.iter().map(|segment| pair.found.place(segment)).collect();
+    let expected: Vec<Ends> = expected.iter().map(|segment| pair.expected.place(segment)).collect();
+    let found: Vec<Ends> = found.iter().map(|segment| pair.found.place(segment)).collect();
     let [sides, others] = [extent(&expected), extent(&found)];
     let is_as_large =
         sides.iter().flatten().zip(others.iter().flatten()).all(|(a, b)| (a - b).abs() <= 2.0 * pair.near);
@@ -178,12 +178,12 @@ fn is_same_set(expected: &[Segment], found: &[Segment], rounding: f64) -> bool {
 const MOST_IN_CELL: usize = 256;
 
 /// Whether each segment of `some` has one in `all` that is at most `near` away.
-fn is_within(some: &[Segment], all: &[Segment], near: f64) -> bool {
+fn is_within(some: &[Ends], all: &[Ends], near: f64) -> bool {
     // Segments by the cell of their middle. Middles of equal segments are at most a quarter of a cell apart, so they lie
     // in the same cell or in the nearer neighbours.
     let side = 4.0 * near.max(f64::MIN_POSITIVE);
-    let middle = |segment: &Segment| [0, 1, 2].map(|axis| (segment[0][axis] + segment[1][axis]) / 2.0 / side);
-    let mut cells: HashMap<[i64; 3], Vec<&Segment>> = HashMap::with_capacity(all.len());
+    let middle = |segment: &Ends| [0, 1, 2].map(|axis| (segment[0][axis] + segment[1][axis]) / 2.0 / side);
+    let mut cells: HashMap<[i64; 3], Vec<&Ends>> = HashMap::with_capacity(all.len());
     for segment in all {
         let inside = cells.entry(middle(segment).map(|value| libm::floor(value) as i64)).or_default();
         // Repeats are kept once, so that a cell with many of them stays short.

@@ -21,7 +21,7 @@ const MOST: usize = 4000;
 /// The distance that counts as none, in pictures of size 1.
 const NEAR: f64 = 1e-6;
 
-type Segment = [[f64; 2]; 2];
+type Ends = [[f64; 2]; 2];
 
 impl System {
     /// The same system for the library.
@@ -71,7 +71,7 @@ impl System {
     }
 
     /// The segments of the picture; `None` if there are too many.
-    pub(crate) fn segments(&self) -> Option<Vec<Segment>> {
+    pub(crate) fn segments(&self) -> Option<Vec<Ends>> {
         let (mut at, mut degrees) = ([0.0, 0.0], 90.0_f64);
         let (mut open, mut found) = (vec![], vec![]);
         for symbol in self.string()?.chars() {
@@ -99,7 +99,7 @@ impl System {
 }
 
 /// Whether two pictures have the same ink after the centre of each is moved to the origin and its longer side is made 1.
-pub(crate) fn is_same(a: &[Segment], b: &[Segment]) -> bool {
+pub(crate) fn is_same(a: &[Ends], b: &[Ends]) -> bool {
     if a.is_empty() || b.is_empty() {
         return a.is_empty() == b.is_empty();
     }
@@ -107,7 +107,7 @@ pub(crate) fn is_same(a: &[Segment], b: &[Segment]) -> bool {
     is_covered(&a, &b) && is_covered(&b, &a)
 }
 
-fn fitted(segments: &[Segment]) -> Vec<Segment> {
+fn fitted(segments: &[Ends]) -> Vec<Ends> {
     let ends = || segments.iter().flatten();
     let low = [0, 1].map(|axis| ends().map(|end| end[axis]).fold(f64::INFINITY, f64::min));
     let high = [0, 1].map(|axis| ends().map(|end| end[axis]).fold(f64::NEG_INFINITY, f64::max));
@@ -117,7 +117,7 @@ fn fitted(segments: &[Segment]) -> Vec<Segment> {
 }
 
 /// Whether the ink of `some` lies in the ink of `all`: for each segment, the parts of all others on its line.
-fn is_covered(some: &[Segment], all: &[Segment]) -> bool {
+fn is_covered(some: &[Ends], all: &[Ends]) -> bool {
     some.iter().all(|[from, to]| {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = libm::hypot(dx, dy);

@@ -1,6 +1,6 @@
 //! Choosing the production that applies to a module.
 
-use super::context::Neighbours;
+use super::context::{ContextSearch, Neighbours};
 use super::modules::{Chance, Modules};
 use super::step::RewritePlan;
 use crate::rules::Rule;
@@ -100,9 +100,11 @@ impl<'a> ModuleInContext<'a> {
         let Scratch { found, slots, until, .. } = scratch;
         *work += (rule.left.len() + rule.right.len()) as u64 / 8;
         found.clear();
-        if !neighbours.match_left(&word.letters, place, &rule.left, found)
-            || !neighbours.match_right(&word.letters, &plan.roles, place, &rule.right, found, (work, *until))
-        {
+        if !neighbours.match_left(&word.letters, place, &rule.left, found) {
+            return false;
+        }
+        let mut search = ContextSearch { found, work, until: *until };
+        if !neighbours.match_right(&word.letters, &plan.roles, place, &rule.right, &mut search) {
             return false;
         }
         slots.clear();

@@ -50,6 +50,25 @@ pub(super) struct Neighbours {
     nearest: u32,
 }
 
+/// The search for a right context.
+pub(super) struct ContextSearch<'a> {
+    /// The places of the pattern's letters.
+    pub(super) found: &'a mut Vec<u32>,
+    /// The modules visited.
+    pub(super) work: &'a mut u64,
+    /// The search stops when `work` exceeds this, because the number of ways to match grows exponentially with the
+    /// branches of the pattern.
+    pub(super) until: u64,
+}
+
+impl ContextSearch<'_> {
+    /// Counts a module. Returns whether the search may go on.
+    fn goes_on(&mut self) -> bool {
+        *self.work += 1;
+        *self.work <= self.until
+    }
+}
+
 impl Neighbours {
     /// The bytes for a word of `length` modules with at most `brackets` of each kind of bracket.
     pub(super) fn bytes_for(&self, length: usize, brackets: usize) -> u64 {
@@ -137,18 +156,15 @@ impl Neighbours {
         true
     }
 
-    /// Whether the modules after `place` match `pattern`. The places of its letters go to `found`. A branch in the
-    /// pattern is the first matching branch that starts there. `work` counts the modules visited. The search stops when
-    /// `work` exceeds `until`, because the number of ways to match grows exponentially with the branches of the
-    /// pattern.
+    /// Whether the modules after `place` match `pattern`. A branch in the pattern is the first matching branch
+    /// that starts there.
     pub(super) fn match_right(
         &self,
         word: &[LetterId],
         roles: &[ContextRole],
         place: usize,
         pattern: &[ContextPattern],
-        found: &mut Vec<u32>,
-        (work, until): (&mut u64, u64),
+        search: &mut ContextSearch<'_>,
     ) -> bool {
         let mut place = place;
         let mut pattern = pattern;
@@ -159,25 +175,24 @@ impl Neighbours {
                     if next == NONE || word[next as usize] != *letter {
                         return false;
                     }
-                    found.push(next);
+                    search.found.push(next);
                     place = next as usize;
                 }
                 ContextPattern::Open => {
                     // Tries each branch that starts before the next module of the axis.
                     let mut at = place + 1;
                     while let Some(&letter) = word.get(at) {
-                        *work += 1;
-                        if *work > until {
+                        if !search.goes_on() {
                             return false;
                         }
                         match roles[usize::from(letter)] {
                             ContextRole::Ignored => at += 1,
                             ContextRole::Open => {
-                                let start = found.len();
-                                if self.match_right(word, roles, at, rest, found, (work, until)) {
+                                let start = search.found.len();
+                                if self.match_right(word, roles, at, rest, search) {
                                     return true;
                                 }
-                                found.truncate(start);
+                                search.found.truncate(start);
                                 at = self.after[at] as usize;
                             }
                             ContextRole::Close | ContextRole::Seen => return false,
@@ -189,8 +204,7 @@ impl Neighbours {
                     // Goes to the end of the branch that contains `place`, and skips branches within it.
                     let mut at = place + 1;
                     loop {
-                        *work += 1;
-                        if *work > until {
+                        if !search.goes_on() {
                             return false;
                         }
                         match word.get(at).map(|&letter| roles[usize::from(letter)]) {

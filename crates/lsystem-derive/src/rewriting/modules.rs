@@ -74,7 +74,7 @@ impl Modules {
 
     /// Records the ages of the modules from `from` on, which `step` has just made of a module with this letter and age.
     /// `draws` tells by letter whether it draws.
-    pub(super) fn grow(&mut self, from: usize, (letter, age): (LetterId, Age), step: u32, draws: &[bool]) {
+    pub(super) fn grow(&mut self, from: usize, letter: LetterId, age: Age, step: u32, draws: &[bool]) {
         let made = &self.letters[from..];
         let same = made.iter().position(|&child| child == letter);
         let drawn = || made.iter().position(|&child| draws[usize::from(child)]).filter(|_| draws[usize::from(letter)]);

@@ -106,13 +106,13 @@ impl Body {
         if items.iter().any(|item| matches!(item, Item::Block(_))) {
             let quantity = DistanceFrom { from: [0.0; 3], scale: 1.0 };
             let (size, _) =
-                MaximumSearch::new((contents, items), quantity, f64::INFINITY, (0, 0)).finish(contents, &mut work);
+                MaximumSearch::new(contents, items, quantity, f64::INFINITY, (0, 0)).finish(contents, &mut work);
             for i in 0..3 {
                 for (side, sign) in [(&mut low[i], -1.0), (&mut high[i], 1.0)] {
                     let mut direction = [0.0; 3];
                     direction[i] = sign;
                     let quantity = CoordinateAlong { base: 0.0, direction, scale: 1.0 };
-                    let search = MaximumSearch::new((contents, items), quantity, TOLERANCE * size, (EFFORT, WORK));
+                    let search = MaximumSearch::new(contents, items, quantity, TOLERANCE * size, (EFFORT, WORK));
                     let (most, gap) = search.finish(contents, &mut work);
                     *side = sign * most;
                     slack = slack.max(gap);
@@ -122,7 +122,7 @@ impl Body {
         let reach = low.iter().chain(&high).fold(0.0_f64, |reach, c| reach.max(c.abs()));
         let centre = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
         let quantity = DistanceFrom { from: centre, scale: 1.0 };
-        let search = MaximumSearch::new((contents, items), quantity, TOLERANCE * reach, (EFFORT, WORK));
+        let search = MaximumSearch::new(contents, items, quantity, TOLERANCE * reach, (EFFORT, WORK));
         let (radius, gap) = search.finish(contents, &mut work);
         // The ball around the box is large enough.
         let radius = radius.min(norm(Self { low, high, radius }.half()));
@@ -187,7 +187,8 @@ impl SolidSurvey {
                 let mut direction = [0.0; 3];
                 direction[i] = sign;
                 MaximumSearch::new(
-                    (contents, items),
+                    contents,
+                    items,
                     CoordinateAlong { base: 0.0, direction, scale: 1.0 },
                     EXACT,
                     PATIENCE,
@@ -206,15 +207,14 @@ impl SolidSurvey {
                 let quantity = DistanceFrom { from, scale: 1.0 };
                 let search = self
                     .ball
-                    .get_or_insert_with(|| MaximumSearch::new((contents, items), quantity, girth::EXACT, PATIENCE));
+                    .get_or_insert_with(|| MaximumSearch::new(contents, items, quantity, girth::EXACT, PATIENCE));
                 let (most, _) = search.step(contents, meter)?;
                 *self.radius.insert(most)
             }
         };
         while let Some(quantity) = OutwardCoordinate::new(from, self.reach.len()) {
-            let search = self
-                .ring
-                .get_or_insert_with(|| MaximumSearch::new((contents, items), quantity, girth::EXACT, PATIENCE));
+            let search =
+                self.ring.get_or_insert_with(|| MaximumSearch::new(contents, items, quantity, girth::EXACT, PATIENCE));
             let (most, _) = search.step(contents, meter)?;
             self.reach.push(most);
             self.ring = None;
@@ -344,7 +344,8 @@ pub(super) struct MaximumSearch<P> {
 
 impl<P: Quantity> MaximumSearch<P> {
     pub(super) fn new(
-        (contents, items): (Contents<'_, Solid>, &[Item<Solid>]),
+        contents: Contents<'_, Solid>,
+        items: &[Item<Solid>],
         quantity: P,
         tolerance: f64,
         effort: (usize, u64),

@@ -147,7 +147,7 @@ impl PlaneSurvey {
             }
             if self.open.is_empty() {
                 let direction = Heading::from_degrees(side);
-                if let Some(reach) = self.reach(contents, (self.root, direction, TOLERANCE), meter) {
+                if let Some(reach) = self.reach(contents, self.root, direction, TOLERANCE, meter) {
                     self.found.push(reach);
                 }
             } else if let Some(reach) = self.search_open_block(contents, meter) {
@@ -170,7 +170,7 @@ impl PlaneSurvey {
             let direction = open.direction - placed.heading;
             let level = self.open.len() - 1;
             // An unknown reach opens the inner block, which later raises `best` of this one.
-            if let Some(reach) = self.reach(contents, (placed.block, direction, finer), meter) {
+            if let Some(reach) = self.reach(contents, placed.block, direction, finer, meter) {
                 self.open[level].best = self.open[level].best.max(at + placed.scale * reach);
             }
             return None;
@@ -189,7 +189,9 @@ impl PlaneSurvey {
     fn reach(
         &mut self,
         contents: Contents<'_, Plane>,
-        (block, direction, tolerance): (BlockId, Heading, f64),
+        block: BlockId,
+        direction: Heading,
+        tolerance: f64,
         meter: &mut Meter,
     ) -> Option<f64> {
         if contents.blocks[block.0 as usize].slack <= tolerance {
@@ -202,7 +204,7 @@ impl PlaneSurvey {
         if self.blocks == 0 || self.effort == 0 {
             return Some(self.reach_of_hull(contents, block, direction));
         }
-        let open = self.enter(contents, (block, direction, tolerance), meter);
+        let open = self.enter(contents, block, direction, tolerance, meter);
         self.open.push(open);
         None
     }
@@ -211,7 +213,9 @@ impl PlaneSurvey {
     fn enter(
         &mut self,
         contents: Contents<'_, Plane>,
-        (block, direction, tolerance): (BlockId, Heading, f64),
+        block: BlockId,
+        direction: Heading,
+        tolerance: f64,
         meter: &mut Meter,
     ) -> OpenBlock {
         let (c, s) = self.directions.cos_sin(direction);

@@ -4,7 +4,7 @@
 //! headings are sums of floating-point degrees.
 #![allow(dead_code, unreachable_pub, unused_imports, reason = "each test binary uses its own part")]
 
-use lsystem::derive::Purpose;
+use lsystem::derive::Varied;
 use lsystem::drawing::{Colouring, Segment, Space, Turtle};
 use lsystem::syntax::{Action, Grammar};
 use lsystem::{Dialect, System};
@@ -118,7 +118,7 @@ fn variations(system: &System, n: u32, module: &Module, slot: usize) -> [f64; 2]
     let turtle = &system.turtle;
     let grown = if module.made == n && n > 0 { turtle.growth } else { 1.0 };
     let of = |purpose, most: f64| grown * (1.0 + most * module.key.variation(system.seed, purpose, slot as u32));
-    [of(Purpose::Length, turtle.length_variation), of(Purpose::Angle, turtle.angle_variation)]
+    [of(Varied::Length, turtle.length_variation), of(Varied::Angle, turtle.angle_variation)]
 }
 
 /// The angle from -180 (exclusive) to 180 degrees.

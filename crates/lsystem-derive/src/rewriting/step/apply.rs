@@ -149,7 +149,7 @@ impl Rewriter {
         next.make(&rule.successor, at.slots(rule, scratch), &chance, plan.random)
             .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?;
         if let Some(age) = word.age_of(place).filter(|_| !plan.draws.is_empty()) {
-            next.grow(from, (word.letters[place], age), step, &plan.draws);
+            next.grow(from, word.letters[place], age, step, &plan.draws);
         }
         Ok(())
     }

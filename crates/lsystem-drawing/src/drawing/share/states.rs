@@ -12,7 +12,6 @@ use super::letters::{is_balanced, is_filled_at_once};
 use super::scales::{Keys, Scales, applying};
 use super::vertical::{self, Orientation, Tilt, vertical_of};
 use super::word::Origin;
-use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
 use crate::drawing::piece::{Piece, variants};
@@ -23,10 +22,10 @@ use crate::style::ColourChange;
 use crate::turtle::{Score, TurtleOp, continuation};
 use core::ops::Range;
 use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
-use lsystem_syntax::{Diagnostic, Limits, Meter};
+use lsystem_syntax::{Diagnostic, Meter};
 use std::collections::HashMap;
 use std::sync::Arc;
-use write::StatePieceWriting;
+use write::{Entry, StatePieceWriting};
 
 /// The most states; each takes about 100 bytes. Systems with more states hardly ever repeat them.
 const STATES: usize = 1 << 16;
@@ -249,21 +248,22 @@ impl<S: Space> States<S> {
 
     /// Continues until the meter is spent.
     pub(super) fn step(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Made<S>> {
-        let Task { turtle, score, limits, .. } = task;
         if self.pieces.is_none() {
-            return self.plan((turtle, score), limits, meter);
+            return self.plan(task, meter);
         }
         let is_top = self.levels.is_empty();
         let step = self.levels.len() as u32;
         let begun = match self.levels.last().map(|level| level.get(self.done / self.variants)) {
             None => {
                 let origin = Origin { former: None, step };
-                (self.top.clone(), origin, (turtle.start_turn::<S>(), S::UPWARDS, false))
+                let entry = Entry { heading: task.turtle.start_turn::<S>(), vertical: S::UPWARDS, swapped: false };
+                (self.top.clone(), origin, entry)
             }
             Some(Some(state)) => {
                 let origin = Origin { former: Some(state.letter), step };
                 let swapped = self.done % self.variants == 1;
-                (state.parts.clone(), origin, (S::AHEAD, vertical_of(&state.tilt), swapped))
+                let entry = Entry { heading: S::AHEAD, vertical: vertical_of(&state.tilt), swapped };
+                (state.parts.clone(), origin, entry)
             }
             Some(None) => {
                 self.close_pieces(meter);
@@ -271,10 +271,10 @@ impl<S: Space> States<S> {
             }
         };
         let mut writing = self.writing.take().unwrap_or_else(|| {
-            let (parts, origin, way) = begun;
-            Box::new(StatePieceWriting::new(parts.clone(), origin, self.fully_grown(parts, &origin, meter), way))
+            let (parts, origin, entry) = begun;
+            Box::new(StatePieceWriting::new(parts.clone(), origin, self.fully_grown(parts, &origin, meter), entry))
         });
-        match self.write(&mut writing, (turtle, score), builder, meter) {
+        match self.write(&mut writing, task, builder, meter) {
             Err(diagnostic) => return Outcome::Failed(diagnostic),
             Ok(None) => self.writing = Some(writing),
             Ok(Some((piece, symbols))) if is_top => {
@@ -324,7 +324,7 @@ impl<S: Space> States<S> {
     }
 
     /// Continues with the plan.
-    fn plan(&mut self, with: (&Turtle, &Score<S>), limits: &Limits, meter: &mut Meter) -> Outcome<Made<S>> {
+    fn plan(&mut self, task: &Task<S>, meter: &mut Meter) -> Outcome<Made<S>> {
         let steps = self.levels.len() as u32;
         if self.planning.is_none() {
             meter.charge(1);
@@ -345,7 +345,7 @@ impl<S: Space> States<S> {
             let orientation = Orientation::new(S::AHEAD, vertical_of(&state.tilt));
             self.planning = Some(self.planned(letter, from, self.n - steps, orientation));
         }
-        match self.find((with, limits), meter) {
+        match self.find(task, meter) {
             Err(()) => return Outcome::NotShareable(steps.checked_sub(1)),
             Ok(Some(diagnostic)) => return Outcome::Failed(diagnostic),
             Ok(None) => {}
@@ -386,11 +386,7 @@ impl<S: Space> States<S> {
 
     /// Appends parts of the word that is being planned, until the meter is spent. An error means too many parts. A
     /// diagnostic means that a number is not finite.
-    fn find(
-        &mut self,
-        (with, limits): ((&Turtle, &Score<S>), &Limits),
-        meter: &mut Meter,
-    ) -> Result<Option<Diagnostic>, ()> {
+    fn find(&mut self, task: &Task<S>, meter: &mut Meter) -> Result<Option<Diagnostic>, ()> {
         let Some(mut planning) = self.planning.take() else { return Ok(None) };
         let mut commands = core::mem::take(&mut self.commands);
         while let Some(&letter) = planning.letters.get(planning.done) {
@@ -409,7 +405,7 @@ impl<S: Space> States<S> {
                     if !value.is_finite() {
                         let error = Fault::NotFinite(Some(rule.production));
                         let steps = self.levels.len() as u32;
-                        return Ok(Some(fault(&self.rules, error, steps.saturating_sub(1), limits, None)));
+                        return Ok(Some(fault(&self.rules, error, steps.saturating_sub(1), &task.limits, None)));
                     }
                     reserve(&mut self.arguments, 1);
                     self.arguments.push(value);
@@ -417,7 +413,7 @@ impl<S: Space> States<S> {
                 *code += arity;
             }
             reserve(&mut self.parts, 1);
-            let part = self.part(with, letter, &mut planning, &mut commands);
+            let part = self.part(task, letter, &mut planning, &mut commands);
             if let Some(words) = &mut self.words {
                 reserve(&mut words.modules, 1);
                 words.modules.push(part.state());
@@ -434,7 +430,7 @@ impl<S: Space> States<S> {
     /// The next part of a word that is being planned.
     fn part(
         &mut self,
-        with: (&Turtle, &Score<S>),
+        task: &Task<S>,
         letter: LetterId,
         Planning { argument, depth, orientation, .. }: &mut Planning<S>,
         commands: &mut Vec<TurtleCommand<S>>,
@@ -443,7 +439,7 @@ impl<S: Space> States<S> {
             if !self.uses_vertical.is_empty() {
                 commands.clear();
                 // A number that is not finite is reported when the piece is made.
-                let _ = self.act(with, letter, *argument, commands);
+                let _ = self.act(task, letter, *argument, commands);
                 for command in commands {
                     if let TurtleCommand::Op(op) = command {
                         orientation.follow(op);
@@ -498,7 +494,7 @@ impl<S: Space> States<S> {
     /// Appends the operations of a module or its image.
     fn act(
         &self,
-        (turtle, score): (&Turtle, &Score<S>),
+        Task { turtle, score, .. }: &Task<S>,
         letter: LetterId,
         argument: usize,
         commands: &mut Vec<TurtleCommand<S>>,

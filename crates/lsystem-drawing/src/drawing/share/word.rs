@@ -118,7 +118,7 @@ impl<S: Space> LetterPieceWriting<S> {
                 self.tree = Some(tree);
                 return None;
             }
-            self.draw(builder, word, symbol, (&mut tree, exponent));
+            self.draw(builder, word, symbol, &mut tree, exponent);
             meter.charge(2 + work_of(word.ops(symbol)) + builder.take_work());
             self.done += 1;
         }
@@ -159,7 +159,8 @@ impl<S: Space> LetterPieceWriting<S> {
         builder: &mut Builder<S>,
         word: &PieceWord<'_, S>,
         symbol: LetterId,
-        (tree, exponent): (&mut Tree<S>, i32),
+        tree: &mut Tree<S>,
+        exponent: i32,
     ) {
         let Self { done, fully_grown, pen, saved, .. } = self;
         let score = word.score;

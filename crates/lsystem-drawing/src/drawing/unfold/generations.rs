@@ -1,7 +1,6 @@
 //! Drawing by whole generations, for rules with contexts or parameters.
 
 use super::counts::DrawingCounts;
-use crate::Turtle;
 use crate::drawing::block::{BlockId, Space};
 use crate::drawing::builder::Builder;
 use crate::drawing::task::{Outcome, Task};
@@ -9,7 +8,7 @@ use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::style::StyleChange;
-use crate::turtle::{Pen, Score, TurtleOp, work_of};
+use crate::turtle::{Pen, TurtleOp, work_of};
 use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, fault};
 use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
 
@@ -20,7 +19,6 @@ const PIECE: usize = 1 << 12;
 #[derive(Clone, Debug)]
 pub(crate) struct Generations<S: Space> {
     rewriter: Rewriter,
-    seed: u32,
     reader: TurtleOpReader<S>,
     stage: Stage<S>,
 }
@@ -51,14 +49,13 @@ enum Stage<S: Space> {
 impl<S: Space> Generations<S> {
     /// Prepares to draw from the axiom on.
     pub(super) fn new(Task { rules, score, seed, limits, .. }: &Task<S>) -> Result<Self, Diagnostic> {
-        let seed = *seed;
         let mut rewriter =
-            Rewriter::new(rules.clone(), seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
+            Rewriter::new(rules.clone(), *seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
         if score.differs_by_module() {
             let aged = score.colours_by_generation || score.growth < 1.0;
             rewriter.remember(aged.then(|| score.shows(rules)));
         }
-        Ok(Self { rewriter, seed, reader: TurtleOpReader::default(), stage: Stage::Derive })
+        Ok(Self { rewriter, reader: TurtleOpReader::default(), stage: Stage::Derive })
     }
 
     /// The number of symbols of the last complete generation.
@@ -82,49 +79,42 @@ impl<S: Space> Generations<S> {
         builder: &mut Builder<S>,
         meter: &mut Meter,
     ) -> Outcome<Option<BlockId>> {
-        let (Task { limits, .. }, n) = (task, task.n);
-        let with = (&task.turtle, &task.score);
         match &self.stage {
-            Stage::Derive if self.rewriter.generation() < n => self.derive(builder, limits, meter),
+            Stage::Derive if self.rewriter.generation() < task.n => self.derive(task, builder, meter),
             Stage::Derive => {
                 self.rewriter.rest();
                 self.stage = Stage::Measure(GenerationSize::default());
                 Outcome::Paused
             }
-            Stage::Measure(_) => self.measure(with, limits, n, meter),
-            Stage::Draw { .. } => self.draw(with, builder, limits, meter),
-            Stage::Recount { .. } => self.try_less(with, builder, limits, meter),
+            Stage::Measure(_) => self.measure(task, meter),
+            Stage::Draw { .. } => self.draw(task, builder, meter),
+            Stage::Recount { .. } => self.try_less(task, builder, meter),
         }
     }
 
-    fn derive(&mut self, builder: &Builder<S>, limits: &Limits, meter: &mut Meter) -> Outcome<Option<BlockId>> {
-        let rewriter = &mut self.rewriter;
+    fn derive(&mut self, task: &Task<S>, builder: &Builder<S>, meter: &mut Meter) -> Outcome<Option<BlockId>> {
+        let (rewriter, limits) = (&mut self.rewriter, &task.limits);
         rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
         let Err(passed) = rewriter.advance(meter) else { return Outcome::Paused };
         let reached = rewriter.generation();
         match passed {
-            Fault::Limit(passed) => self.recount(passed, reached + 1, limits),
+            Fault::Limit(passed) => self.recount(passed, reached + 1, task),
             Fault::NotFinite(_) => Outcome::Failed(fault(rewriter.rules(), passed, reached, limits, None)),
         }
     }
 
     /// Measures the last generation: compares it with the limits and finds the longest length.
-    fn measure(
-        &mut self,
-        (turtle, score): (&Turtle, &Score<S>),
-        limits: &Limits,
-        n: u32,
-        meter: &mut Meter,
-    ) -> Outcome<Option<BlockId>> {
-        let Self { rewriter, seed, reader, stage } = self;
+    fn measure(&mut self, task: &Task<S>, meter: &mut Meter) -> Outcome<Option<BlockId>> {
+        let Self { rewriter, reader, stage } = self;
+        let Task { turtle, score, limits, .. } = task;
         let Stage::Measure(measure) = stage else { return Outcome::Paused };
-        let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
+        let done = reader.read(rewriter, task, meter, &mut |_, ops| {
             measure.add(ops);
             Some(0)
         });
         let generation = rewriter.generation();
         match (measure.passed(limits), done) {
-            (Some(passed), _) => return self.recount(passed, n, limits),
+            (Some(passed), _) => return self.recount(passed, task.n, task),
             (None, Err(error)) => {
                 return Outcome::Failed(fault(rewriter.rules(), error, generation, limits, None));
             }
@@ -143,14 +133,9 @@ impl<S: Space> Generations<S> {
         Outcome::Paused
     }
 
-    fn draw(
-        &mut self,
-        (turtle, score): (&Turtle, &Score<S>),
-        builder: &mut Builder<S>,
-        limits: &Limits,
-        meter: &mut Meter,
-    ) -> Outcome<Option<BlockId>> {
-        let Self { rewriter, seed, reader, stage } = self;
+    fn draw(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Option<BlockId>> {
+        let Self { rewriter, reader, stage } = self;
+        let limits = &task.limits;
         let Stage::Draw { pen, saved, tree, scale } = stage else { return Outcome::Paused };
         let derived = rewriter.bytes();
         let mut act = |place: usize, ops: &[TurtleOp<S>]| {
@@ -159,7 +144,7 @@ impl<S: Space> Generations<S> {
             let is_full = builder.is_full || bytes > limits.memory;
             (!is_full).then(|| builder.take_work())
         };
-        match reader.read(rewriter, (turtle, score, *seed), meter, &mut act) {
+        match reader.read(rewriter, task, meter, &mut act) {
             Ok(false) => Outcome::Paused,
             Ok(true) => {
                 let finished = tree.finish_one(builder);
@@ -171,14 +156,9 @@ impl<S: Space> Generations<S> {
     }
 
     /// Continues the search for a smaller n within the limits.
-    fn try_less(
-        &mut self,
-        (turtle, score): (&Turtle, &Score<S>),
-        builder: &Builder<S>,
-        limits: &Limits,
-        meter: &mut Meter,
-    ) -> Outcome<Option<BlockId>> {
-        let Self { rewriter, seed, reader, stage } = self;
+    fn try_less(&mut self, task: &Task<S>, builder: &Builder<S>, meter: &mut Meter) -> Outcome<Option<BlockId>> {
+        let Self { rewriter, reader, stage } = self;
+        let limits = &task.limits;
         let Stage::Recount { passed, before, next, fits, measure } = stage else { return Outcome::Paused };
         let over = Diagnostic::limit(*passed, limits.value(*passed), *fits);
         if next >= before {
@@ -188,7 +168,7 @@ impl<S: Space> Generations<S> {
             rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
             return if rewriter.advance(meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
         }
-        let done = reader.read(rewriter, (turtle, score, *seed), meter, &mut |_, ops| {
+        let done = reader.read(rewriter, task, meter, &mut |_, ops| {
             measure.add(ops);
             Some(0)
         });
@@ -206,9 +186,10 @@ impl<S: Space> Generations<S> {
     }
 
     /// Starts again from the axiom, to find the last generation before `before` that is within all limits.
-    fn recount(&mut self, passed: LimitName, before: u32, limits: &Limits) -> Outcome<Option<BlockId>> {
+    fn recount(&mut self, passed: LimitName, before: u32, task: &Task<S>) -> Outcome<Option<BlockId>> {
+        let Task { rules, seed, limits, .. } = task;
         let failed = || Outcome::Failed(Diagnostic::limit(passed, limits.value(passed), None));
-        let Ok(rewriter) = Rewriter::new(self.rewriter.rules().clone(), self.seed, *limits) else { return failed() };
+        let Ok(rewriter) = Rewriter::new(rules.clone(), *seed, *limits) else { return failed() };
         self.rewriter = rewriter;
         self.reader = TurtleOpReader::default();
         self.stage = Stage::Recount { passed, before, next: 0, fits: None, measure: GenerationSize::default() };
@@ -275,7 +256,7 @@ impl<S: Space> TurtleOpReader<S> {
     fn read(
         &mut self,
         rewriter: &Rewriter,
-        (turtle, score, seed): (&Turtle, &Score<S>, u32),
+        Task { turtle, score, seed, .. }: &Task<S>,
         meter: &mut Meter,
         act: Act<'_, S>,
     ) -> Result<bool, Fault> {
@@ -293,7 +274,7 @@ impl<S: Space> TurtleOpReader<S> {
                 _ if plain.is_empty() => Some(0),
                 None => Some(work_of(plain) + act(place, plain)?),
                 Some(fate) => {
-                    score.own(plain, fate, seed, own);
+                    score.own(plain, fate, *seed, own);
                     Some(work_of(own) + act(place, own)?)
                 }
             }

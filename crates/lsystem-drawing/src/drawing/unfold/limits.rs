@@ -15,19 +15,27 @@ pub(crate) struct Exceeded {
     pub largest: Option<u32>,
 }
 
+/// The size of what a letter or a word draws; saturating.
+#[derive(Clone, Copy, Debug, Default)]
+struct Size {
+    segments: u128,
+    /// The letters derived on the way.
+    letters: u128,
+}
+
 /// The numbers of segments and derived letters by generation, counted without derivation. Only for deterministic rules.
 #[derive(Clone, Debug)]
 pub(crate) struct Forecast {
-    /// By letter, after `generation` steps: the number of segments, and the number of letters derived on the way.
-    sums: Vec<(u128, u128)>,
+    /// By letter, after `generation` steps.
+    sums: Vec<Size>,
     /// The sums after one more step, for the first letters.
-    next: Vec<(u128, u128)>,
+    next: Vec<Size>,
     /// The sums of the axiom; `None` until they are known.
-    axiom: Option<(u128, u128)>,
+    axiom: Option<Size>,
     /// Whether the axiom's sums have been compared with the limits.
     is_checked: bool,
     /// The position in the word that is being added up, and the sums so far.
-    part: (usize, (u128, u128)),
+    part: (usize, Size),
     generation: u32,
     /// The bytes of a segment.
     bytes: u128,
@@ -38,13 +46,13 @@ pub(crate) struct Forecast {
 impl Forecast {
     pub(super) fn new<S: Space>(score: &Score<S>) -> Self {
         let draws = |ops: &Vec<TurtleOp<S>>| ops.iter().map(|op| u128::from(op.segments())).sum();
-        let sums = score.ops.iter().map(|ops| (draws(ops), 0)).collect();
+        let sums = score.ops.iter().map(|ops| Size { segments: draws(ops), letters: 0 }).collect();
         Self {
             sums,
             next: vec![],
             axiom: None,
             is_checked: false,
-            part: (0, (0, 0)),
+            part: (0, Size::default()),
             generation: 0,
             bytes: size_of::<Item<S>>() as u128 + u128::from(S::least_picture()),
             largest: None,
@@ -84,18 +92,18 @@ impl Forecast {
     }
 
     /// Compares a generation's segments and work with the limits.
-    fn check(&mut self, (segments, work): (u128, u128), limits: &Limits, n: u32) -> Option<Result<(), Exceeded>> {
+    fn check(&mut self, size: Size, limits: &Limits, n: u32) -> Option<Result<(), Exceeded>> {
         let over = [
-            (segments, limits.segments, LimitName::Segments),
-            (work, limits.work, LimitName::Work),
-            (segments.saturating_mul(self.bytes), limits.memory, LimitName::Memory),
+            (size.segments, limits.segments, LimitName::Segments),
+            (size.letters, limits.work, LimitName::Work),
+            (size.segments.saturating_mul(self.bytes), limits.memory, LimitName::Memory),
         ];
         let passed = over.into_iter().find(|&(count, limit, _)| count > u128::from(limit)).map(|(.., name)| name);
         match passed {
             None if self.generation == n => return Some(Ok(())),
             None => self.largest = Some(self.generation),
             // Work never decreases from one generation to the next; the number of segments may.
-            Some(limit) if self.generation == n || work > u128::from(limits.work) => {
+            Some(limit) if self.generation == n || size.letters > u128::from(limits.work) => {
                 return Some(Err(Exceeded { limit, largest: self.largest }));
             }
             Some(_) => {}
@@ -104,19 +112,20 @@ impl Forecast {
     }
 
     /// The sums of a word's letters; `None` if the meter is spent before the end. The next call then continues.
-    fn sum_of(&mut self, word: &[LetterId], meter: &mut Meter) -> Option<(u128, u128)> {
+    fn sum_of(&mut self, word: &[LetterId], meter: &mut Meter) -> Option<Size> {
         loop {
             let (done, mut sum) = self.part;
             let run = &word[done..word.len().min(done + READ)];
             for &symbol in run {
-                let (segments, work) = self.sums[usize::from(symbol)];
-                sum = (sum.0.saturating_add(segments), sum.1.saturating_add(work).saturating_add(1));
+                let Size { segments, letters } = self.sums[usize::from(symbol)];
+                sum.segments = sum.segments.saturating_add(segments);
+                sum.letters = sum.letters.saturating_add(letters).saturating_add(1);
             }
             self.part = (done + run.len(), sum);
             // Adding a letter takes a quarter of a unit.
             meter.charge(1 + run.len() as u64 / 4);
             if self.part.0 == word.len() {
-                self.part = (0, (0, 0));
+                self.part = (0, Size::default());
                 return Some(sum);
             }
             if meter.is_spent() {

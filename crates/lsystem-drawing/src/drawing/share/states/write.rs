@@ -1,11 +1,11 @@
 //! The making of a piece of modules with parameters: the turtle's commands become a block.
 
 use super::{CountedPiece, StateModule, States, TurtleCommand};
-use crate::Turtle;
 use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
 use crate::drawing::piece::{Piece, effect, exponent, follow, place};
 use crate::drawing::share::word::Origin;
+use crate::drawing::task::Task;
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::space::unit_of;
@@ -45,6 +45,15 @@ pub(super) struct StatePieceWriting<S: Space> {
     tree: Option<Tree<S>>,
 }
 
+/// The turtle at the start of a piece.
+pub(super) struct Entry<S: Space> {
+    pub(super) heading: S::Turn,
+    /// The vertical in the turtle's frame.
+    pub(super) vertical: S::Point,
+    /// Whether left and right turns are exchanged.
+    pub(super) swapped: bool,
+}
+
 /// The number of commands after which the buffer takes no more parts.
 const HELD: usize = 4096;
 
@@ -53,15 +62,15 @@ impl<S: Space> States<S> {
     pub(super) fn write(
         &mut self,
         writing: &mut StatePieceWriting<S>,
-        (turtle, score): (&Turtle, &Score<S>),
+        task: &Task<S>,
         builder: &mut Builder<S>,
         meter: &mut Meter,
     ) -> Result<Option<CountedPiece<S>>, Diagnostic> {
         let end = writing.parts.end;
         let mut commands = core::mem::take(&mut self.commands);
         while writing.tree.is_none() && (writing.done < end || writing.weight == 0) {
-            let next = self.collect((turtle, score), writing, &mut commands)?;
-            let charged = writing.measure(builder, score, &commands, |state| self.below(state, false));
+            let next = self.collect(task, writing, &mut commands)?;
+            let charged = writing.measure(builder, &task.score, &commands, |state| self.below(state, false));
             let symbols = (writing.done..next).map(|part| self.symbols_of(part)).fold(0, u128::saturating_add);
             writing.symbols = writing.symbols.saturating_add(symbols);
             writing.held = (writing.done == writing.parts.start && next == end).then_some(end);
@@ -73,7 +82,7 @@ impl<S: Space> States<S> {
             }
         }
         let unit = writing.unit.unwrap_or(0);
-        let scale = libm::scalbn(1.0, score.exponent.saturating_sub(unit));
+        let scale = libm::scalbn(1.0, task.score.exponent.saturating_sub(unit));
         let mut tree = writing.tree.take().unwrap_or_else(|| {
             writing.done = writing.parts.start;
             Tree::of_word(unit, writing.weight > WORD)
@@ -81,7 +90,7 @@ impl<S: Space> States<S> {
         while writing.done < end {
             let next = match writing.held {
                 Some(next) => next,
-                None => self.collect((turtle, score), writing, &mut commands)?,
+                None => self.collect(task, writing, &mut commands)?,
             };
             writing.held = Some(next);
             while let Some(command) = commands.get(writing.drawn).filter(|_| !meter.is_spent() && !builder.is_full) {
@@ -91,7 +100,7 @@ impl<S: Space> States<S> {
                     }
                     _ => None,
                 };
-                let work = writing.draw(builder, command, piece, (&mut tree, unit, scale));
+                let work = writing.draw(builder, command, piece, &mut tree, unit, scale);
                 writing.drawn += 1;
                 // Most of the work is for hulls of blocks that the command completes.
                 meter.charge(1 + work + builder.take_work());
@@ -117,7 +126,7 @@ impl<S: Space> States<S> {
     /// Replaces `commands` by the commands of the next parts, as many as there is room for. Returns the part after them.
     fn collect(
         &self,
-        with: (&Turtle, &Score<S>),
+        task: &Task<S>,
         writing: &StatePieceWriting<S>,
         commands: &mut Vec<TurtleCommand<S>>,
     ) -> Result<u32, Diagnostic> {
@@ -129,18 +138,20 @@ impl<S: Space> States<S> {
             let part = self.parts[number as usize];
             commands.extend(self.words.is_some().then(|| TurtleCommand::Place(number - writing.parts.start)));
             commands.extend(
-                with.1.colours_by_generation.then(|| TurtleCommand::Colour(writing.origin.colour_of(part.letter()))),
+                task.score
+                    .colours_by_generation
+                    .then(|| TurtleCommand::Colour(writing.origin.colour_of(part.letter()))),
             );
             match part {
                 StateModule::Module(letter, argument) => {
                     let before = commands.len();
-                    let acted = self.act(with, letter, argument as usize, commands);
+                    let acted = self.act(task, letter, argument as usize, commands);
                     // An image counts as a step after generation `n`.
                     acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
                     if writing.fully_grown.is_some_and(|continuation| continuation != Some(number)) {
                         commands[before..].iter_mut().for_each(|command| {
                             if let TurtleCommand::Op(op) = command {
-                                *op = with.1.growing(*op);
+                                *op = task.score.growing(*op);
                             }
                         });
                     }
@@ -169,13 +180,12 @@ impl<S: Space> States<S> {
 }
 
 impl<S: Space> StatePieceWriting<S> {
-    /// A piece of these parts. The turtle enters with `heading`, in a frame with `vertical`; if `swapped`, with left
-    /// and right turns exchanged.
+    /// A piece of these parts.
     pub(super) fn new(
         parts: Range<u32>,
         origin: Origin,
         fully_grown: Option<Option<u32>>,
-        (heading, vertical, swapped): (S::Turn, S::Point, bool),
+        Entry { heading, vertical, swapped }: Entry<S>,
     ) -> Self {
         Self {
             done: parts.start,
@@ -243,7 +253,9 @@ impl<S: Space> StatePieceWriting<S> {
         builder: &mut Builder<S>,
         command: &TurtleCommand<S>,
         piece: Option<(Piece<S>, f64)>,
-        (tree, unit, scale): (&mut Tree<S>, i32, f64),
+        tree: &mut Tree<S>,
+        unit: i32,
+        scale: f64,
     ) -> u64 {
         let Self { pen, saved, place: at, .. } = self;
         match command {
