@@ -8,6 +8,7 @@
 //! | 16 | texts, compiled systems, and the piece of the file that waits for the page |
 
 use lsystem_files::FileLimits;
+use lsystem_render::BAND_PIXEL;
 use lsystem_syntax::Limits;
 
 /// The most bytes of a remembered derivation. A string that is read by counts takes at most 16 MiB.
@@ -17,7 +18,7 @@ const HISTORY: u64 = 24 << 20;
 const FEW_SEGMENTS: u64 = 200_000;
 /// The most bytes of a mesh.
 const MESH: u64 = 42 << 20;
-/// The most pixels of a picture that are painted at a time. A pixel takes up to 28 bytes, so a band takes 56 MiB.
+/// The most pixels of a picture that are painted at a time. A band takes up to 48 MiB.
 const BAND: u32 = 1 << 21;
 
 /// The limits of a file: what the page shows can be saved. A text file has at most 2,000,000 segments, more than any
@@ -34,4 +35,5 @@ pub(crate) const LIMITS: FileLimits = FileLimits {
 };
 
 // The drawing and what is made of it fit into their shares.
+const _: () = assert!(BAND as u64 * BAND_PIXEL <= Limits::PAGE.memory);
 const _: () = assert!(MESH <= Limits::PAGE.memory && HISTORY + (16 << 20) <= Limits::PAGE.memory);

@@ -7,7 +7,7 @@ mod maker;
 
 use js_sys::{Function, Uint8Array};
 use lsystem_files::{FileOptions, FileView, Format, OptionValue, Owner};
-use lsystem_render::{PageCamera, PageView};
+use lsystem_render::{PageCamera, PageView, Vantage};
 use lsystem_syntax::{Definition, Halt, Problem};
 use maker::{Order, Report, make};
 use serde::{Deserialize, Serialize};
@@ -30,6 +30,8 @@ struct Asked {
     /// Device pixels in a CSS pixel, for pictures of pixels.
     #[serde(default = "one")]
     ratio: f64,
+    /// The number of segments that pictures of pixels show; all if it is missing.
+    upto: Option<u128>,
 }
 
 const fn one() -> f64 {
@@ -76,7 +78,7 @@ impl Owner for Page<'_> {
     }
 }
 
-/// Makes a file of `{definition, format, options, view, camera, ratio}`. `tell` is called with each piece of the file, a
+/// Makes a file of `{definition, format, options, view, camera, ratio, upto}`. `tell` is called with each piece of the file, a
 /// `Uint8Array` of about 1 MiB, and without a piece at least every millisecond, as a sign of life.
 ///
 /// Returns `{complete, diagnostics}`. The file is not complete if a limit was exceeded or the definition has errors.
@@ -85,11 +87,11 @@ impl Owner for Page<'_> {
 /// Throws if there is no such format or option, or if the argument cannot be translated.
 #[wasm_bindgen]
 pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
-    let Asked { definition, format, options, view, camera, ratio } = serde_wasm_bindgen::from_value(asked)?;
+    let Asked { definition, format, options, view, camera, ratio, upto } = serde_wasm_bindgen::from_value(asked)?;
     let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
     let options = FileOptions::from_values(&options)?;
     let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into).unwrap_or_default());
-    let view = FileView { view, camera, ratio: Some(ratio), is_described: true };
+    let view = FileView { vantage: Vantage { view, camera }, upto, ratio: Some(ratio), is_described: true };
     let mut page = Page { tell, piece: vec![] };
     let Report { complete, diagnostics } = make(&Order { definition, format, options, view }, &mut page);
     let complete = complete && page.hand_on().is_ok();

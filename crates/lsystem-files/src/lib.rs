@@ -45,7 +45,7 @@ pub use options::FileOptions;
 pub use paper::{bibtex, latex, markdown};
 pub use plotter::{Corner, PlotOptions, PlotSummary, write_plot};
 pub use png::tag_png;
-pub use png_writer::{PngOptions, write_png, write_solid_png};
+pub use png_writer::{PngOptions, write_png};
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use sheet::{INCH, SHEETS, Sheet};
 pub use sink::{Owner, Sink, collect};

@@ -1,8 +1,8 @@
 //! The way from a system to a file of any format.
 
-use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png, write_solid_png};
+use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
 use lsystem_drawing::{Drawing, Figure, FigureDrawer, Outlook, Projection, Solid, System, expand};
-use lsystem_render::{Camera, View, Viewport, fit};
+use lsystem_render::{Camera, Vantage, Viewport, fit};
 use lsystem_syntax::{Definition, Diagnostic, Halt, LimitName, Limits, Progress, Work, run_steps};
 use std::sync::Arc;
 
@@ -34,10 +34,11 @@ pub struct FileTask<'a> {
 /// The view of a drawing in a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FileView {
-    /// The place of pictures of pixels in the plane.
-    pub view: View,
-    /// The camera on drawings in space. Drawings on paper are projected in its direction.
-    pub camera: Camera,
+    /// The place of pictures of pixels in the plane, and the camera on drawings in space. Drawings on paper are projected
+    /// in the camera's direction.
+    pub vantage: Vantage,
+    /// If given, pictures of pixels show only the first `upto` segments.
+    pub upto: Option<u128>,
     /// Device pixels in a CSS pixel, for pictures of pixels; `None` for so many that a picture of 1024 pixels has 1.
     pub ratio: Option<f64>,
     /// Whether files of strokes get a description for screen readers.
@@ -73,7 +74,7 @@ pub struct FileLimits {
 /// The diagnostic for an exceeded limit, or for a system that the format cannot express, before the first byte. If the
 /// owner of the sink stops the work.
 pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
-    let FileTask { definition, system, format, options, view: FileView { view, camera, .. }, limits } = *task;
+    let FileTask { definition, system, format, options, view, limits } = *task;
     let style = &system.style;
     let stored = if options.bare { String::new() } else { write_json(definition) };
     let most = if format.is_made_in_memory { limits.held } else { limits.segments };
@@ -86,15 +87,10 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
         }
         Content::String => write_string(task, sink).map(none),
         Content::Words(write) => write(definition, system, &options, sink),
-        Content::Pixels => match task.figure(sink)? {
-            Figure::Plane(drawing) => {
-                let png = task.png(usual_size(&drawing), options);
-                write_png(drawing, style, view, &png, sink).map(none)
-            }
-            Figure::Space(drawing) => {
-                write_solid_png(drawing, style, camera, &task.png([USUAL; 2], options), sink).map(none)
-            }
-        },
+        Content::Pixels => {
+            let figure = task.figure(sink)?;
+            write_png(&figure, style, view.vantage, &task.png(usual_size(&figure), options), sink).map(none)
+        }
         Content::Segments { plane, space } => match task.figure(sink)? {
             Figure::Plane(drawing) => plane(&drawing, most, sink).map(none),
             Figure::Space(drawing) => space(&drawing, most, sink).map(none),
@@ -144,7 +140,7 @@ impl FileTask<'_> {
             Figure::Plane(drawing) => return Ok(drawing),
             Figure::Space(drawing) => drawing,
         };
-        let Camera { azimuth, elevation, .. } = self.view.camera;
+        let Camera { azimuth, elevation, .. } = self.view.vantage.camera;
         let mut projection = Projection::new(&drawing, &Outlook { azimuth, elevation }, self.limits.held)?;
         run_steps(work, |units| projection.step(&drawing, units))?;
         Ok(Arc::new(projection.finish(&drawing)))
@@ -168,12 +164,14 @@ impl FileTask<'_> {
         let FileOptions { size, dpi, transparent: is_transparent, system, .. } = options;
         let [width, height] = size.unwrap_or(usual);
         let ratio = self.view.ratio.unwrap_or((f64::from(width.max(height)) / f64::from(USUAL)).max(1.0));
-        PngOptions { viewport: Viewport { width, height, ratio }, dpi, is_transparent, system, band: self.limits.band }
+        let (viewport, upto) = (Viewport { width, height, ratio }, self.view.upto);
+        PngOptions { viewport, dpi, is_transparent, system, upto, band: self.limits.band }
     }
 }
 
-/// The default size of a picture, in the proportions of the drawing.
-fn usual_size(drawing: &Drawing) -> [u32; 2] {
+/// The default size of a picture: in the plane in the proportions of the drawing, in space a square.
+fn usual_size(figure: &Figure) -> [u32; 2] {
+    let Figure::Plane(drawing) = figure else { return [USUAL; 2] };
     let extent = fit(drawing);
     let longer = extent.width.max(extent.height);
     let side = |length: f64| {

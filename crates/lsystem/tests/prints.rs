@@ -1,10 +1,10 @@
 //! PNG files that are painted while they are written: the same pixels as the renderers make at once.
 
-use lsystem::files::{Owner, PngOptions, Sink, collect, read_file, write_png, write_solid_png};
+use lsystem::files::{Owner, PngOptions, Sink, collect, read_file, write_png};
 use lsystem::render::Quality;
 use lsystem::syntax::{ColourBy, Halt, Ink};
-use lsystem::{Camera, Definition, Drawing, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
-use lsystem::{Plane, View, Viewport, draw, write_json};
+use lsystem::{Camera, Definition, Drawing, Figure, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
+use lsystem::{Plane, Vantage, View, Viewport, draw, write_json};
 use std::sync::Arc;
 
 const VIEWPORT: Viewport = Viewport { width: 300, height: 200, ratio: 1.0 };
@@ -41,12 +41,8 @@ fn whole(drawing: &Arc<Drawing>, style: &Style, viewport: Viewport) -> Vec<u8> {
     renderer.pixels().to_vec()
 }
 
-fn png(drawing: &Arc<Drawing>, style: &Style, options: &PngOptions) -> Vec<u8> {
-    collect(|sink| write_png(drawing.clone(), style, View::default(), options, sink)).unwrap().0
-}
-
-fn solid_png(drawing: &Arc<Drawing<Solid>>, style: &Style, options: &PngOptions) -> Vec<u8> {
-    collect(|sink| write_solid_png(drawing.clone(), style, Camera::default(), options, sink)).unwrap().0
+fn png(figure: &Figure, style: &Style, options: &PngOptions) -> Vec<u8> {
+    collect(|sink| write_png(figure, style, Vantage::default(), options, sink)).unwrap().0
 }
 
 /// The file's bytes and its pixels, without the channels that the file does not have.
@@ -110,8 +106,8 @@ fn streamed_is_whole() {
         for band in [1 << 22, 300 * 48] {
             let options = PngOptions { viewport: VIEWPORT, band, ..PngOptions::default() };
             let mut rows = Rows::default();
-            let write =
-                |sink: &mut Sink<'_>| write_png(drawing.clone(), &definition.style, View::default(), &options, sink);
+            let figure = Figure::Plane(drawing.clone());
+            let write = |sink: &mut Sink<'_>| write_png(&figure, &definition.style, Vantage::default(), &options, sink);
             Sink::to(&mut rows, write).unwrap();
             assert_eq!((rows.done, rows.largest < 20_000), (VIEWPORT.height, true), "{}", rows.largest);
             let file = rows.file;
@@ -137,7 +133,7 @@ fn transparent_over_the_background_is_opaque() {
         let drawing = drawing(&definition, 6);
         let opaque = opaque(&whole(&drawing, &definition.style, VIEWPORT));
         let options = PngOptions { viewport: VIEWPORT, is_transparent: true, ..PngOptions::default() };
-        let file = png(&drawing, &definition.style, &options);
+        let file = png(&Figure::Plane(drawing), &definition.style, &options);
         let (info, pixels) = read(&file);
         assert_eq!(info.color_type, png::ColorType::Rgba);
         assert_eq!((pixels[3], pixels[0]), (0, 0), "the corner is empty");
@@ -157,11 +153,12 @@ fn drawings_in_space_are_streamed_in_panes() {
     renderer.begin(&style, viewport, &Camera::default(), Quality::BEST);
     while renderer.step(100_000) == Progress::More {}
     let expected = opaque(renderer.pixels());
+    let figure = Figure::Space(drawing);
     for band in [1 << 22, 1] {
         let options = PngOptions { viewport, band, ..PngOptions::default() };
-        assert_eq!(read(&solid_png(&drawing, &style, &options)).1, expected, "{band}");
+        assert_eq!(read(&png(&figure, &style, &options)).1, expected, "{band}");
         let options = PngOptions { is_transparent: true, ..options };
-        let (_, pixels) = read(&solid_png(&drawing, &style, &options));
+        let (_, pixels) = read(&png(&figure, &style, &options));
         assert!(most_difference(&over(&pixels, style.background.rgb), &expected) <= 1);
     }
 }
@@ -175,7 +172,7 @@ fn files_tell_resolution_and_system() {
         system: write_json(&definition),
         ..PngOptions::default()
     };
-    let file = png(&drawing(&definition, 2), &definition.style, &options);
+    let file = png(&Figure::Plane(drawing(&definition, 2)), &definition.style, &options);
     let (info, _) = read(&file);
     assert_eq!((info.width, info.height, info.color_type), (20, 10, png::ColorType::Rgb));
     let dims = info.pixel_dims.unwrap();
