@@ -2,7 +2,8 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{JSON, Reflect};
-use lsystem_export_wasm::Export;
+use lsystem_export_wasm::make_file;
+use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
 wasm_bindgen_test_configure!(run_in_dedicated_worker);
@@ -21,16 +22,12 @@ fn make(format: &str, turn: char, count: usize) -> bool {
     let asked = format!(
         r#"{{"format": "{format}", "options": {{{options}}}, "definition": {{"axiom": "{axiom}", "rules": "F -> {first} : 1\nF -> {second} : 1", "angle": 20, "iterations": 16}}}}"#
     );
-    let mut file = Export::new(JSON::parse(&asked).unwrap()).unwrap();
-    while !file.step() {
-        if file.waiting() > 1 << 20 {
-            file.take();
-        }
-    }
+    let page = Closure::<dyn Fn(JsValue)>::new(drop::<JsValue>);
+    let report = make_file(JSON::parse(&asked).unwrap(), page.as_ref().unchecked_ref()).unwrap();
     let bytes = core::arch::wasm32::memory_size(0) << 16;
     wasm_bindgen_test::console_log!("{format} of {count} x 2^16 segments: {} MiB", bytes >> 20);
     assert!(bytes <= MOST, "{format} of {count} x 2^16 segments: {} MiB", bytes >> 20);
-    Reflect::get(&file.report().unwrap(), &"complete".into()).unwrap().is_truthy()
+    Reflect::get(&report, &"complete".into()).unwrap().is_truthy()
 }
 
 #[wasm_bindgen_test]

@@ -1,6 +1,6 @@
 //! A plant from its rules to files: `cargo run --example plant` writes `plant.svg` and `plant.png`.
 
-use lsystem::files::{PngOptions, PngWriter, write_all};
+use lsystem::files::{PngOptions, collect, write_png};
 use lsystem::{Definition, Figure, Limits, Style, SvgOptions, System, Vantage, Viewport};
 use lsystem::{Plane, count_segments, draw, expand, render_diagnostic, write_svg};
 use std::error::Error;
@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("n = 40: {} segments", count_segments(&system, 40).map_or_else(String::new, |count| count.to_string()));
     let viewport = Viewport { width: 800, height: 1000, ratio: 1.0 };
     let options = PngOptions { viewport, dpi: Some(300.0), is_transparent: true, ..PngOptions::default() };
-    let mut writer = PngWriter::new(&many, Style::default(), Vantage::default(), &options).map_err(told)?;
-    std::fs::write("plant.png", write_all(&mut writer).map_err(told)?)?;
+    let written = collect::<Vec<u8>, _>(|sink| write_png(&many, &Style::default(), Vantage::default(), &options, sink));
+    std::fs::write("plant.png", written.map_err(told)?.0)?;
     Ok(())
 }
