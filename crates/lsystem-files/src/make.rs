@@ -34,10 +34,10 @@ pub struct FileTask<'a> {
 /// The view of a drawing in a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FileView {
-    /// The place of pictures of pixels in the plane, and the camera on drawings in space. Drawings on paper are projected
-    /// in the camera's direction.
+    /// The place from which pictures of pixels see the drawing. Drawings on paper are projected in the direction of its
+    /// camera.
     pub vantage: Vantage,
-    /// If given, pictures of pixels show only the first `upto` segments.
+    /// The number of segments that pictures of pixels show; `None` for all.
     pub upto: Option<u128>,
     /// Device pixels in a CSS pixel, for pictures of pixels; `None` for so many that a picture of 1024 pixels has 1.
     pub ratio: Option<f64>,
@@ -89,7 +89,7 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
         Content::Words(write) => write(definition, system, &options, sink),
         Content::Pixels => {
             let figure = task.figure(sink)?;
-            write_png(&figure, style, view.vantage, &task.png(usual_size(&figure), options), sink).map(none)
+            write_png(&figure, style, view.vantage, &task.png(&figure, options), sink).map(none)
         }
         Content::Segments { plane, space } => match task.figure(sink)? {
             Figure::Plane(drawing) => plane(&drawing, most, sink).map(none),
@@ -160,12 +160,12 @@ impl FileTask<'_> {
         Ok(counter.count().map(|count| figure.describe(self.system, n, count)).unwrap_or_default())
     }
 
-    fn png(&self, usual: [u32; 2], options: FileOptions) -> PngOptions {
+    fn png(&self, figure: &Figure, options: FileOptions) -> PngOptions {
         let FileOptions { size, dpi, transparent: is_transparent, system, .. } = options;
-        let [width, height] = size.unwrap_or(usual);
+        let [width, height] = size.unwrap_or_else(|| usual_size(figure));
         let ratio = self.view.ratio.unwrap_or((f64::from(width.max(height)) / f64::from(USUAL)).max(1.0));
-        let (viewport, upto) = (Viewport { width, height, ratio }, self.view.upto);
-        PngOptions { viewport, dpi, is_transparent, system, upto, band: self.limits.band }
+        let (viewport, upto, band) = (Viewport { width, height, ratio }, self.view.upto, self.limits.band);
+        PngOptions { viewport, dpi, is_transparent, system, upto, band }
     }
 }
 

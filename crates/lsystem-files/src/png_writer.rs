@@ -48,7 +48,7 @@ impl Default for PngOptions {
     }
 }
 
-/// Writes a picture of a figure as PNG.
+/// Writes a picture of a figure, seen from a vantage, as PNG.
 ///
 /// # Errors
 /// [`LimitName::Memory`] if the machine cannot count the picture's bytes: on 32 bits, 32,768 x 32,768 transparent
@@ -61,6 +61,13 @@ pub fn write_png(
     sink: &mut Sink<'_>,
 ) -> Result<(), Halt> {
     let viewport = size_of(options);
+    let mut painter = FigureRenderer::new();
+    if options.is_transparent {
+        painter = painter.transparent();
+    }
+    painter.load(figure);
+    let (style, &PngOptions { upto, band, .. }) = (style.clone(), options);
+    painter.begin(PictureOptions { style, viewport, vantage, upto, quality: Quality::BEST, band });
     let Viewport { width, height, .. } = viewport;
     let channels = if options.is_transparent { 4 } else { 3 };
     // The encoder counts the bytes of the picture, and one more for each row.
@@ -79,9 +86,9 @@ pub fn write_png(
     let mut encoder = encoder(viewport, options, encoded.clone()).map_err(|_| too_large())?;
     let (mut rows, mut bytes) = (0, vec![]);
     loop {
-        let before = renderer.spent();
-        let painted = renderer.step(WORK);
-        sink.charge(renderer.spent() - before)?;
+        let before = painter.spent();
+        let painted = painter.step(WORK);
+        sink.charge(painter.spent() - before)?;
         sink.rows(rows, height);
         match painted {
             Painted::Nothing => {}

@@ -106,7 +106,6 @@ fn streamed_is_whole() {
         for band in [1 << 22, 300 * 48] {
             let options = PngOptions { viewport: VIEWPORT, band, ..PngOptions::default() };
             let mut rows = Rows::default();
-            let figure = Figure::Plane(drawing.clone());
             let write = |sink: &mut Sink<'_>| write_png(&figure, &definition.style, Vantage::default(), &options, sink);
             Sink::to(&mut rows, write).unwrap();
             assert_eq!((rows.done, rows.largest < 20_000), (VIEWPORT.height, true), "{}", rows.largest);
