@@ -75,13 +75,6 @@ pub fn write_png(
     if usize::try_from(bytes).is_err() {
         return Err(Diagnostic::limit(LimitName::Memory, usize::MAX as u64, None).into());
     }
-    let mut renderer = FigureRenderer::new();
-    if options.is_transparent {
-        renderer = renderer.transparent();
-    }
-    renderer.load(figure);
-    let &PngOptions { upto, band, .. } = options;
-    renderer.begin(PictureOptions { style: style.clone(), viewport, vantage, upto, quality: Quality::BEST, band });
     let encoded = Encoded::default();
     let mut encoder = encoder(viewport, options, encoded.clone()).map_err(|_| too_large())?;
     let (mut rows, mut bytes) = (0, vec![]);
@@ -93,7 +86,7 @@ pub fn write_png(
         match painted {
             Painted::Nothing => {}
             Painted::Rows => {
-                for row in renderer.pixels().chunks_exact(4 * width as usize) {
+                for row in painter.pixels().chunks_exact(4 * width as usize) {
                     sink.charge(1 + u64::from(width) / PIXELS_PER_UNIT)?;
                     let row = if options.is_transparent {
                         row

@@ -103,6 +103,7 @@ fn streamed_is_whole() {
     ] {
         let drawing = drawing(&definition, n);
         let expected = opaque(&whole(&drawing, &definition.style, VIEWPORT));
+        let figure = Figure::Plane(drawing);
         for band in [1 << 22, 300 * 48] {
             let options = PngOptions { viewport: VIEWPORT, band, ..PngOptions::default() };
             let mut rows = Rows::default();
