@@ -137,6 +137,11 @@ export function createEngine(events) {
             if (newest.play(segments)) outbox.send();
         },
 
+        /** How many segments are shown; null for all. */
+        get upto() {
+            return newest.upto;
+        },
+
         /** Sets the mates that help with slow pictures. */
         share: connection.share,
 

@@ -94,8 +94,7 @@ export {};
  * @property {{asked: {texts: Texts}, answer: Notation}} notation
  * @property {{asked: {texts: Texts, field: 'axiom' | 'rules', offset: number}, answer: {site: Site | null}}} site the module at a UTF-16 offset into a text; null for other text
  * @property {{asked: {file: Blob}, answer: FileRead}} read a file: JSON, or a picture that carries its system
- * @property {{asked: {width: number, height: number, definition: Definition | null}, answer: {blob: Blob | null, reason: string | null}}} png the current view at another size, with the system in the file, if given; `reason` tells why there is no file
- * @property {{asked: {definition: Definition, width: number, height: number}, answer: {bitmap: ImageBitmap | null, missing: string | null}}} thumb a small fitted picture of another system; `missing` tells why there is none
+ * @property {{asked: {definition: Definition, width: number, height: number, camera: Camera | null}, answer: {bitmap: ImageBitmap | null, missing: string | null}}} thumb a small fitted picture of another system, in space seen by the camera or the first one; `missing` tells why there is none
  * @property {{asked: {text: string}, answer: {modules: Uint8Array | null}}} qr the QR code of a link, row by row, 1 for dark; null if the text is too long
  * @property {{asked: {}, answer: {seed: number}}} seed a new random seed
  */
@@ -143,7 +142,7 @@ export {};
 /**
  * The call of the tool that makes files; its progress are the pieces of the file. `options`: those of
  * tables.js that differ from their defaults; `camera` is for drawings in space. A file is `complete` unless a limit was exceeded or the definition has errors.
- * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number}, answer: {complete: boolean, diagnostics: Diagnostic[]}}}} ExportCalls
+ * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number, upto: bigint | null}, answer: {complete: boolean, diagnostics: Diagnostic[]}}}} ExportCalls
  */
 /** The calls of the tool that reads other notations; null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
 /**

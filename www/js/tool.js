@@ -17,8 +17,9 @@ export class Cancelled extends Error {}
 /**
  * @template {Record<string, {asked: object, answer: unknown}>} Calls
  * @param {string} name the tool's worker is `NAME.js`, and its wasm `NAME.wasm`
+ * @param {{isStraight?: boolean}} [options] whether the worker hears nothing while it answers a call, so that a cancel ends it
  */
-export function createTool(name) {
+export function createTool(name, { isStraight = false } = {}) {
     /** @type {Worker | null} */
     let worker = null;
     let hasSpoken = false;
@@ -80,7 +81,11 @@ export function createTool(name) {
         if (message.type === 'pong') return;
         if (message.type === 'fatal') return end(String(message.reason));
         const call = waiting.get(message.id);
-        if (message.type === 'progress') return call?.progress?.(message.value);
+        if (message.type === 'progress') {
+            // Progress without a value is a sign of life.
+            if (message.value !== undefined) call?.progress?.(message.value);
+            return;
+        }
         waiting.delete(message.id);
         if (message.type === 'answer') call?.resolve(message.value);
         else call?.reject(message.reason);
@@ -106,7 +111,8 @@ export function createTool(name) {
                 waiting.set(id, { resolve, reject, progress });
                 signal?.addEventListener('abort', () => {
                     if (!waiting.delete(id)) return;
-                    post({ type: 'cancel', id });
+                    if (isStraight) end('another call was cancelled');
+                    else post({ type: 'cancel', id });
                     reject(new Cancelled());
                 });
                 post({ type: 'call', id, call, asked });

@@ -137,7 +137,7 @@ function onChange(act) {
     };
 }
 
-/** @param {Playground} playground @param {ViewMessage} message */
+/** @param {Playground} playground @param {Pick<ViewMessage, 'width' | 'height' | 'ratio' | 'view' | 'camera'>} message */
 export function lookAt(playground, { width, height, ratio, view, camera }) {
     playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
     if (camera) playground.camera(camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z, camera.perspective, camera.fade);

@@ -1,5 +1,6 @@
 /** Thumbnails for the gallery and the seed dialog. */
 
+import { lookAt } from './drawing.js';
 import { STEP_MS, page } from './page.js';
 
 /** @typedef {wasm_bindgen.Playground} Playground */
@@ -22,13 +23,13 @@ export function createThumbs({ playground, waiting, tellAt }) {
 
     /** @param {Question<'thumb'>} request @returns {NonNullable<typeof making>} */
     function begin(request) {
-        const { definition, width, height } = request;
+        const { definition, width, height, camera } = request;
         playground.forget();
         const canvas = new OffscreenCanvas(1, 1);
         const small = wasm_bindgen.Playground.small(canvas);
         /** @type {import('../js/protocol.js').Report} */
         const { ok, empty } = small.define(definition);
-        small.view(width, height, 1, 0, 0, 1, 0, 0);
+        lookAt(small, { width, height, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, camera });
         const missing = ok ? empty : 'The rules have mistakes.';
         return { request, small, canvas, bitmap: null, steps: missing === null ? MOST_STEPS : 0, missing };
     }

@@ -1,6 +1,7 @@
 /**
- * A tool's worker: starts its wasm and answers the page's calls (js/tool.js). A long call is a generator: the worker
- * returns to its event loop after every step, and sends what the step yields to the page.
+ * A tool's worker: starts its wasm and answers the page's calls (js/tool.js). A long call is either a generator: the
+ * worker returns to its event loop after every step, and sends what the step yields to the page. Or it is straight: it
+ * gets a function that sends progress to the page while the call runs.
  */
 
 /** @typedef {import('../js/protocol.js').ToTool} ToTool */
@@ -11,7 +12,7 @@ const page = self;
 
 /**
  * @param {(module: WebAssembly.Module) => void} start starts the wasm
- * @param {Record<string, (asked: any) => any>} calls the answers to calls, by name; an answer may be a generator, whose result is the answer
+ * @param {Record<string, (asked: any, tell: (value: any) => void) => any>} calls the answers to calls, by name; an answer may be a generator, whose result is the answer
  */
 export function serve(start, calls) {
     /** Long calls that were not cancelled. @type {Set<number>} */
@@ -27,7 +28,7 @@ export function serve(start, calls) {
             // From now on the page need not wait long to know that this worker is silent.
             page.postMessage({ type: 'pong' });
         });
-        else guard(data.id, () => answer(data.id, calls[data.call]?.(data.asked)));
+        else guard(data.id, () => answer(data.id, calls[data.call]?.(data.asked, (value) => tell(data.id, value))));
     };
 
     /** @param {number} id @param {any} value */
@@ -45,9 +46,13 @@ export function serve(start, calls) {
             running.delete(id);
             return page.postMessage({ type: 'answer', id, value });
         }
-        // Bytes are handed over without a copy.
-        if (value !== undefined) page.postMessage({ type: 'progress', id, value }, value instanceof Uint8Array ? [value.buffer] : []);
+        if (value !== undefined) tell(id, value);
         setTimeout(() => guard(id, () => step(id, steps)));
+    }
+
+    /** Sends progress; bytes are handed over without a copy. @param {number} id @param {any} value nothing for a sign of life */
+    function tell(id, value) {
+        page.postMessage({ type: 'progress', id, value }, value instanceof Uint8Array ? [value.buffer] : []);
     }
 
     /** After a trap the instance may be in an invalid state: the page starts a fresh worker. @param {number} id @param {() => void} action */

@@ -16,11 +16,11 @@ import { createReading } from './reading.js';
  * @param {Inbox} worker.inbox
  * @param {ReturnType<typeof import('./drawing.js').createDrawing>} worker.drawing
  * @param {ReturnType<typeof import('./sharing.js').createSharing>} worker.sharing
- * @param {ReturnType<typeof import('./files.js').createFiles>} worker.files
+ * @param {ReturnType<typeof import('./files.js').createReadFile>} worker.readFile
  * @param {ReturnType<typeof import('./thumbs.js').createThumbs>} worker.thumbs
  * @param {() => void} worker.wake
  */
-export function createWork({ playground, inbox, drawing, sharing, files, thumbs, wake }) {
+export function createWork({ playground, inbox, drawing, sharing, readFile, thumbs, wake }) {
     /** After a picture of a moving drawing, wait this long for the next view before refining the picture. */
     const PAUSE_MS = 12;
     /** Mates are checked again after this time without an answer. */
@@ -51,13 +51,13 @@ export function createWork({ playground, inbox, drawing, sharing, files, thumbs,
             case 'seed':
                 return page.postMessage({ type: 'seed', id, seed: wasm_bindgen.fresh_seed() });
             default:
-                return files.answer(question);
+                return readFile(question);
         }
     }
 
     return function work() {
-        // A small picture shares its memory with unfinished drawings and files, so postpone it.
-        if (hasNews() || questions.length > 0 || !files.idle) thumbs.postpone();
+        // A small picture shares its memory with unfinished drawings, so postpone it.
+        if (hasNews() || questions.length > 0) thumbs.postpone();
         const report = drawing.takeUp();
         sharing.deal();
         const idle = drawing.step(report);
@@ -69,8 +69,8 @@ export function createWork({ playground, inbox, drawing, sharing, files, thumbs,
             questions.shift();
             answer(question);
         }
-        if (idle && questions.length === 0 && files.idle) thumbs.step();
-        if (hasNews() || (questions.length > 0 && isNewest()) || thumbs.making || (thumbs.waiting && files.idle)) wake();
+        if (idle && questions.length === 0) thumbs.step();
+        if (hasNews() || (questions.length > 0 && isNewest()) || thumbs.making || thumbs.waiting) wake();
         else if (!idle) {
             const pause = drawing.moving ? PAUSE_MS : playground.waits ? WAIT_MS : 0;
             if (pause > 0) setTimeout(wake, pause);

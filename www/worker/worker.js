@@ -8,7 +8,7 @@
  */
 
 import { createDrawing, lookAt } from './drawing.js';
-import { createFiles } from './files.js';
+import { createReadFile } from './files.js';
 import { STEP_MS, page } from './page.js';
 import { createMate, createSharing } from './sharing.js';
 import { createThumbs } from './thumbs.js';
@@ -59,8 +59,8 @@ import { createWork } from './work.js';
         } else {
             const drawing = createDrawing({ playground, canvas, inbox });
             const sharing = createSharing({ canvas, playground, guard, wake, shown: drawing.shown, memory });
-            const files = createFiles({ playground, guard, wake, tellAt: drawing.tellAt });
-            work = createWork({ playground, inbox, drawing, sharing, files, thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }), wake });
+            const readFile = createReadFile({ guard, tellAt: drawing.tellAt });
+            work = createWork({ playground, inbox, drawing, sharing, readFile, thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }), wake });
             setMates = sharing.setMates;
         }
         page.postMessage({ type: 'ready' });

@@ -2,8 +2,9 @@
 
 use crate::ALLOCATOR;
 use crate::clock::thread_time;
-use lsystem::Progress;
-use lsystem::syntax::Meter;
+use lsystem::files::{Owner, Sink};
+use lsystem::syntax::{Halt, Meter};
+use lsystem::{Diagnostic, Progress};
 use std::time::Duration;
 
 /// The most bytes of one instance in the page.
@@ -74,6 +75,28 @@ impl Gauge {
         }
     }
 
+    /// Writes a file, and measures the work and the time between two calls of its owner, who stops after `parts` calls. The
+    /// error is the exceeded limit, or `None` if the file was stopped.
+    pub(crate) fn file<T>(
+        &mut self,
+        name: &'static str,
+        parts: usize,
+        write: impl FnOnce(&mut Sink<'_>) -> Result<T, Halt>,
+    ) -> Result<(Vec<u8>, T), Option<Diagnostic>> {
+        let mut owner = GaugedFile { name, since: thread_time(), parts, bytes: vec![], gauge: self };
+        match Sink::to(&mut owner, write) {
+            Ok(result) => {
+                owner.see();
+                Ok((owner.bytes, result))
+            }
+            Err(Halt::Limit(limit)) => {
+                assert!(!limit.message().is_empty());
+                Err(Some(limit))
+            }
+            Err(Halt::Stopped) => Err(None),
+        }
+    }
+
     /// Records that the execution reached a point.
     pub(crate) fn reach(&mut self, name: &'static str) {
         if !self.reached.contains(&name) {
@@ -120,6 +143,43 @@ impl Gauge {
         if time > TIME {
             return Err(format!("slow {name}: {time:.1?} of processor time, more than {TIME:?}"));
         }
+        Ok(())
+    }
+}
+
+/// A file in the making.
+struct GaugedFile<'a> {
+    gauge: &'a mut Gauge,
+    name: &'static str,
+    /// The processor time at the last call.
+    since: Duration,
+    /// The number of calls that are left.
+    parts: usize,
+    bytes: Vec<u8>,
+}
+
+impl GaugedFile<'_> {
+    /// Records the time since the last call.
+    fn see(&mut self) {
+        let now = thread_time();
+        let time = now - self.since;
+        if time > self.gauge.slowest.1 {
+            self.gauge.slowest = (self.name, time);
+        }
+        self.since = now;
+    }
+}
+
+impl Owner for GaugedFile<'_> {
+    fn piece(&mut self, bytes: &[u8]) -> Result<(), Halt> {
+        self.bytes.extend_from_slice(bytes);
+        Ok(())
+    }
+
+    fn spent(&mut self, units: u64) -> Result<(), Halt> {
+        self.see();
+        self.gauge.charge(self.name, WORK as u64, units);
+        self.parts = self.parts.checked_sub(1).ok_or(Halt::Stopped)?;
         Ok(())
     }
 }

@@ -7,11 +7,9 @@ use crate::CommandFailure;
 use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
 use crate::input::{self, InputSystem};
 use lsystem::film::{
-    Film, LIMITS, Painter, Script, camera_of_segment, dive, dive_in_space, growth, middle_segment, turntable, turtle,
-    view_of_segment,
+    Film, LIMITS, Script, dive, dive_in_space, growth, middle_segment, turntable, turtle, vantage_of_segment,
 };
-use lsystem::render::Detail;
-use lsystem::{Camera, Limits, Progress, View};
+use lsystem::{Figure, Limits, Vantage};
 use pool::Pool;
 use std::fs;
 use std::path::Path;
@@ -58,7 +56,7 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
     script.ending = options.ending.map_or(script.ending, |ending| ending.0);
     script.easing = options.easing.map_or(script.easing, |easing| easing.0);
     let is_solid = input.system.is_solid();
-    let camera = Camera::default();
+    let vantage = Vantage::default();
     let has_preset = options.turtle || options.turntable || options.dive.is_some();
     let shows_growth = options.film.is_none() && !has_preset && options.track.is_empty();
     let mut tracks = Vec::new();
@@ -72,22 +70,16 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
         if !is_solid {
             return Err(words("--turntable is for drawings in space, and this drawing is in the plane"));
         }
-        tracks.push(turntable(&script, &camera));
+        tracks.push(turntable(&script, &vantage.camera));
     }
     if let Some(Dive(number)) = options.dive {
-        let painter = painted(input, limits)?;
-        let segments = painter.drawing().map_or(0, lsystem::Drawing::segment_count);
-        let segments = painter.solid().map_or(segments, lsystem::Drawing::segment_count);
+        let figure = Figure::draw(&input.system, input.iterations, &limits).map_err(|limit| input.limit(&limit))?;
+        let segments = figure.segment_count();
         let number = number.unwrap_or(middle_segment(segments) + 1);
         let missing = || words(format!("--dive={number}: the drawing has {segments} segments"));
         let place = number.checked_sub(1).ok_or_else(missing)?;
-        tracks.push(match (painter.drawing(), painter.solid()) {
-            (Some(drawing), _) => dive(&script, view_of_segment(drawing, place).ok_or_else(missing)?),
-            (_, Some(drawing)) => {
-                dive_in_space(&script, &camera_of_segment(drawing, place, &camera).ok_or_else(missing)?)
-            }
-            _ => return Err(missing()),
-        });
+        let to = vantage_of_segment(&figure, place, &vantage).ok_or_else(missing)?;
+        tracks.push(if is_solid { dive_in_space(&script, &to.camera) } else { dive(&script, to.view) });
     }
     for track in tracks {
         script.tracks.retain(|other| other.subject != track.subject);
@@ -96,7 +88,7 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
     for track in &options.track {
         script.add(track).map_err(words)?;
     }
-    Film::new(script, input.definition.clone(), View::default(), camera).map_err(words)
+    Film::new(script, input.definition.clone(), vantage).map_err(words)
 }
 
 /// The text of a script: the text itself, or the text of a file.
@@ -106,19 +98,4 @@ fn text_of(text: &str) -> Result<String, CommandFailure> {
         return Ok(text.to_owned());
     }
     fs::read_to_string(text).map_err(|error| CommandFailure::io(text, &error))
-}
-
-/// A painter with the drawing of the system as a whole.
-fn painted(input: &InputSystem, limits: Limits) -> Result<Painter, CommandFailure> {
-    let film = Film::new(Script::default(), input.definition.clone(), View::default(), Camera::default());
-    let frame = film.map_err(words)?.frame(0);
-    let mut painter = Painter::new(limits);
-    let wrong = |limit| input.limit(&limit);
-    painter.begin(&frame, [16, 16], Detail::Coarse).map_err(wrong)?;
-    while painter.drawing().is_none() && painter.solid().is_none() {
-        if painter.step(WORK).map_err(wrong)? == Progress::Done {
-            break;
-        }
-    }
-    Ok(painter)
 }

@@ -4,12 +4,13 @@ use crate::args::{Destination, Job};
 use crate::cli::{Changes, Look};
 use crate::cores::{Say, SharedLimits};
 use crate::input::{self, InputSystem};
+use crate::output::within;
 use crate::pending::{Pending, with_extension};
-use crate::{CommandFailure, cores, picture, print};
-use lsystem::drawing::{Outlook, why_empty};
-use lsystem::files::{Content, FileOptions, Format, PngWriter, write_all};
-use lsystem::syntax::visible;
-use lsystem::{Figure, write_json};
+use crate::progress::DelayedBar;
+use crate::{CommandFailure, cores, print};
+use lsystem::drawing::why_empty;
+use lsystem::files::{FileLimits, FileTask, FileView, Format, Owner, PngOptions, Sink, make};
+use lsystem::syntax::{Halt, visible};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
@@ -37,30 +38,31 @@ fn draw_one(
         Destination::Print(format) => core::slice::from_ref(format),
         Destination::Write(_, formats) => formats,
     };
-    if formats.iter().any(|format| !matches!(format.content, Content::System | Content::String | Content::Words(_)))
+    if formats.iter().any(|format| format.shows_drawing())
         && let Some(reason) = why_empty(&input.system, input.iterations)
     {
         say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     match &job.target {
-        Destination::Print(format)
-            if matches!(format.name, "png" | "glb" | "pdf" | "stl") && io::stdout().is_terminal() =>
-        {
+        Destination::Print(format) if format.is_binary && io::stdout().is_terminal() => {
             Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
         }
-        Destination::Print(format) => limits.make(|shares| {
-            let contents = contents(&input, format, look, shares, say)?;
-            print(|out| contents.write(out))
-        }),
+        Destination::Print(format) => {
+            let wrong = |error: io::Error| CommandFailure::io("standard output", &error);
+            limits.make(|shares| {
+                let write = |out: &mut dyn Write| write_file(&input, format, look, shares, say, out, &wrong);
+                within(|write| print(|out| write(out)), write)
+            })
+        }
         Destination::Write(base, formats) => {
             // All files are complete before the first one gets its name.
             let mut pending = Vec::new();
             for &format in formats {
                 let path = with_extension(base, format.ending);
+                let wrong = |error: io::Error| CommandFailure::io(path.display(), &error);
                 let file = limits.make(|shares| {
-                    let contents = contents(&input, format, look, shares, say)?;
-                    Pending::write(&path, |out| contents.write(out))
-                        .map_err(|error| CommandFailure::io(path.display(), &error))
+                    let write = |out: &mut dyn Write| write_file(&input, format, look, shares, say, out, &wrong);
+                    within(|write| Pending::write(&path, |out| write(out)).map_err(wrong), write)
                 })?;
                 pending.push(file);
             }
@@ -73,70 +75,64 @@ fn draw_one(
 /// The most segments of a mesh: some hundred megabytes, and more than most programs open.
 const MESH_SEGMENTS: u64 = 500_000;
 
-/// The contents of a file.
-enum Contents {
-    Bytes(Vec<u8>),
-    /// A picture, which is painted while it is written.
-    Picture(Box<PngWriter>),
+/// The owner of a file: the stream to which it is written.
+struct Stream<'a> {
+    out: &'a mut dyn Write,
+    /// The error of the stream.
+    error: Option<io::Error>,
+    /// The progress of a picture of pixels.
+    bar: Option<DelayedBar>,
 }
 
-impl Contents {
-    fn write(self, out: &mut dyn Write) -> io::Result<()> {
-        match self {
-            Self::Bytes(bytes) => out.write_all(&bytes),
-            Self::Picture(picture) => picture::write(*picture, out),
-        }
+impl Owner for Stream<'_> {
+    fn piece(&mut self, bytes: &[u8]) -> Result<(), Halt> {
+        self.out.write_all(bytes).map_err(|error| {
+            self.error = Some(error);
+            Halt::Stopped
+        })
+    }
+
+    fn rows(&mut self, done: u32, all: u32) {
+        self.bar.get_or_insert_with(|| DelayedBar::new("picture", Some(all.into()))).at(done.into());
     }
 }
 
-/// The contents of a file of the system, made within one of `shares` equal shares of the limits.
-fn contents(
+/// Writes a file of the system to a stream, within one of `shares` equal shares of the limits. `wrong` is the failure for
+/// an error of the stream.
+fn write_file(
     input: &InputSystem,
-    format: &Format,
+    format: &'static Format,
     look: &Look,
     shares: u64,
     say: Say<'_>,
-) -> Result<Contents, CommandFailure> {
-    let system = &input.system;
-    let style = &system.style;
-    let wrong = |limit| input.limit(&limit);
+    out: &mut dyn Write,
+    wrong: &dyn Fn(io::Error) -> CommandFailure,
+) -> Result<(), CommandFailure> {
+    let mut stream = Stream { out, error: None, bar: None };
     let limits = input.limits(shares);
-    // The direction of view is the page's first one.
-    let figure = || input.draw(shares).map_err(wrong);
-    let paper = || figure()?.seen_from(&Outlook::default(), limits.segments).map_err(wrong);
-    let name = input.definition.label();
-    let choices = look.flags.options();
-    let bare = choices.bare;
-    let stored = || if bare { String::new() } else { write_json(&input.definition) };
-    let options = || {
-        let (title, system) = (name.to_owned(), stored());
-        FileOptions { title, system, most: limits.segments, ..choices.clone() }
-    };
-    let mut writer = match format.content {
-        Content::System => return Ok(Contents::Bytes(write_json(&input.definition).into_bytes())),
-        Content::String => return Ok(Contents::Bytes((input.expand(shares)? + "\n").into_bytes())),
-        Content::Pixels => {
-            return picture::png(figure()?, style, &choices, stored())
-                .map(|picture| Contents::Picture(Box::new(picture)))
-                .map_err(wrong);
-        }
-        Content::Mesh(write) => {
-            let options = FileOptions { most: MESH_SEGMENTS / shares, memory: limits.memory, ..options() };
-            let Figure::Space(drawing) = input.draw_in_space(shares).map_err(wrong)? else {
-                return Ok(Contents::Bytes(Vec::new()));
-            };
-            write(drawing, style.clone(), &options).map_err(wrong)?
-        }
-        Content::Segments { plane, space } => match figure()? {
-            Figure::Plane(drawing) => plane(drawing, limits.segments).map_err(wrong)?,
-            Figure::Space(drawing) => space(drawing, limits.segments).map_err(wrong)?,
+    let task = FileTask {
+        definition: &input.definition,
+        system: &input.system,
+        format,
+        options: &look.flags.options(),
+        view: FileView::default(),
+        limits: FileLimits {
+            drawing: input.drawing_limits(),
+            drawing_bytes: limits.memory,
+            string: limits,
+            remembers: false,
+            segments: limits.segments,
+            held: limits.segments,
+            mesh: [MESH_SEGMENTS / shares, limits.memory],
+            band: PngOptions::default().band,
         },
-        Content::Words(write) => write(&input.definition, system, &options()).map_err(wrong)?,
-        Content::Paper(write) => write(paper()?, style.clone(), &options()).map_err(wrong)?,
     };
-    let file = write_all(&mut *writer).map_err(wrong)?;
-    writer.remark().iter().for_each(|remark| say(&input.message(remark)));
+    let notes = Sink::to(&mut stream, |sink| make(&task, sink)).map_err(|halt| match halt {
+        Halt::Limit(limit) => input.limit(&limit),
+        Halt::Stopped => wrong(stream.error.take().unwrap_or_else(|| io::ErrorKind::Other.into())),
+    })?;
+    notes.remark.iter().for_each(|remark| say(&input.message(remark)));
     let name = || visible(&input.file.display().to_string());
-    writer.summary().iter().for_each(|summary| say(&format!("{}: {summary}\n", name())));
-    Ok(Contents::Bytes(file))
+    notes.summary.iter().for_each(|summary| say(&format!("{}: {summary}\n", name())));
+    Ok(())
 }

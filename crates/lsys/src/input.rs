@@ -132,14 +132,6 @@ impl InputSystem {
         self.finish(Figure::drawer(&self.system, self.iterations, self.drawing_limits()), shares)
     }
 
-    /// As [`InputSystem::draw`], in space, for meshes.
-    ///
-    /// # Errors
-    /// As [`InputSystem::draw`].
-    pub(crate) fn draw_in_space(&self, shares: u64) -> Result<Figure, Diagnostic> {
-        self.finish(Figure::drawer_in_space(&self.system, self.iterations, self.drawing_limits()), shares)
-    }
-
     fn finish(&self, mut drawer: FigureDrawer, shares: u64) -> Result<Figure, Diagnostic> {
         let share = self.limits.memory / shares;
         while drawer.step(WORK) == Progress::More {
@@ -152,7 +144,7 @@ impl InputSystem {
 
     /// The limits of a drawing. Only memory limits the segments of a drawing; [`Limits::segments`] of the input is for
     /// text files.
-    fn drawing_limits(&self) -> Limits {
+    pub(crate) fn drawing_limits(&self) -> Limits {
         Limits { segments: u64::from(u32::MAX), work: 1 << 30, ..self.limits }
     }
 

@@ -18,7 +18,6 @@ mod mark;
 mod memory;
 mod output;
 mod pending;
-mod picture;
 mod progress;
 mod settings;
 mod tiles;

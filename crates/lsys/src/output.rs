@@ -1,5 +1,6 @@
-//! Standard output, and the escaping of control characters for a terminal.
+//! Standard output, failures of what writes to it, and the escaping of control characters for a terminal.
 
+use crate::CommandFailure;
 use lsystem::syntax::visible;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::Path;
@@ -24,6 +25,21 @@ pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io:
     }
     write(&mut out)?;
     out.flush()
+}
+
+/// Runs `work` as the writer of an output, and returns its failure unless the output itself fails.
+pub(crate) fn within<T>(
+    output: impl FnOnce(&mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<T, CommandFailure>,
+    mut work: impl FnMut(&mut dyn Write) -> Result<(), CommandFailure>,
+) -> Result<T, CommandFailure> {
+    let mut failure = None;
+    let done = output(&mut |out| {
+        work(out).map_err(|error| {
+            failure = Some(error);
+            io::Error::other("stopped")
+        })
+    });
+    failure.map_or(done, Err)
 }
 
 /// Writes text with control characters replaced by [`visible`], except line ends. Each call must hold whole characters.

@@ -35,7 +35,6 @@ pub use bulk::SegmentArrays;
 pub use drawer::{Drawer, draw};
 pub use hull::hull;
 pub use marks::Mark;
-pub use marks::MarkReader;
 pub(crate) use piece::Piece;
 pub(crate) use pieces::{Pieces, StateWord, StateWords};
 pub use projection::{Outlook, Projection};
@@ -43,7 +42,6 @@ pub use scene::SceneSize;
 pub use segments::Frame;
 pub(crate) use segments::SegmentIter;
 pub use shape::{Line, Shape};
-pub use simplify::Simplifier;
 pub(crate) use solid_reader::{SolidMark, SolidReader};
 
 use self::block::Contents;

@@ -33,12 +33,12 @@ mod figure;
 
 pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{
-    Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, MarkReader, Outlook, Placed, Polygon, Projection,
-    SceneSize, Segment, SegmentArrays, Shape, Simplifier, Space, Stroke, draw, hull,
+    Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, Outlook, Placed, Polygon, Projection, SceneSize, Segment,
+    SegmentArrays, Shape, Space, Stroke, draw, hull,
 };
 pub use drawn::drawn_by_letter;
 pub use figure::{Figure, FigureDrawer};
-pub use mesh::{Material, Mesh, MeshForm, MeshMaker, MeshOptions};
+pub use mesh::{Material, Mesh, MeshForm, MeshOptions, MeshParts};
 pub use opening::symbol_of_polygon;
 pub use plane::{Directions, Plane};
 pub use solid::Solid;

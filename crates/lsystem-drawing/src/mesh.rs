@@ -8,7 +8,7 @@ mod tubes;
 
 use crate::drawing::{SolidMark, SolidReader};
 use crate::{BlockId, Drawing, Frame, Mark, Solid};
-use lsystem_syntax::{Diagnostic, LimitName, Meter, Progress, Style};
+use lsystem_syntax::{Diagnostic, Halt, LimitName, Meter, Style, Work};
 use tubes::Tubes;
 
 /// Triangles with colours, in model units.
@@ -51,8 +51,8 @@ pub struct MeshOptions {
     pub memory: u64,
     /// The least diameter of a tube, in parts of the drawing's longest side.
     pub thinnest: f64,
-    /// Blocks with at most this many segments and polygons stay whole: [`MeshMaker::take_blocks`] returns their places
-    /// instead. 0 for none.
+    /// Blocks with at most this many segments and polygons stay whole: [`MeshParts::blocks`] has their places instead.
+    /// 0 for none.
     pub whole: u128,
 }
 
@@ -95,9 +95,8 @@ impl Mesh {
     }
 
     fn with(drawing: &Drawing<Solid>, style: &Style, options: &MeshOptions) -> Result<Self, Diagnostic> {
-        let mut maker = MeshMaker::new(drawing, style, options)?;
-        while maker.step(drawing, style, u64::MAX)? == Progress::More {}
-        Ok(maker.finish())
+        let parts = MeshParts::new(drawing, style, options, &mut Meter::new(u64::MAX));
+        parts.map(MeshParts::into_first).map_err(Halt::diagnostic)
     }
 
     /// The bytes that the mesh occupies.
@@ -123,46 +122,65 @@ impl Mesh {
     }
 }
 
-/// Makes a mesh in steps. The maker does not borrow the drawing between steps.
+/// The meshes of a drawing or of a block, and the blocks left whole.
 #[derive(Clone, Debug)]
-pub struct MeshMaker {
-    reader: SolidReader,
-    tubes: Tubes,
-    /// The blocks left whole.
-    blocks: Vec<(BlockId, Frame<Solid>)>,
-    most: u64,
-    /// The number of segments, vertices of polygons and whole blocks so far.
-    count: u64,
-    memory: u64,
-    spent: u64,
+pub struct MeshParts {
+    /// The meshes by material, in the order of their first strokes; one mesh if materials are not apart.
+    pub meshes: Vec<(Material, Mesh)>,
+    /// The blocks that stay whole, in drawing order, and their frames in units of the root block.
+    pub blocks: Vec<(BlockId, Frame<Solid>)>,
+    /// The number of segments, vertices of polygons and whole blocks.
+    pub count: u64,
+    /// The least diameter of a tube, in model units.
+    pub least_width: f64,
 }
 
-impl MeshMaker {
-    /// Prepares a mesh.
+impl MeshParts {
+    /// The mesh of a drawing.
     ///
     /// # Errors
-    /// As [`Mesh::new`]. If blocks stay whole, [`MeshMaker::step`] counts instead.
-    pub fn new(drawing: &Drawing<Solid>, style: &Style, options: &MeshOptions) -> Result<Self, Diagnostic> {
+    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the mesh would exceed its limits.
+    pub fn new(
+        drawing: &Drawing<Solid>,
+        style: &Style,
+        options: &MeshOptions,
+        work: &mut dyn Work,
+    ) -> Result<Self, Halt> {
+        // If blocks stay whole, marks are counted while they are read.
         if options.whole == 0 && drawing.size() > u128::from(options.most) {
-            return Err(Diagnostic::limit(LimitName::Mesh, options.most, None));
+            return Err(Diagnostic::limit(LimitName::Mesh, options.most, None).into());
         }
-        Ok(Self::read_by(SolidReader::new(drawing, options.whole), drawing, style, options))
+        Self::read(SolidReader::new(drawing, options.whole), drawing, style, options, work)
     }
 
-    /// Prepares a mesh of a block in a frame, in units of the root block. The frame's origin becomes the model's
-    /// origin.
-    #[must_use]
+    /// The mesh of a block in a frame, in units of the root block. The frame's origin becomes the model's origin.
+    ///
+    /// # Errors
+    /// As [`MeshParts::new`].
     pub fn within(
         drawing: &Drawing<Solid>,
         style: &Style,
         options: &MeshOptions,
         block: BlockId,
         frame: &Frame<Solid>,
-    ) -> Self {
-        Self::read_by(SolidReader::within(drawing, block, frame), drawing, style, options)
+        work: &mut dyn Work,
+    ) -> Result<Self, Halt> {
+        Self::read(SolidReader::within(drawing, block, frame), drawing, style, options, work)
     }
 
-    fn read_by(reader: SolidReader, drawing: &Drawing<Solid>, style: &Style, options: &MeshOptions) -> Self {
+    /// The only mesh; the first one if materials are apart.
+    #[must_use]
+    pub fn into_first(self) -> Mesh {
+        self.meshes.into_iter().next().map(|(_, mesh)| mesh).unwrap_or_default()
+    }
+
+    fn read(
+        reader: SolidReader<'_>,
+        drawing: &Drawing<Solid>,
+        style: &Style,
+        options: &MeshOptions,
+        work: &mut dyn Work,
+    ) -> Result<Self, Halt> {
         let extent = drawing.bounds().map_or(0.0, |[low, high]| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max));
         let sides = match drawing.segment_count() {
             0..=20_000 => 8,
@@ -170,103 +188,39 @@ impl MeshMaker {
             _ => 4,
         };
         let thinnest = (style.min_width.max(0.1) / PICTURE).max(options.thinnest);
-        let tubes = Tubes::new(options.form, sides, 0.5 * thinnest * extent);
-        let MeshOptions { most, memory, .. } = *options;
-        Self { reader, tubes, blocks: vec![], most, count: 0, memory, spent: 0 }
-    }
-
-    /// The units of work of all steps so far, as [`Meter`] counts them.
-    #[must_use]
-    pub fn spent(&self) -> u64 {
-        self.spent
-    }
-
-    /// The number of segments, vertices of polygons and whole blocks so far.
-    #[must_use]
-    pub fn count(&self) -> u64 {
-        self.count
-    }
-
-    /// The bytes of the mesh so far.
-    #[must_use]
-    pub fn bytes(&self) -> u64 {
-        self.tubes.bytes()
-    }
-
-    /// The least diameter of a tube, in model units.
-    #[must_use]
-    pub fn least_width(&self) -> f64 {
-        self.tubes.least_width()
-    }
-
-    /// The blocks that stay whole, in drawing order, and their frames in units of the root block. Each block is returned
-    /// once.
-    pub fn take_blocks(&mut self) -> Vec<(BlockId, Frame<Solid>)> {
-        core::mem::take(&mut self.blocks)
-    }
-
-    /// Continues for about `work` units. Every call needs the same drawing and style.
-    ///
-    /// # Errors
-    /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the mesh would exceed its limits.
-    pub fn step(&mut self, drawing: &Drawing<Solid>, style: &Style, work: u64) -> Result<Progress, Diagnostic> {
-        let mut meter = Meter::new(work);
-        let mut progress = Progress::More;
-        while progress == Progress::More && !meter.is_spent() {
-            let mark = self.reader.next(drawing);
-            let (count, work) = match &mark {
-                Some(SolidMark::Mark(mark @ Mark::Polygon(vertices, _))) => (vertices.len() as u64, mark.work()),
-                Some(SolidMark::Mark(mark)) => (1, mark.work()),
-                Some(SolidMark::Whole(..)) => (1, 4),
-                None => (0, 2),
+        let mut tubes = Tubes::new(options.form, sides, 0.5 * thinnest * extent);
+        let (mut blocks, mut count) = (vec![], 0);
+        let check_memory = |tubes: &Tubes| match tubes.bytes() > options.memory {
+            true => Err(Diagnostic::limit(LimitName::Memory, options.memory, None)),
+            false => Ok(()),
+        };
+        for mark in reader {
+            let (marks, units) = match &mark {
+                SolidMark::Mark(mark @ Mark::Polygon(vertices, _)) => (vertices.len() as u64, mark.work()),
+                SolidMark::Mark(mark) => (1, mark.work()),
+                SolidMark::Whole(..) => (1, 4),
             };
-            meter.charge(MARK_WORK * work);
-            self.count += count;
-            if self.count > self.most {
-                return Err(self.exceeded(LimitName::Mesh, self.most));
-            }
-            match &mark {
-                Some(SolidMark::Mark(mark)) => self.tubes.reserve(mark, style),
-                Some(SolidMark::Whole(block, frame)) => self.blocks.push((*block, *frame)),
-                None => self.tubes.reserve_end(),
-            }
-            if self.tubes.bytes() > self.memory {
-                return Err(self.exceeded(LimitName::Memory, self.memory));
+            work.charge(MARK_WORK * units)?;
+            count += marks;
+            if count > options.most {
+                return Err(Diagnostic::limit(LimitName::Mesh, options.most, None).into());
             }
             match mark {
-                Some(SolidMark::Mark(Mark::Segment(segment, tint))) => {
-                    self.tubes.add(&segment, style.colour_of(tint).rgb);
-                }
-                Some(SolidMark::Mark(Mark::Polygon(vertices, tint))) => {
-                    self.tubes.fill(&vertices, style.colour_of(tint).rgb);
-                }
-                Some(SolidMark::Whole(..)) => {}
-                None => {
-                    self.tubes.close();
-                    progress = Progress::Done;
+                SolidMark::Whole(block, frame) => blocks.push((block, frame)),
+                SolidMark::Mark(mark) => {
+                    tubes.reserve(&mark, style);
+                    check_memory(&tubes)?;
+                    match mark {
+                        Mark::Segment(segment, tint) => tubes.add(&segment, style.colour_of(tint).rgb),
+                        Mark::Polygon(vertices, tint) => tubes.fill(&vertices, style.colour_of(tint).rgb),
+                    }
                 }
             }
         }
-        self.spent = self.spent.saturating_add(meter.spent());
-        Ok(progress)
-    }
-
-    /// Frees the mesh, and returns the diagnostic.
-    fn exceeded(&mut self, limit: LimitName, value: u64) -> Diagnostic {
-        self.tubes.clear();
-        Diagnostic::limit(limit, value, None)
-    }
-
-    /// The mesh, when all steps are done; the first one if materials are apart.
-    #[must_use]
-    pub fn finish(self) -> Mesh {
-        self.finish_apart().into_iter().next().map(|(_, mesh)| mesh).unwrap_or_default()
-    }
-
-    /// The meshes by material, in the order of their first strokes, when all steps are done.
-    #[must_use]
-    pub fn finish_apart(self) -> Vec<(Material, Mesh)> {
-        self.tubes.meshes
+        tubes.reserve_end();
+        check_memory(&tubes)?;
+        tubes.close();
+        Ok(Self { least_width: tubes.least_width(), meshes: tubes.meshes, blocks, count })
     }
 }
 

@@ -7,23 +7,33 @@
 //! | 16 | counts of any size ([`lsystem_syntax::MAX_COUNTING`]) |
 //! | 16 | texts, compiled systems, and the piece of the file that waits for the page |
 
+use lsystem_files::FileLimits;
+use lsystem_render::BAND_PIXEL;
 use lsystem_syntax::Limits;
 
-/// The limits of drawings and strings: what the page shows can be saved.
-pub(crate) const LIMITS: Limits = Limits::PAGE;
-/// The limits of a remembered derivation. A string that is read by counts takes at most 16 MiB more.
-pub(crate) const HISTORY: Limits = Limits { memory: 24 << 20, ..LIMITS };
-/// The most segments of a text file: more than any program opens.
-pub(crate) const TEXT_SEGMENTS: u64 = 2_000_000;
+/// The most bytes of a remembered derivation. A string that is read by counts takes at most 16 MiB.
+const HISTORY: u64 = 24 << 20;
 /// The most segments of a mesh or of a projected drawing, and the most strokes and placed blocks of a compact picture.
 /// All are in memory at once, with some hundred bytes each.
-pub(crate) const FEW_SEGMENTS: u64 = 200_000;
+const FEW_SEGMENTS: u64 = 200_000;
 /// The most bytes of a mesh.
-pub(crate) const MESH: u64 = 42 << 20;
-/// The most pixels of a picture that are painted at a time. A pixel takes up to 28 bytes, so a band takes 56 MiB.
-pub(crate) const BAND: u32 = 1 << 21;
-/// The units of work of a step: well under a millisecond.
-pub(crate) const WORK: u64 = 16_384;
+const MESH: u64 = 42 << 20;
+/// The most pixels of a picture that are painted at a time. A band takes up to 48 MiB.
+const BAND: u32 = 1 << 21;
+
+/// The limits of a file: what the page shows can be saved. A text file has at most 2,000,000 segments, more than any
+/// program opens.
+pub(crate) const LIMITS: FileLimits = FileLimits {
+    drawing: Limits::PAGE,
+    drawing_bytes: Limits::PAGE.memory,
+    string: Limits { memory: HISTORY, ..Limits::PAGE },
+    remembers: true,
+    segments: 2_000_000,
+    held: FEW_SEGMENTS,
+    mesh: [FEW_SEGMENTS, MESH],
+    band: BAND,
+};
 
 // The drawing and what is made of it fit into their shares.
-const _: () = assert!(MESH <= LIMITS.memory && HISTORY.memory + (16 << 20) <= LIMITS.memory);
+const _: () = assert!(BAND as u64 * BAND_PIXEL <= Limits::PAGE.memory);
+const _: () = assert!(MESH <= Limits::PAGE.memory && HISTORY + (16 << 20) <= Limits::PAGE.memory);

@@ -1,16 +1,15 @@
 //! Files of systems for JavaScript. The page loads this wasm with the first file that it saves.
 //!
-//! A file is made in steps from a definition, and taken piece by piece, so that the wasm never holds a whole file.
+//! A file is made from a definition by one call, and handed on piece by piece, so that the wasm never holds a whole file.
 
 mod budget;
 mod maker;
-mod stages;
-mod string;
 
-use lsystem_files::{FileOptions, Format, OptionValue};
-use lsystem_render::{PageCamera, PageView};
-use lsystem_syntax::{Definition, Problem, Progress};
-use maker::{FileMaker, Order};
+use js_sys::{Function, Uint8Array};
+use lsystem_files::{FileOptions, FileView, Format, OptionValue, Owner};
+use lsystem_render::{PageCamera, PageView, Vantage};
+use lsystem_syntax::{Definition, Halt, Problem};
+use maker::{Order, Report, make};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
@@ -31,6 +30,8 @@ struct Asked {
     /// Device pixels in a CSS pixel, for pictures of pixels.
     #[serde(default = "one")]
     ratio: f64,
+    /// The number of segments that pictures of pixels show; all if it is missing.
+    upto: Option<u128>,
 }
 
 const fn one() -> f64 {
@@ -39,59 +40,61 @@ const fn one() -> f64 {
 
 /// The report on a finished file.
 #[derive(Serialize)]
-struct ExportReport<'a> {
+struct ExportReport {
     complete: bool,
-    diagnostics: &'a [Problem],
+    diagnostics: Vec<Problem>,
 }
 
-/// A file in the making.
-#[wasm_bindgen]
-pub struct Export(FileMaker);
+/// The bytes of a piece of a file.
+const PIECE: usize = 1 << 20;
 
-#[wasm_bindgen]
-impl Export {
-    /// Begins a file: `{definition, format, options, view, camera, ratio}`.
-    ///
-    /// # Errors
-    /// Throws if there is no such format or option, or if the argument cannot be translated.
-    #[wasm_bindgen(constructor)]
-    pub fn new(asked: JsValue) -> Result<Self, JsValue> {
-        let Asked { definition, format, options, view, camera, ratio } = serde_wasm_bindgen::from_value(asked)?;
-        let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
-        let options = FileOptions::from_values(&options)?;
-        let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into).unwrap_or_default());
-        Ok(Self(FileMaker::new(Order { definition, format, options, view, camera, ratio })))
+/// The page, which takes a file piece by piece.
+struct Page<'a> {
+    tell: &'a Function,
+    /// The bytes that the page has not got yet.
+    piece: Vec<u8>,
+}
+
+impl Page<'_> {
+    fn tell(&self, value: &JsValue) -> Result<(), Halt> {
+        self.tell.call1(&JsValue::UNDEFINED, value).map(drop).map_err(|_| Halt::Stopped)
     }
 
-    /// Works for well under a millisecond. Returns whether the file is at its end.
-    pub fn step(&mut self) -> bool {
-        self.0.step() == Progress::Done
-    }
-
-    /// The number of bytes that can be taken.
-    #[wasm_bindgen(getter)]
-    pub fn waiting(&self) -> usize {
-        self.0.waiting()
-    }
-
-    /// Takes the bytes written since the last call.
-    pub fn take(&mut self) -> Vec<u8> {
-        self.0.take()
-    }
-
-    /// The report at the end: `{complete, diagnostics}`. The file is not complete if a limit was exceeded or the
-    /// definition has errors.
-    ///
-    /// # Errors
-    /// Throws only if the result cannot be translated.
-    pub fn report(&self) -> Result<JsValue, JsValue> {
-        let report = ExportReport { complete: self.0.complete, diagnostics: &self.0.diagnostics };
-        report.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).map_err(JsValue::from)
+    fn hand_on(&mut self) -> Result<(), Halt> {
+        self.tell(&Uint8Array::from(&self.piece[..]))?;
+        self.piece.clear();
+        Ok(())
     }
 }
 
-impl core::fmt::Debug for Export {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Export").finish_non_exhaustive()
+impl Owner for Page<'_> {
+    fn piece(&mut self, bytes: &[u8]) -> Result<(), Halt> {
+        self.piece.extend_from_slice(bytes);
+        if self.piece.len() < PIECE { Ok(()) } else { self.hand_on() }
     }
+
+    fn spent(&mut self, _: u64) -> Result<(), Halt> {
+        self.tell(&JsValue::UNDEFINED)
+    }
+}
+
+/// Makes a file of `{definition, format, options, view, camera, ratio, upto}`. `tell` is called with each piece of the file, a
+/// `Uint8Array` of about 1 MiB, and without a piece at least every millisecond, as a sign of life.
+///
+/// Returns `{complete, diagnostics}`. The file is not complete if a limit was exceeded or the definition has errors.
+///
+/// # Errors
+/// Throws if there is no such format or option, or if the argument cannot be translated.
+#[wasm_bindgen]
+pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
+    let Asked { definition, format, options, view, camera, ratio, upto } = serde_wasm_bindgen::from_value(asked)?;
+    let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
+    let options = FileOptions::from_values(&options)?;
+    let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into).unwrap_or_default());
+    let view = FileView { vantage: Vantage { view, camera }, upto, ratio: Some(ratio), is_described: true };
+    let mut page = Page { tell, piece: vec![] };
+    let Report { complete, diagnostics } = make(&Order { definition, format, options, view }, &mut page);
+    let complete = complete && page.hand_on().is_ok();
+    let report = ExportReport { complete, diagnostics };
+    report.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).map_err(JsValue::from)
 }

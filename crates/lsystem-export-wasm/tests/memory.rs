@@ -2,7 +2,8 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{JSON, Reflect};
-use lsystem_export_wasm::Export;
+use lsystem_export_wasm::make_file;
+use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
 wasm_bindgen_test_configure!(run_in_dedicated_worker);
@@ -10,23 +11,23 @@ wasm_bindgen_test_configure!(run_in_dedicated_worker);
 /// The most bytes of an instance, as ARCHITECTURE.md states.
 const MOST: usize = 256 << 20;
 
+/// The size of pictures of pixels, which are made in several bands.
+const SIZE: &str = "4096x2304";
+
 /// Makes a file of a drawing without shared blocks, with 2^16 segments for each of `count` letters. Returns whether the
 /// file is complete.
 fn make(format: &str, turn: char, count: usize) -> bool {
     let (axiom, first, second) = ("F".repeat(count), format!("F{turn}F"), format!("F[{turn}F]"));
+    let options = if format == "png" { format!(r#""size": "{SIZE}""#) } else { String::new() };
     let asked = format!(
-        r#"{{"format": "{format}", "definition": {{"axiom": "{axiom}", "rules": "F -> {first} : 1\nF -> {second} : 1", "angle": 20, "iterations": 16}}}}"#
+        r#"{{"format": "{format}", "options": {{{options}}}, "definition": {{"axiom": "{axiom}", "rules": "F -> {first} : 1\nF -> {second} : 1", "angle": 20, "iterations": 16}}}}"#
     );
-    let mut file = Export::new(JSON::parse(&asked).unwrap()).unwrap();
-    while !file.step() {
-        if file.waiting() > 1 << 20 {
-            file.take();
-        }
-    }
+    let page = Closure::<dyn Fn(JsValue)>::new(drop::<JsValue>);
+    let report = make_file(JSON::parse(&asked).unwrap(), page.as_ref().unchecked_ref()).unwrap();
     let bytes = core::arch::wasm32::memory_size(0) << 16;
     wasm_bindgen_test::console_log!("{format} of {count} x 2^16 segments: {} MiB", bytes >> 20);
     assert!(bytes <= MOST, "{format} of {count} x 2^16 segments: {} MiB", bytes >> 20);
-    Reflect::get(&file.report().unwrap(), &"complete".into()).unwrap().is_truthy()
+    Reflect::get(&report, &"complete".into()).unwrap().is_truthy()
 }
 
 #[wasm_bindgen_test]
@@ -34,7 +35,7 @@ fn the_largest_files_stay_within_the_limit() {
     for (turn, refused) in [('+', 24), ('&', 6)] {
         let count = (1..=refused).rev().find(|&count| make("csv", turn, count)).unwrap();
         assert!(count < refused, "{count}");
-        for format in ["svg", "txt", "glb"] {
+        for format in ["svg", "txt", "glb", "png"] {
             make(format, turn, count);
         }
         // The largest number of segments in a mesh or a projection.

@@ -2,12 +2,12 @@
 //!
 //! A new format needs a writer in its own file and a row here.
 
-use super::{
-    CsvWriter, FileOptions, PdfWriter, PlotWriter, SvgForm, SvgOptions, SvgWriter, TikzLibraryWriter, TikzWriter,
-    bibtex, latex, markdown, mesh_file,
-};
-use lsystem_drawing::{Drawing, Solid, Space, System};
-use lsystem_syntax::{Definition, Diagnostic, Progress, Style};
+use super::csv::csv_file;
+use super::paper::{write_pdf, write_tikz, write_tikz_library};
+use super::svg::{svg_file, warning};
+use super::{FileOptions, Sink, SvgForm, SvgOptions, bibtex, latex, markdown, mesh_file, write_plot};
+use lsystem_drawing::{Drawing, Solid, System};
+use lsystem_syntax::{Definition, Diagnostic, Halt, Style};
 use std::sync::Arc;
 
 /// An export format: a row of [`FORMATS`].
@@ -24,6 +24,10 @@ pub struct Format {
     pub help: &'static str,
     /// The purposes of the format's files.
     pub purposes: &'static [Purpose],
+    /// Whether the format's files are no text.
+    pub is_binary: bool,
+    /// Whether all parts of a file are in memory before the first one is written.
+    pub is_made_in_memory: bool,
     /// The input of the format's writer.
     pub content: Content,
     /// The names of the choices that the format reads, in the order of [`FILE_OPTIONS`](crate::FILE_OPTIONS).
@@ -83,10 +87,19 @@ impl Purpose {
     }
 }
 
-/// The writer of a file, or the diagnostic for an exceeded limit.
-pub(super) type WriterResult = Result<Box<dyn Writer>, Diagnostic>;
+/// What is worth knowing about a written file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Notes {
+    /// A warning about the file.
+    pub remark: Option<Diagnostic>,
+    /// Facts about the file, as a line of text.
+    pub summary: Option<String>,
+}
 
-/// The input of a file, with the function that makes its writer.
+/// The result of writing a file.
+pub type Written = Result<Notes, Halt>;
+
+/// The input of a file, with the function that writes it. A limit is an error before the first byte.
 #[derive(Clone, Copy, Debug)]
 pub enum Content {
     /// The system, written by [`write_json`](crate::write_json).
@@ -94,20 +107,20 @@ pub enum Content {
     /// The derived string.
     String,
     /// A definition and its system, in another notation.
-    Words(fn(&Definition, &System, &FileOptions) -> WriterResult),
+    Words(fn(&Definition, &System, &FileOptions, &mut Sink<'_>) -> Written),
     /// Pixels, made by a renderer.
     Pixels,
     /// Strokes in the plane. A drawing in space is projected first.
-    Paper(fn(Arc<Drawing>, Style, &FileOptions) -> WriterResult),
+    Paper(fn(Arc<Drawing>, &Style, &FileOptions, &mut Sink<'_>) -> Written),
     /// Segments in the plane or in space. The number is the most segments and vertices of polygons.
     Segments {
-        /// The writer for a drawing in the plane.
-        plane: fn(Arc<Drawing>, u64) -> WriterResult,
-        /// The writer for a drawing in space.
-        space: fn(Arc<Drawing<Solid>>, u64) -> WriterResult,
+        /// Writes a drawing in the plane.
+        plane: fn(&Drawing, u64, &mut Sink<'_>) -> Result<(), Halt>,
+        /// Writes a drawing in space.
+        space: fn(&Drawing<Solid>, u64, &mut Sink<'_>) -> Result<(), Halt>,
     },
     /// A mesh of tubes. A drawing in the plane becomes one in space.
-    Mesh(fn(Arc<Drawing<Solid>>, Style, &FileOptions) -> WriterResult),
+    Mesh(fn(Arc<Drawing<Solid>>, &Style, &FileOptions, &mut Sink<'_>) -> Written),
 }
 
 impl Content {
@@ -126,25 +139,6 @@ impl Content {
     }
 }
 
-/// A writer that makes a file in steps.
-pub trait Writer {
-    /// Appends to the file for about `work` units of work.
-    ///
-    /// # Errors
-    /// If a limit is exceeded.
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic>;
-
-    /// A warning about the file, after all steps are done; `None` if there is none.
-    fn remark(&self) -> Option<Diagnostic> {
-        None
-    }
-
-    /// Facts about the file as a line of text, after all steps are done; `None` if there are none to tell.
-    fn summary(&self) -> Option<String> {
-        None
-    }
-}
-
 /// All formats, in the order of the page's list.
 pub static FORMATS: [Format; 16] = [
     Format {
@@ -154,7 +148,9 @@ pub static FORMATS: [Format; 16] = [
         label: "SVG",
         help: "Picture of strokes",
         purposes: &[Purpose::Screen],
-        content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Flat)),
+        is_binary: false,
+        is_made_in_memory: false,
+        content: Content::Paper(|drawing, style, options, sink| picture(&drawing, style, options, SvgForm::Flat, sink)),
         options: &["transparent", "bare"],
     },
     Format {
@@ -164,7 +160,11 @@ pub static FORMATS: [Format; 16] = [
         label: "Compact SVG",
         help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
         purposes: &[Purpose::Screen],
-        content: Content::Paper(|drawing, style, options| svg(drawing, style, options, SvgForm::Compact)),
+        is_binary: false,
+        is_made_in_memory: true,
+        content: Content::Paper(|drawing, style, options, sink| {
+            picture(&drawing, style, options, SvgForm::Compact, sink)
+        }),
         options: &["transparent", "bare"],
     },
     Format {
@@ -174,7 +174,12 @@ pub static FORMATS: [Format; 16] = [
         label: "Plotter SVG",
         help: "Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel",
         purposes: &[Purpose::Plotter],
-        content: Content::Paper(|drawing, style, options| Ok(Box::new(PlotWriter::new(drawing, style, options)))),
+        is_binary: false,
+        is_made_in_memory: false,
+        content: Content::Paper(|drawing, style, options, sink| {
+            let summary = write_plot(drawing, style, options, sink)?.words(&options.plot);
+            Ok(Notes { summary: Some(summary), ..Notes::default() })
+        }),
         options: &[
             "sheet",
             "portrait",
@@ -196,6 +201,8 @@ pub static FORMATS: [Format; 16] = [
         label: "PNG",
         help: "Picture of pixels",
         purposes: &[Purpose::Screen, Purpose::Print],
+        is_binary: true,
+        is_made_in_memory: false,
         content: Content::Pixels,
         options: &["size", "dpi", "transparent", "bare"],
     },
@@ -206,9 +213,9 @@ pub static FORMATS: [Format; 16] = [
         label: "PDF",
         help: "Page of strokes",
         purposes: &[Purpose::Paper],
-        content: Content::Paper(|drawing, style, options| {
-            PdfWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
-        }),
+        is_binary: true,
+        is_made_in_memory: false,
+        content: Content::Paper(|drawing, style, options, sink| write_pdf(&drawing, style, options, sink)),
         options: &["sheet", "landscape", "margin", "whole-sheet", "bare"],
     },
     Format {
@@ -218,9 +225,9 @@ pub static FORMATS: [Format; 16] = [
         label: "TikZ",
         help: "Picture of strokes for LaTeX",
         purposes: &[Purpose::Paper],
-        content: Content::Paper(|drawing, style, options| {
-            TikzWriter::new(drawing, style, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
-        }),
+        is_binary: false,
+        is_made_in_memory: false,
+        content: Content::Paper(|drawing, style, options, sink| write_tikz(&drawing, style, options, sink)),
         options: &[],
     },
     Format {
@@ -230,9 +237,9 @@ pub static FORMATS: [Format; 16] = [
         label: "TikZ L-system",
         help: "System for TikZ's library lindenmayersystems, which draws simple systems while LaTeX runs",
         purposes: &[Purpose::Paper],
-        content: Content::Words(|definition, system, options| {
-            TikzLibraryWriter::new(definition, system, options).map(|writer| Box::new(writer) as Box<dyn Writer>)
-        }),
+        is_binary: false,
+        is_made_in_memory: false,
+        content: Content::Words(write_tikz_library),
         options: &[],
     },
     Format {
@@ -242,7 +249,9 @@ pub static FORMATS: [Format; 16] = [
         label: "LaTeX",
         help: "System typeset as in books: axiom, productions, constants and angles",
         purposes: &[Purpose::Paper],
-        content: Content::Words(|definition, system, _| text(latex(definition, system))),
+        is_binary: false,
+        is_made_in_memory: false,
+        content: Content::Words(|definition, system, _, sink| words(&latex(definition, system), sink)),
         options: &[],
     },
     Format {
@@ -252,7 +261,9 @@ pub static FORMATS: [Format; 16] = [
         label: "Markdown",
         help: "System as a list: axiom, productions, constants and angles",
         purposes: &[Purpose::Paper],
-        content: Content::Words(|definition, system, _| text(markdown(definition, system))),
+        is_binary: false,
+        is_made_in_memory: false,
+        content: Content::Words(|definition, system, _, sink| words(&markdown(definition, system), sink)),
         options: &[],
     },
     Format {
@@ -262,7 +273,9 @@ pub static FORMATS: [Format; 16] = [
         label: "BibTeX",
         help: "Entries of the system's source and of its picture",
         purposes: &[Purpose::Paper],
-        content: Content::Words(|definition, system, _| text(bibtex(definition, system))),
+        is_binary: false,
+        is_made_in_memory: false,
+        content: Content::Words(|definition, system, _, sink| words(&bibtex(definition, system), sink)),
         options: &[],
     },
     Format {
@@ -272,6 +285,8 @@ pub static FORMATS: [Format; 16] = [
         label: "JSON",
         help: "System, to open again",
         purposes: &[Purpose::Data],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::System,
         options: &[],
     },
@@ -282,6 +297,8 @@ pub static FORMATS: [Format; 16] = [
         label: "Text",
         help: "Derived string",
         purposes: &[Purpose::Data],
+        is_binary: false,
+        is_made_in_memory: false,
         content: Content::String,
         options: &[],
     },
@@ -292,7 +309,9 @@ pub static FORMATS: [Format; 16] = [
         label: "CSV",
         help: "Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour",
         purposes: &[Purpose::Data],
-        content: Content::Segments { plane: csv, space: csv },
+        is_binary: false,
+        is_made_in_memory: false,
+        content: Content::Segments { plane: csv_file, space: csv_file },
         options: &[],
     },
     Format {
@@ -302,6 +321,8 @@ pub static FORMATS: [Format; 16] = [
         label: "OBJ",
         help: "Mesh of coloured tubes, as text",
         purposes: &[Purpose::Mesh],
+        is_binary: false,
+        is_made_in_memory: true,
         content: Content::Mesh(mesh_file::obj),
         options: &["finest"],
     },
@@ -312,6 +333,8 @@ pub static FORMATS: [Format; 16] = [
         label: "glTF",
         help: "Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines",
         purposes: &[Purpose::Mesh],
+        is_binary: true,
+        is_made_in_memory: true,
         content: Content::Mesh(mesh_file::glb),
         options: &["finest"],
     },
@@ -322,6 +345,8 @@ pub static FORMATS: [Format; 16] = [
         label: "STL",
         help: "Mesh of closed tubes and slabs for printers, 100 mm long",
         purposes: &[Purpose::Mesh],
+        is_binary: true,
+        is_made_in_memory: true,
         content: Content::Mesh(mesh_file::stl),
         options: &["finest"],
     },
@@ -332,6 +357,12 @@ impl Format {
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         FORMATS.iter().find(|format| format.name == name)
+    }
+
+    /// Whether the format's files show the drawing.
+    #[must_use]
+    pub fn shows_drawing(&self) -> bool {
+        !matches!(self.content, Content::System | Content::String | Content::Words(_))
     }
 
     /// Whether the format's files are pictures.
@@ -353,79 +384,21 @@ impl PartialEq for Format {
     }
 }
 
-/// Runs a writer to its end, and returns the whole file.
-///
-/// # Errors
-/// As [`Writer::step`].
-pub fn write_all(writer: &mut dyn Writer) -> Result<Vec<u8>, Diagnostic> {
-    let mut file = Vec::new();
-    while writer.step(&mut file, u64::MAX)? == Progress::More {}
-    Ok(file)
+/// Writes a short text: a system has texts of at most 1 MiB.
+fn words(text: &str, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
+    sink.text.push_str(text);
+    Ok(Notes::default())
 }
 
-/// Appends text to a file of bytes.
-pub(super) fn append(
-    file: &mut Vec<u8>,
-    write: impl FnOnce(&mut String) -> Result<Progress, Diagnostic>,
-) -> Result<Progress, Diagnostic> {
-    let mut text = String::new();
-    let progress = write(&mut text)?;
-    // Avoids a second copy of a file that is written in one step.
-    if file.is_empty() {
-        *file = text.into_bytes();
-    } else {
-        file.append(&mut text.into_bytes());
-    }
-    Ok(progress)
-}
-
-/// A short text, written in one step: a system has texts of at most 1 MiB.
-struct TextWriter(Vec<u8>);
-
-fn text(text: String) -> WriterResult {
-    Ok(Box::new(TextWriter(text.into_bytes())))
-}
-
-impl Writer for TextWriter {
-    fn step(&mut self, file: &mut Vec<u8>, _: u64) -> Result<Progress, Diagnostic> {
-        file.append(&mut self.0);
-        Ok(Progress::Done)
-    }
-}
-
-struct SvgFile {
-    writer: SvgWriter,
-    drawing: Arc<Drawing>,
-    style: Style,
-}
-
-fn svg(drawing: Arc<Drawing>, style: Style, options: &FileOptions, form: SvgForm) -> WriterResult {
+fn picture(
+    drawing: &Drawing,
+    style: &Style,
+    options: &FileOptions,
+    form: SvgForm,
+    sink: &mut Sink<'_>,
+) -> Result<Notes, Halt> {
     let FileOptions { title, description, system, most, transparent, .. } = options.clone();
     let options = SvgOptions { title, description, system, most, form, transparent, ..SvgOptions::default() };
-    Ok(Box::new(SvgFile { writer: SvgWriter::new(&drawing, &style, &options)?, drawing, style }))
-}
-
-impl Writer for SvgFile {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        append(file, |text| self.writer.step(&self.drawing, &self.style, text, work))
-    }
-
-    fn remark(&self) -> Option<Diagnostic> {
-        self.writer.warning()
-    }
-}
-
-struct Csv<S: Space> {
-    writer: CsvWriter<S>,
-    drawing: Arc<Drawing<S>>,
-}
-
-fn csv<S: Space + 'static>(drawing: Arc<Drawing<S>>, most: u64) -> WriterResult {
-    Ok(Box::new(Csv { writer: CsvWriter::new(&drawing, most)?, drawing }))
-}
-
-impl<S: Space> Writer for Csv<S> {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        append(file, |text| Ok(self.writer.step(&self.drawing, text, work)))
-    }
+    let instances = svg_file(drawing, style, &options, sink)?;
+    Ok(Notes { remark: warning(instances, style.ink), ..Notes::default() })
 }

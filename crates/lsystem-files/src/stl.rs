@@ -4,9 +4,9 @@
 //! place, and joined corners would give edges with four triangles. So no two corners of the mesh get the same place: the
 //! file is as closed as the mesh.
 
-use crate::Writer;
+use crate::Sink;
 use lsystem_drawing::Mesh;
-use lsystem_syntax::{Diagnostic, Meter, Progress};
+use lsystem_syntax::{Halt, Work};
 use std::collections::HashMap;
 
 /// The longest side of the mesh, in millimetres. STL has no units, and programs read its numbers as millimetres.
@@ -17,91 +17,61 @@ const PLACES: f64 = 10_000.0;
 const HEADER: &[u8; 80] = b"Binary STL, millimetres, z up                                                   ";
 /// The units of work of one triangle.
 const TRIANGLE_WORK: u64 = 8;
+/// The units of work to try a place.
+const PLACE_WORK: u64 = 4;
 
-/// Writes a mesh: each triangle with its normal. The mesh is 100 mm long on its longest side, stands on z = 0, and its y
-/// axis becomes z, as printers have it. Colours are lost.
-#[derive(Debug)]
-pub struct StlWriter {
-    mesh: Mesh,
-    /// The least corner of the mesh, and the millimetres of one model unit.
-    low: [f64; 3],
-    scale: f64,
-    /// The places in use, each with the distance to the next place to try.
-    taken: HashMap<[i32; 3], u32>,
-    /// The corners placed so far.
-    corners: Vec<[i32; 3]>,
-    has_head: bool,
-    /// The number of triangles written.
-    written: usize,
+/// Writes a mesh in the form [`MeshForm::Printed`](lsystem_drawing::MeshForm::Printed): each triangle with its normal.
+/// The mesh is 100 mm long on its longest side, stands on z = 0, and its y axis becomes z, as printers have it. Colours
+/// are lost.
+///
+/// # Errors
+/// If the owner of the sink stops the work.
+pub fn write_stl(mesh: Mesh, sink: &mut Sink<'_>) -> Result<(), Halt> {
+    let places = places(&mesh, sink)?;
+    // Only the triangles are left to write.
+    let triangles = mesh.triangles;
+    sink.bytes(HEADER)?;
+    sink.bytes(&(triangles.len() as u32).to_le_bytes())?;
+    for triangle in triangles {
+        sink.charge(TRIANGLE_WORK)?;
+        let corners = triangle.map(|index| places[index as usize].map(|c| (f64::from(c) / PLACES) as f32));
+        let values = [normal(corners)].into_iter().chain(corners).flatten();
+        let record: Vec<u8> = values.flat_map(f32::to_le_bytes).chain([0, 0]).collect();
+        sink.bytes(&record)?;
+    }
+    Ok(())
 }
 
-impl StlWriter {
-    /// A writer for a mesh in the form [`MeshForm::Printed`](lsystem_drawing::MeshForm::Printed).
-    #[must_use]
-    pub fn new(mesh: Mesh) -> Self {
-        let side = |axis: usize, start: f64, pick: fn(f64, f64) -> f64| {
-            mesh.positions.iter().map(|corner| f64::from(corner[axis])).fold(start, pick)
-        };
-        let low = [0, 1, 2].map(|axis| side(axis, f64::INFINITY, f64::min));
-        let high = [0, 1, 2].map(|axis| side(axis, f64::NEG_INFINITY, f64::max));
-        let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
-        let scale = if longest > 0.0 { LONGEST / longest } else { 1.0 };
-        // The file has neither colours nor normals of corners.
-        let mesh = Mesh { normals: vec![], colours: vec![], ..mesh };
-        Self { mesh, low, scale, taken: HashMap::new(), corners: vec![], has_head: false, written: 0 }
-    }
-
-    /// Gives the next corner a place of its own: the nearest free one to the right. Returns the number of places tried.
-    fn place(&mut self, corner: [f32; 3]) -> u64 {
+/// A place of its own for each corner, z up: the nearest free one to the right.
+fn places(mesh: &Mesh, work: &mut dyn Work) -> Result<Vec<[i32; 3]>, Halt> {
+    let side = |axis: usize, start: f64, pick: fn(f64, f64) -> f64| {
+        mesh.positions.iter().map(|corner| f64::from(corner[axis])).fold(start, pick)
+    };
+    let low = [0, 1, 2].map(|axis| side(axis, f64::INFINITY, f64::min));
+    let high = [0, 1, 2].map(|axis| side(axis, f64::NEG_INFINITY, f64::max));
+    let longest = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+    let scale = if longest > 0.0 { LONGEST / longest } else { 1.0 };
+    // The places in use, each with the distance to the next place to try.
+    let mut taken = HashMap::<[i32; 3], u32>::new();
+    let mut places = vec![];
+    for corner in &mesh.positions {
         let [x, y, z] =
-            [0, 1, 2].map(|axis| libm::round((f64::from(corner[axis]) - self.low[axis]) * self.scale * PLACES) as i32);
+            [0, 1, 2].map(|axis| libm::round((f64::from(corner[axis]) - low[axis]) * scale * PLACES) as i32);
         let first = [x, -z, y];
-        let mut tried = 1;
-        let mut right = self.taken.get(&first).copied().unwrap_or(0);
+        let mut right = taken.get(&first).copied().unwrap_or(0);
         let mut place = [first[0] + right as i32, first[1], first[2]];
-        while self.taken.contains_key(&place) {
-            (right, tried) = (right + 1, tried + 1);
+        work.charge(PLACE_WORK)?;
+        while taken.contains_key(&place) {
+            work.charge(PLACE_WORK)?;
+            right += 1;
             place[0] += 1;
         }
         // Later corners at the same place begin where this search ended.
-        self.taken.insert(first, right + 1);
-        self.taken.entry(place).or_insert(1);
-        self.corners.push(place);
-        tried
+        taken.insert(first, right + 1);
+        taken.entry(place).or_insert(1);
+        places.push(place);
     }
-
-    /// A corner in millimetres, z up.
-    fn corner(&self, index: u32) -> [f32; 3] {
-        self.corners[index as usize].map(|c| (f64::from(c) / PLACES) as f32)
-    }
-}
-
-impl Writer for StlWriter {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        let mut meter = Meter::new(work);
-        if !self.has_head {
-            file.extend(HEADER);
-            file.extend((self.mesh.triangles.len() as u32).to_le_bytes());
-            self.has_head = true;
-        }
-        while !meter.is_spent() {
-            if let Some(&corner) = self.mesh.positions.get(self.corners.len()) {
-                let tried = self.place(corner);
-                meter.charge(4 * tried);
-                continue;
-            }
-            self.taken = HashMap::new();
-            let Some(triangle) = self.mesh.triangles.get(self.written) else { return Ok(Progress::Done) };
-            let corners = triangle.map(|index| self.corner(index));
-            for value in [normal(corners)].iter().chain(&corners).flatten() {
-                file.extend(value.to_le_bytes());
-            }
-            file.extend([0, 0]);
-            self.written += 1;
-            meter.charge(TRIANGLE_WORK);
-        }
-        Ok(Progress::More)
-    }
+    Ok(places)
 }
 
 /// The outward direction of a triangle, of length 1; zero for a triangle without area.
@@ -116,7 +86,7 @@ fn normal(corners: [[f32; 3]; 3]) -> [f32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::write_all;
+    use crate::collect;
     use lsystem_drawing::{Solid, System, draw};
     use lsystem_syntax::{Definition, Limits, Style};
     use std::collections::BTreeMap;
@@ -127,6 +97,10 @@ mod tests {
         let system = System::new(&definition).0.unwrap();
         let drawing = draw::<Solid>(&system, 0, &Limits::default()).unwrap();
         Mesh::for_printing(&drawing, &definition.style, 1_000).unwrap()
+    }
+
+    fn written(mesh: Mesh) -> Vec<u8> {
+        collect(|sink| write_stl(mesh, sink)).unwrap().0
     }
 
     /// The triangles of a file, corner by corner as bits.
@@ -146,7 +120,7 @@ mod tests {
             // Leaves at the same place, a leaf that touches itself, and one with a spike.
             "{f+f+f+f}+{f+f+f}{f-f-f-f+f+f+f+f}{f+f|f+f}",
         ] {
-            let file = write_all(&mut StlWriter::new(mesh(axiom))).unwrap();
+            let file = written(mesh(axiom));
             let mut edges = BTreeMap::<_, [u32; 2]>::new();
             for [a, b, c] in triangles(&file) {
                 for (from, to) in [(a, b), (b, c), (c, a)] {
@@ -155,17 +129,14 @@ mod tests {
             }
             assert!(edges.len() > 50 && edges.values().all(|&count| count == [1, 1]), "{axiom}");
         }
-        let (mut small, mut pieces) = (StlWriter::new(mesh("F'F")), vec![]);
-        while small.step(&mut pieces, 1).unwrap() == Progress::More {}
-        assert!(pieces == write_all(&mut StlWriter::new(mesh("F'F"))).unwrap());
     }
 
     #[test]
     fn a_print_stands_on_the_ground() {
-        let file = write_all(&mut StlWriter::new(mesh("FFF"))).unwrap();
+        let file = written(mesh("FFF"));
         let heights: Vec<f32> = triangles(&file).iter().flatten().map(|corner| f32::from_bits(corner[2])).collect();
         let [low, high] = [heights.iter().copied().fold(9.0, f32::min), heights.iter().copied().fold(0.0, f32::max)];
         assert_eq!([low, high], [0.0, 100.0]);
-        assert_eq!(write_all(&mut StlWriter::new(Mesh::default())).unwrap().len(), 84);
+        assert_eq!(written(Mesh::default()).len(), 84);
     }
 }

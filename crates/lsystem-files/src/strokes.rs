@@ -1,10 +1,47 @@
-//! The looks of strokes in files.
+//! Strokes and polygons in files, and their looks.
 
-use lsystem_drawing::StyleChange;
-use lsystem_syntax::{Style, Tint};
+use lsystem_drawing::{Drawing, Mark, StyleChange};
+use lsystem_syntax::{Halt, Style, Tint, Work};
 
 /// The most segments of one path. Longer paths take browsers disproportionately long.
 pub(super) const PATH: usize = 10_000;
+/// The units of work to write a vertex of a polygon.
+pub(super) const VERTEX_WORK: u64 = 4;
+
+/// A file of strokes and polygons, in the units of the file, y up.
+pub(super) trait StrokeFile: Work {
+    /// Writes a stroke.
+    fn stroke(&mut self, from: [f64; 2], to: [f64; 2], look: StrokeLook);
+    /// Writes a filled polygon.
+    fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, rgb: [u8; 3]) -> Result<(), Halt>;
+    /// Ends the open path, if any, so that other elements can follow.
+    fn close(&mut self);
+}
+
+/// Writes all strokes and polygons of a drawing in drawing order. `place` turns points and `look` turns stroke widths
+/// from model units to the units of the file.
+pub(super) fn write_marks(
+    drawing: &Drawing,
+    style: &Style,
+    place: impl Fn([f64; 2]) -> [f64; 2],
+    look: impl Fn(Tint, f64) -> StrokeLook,
+    file: &mut impl StrokeFile,
+) -> Result<(), Halt> {
+    for mark in drawing.marks() {
+        match mark {
+            Mark::Segment(segment, tint) => {
+                file.charge(8)?;
+                file.stroke(place(segment.from), place(segment.to), look(tint, segment.width));
+            }
+            Mark::Polygon(vertices, tint) => {
+                file.charge(8 + vertices.len() as u64 / 8)?;
+                file.fill(vertices.into_iter().map(&place), style.colour_of(tint).rgb)?;
+            }
+        }
+    }
+    file.close();
+    Ok(())
+}
 
 /// The look of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]

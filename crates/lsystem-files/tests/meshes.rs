@@ -2,9 +2,8 @@
 
 use lsystem_drawing::rotation::{Axis, Rotation};
 use lsystem_drawing::{Drawing, Mark, Mesh, Solid, System, draw};
-use lsystem_files::{Content, Writer};
-use lsystem_files::{FileOptions, Format, GlbWriter, StlWriter, read_json, write_all, write_glb};
-use lsystem_syntax::{Definition, Heading, Kind, LimitName, Limits, MAX_MESH_COPIES, Progress, Style};
+use lsystem_files::{Content, FileOptions, Format, collect, read_json, write_glb, write_stl};
+use lsystem_syntax::{Definition, Diagnostic, Heading, Kind, LimitName, Limits, MAX_MESH_COPIES, Meter, Style};
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -72,7 +71,7 @@ fn every_print_is_closed() {
             let definition = definition(&path);
             let drawing = deepest(&definition, 1_000);
             let mesh = Mesh::for_printing(&drawing, &definition.style, u64::MAX).unwrap();
-            let edges = edges(&write_all(&mut StlWriter::new(mesh)).unwrap());
+            let edges = edges(&collect::<Vec<u8>, _>(|sink| write_stl(mesh, sink)).unwrap().0);
             // One triangle on each side, and the two go along the edge in opposite directions.
             let wrong = edges.values().filter(|&&count| count != [1, 1]).count();
             assert_eq!(wrong, 0, "{} of {} edges: {}", wrong, edges.len(), path.display());
@@ -298,35 +297,18 @@ fn deep_scenes_are_small() {
     assert!(eleven < 2 * ten && eleven < 6_000_000, "{ten} {eleven}");
 }
 
-#[test]
-fn small_steps_give_the_same_scene() {
-    let definition = tree();
-    let drawing = drawing(&definition, 7);
-    let mut writer = GlbWriter::new(&drawing, &definition.style, u64::MAX, u64::MAX, "").unwrap();
-    let (mut pieces, mut steps) = (vec![], 0);
-    while writer.step(&drawing, &definition.style, &mut pieces, 1000).unwrap() == Progress::More {
-        steps += 1;
-    }
-    assert!(steps > 10, "{steps}");
-    assert!(pieces == write_glb(&drawing, &definition.style, u64::MAX, "").unwrap());
+/// A file of a mesh.
+fn written(format: &str, drawing: Arc<Drawing<Solid>>, options: &FileOptions) -> Result<Vec<u8>, Diagnostic> {
+    let Content::Mesh(write) = Format::named(format).unwrap().content else { panic!("{format} is a mesh") };
+    collect(|sink| write(drawing, &tree().style, options, sink)).map(|(file, _)| file)
 }
 
 #[test]
 fn limits_are_told() {
     let definition = tree();
     let kind = |n: u32, most: u64, memory: u64| {
-        let drawing = drawing(&definition, n);
-        let mut writer = match GlbWriter::new(&drawing, &definition.style, most, memory, "") {
-            Ok(writer) => writer,
-            Err(error) => return error.kind,
-        };
-        loop {
-            match writer.step(&drawing, &definition.style, &mut vec![], u64::MAX) {
-                Ok(Progress::More) => {}
-                Ok(Progress::Done) => panic!("no limit"),
-                Err(error) => return error.kind,
-            }
-        }
+        let options = FileOptions { most, memory, ..FileOptions::default() };
+        written("glb", drawing(&definition, n), &options).unwrap_err().kind
     };
     let limit =
         |kind: Kind| if let Kind::Limit { limit, value, .. } = kind { (limit, value) } else { panic!("{kind:?}") };
@@ -340,7 +322,7 @@ fn limits_are_told() {
 fn fine_parts_become_one_tube_each() {
     let definition = tree();
     let whole = drawing(&definition, 9);
-    let simple = whole.simplified(0.1, u64::MAX).unwrap();
+    let simple = whole.simplified(0.1, u64::MAX, &mut Meter::new(0)).unwrap();
     let [before, after] = [&whole, &simple].map(Drawing::segment_count);
     assert!(after > 10 && 3 * after < before, "{before} {after}");
     let [low, high] = whole.bounds().unwrap();
@@ -350,24 +332,23 @@ fn fine_parts_become_one_tube_each() {
     let [(whole_points, _), (simple_points, _)] = [points(&whole), points(&simple)];
     assert!(near(&simple_points, &whole_points, distance) && near(&whole_points, &simple_points, distance));
     // Nothing is fine where nothing is smaller than 0.
-    let same = whole.simplified(0.0, u64::MAX).unwrap();
+    let same = whole.simplified(0.0, u64::MAX, &mut Meter::new(0)).unwrap();
     assert!(same.segments().eq(whole.segments()) && same.polygon_count() == whole.polygon_count());
-    assert!(matches!(whole.simplified(0.0, 1000).unwrap_err().kind, Kind::Limit { limit: LimitName::Memory, .. }));
+    let error = whole.simplified(0.0, 1000, &mut Meter::new(0)).unwrap_err().diagnostic();
+    assert!(matches!(error.kind, Kind::Limit { limit: LimitName::Memory, .. }));
 }
 
 #[test]
 fn a_drawing_of_any_depth_has_a_simple_mesh() {
     let definition = tree();
     for format in ["glb", "stl", "obj"] {
-        let Content::Mesh(begin) = Format::named(format).unwrap().content else { panic!("{format} is a mesh") };
         let options = FileOptions { finest: 0.1, most: 50_000, ..FileOptions::default() };
-        let mut writer: Box<dyn Writer> = begin(drawing(&definition, 40), definition.style.clone(), &options).unwrap();
-        let file = write_all(&mut *writer).unwrap();
+        let file = written(format, drawing(&definition, 40), &options).unwrap();
         assert!(file.len() > 10_000, "{format}: {}", file.len());
         if format == "stl" {
             assert!(edges(&file).values().all(|&count| count == [1, 1]));
         }
-        let begun = begin(drawing(&definition, 40), definition.style.clone(), &FileOptions::default());
-        assert!(begun.is_err_and(|error| matches!(error.kind, Kind::Limit { .. })));
+        let refused = written(format, drawing(&definition, 40), &FileOptions::default());
+        assert!(refused.is_err_and(|error| matches!(error.kind, Kind::Limit { .. })));
     }
 }

@@ -1,8 +1,10 @@
 //! Files for pen plotters, against plain geometry.
 
 use lsystem_drawing::{Drawing, Mark, Plane, System, draw};
-use lsystem_files::{Corner, FileOptions, PlotOptions, PlotSummary, PlotWriter, Sheet, read_json, read_segments};
-use lsystem_syntax::{Definition, Kind, LimitName, Limits, Progress};
+use lsystem_files::{
+    Corner, FileOptions, Owner, PlotOptions, PlotSummary, Sheet, Sink, collect, read_json, read_segments, write_plot,
+};
+use lsystem_syntax::{Definition, Halt, Kind, LimitName, Limits, Meter};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -44,11 +46,8 @@ fn options(sheet: Sheet, pen: f64) -> FileOptions {
     FileOptions { sheet, plot: PlotOptions { pen, ..PlotOptions::default() }, ..FileOptions::default() }
 }
 
-fn plot(drawing: &Arc<Drawing>, definition: &Definition, options: &FileOptions, work: u64) -> (String, PlotSummary) {
-    let mut writer = PlotWriter::new(drawing.clone(), definition.style.clone(), options);
-    let mut text = String::new();
-    while writer.step_text(&mut text, work).unwrap() == Progress::More {}
-    (text, writer.summary())
+fn plot(drawing: &Arc<Drawing>, definition: &Definition, options: &FileOptions) -> (String, PlotSummary) {
+    collect(|sink| write_plot(drawing.clone(), &definition.style, options, sink)).unwrap()
 }
 
 /// The polylines of a file, layer by layer.
@@ -163,7 +162,7 @@ fn all_ink_is_drawn_once_and_nothing_else() {
     for name in SYSTEMS {
         let definition = definition(name);
         let drawing = deepest(&definition, 2000);
-        let (text, summary) = plot(&drawing, &definition, &options(Sheet::named("a2").unwrap(), 0.05), u64::MAX);
+        let (text, summary) = plot(&drawing, &definition, &options(Sheet::named("a2").unwrap(), 0.05));
         let ink = Ink::of(&drawing, &definition, summary.sheet, 10.0);
         assert!((summary.down - ink.length()).abs() < 1e-4 * ink.length(), "{name} {summary:?} {}", ink.length());
         let layers = polylines(&text);
@@ -200,7 +199,7 @@ fn a_curve_is_one_polyline() {
     for name in ["curves/hilbert", "curves/gosper", "curves/koch-snowflake"] {
         let definition = definition(name);
         let drawing = deepest(&definition, 2000);
-        let (_, summary) = plot(&drawing, &definition, &options(Sheet::default(), 0.05), u64::MAX);
+        let (_, summary) = plot(&drawing, &definition, &options(Sheet::default(), 0.05));
         assert_eq!(summary.polylines, 1, "{name}");
     }
 }
@@ -211,7 +210,7 @@ fn plots_with_parts_smaller_than_the_pen_take_no_more_than_their_ink() {
         let definition = definition(name);
         let drawing = deepest(&definition, 2000);
         for pen in [1.0, 3.0, 10.0] {
-            let (_, summary) = plot(&drawing, &definition, &options(Sheet::named("a5").unwrap(), pen), u64::MAX);
+            let (_, summary) = plot(&drawing, &definition, &options(Sheet::named("a5").unwrap(), pen));
             let ink = Ink::of(&drawing, &definition, summary.sheet, 10.0).length();
             println!("{name} {pen}: {:.0} of {ink:.0} mm, {} polylines", summary.down, summary.polylines);
             assert!(summary.down < ink * (1.0 + 1e-6) && summary.down > 0.0, "{name} {pen} {summary:?} {ink}");
@@ -226,7 +225,7 @@ fn forty_steps_are_plotted_like_few() {
         let sheet = Sheet { width: 60.0, height: 60.0, margin: 5.0 };
         let Some(drawing) = drawing(&definition, 40) else { continue };
         let pen = 0.5;
-        let (text, summary) = plot(&drawing, &definition, &options(sheet, pen), 10_000);
+        let (text, summary) = plot(&drawing, &definition, &options(sheet, pen));
         println!("{name}: {summary:?}, {} bytes", text.len());
         // Lines a pen's width apart fill the sheet once; a colour takes about twice as much, as lines between spots smaller
         // than the pen do. Gaps of up to four pens in ink are drawn over, so that shorter lines are seldom.
@@ -236,15 +235,36 @@ fn forty_steps_are_plotted_like_few() {
     }
 }
 
+/// An owner who stops the work after so many calls, and checks how much work lies between two.
+struct Patience(u32, u64);
+
+impl Owner for Patience {
+    fn piece(&mut self, _: &[u8]) -> Result<(), Halt> {
+        Ok(())
+    }
+
+    fn spent(&mut self, units: u64) -> Result<(), Halt> {
+        assert!(units <= (1 << 14) + Meter::PIECE, "{units}");
+        self.1 += 1;
+        self.0 = self.0.checked_sub(1).ok_or(Halt::Stopped)?;
+        Ok(())
+    }
+}
+
 #[test]
-fn files_do_not_depend_on_the_steps() {
-    for name in ["curves/penrose", "abop/1.24f"] {
-        let definition = definition(name);
-        let drawing = deepest(&definition, 2000);
-        let options = options(Sheet::default(), 0.3);
-        let all = plot(&drawing, &definition, &options, u64::MAX);
-        assert_eq!(plot(&drawing, &definition, &options, 30), all);
-        assert_eq!(plot(&drawing, &definition, &options, 1000), all);
+fn plots_can_be_stopped_at_any_time() {
+    let definition = definition("curves/penrose");
+    let drawing = deepest(&definition, 2000);
+    let options = options(Sheet::default(), 0.3);
+    let calls = |patience: u32| {
+        let mut owner = Patience(patience, 0);
+        let result = Sink::to(&mut owner, |sink| write_plot(drawing.clone(), &definition.style, &options, sink));
+        (result.is_ok(), owner.1)
+    };
+    let (is_done, all) = calls(u32::MAX);
+    assert!(is_done && all > 2, "{all}");
+    for patience in 0..all {
+        assert_eq!(calls(patience as u32), (false, patience + 1));
     }
 }
 
@@ -265,7 +285,7 @@ fn numbers_out_of_range_are_bounded() {
             turns: true,
         };
         let file = FileOptions { sheet, plot: plot_options, ..FileOptions::default() };
-        let (text, summary) = plot(&drawing, &definition, &file, u64::MAX);
+        let (text, summary) = plot(&drawing, &definition, &file);
         assert!(text.ends_with("</svg>\n") && summary.seconds.is_finite() && summary.travel.is_finite(), "{bad}");
     }
     let mut wide = definition.clone();
@@ -273,7 +293,7 @@ fn numbers_out_of_range_are_bounded() {
     let drawing = deepest(&wide, 2000);
     let mut file = options(Sheet::default(), 0.3);
     file.plot.hatch = true;
-    assert!(plot(&drawing, &wide, &file, u64::MAX).0.ends_with("</svg>\n"));
+    assert!(plot(&drawing, &wide, &file).0.ends_with("</svg>\n"));
 }
 
 #[test]
@@ -281,14 +301,9 @@ fn limits_name_themselves() {
     let definition = definition("curves/hilbert");
     let file = FileOptions { most: 1000, ..options(Sheet::default(), 0.3) };
     let drawing = drawing(&definition, 40).unwrap();
-    let mut writer = PlotWriter::new(drawing, definition.style, &file);
     let mut text = String::new();
-    let error = loop {
-        match writer.step_text(&mut text, 1000) {
-            Ok(progress) => assert_eq!(progress, Progress::More),
-            Err(error) => break error,
-        }
-    };
+    let halt = Sink::to(&mut text, |sink| write_plot(drawing, &definition.style, &file, sink)).unwrap_err();
+    let error = halt.diagnostic();
     assert!(matches!(error.kind, Kind::Limit { limit: LimitName::PlotStrokes, value: 1000, .. }));
     assert!(text.is_empty());
 }
@@ -297,10 +312,10 @@ fn limits_name_themselves() {
 fn polygons_and_broad_strokes_are_hatched() {
     let mut definition = Definition { axiom: "{F+F+F+F}".into(), angle: 90.0, ..Definition::default() };
     let mut file = options(Sheet { width: 120.0, height: 120.0, margin: 10.0 }, 0.5);
-    let outline = plot(&drawing(&definition, 0).unwrap(), &definition, &file, u64::MAX).1;
+    let outline = plot(&drawing(&definition, 0).unwrap(), &definition, &file).1;
     assert!((outline.down - 400.0).abs() < 1e-6, "{outline:?}");
     file.plot.hatch = true;
-    let (text, hatched) = plot(&drawing(&definition, 0).unwrap(), &definition, &file, u64::MAX);
+    let (text, hatched) = plot(&drawing(&definition, 0).unwrap(), &definition, &file);
     // The area, over the distance of the lines.
     assert!((hatched.down - 400.0 - 100.0 * 100.0 / 0.5).abs() < 200.0, "{hatched:?}");
     let read = read_segments(&text, 100_000).unwrap().unwrap();
@@ -308,7 +323,7 @@ fn polygons_and_broad_strokes_are_hatched() {
 
     definition.axiom = "F".into();
     definition.style.width = 0.5;
-    let (text, broad) = plot(&drawing(&definition, 0).unwrap(), &definition, &file, u64::MAX);
+    let (text, broad) = plot(&drawing(&definition, 0).unwrap(), &definition, &file);
     assert_eq!(broad.polylines, 1, "{text}");
     let area = broad.down * 0.5;
     let [width, height] = [0, 1].map(|axis| {
@@ -323,12 +338,12 @@ fn short_lines_are_left_out_and_pens_start_in_their_corner() {
     let definition = definition("abop/1.24f");
     let drawing = deepest(&definition, 2000);
     let mut file = options(Sheet::default(), 0.05);
-    let all = plot(&drawing, &definition, &file, u64::MAX);
+    let all = plot(&drawing, &definition, &file);
     file.plot.least = 10.0;
-    let few = plot(&drawing, &definition, &file, u64::MAX);
+    let few = plot(&drawing, &definition, &file);
     assert!(few.1.polylines < all.1.polylines && few.1.down < all.1.down);
     assert!(polylines(&few.0).iter().flatten().all(|points| length(points) > 9.99));
     file.plot.start = Corner::BottomLeft;
-    let corner = plot(&drawing, &definition, &file, u64::MAX);
+    let corner = plot(&drawing, &definition, &file);
     assert!(corner.0 != few.0 && corner.1.down == few.1.down);
 }

@@ -2,10 +2,9 @@
 
 use crate::{from_js, to_js, words};
 use lsystem_film::{
-    Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, camera_of_segment, middle_segment, palette_samples,
-    view_of_segment,
+    Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, middle_segment, palette_samples, vantage_of_segment,
 };
-use lsystem_render::{Camera, Detail, PageCamera, PageView};
+use lsystem_render::{Camera, Detail, PageCamera, PageView, Vantage};
 use lsystem_syntax::{Definition, Diagnostic, Progress};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -52,7 +51,7 @@ impl FilmPlayer {
         let view = from_js::<Option<PageView>>(view)?.map(Into::into).unwrap_or_default();
         let camera = from_js::<Option<PageCamera>>(camera)?.map(Into::into).unwrap_or_default();
         let script: Script = text.parse().map_err(words)?;
-        let film = Film::new(script, definition, view, camera).map_err(words)?;
+        let film = Film::new(script, definition, Vantage { view, camera }).map_err(words)?;
         Ok(Self { film, painter: Painter::new(LIMITS), gif: Gif::None })
     }
 
@@ -99,16 +98,16 @@ impl FilmPlayer {
     /// Throws only if the result cannot be translated.
     #[wasm_bindgen(js_name = placeOfSegment)]
     pub fn place_of_segment(&self, number: Option<u128>) -> Result<JsValue, JsValue> {
-        if let Some(drawing) = self.painter.drawing() {
-            let view = view_of_segment(drawing, number.unwrap_or(middle_segment(drawing.segment_count())));
-            return to_js(&view.map(|view| vec![view.x, view.y, view.zoom, view.fine[0], view.fine[1]]));
-        }
-        let Some(drawing) = self.painter.solid() else { return Ok(JsValue::NULL) };
-        let from = self.film.frame(0).camera;
-        let camera = camera_of_segment(drawing, number.unwrap_or(middle_segment(drawing.segment_count())), &from);
-        let numbers =
-            |Camera { azimuth, elevation, zoom, target: [x, y, z], .. }| vec![azimuth, elevation, zoom, x, y, z];
-        to_js(&camera.map(numbers))
+        let place = self.painter.figure().and_then(|figure| {
+            let number = number.unwrap_or(middle_segment(figure.segment_count()));
+            let Vantage { view, camera } = vantage_of_segment(figure, number, &self.film.frame(0).vantage)?;
+            let Camera { azimuth, elevation, zoom, target: [x, y, z], .. } = camera;
+            Some(match figure.is_solid() {
+                true => vec![azimuth, elevation, zoom, x, y, z],
+                false => vec![view.x, view.y, view.zoom, view.fine[0], view.fine[1]],
+            })
+        });
+        to_js(&place)
     }
 
     /// The frames to count before the first one is added to a GIF: `{numbers, width, height}`.

@@ -3,7 +3,7 @@
 use crate::track::view_of;
 use crate::{FilmError, Script, Subject};
 use core::ops::Range;
-use lsystem_render::{Camera, View};
+use lsystem_render::{Camera, Vantage};
 use lsystem_syntax::number::number as written;
 use lsystem_syntax::{Definition, classify};
 
@@ -12,8 +12,7 @@ use lsystem_syntax::{Definition, classify};
 pub struct Film {
     script: Script,
     definition: Definition,
-    view: View,
-    camera: Camera,
+    vantage: Vantage,
     /// By constant of the rules that a track changes: the track, and the span of the constant's value in the rules.
     /// In the order of the text.
     constants: Vec<(usize, Range<usize>)>,
@@ -24,20 +23,18 @@ pub struct Film {
 pub struct Frame {
     /// The system.
     pub definition: Definition,
-    /// The view of a drawing in the plane.
-    pub view: View,
-    /// The view of a drawing in space.
-    pub camera: Camera,
+    /// The place from which the drawing is seen.
+    pub vantage: Vantage,
     /// The part of the segments that is shown, 0 to 1.
     pub drawn: f64,
 }
 
 impl Film {
-    /// A film of a system that begins with a view.
+    /// A film of a system that is first seen from `vantage`.
     ///
     /// # Errors
     /// A track of a constant that the rules do not have.
-    pub fn new(script: Script, definition: Definition, view: View, camera: Camera) -> Result<Self, FilmError> {
+    pub fn new(script: Script, definition: Definition, vantage: Vantage) -> Result<Self, FilmError> {
         let mut constants = Vec::new();
         for (at, track) in script.tracks.iter().enumerate() {
             let Subject::Constant(name) = &track.subject else { continue };
@@ -50,7 +47,7 @@ impl Film {
             constants.push((at, place.span));
         }
         constants.sort_by_key(|(_, span)| span.start);
-        Ok(Self { script, definition, view, camera, constants })
+        Ok(Self { script, definition, vantage, constants })
     }
 
     /// A film of the same system with another script.
@@ -58,7 +55,7 @@ impl Film {
     /// # Errors
     /// As [`Film::new`].
     pub fn with(&self, script: Script) -> Result<Self, FilmError> {
-        Self::new(script, self.definition.clone(), self.view, self.camera)
+        Self::new(script, self.definition.clone(), self.vantage)
     }
 
     /// The film's script.
@@ -82,15 +79,15 @@ impl Film {
     /// What the film shows at a time, in seconds.
     #[must_use]
     pub fn frame_at(&self, time: f64) -> Frame {
-        let Self { script, definition, view, camera, .. } = self;
-        let mut frame = Frame { definition: definition.clone(), view: *view, camera: *camera, drawn: 1.0 };
+        let Self { script, definition, vantage, .. } = self;
+        let mut frame = Frame { definition: definition.clone(), vantage: *vantage, drawn: 1.0 };
         for track in &script.tracks {
             let value = track.at(time);
             match (&track.subject, &value[..]) {
                 (Subject::Generation, &[grown]) => grow(&mut frame.definition, grown),
                 (Subject::Drawn, &[drawn]) => frame.drawn = drawn,
-                (Subject::View, value) => frame.view = view_of(value),
-                (Subject::Camera, value) => set_camera(&mut frame.camera, value),
+                (Subject::View, value) => frame.vantage.view = view_of(value),
+                (Subject::Camera, value) => set_camera(&mut frame.vantage.camera, value),
                 (field @ Subject::Field(_), value) => field.set(&mut frame.definition, value),
                 // Constants are replaced together, because each replacement moves the others.
                 _ => {}
@@ -136,7 +133,7 @@ mod tests {
     use super::*;
 
     fn film(script: &str, definition: Definition) -> Film {
-        Film::new(script.parse().unwrap(), definition, View::default(), Camera::default()).unwrap()
+        Film::new(script.parse().unwrap(), definition, Vantage::default()).unwrap()
     }
 
     /// The page's tests have the same values.
@@ -160,7 +157,7 @@ mod tests {
         assert_eq!(end, "a = -1.5\nr = 1\nF(l) -> F(l*r)[+F(l*a)]\n");
         let new = |script: &str, rules: &str| {
             let definition = Definition { rules: rules.into(), ..Definition::default() };
-            Film::new(script.parse().unwrap(), definition, View::default(), Camera::default()).unwrap_err()
+            Film::new(script.parse().unwrap(), definition, Vantage::default()).unwrap_err()
         };
         assert_eq!(new("1;rules.b=0:1", rules), FilmError::NoConstant("b".into()));
         assert_eq!(new("1;rules.b=0:1", "a = 1\nb = 2*a\nF -> F"), FilmError::Computed("b".into()));
@@ -170,7 +167,7 @@ mod tests {
     fn cameras_keep_what_their_keys_leave_out() {
         let film = film("1;camera=0:0,10:360;width=0:0,10:2", Definition::default());
         let frame = film.frame_at(5.0);
-        assert_eq!(frame.camera, Camera { azimuth: 180.0, ..Camera::default() });
+        assert_eq!(frame.vantage.camera, Camera { azimuth: 180.0, ..Camera::default() });
         assert_eq!(frame.definition.style.width, 1.0);
     }
 }

@@ -6,12 +6,12 @@
 //!
 //! ```
 //! use lsystem_film::{Film, Script};
-//! use lsystem_render::{Camera, View};
+//! use lsystem_render::Vantage;
 //! use lsystem_syntax::Definition;
 //!
 //! let script: Script = "1;5s;25fps;640x360;n=0:0,4:6;angle=0:20,5:30~smooth".parse().unwrap();
 //! let fern = Definition { axiom: "F".into(), rules: "F -> F[+F]F[-F]F".into(), ..Definition::default() };
-//! let film = Film::new(script, fern, View::default(), Camera::default()).unwrap();
+//! let film = Film::new(script, fern, Vantage::default()).unwrap();
 //! assert_eq!(film.frames(), 125);
 //! // At 1.8 seconds the third generation has grown to 70 %.
 //! let frame = film.frame(45);
@@ -49,9 +49,7 @@ pub use film::{Film, Frame};
 pub use gif::GifWriter;
 pub use painter::{LIMITS, Painter};
 pub use palette::{Palette, PaletteMaker, Sheet, palette_samples};
-pub use preset::{
-    Preset, camera_of_segment, dive, dive_in_space, growth, middle_segment, turntable, turtle, view_of_segment,
-};
+pub use preset::{Preset, dive, dive_in_space, growth, middle_segment, turntable, turtle, vantage_of_segment};
 pub use script::{Ending, MAX_FRAME_PIXELS, MAX_KEYS, MAX_RATE, MAX_SCRIPT, MAX_SECONDS, MAX_SIDE, MAX_TRACKS, Script};
 pub use subject::Subject;
 pub use track::{Key, Track};

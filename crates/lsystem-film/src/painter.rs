@@ -1,10 +1,9 @@
 //! From frames to pixels.
 
 use crate::Frame;
-use lsystem_drawing::{Drawer, Drawing, Plane, Solid, Space, System};
-use lsystem_render::{Detail, Quality, Renderer, SolidRenderer, Viewport};
+use lsystem_drawing::{Figure, FigureDrawer, System};
+use lsystem_render::{Detail, FigureRenderer, Painted, PictureOptions, Quality, Viewport};
 use lsystem_syntax::{Diagnostic, Limits, Progress};
-use std::sync::Arc;
 
 /// The limits of the drawings of a film: those of the page. They decide which drawings are made, so that they are the
 /// same wherever frames must be.
@@ -13,32 +12,10 @@ pub const LIMITS: Limits = Limits::PAGE;
 /// The length of the longer side, in pixels, at which a stroke's least width is in pixels. Larger pictures scale it.
 const USUAL: f64 = 1024.0;
 
-/// A finished drawing.
-#[derive(Clone)]
-enum Shown {
-    Plane(Arc<Drawing>),
-    Space(Arc<Drawing<Solid>>),
-}
-
-/// A drawing in the making.
-enum Making {
-    Plane(Drawer<Plane>),
-    Space(Drawer<Solid>),
-}
-
-impl Making {
-    fn spent(&self) -> u64 {
-        match self {
-            Self::Plane(drawer) => drawer.spent(),
-            Self::Space(drawer) => drawer.spent(),
-        }
-    }
-}
-
 /// What the painter works on.
 enum Task {
     /// The frame's drawing.
-    Drawing(Box<Making>),
+    Drawing(FigureDrawer),
     /// The frame's pixels.
     Pixels,
     Done,
@@ -51,13 +28,12 @@ enum Task {
 pub struct Painter {
     limits: Limits,
     system: Option<(System, u32)>,
-    shown: Option<Shown>,
+    figure: Option<Figure>,
     task: Task,
     frame: Option<Frame>,
     viewport: Viewport,
     detail: Detail,
-    plane: Renderer,
-    space: SolidRenderer,
+    renderer: FigureRenderer,
     spent: u64,
 }
 
@@ -68,13 +44,12 @@ impl Painter {
         Self {
             limits,
             system: None,
-            shown: None,
+            figure: None,
             task: Task::Done,
             frame: None,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             detail: Detail::Fine,
-            plane: Renderer::new(),
-            space: SolidRenderer::new(),
+            renderer: FigureRenderer::new(),
             spent: 0,
         }
     }
@@ -107,7 +82,7 @@ impl Painter {
             return error.map_or(Ok(()), Err);
         };
         let n = frame.definition.iterations;
-        let is_shown = self.shown.is_some()
+        let is_shown = self.figure.is_some()
             && self.system.as_ref().is_some_and(|(former, steps)| {
                 *steps == n
                     && former.seed == system.seed
@@ -118,21 +93,12 @@ impl Painter {
             self.start();
         } else {
             // The former drawing is dropped first, so that one drawing is in memory at a time.
-            self.forget();
-            self.task = Task::Drawing(Box::new(match system.is_solid() {
-                true => Making::Space(Drawer::<Solid>::new(&system, n, self.limits)),
-                false => Making::Plane(Drawer::new(&system, n, self.limits)),
-            }));
+            self.figure = None;
+            self.renderer = FigureRenderer::new();
+            self.task = Task::Drawing(Figure::drawer(&system, n, self.limits));
         }
         self.system = Some((system, n));
         Ok(())
-    }
-
-    /// Forgets the drawing.
-    fn forget(&mut self) {
-        self.shown = None;
-        self.plane = Renderer::new();
-        self.space = SolidRenderer::new();
     }
 
     /// Goes on with the frame for about `work` units of work.
@@ -141,32 +107,22 @@ impl Painter {
     /// The limit that the frame's drawing exceeds.
     pub fn step(&mut self, work: u64) -> Result<Progress, Diagnostic> {
         match &mut self.task {
-            Task::Drawing(making) => {
-                let before = making.spent();
-                let progress = match &mut **making {
-                    Making::Plane(drawer) => drawer.step(work),
-                    Making::Space(drawer) => drawer.step(work),
-                };
-                self.spent += making.spent() - before;
+            Task::Drawing(drawer) => {
+                let before = drawer.spent();
+                let progress = drawer.step(work);
+                self.spent += drawer.spent() - before;
                 if progress == Progress::Done
-                    && let Task::Drawing(making) = core::mem::replace(&mut self.task, Task::Done)
+                    && let Task::Drawing(drawer) = core::mem::replace(&mut self.task, Task::Done)
                 {
-                    self.shown = Some(match *making {
-                        Making::Plane(drawer) => Shown::Plane(Arc::new(drawer.finish()?)),
-                        Making::Space(drawer) => Shown::Space(Arc::new(drawer.finish()?)),
-                    });
+                    self.figure = Some(drawer.finish()?);
                     self.start();
                 }
             }
             Task::Pixels => {
-                let work = usize::try_from(work).unwrap_or(usize::MAX);
-                let before = self.plane.spent() + self.space.spent();
-                let progress = match self.shown {
-                    Some(Shown::Space(_)) => self.space.step(work),
-                    _ => self.plane.step(work),
-                };
-                self.spent += self.plane.spent() + self.space.spent() - before;
-                if progress == Progress::Done {
+                let before = self.renderer.spent();
+                let painted = self.renderer.step(work);
+                self.spent += self.renderer.spent() - before;
+                if painted != Painted::Nothing {
                     self.task = Task::Done;
                 }
             }
@@ -177,55 +133,39 @@ impl Painter {
 
     /// Starts the pixels of the frame.
     fn start(&mut self) {
-        let (Some(frame), Some(shown)) = (&self.frame, &self.shown) else { return };
-        let style = &frame.definition.style;
-        match shown {
-            Shown::Plane(drawing) => {
-                let upto = first_part(drawing, frame.drawn);
-                self.plane.load(drawing.clone());
-                self.plane.begin_with(style, self.viewport, frame.view, self.detail, upto);
-            }
-            Shown::Space(drawing) => {
-                let upto = first_part(drawing, frame.drawn);
-                let quality = if self.detail == Detail::Fine { Quality::FINEST } else { Quality::MOVING };
-                self.space.load(drawing.clone());
-                self.space.play(upto);
-                self.space.begin(style, self.viewport, &frame.camera, quality);
-            }
-        }
+        let (Some(frame), Some(figure)) = (&self.frame, &self.figure) else { return };
+        self.renderer.load(figure);
+        self.renderer.begin(PictureOptions {
+            style: frame.definition.style.clone(),
+            viewport: self.viewport,
+            vantage: frame.vantage,
+            upto: first_part(figure.segment_count(), frame.drawn),
+            quality: if self.detail == Detail::Fine { Quality::FINEST } else { Quality::MOVING },
+            band: u32::MAX,
+        });
         self.task = Task::Pixels;
     }
 
     /// The pixels of the finished frame: RGBA, 8 bits each, opaque, from the upper left corner row by row.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
-        match self.shown {
-            Some(Shown::Space(_)) => self.space.pixels(),
-            _ => self.plane.pixels(),
-        }
+        self.renderer.pixels()
     }
 
-    /// The drawing of the last frame in the plane.
+    /// The drawing of the last frame.
     #[must_use]
-    pub fn drawing(&self) -> Option<&Drawing> {
-        if let Some(Shown::Plane(drawing)) = &self.shown { Some(drawing) } else { None }
-    }
-
-    /// The drawing of the last frame in space.
-    #[must_use]
-    pub fn solid(&self) -> Option<&Drawing<Solid>> {
-        if let Some(Shown::Space(drawing)) = &self.shown { Some(drawing) } else { None }
+    pub fn figure(&self) -> Option<&Figure> {
+        self.figure.as_ref()
     }
 }
 
-/// The number of segments in the first part of a drawing; `None` for all.
-fn first_part<S: Space>(drawing: &Drawing<S>, part: f64) -> Option<u128> {
+/// The number of segments in the first part of a drawing with `all` segments; `None` for all.
+fn first_part(all: u128, part: f64) -> Option<u128> {
     /// Parts are counted in 2^-53, the resolution of `f64` below 1.
     const BITS: u32 = 53;
     if part >= 1.0 {
         return None;
     }
-    let all = drawing.segment_count();
     let part = libm::round(part.max(0.0) * (1_u64 << BITS) as f64) as u128;
     let (high, low) = (all >> BITS, all & ((1 << BITS) - 1));
     Some((high * part).saturating_add((low * part) >> BITS))
@@ -235,7 +175,7 @@ fn first_part<S: Space>(drawing: &Drawing<S>, part: f64) -> Option<u128> {
 mod tests {
     use super::*;
     use crate::{Film, Script};
-    use lsystem_render::{Camera, View};
+    use lsystem_render::Vantage;
     use lsystem_syntax::Definition;
 
     const SIZE: [u32; 2] = [160, 120];
@@ -247,7 +187,7 @@ mod tests {
 
     fn film(script: &str, definition: Definition) -> Film {
         let script: Script = script.parse().unwrap();
-        Film::new(script, definition, View::default(), Camera::default()).unwrap()
+        Film::new(script, definition, Vantage::default()).unwrap()
     }
 
     fn paint(painter: &mut Painter, film: &Film, number: u32) -> Vec<u8> {
@@ -311,8 +251,10 @@ mod tests {
     fn parts_of_large_drawings_are_exact() {
         let system = System::new(&Definition { axiom: "F".into(), rules: "F -> FFFF".into(), ..Definition::default() });
         let system = system.0.unwrap();
-        let count =
-            |n, part| first_part(&lsystem_drawing::draw::<Plane>(&system, n, &Limits::default()).unwrap(), part);
+        let count = |n, part| {
+            let drawing = Figure::draw(&system, n, &Limits::default()).unwrap();
+            first_part(drawing.segment_count(), part)
+        };
         assert_eq!((count(3, 0.5), count(3, 0.0), count(3, 1.0)), (Some(32), Some(0), None));
         assert_eq!(count(60, 0.75), Some(3 << 118));
     }

@@ -1,8 +1,8 @@
 //! Tracks for the usual films.
 
 use crate::{Easing, Key, Script, Subject, Track};
-use lsystem_drawing::{Drawing, Solid};
-use lsystem_render::{Camera, View, fitted_ends, fitted_solid_ends};
+use lsystem_drawing::Figure;
+use lsystem_render::{Camera, Vantage, View, fitted_ends};
 
 /// The part of the time after which growth, the turtle's way and a dive are over, so that the end can be seen.
 const END: f64 = 0.9;
@@ -100,26 +100,25 @@ pub fn middle_segment(segments: u128) -> u128 {
     segments.saturating_sub(1) / 2
 }
 
-/// The view of one segment of a drawing in the plane (0-based); `None` if there are fewer segments.
+/// The vantage before one segment of a figure (0-based), in space from the direction of the camera `from`; `None` if there
+/// are fewer segments.
 #[must_use]
-pub fn view_of_segment(drawing: &Drawing, number: u128) -> Option<View> {
-    let [from, to] = fitted_ends(drawing, number)?;
-    let [across, up] = [0, 1].map(|axis| to[axis] - from[axis] + (to[2 + axis] - from[2 + axis]));
-    let middle = [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) / 2.0);
-    let fine = [0, 1].map(|axis| from[2 + axis] + (to[2 + axis] - from[2 + axis]) / 2.0);
-    let zoom = zoom_to(libm::hypot(across, up), MAX_ZOOM[0]);
-    Some(View { x: middle[0], y: middle[1], zoom, fine })
-}
-
-/// The camera before one segment of a drawing in space (0-based), from the direction of `camera`; `None` if there are
-/// fewer segments.
-#[must_use]
-pub fn camera_of_segment(drawing: &Drawing<Solid>, number: u128, camera: &Camera) -> Option<Camera> {
-    let [from, to] = fitted_solid_ends(drawing, number)?;
-    let along = [0, 1, 2].map(|axis| to[axis] - from[axis]);
-    let target = [0, 1, 2].map(|axis| from[axis] + along[axis] / 2.0);
-    let length = libm::sqrt(along.iter().map(|part| part * part).sum());
-    Some(Camera { target, zoom: zoom_to(length, MAX_ZOOM[1]), ..*camera })
+pub fn vantage_of_segment(figure: &Figure, number: u128, from: &Vantage) -> Option<Vantage> {
+    let [start, end] = fitted_ends(figure, number)?;
+    let along: Vec<f64> = start.iter().zip(&end).map(|(start, end)| end - start).collect();
+    let middle: Vec<f64> = start.iter().zip(&along).map(|(start, along)| start + along / 2.0).collect();
+    match (&along[..], &middle[..]) {
+        (&[across, up, fine_across, fine_up], &[x, y, fine_x, fine_y]) => {
+            let zoom = zoom_to(libm::hypot(across + fine_across, up + fine_up), MAX_ZOOM[0]);
+            Some(Vantage { view: View { x, y, zoom, fine: [fine_x, fine_y] }, ..*from })
+        }
+        (_, &[x, y, z]) => {
+            let length = libm::sqrt(along.iter().map(|part| part * part).sum());
+            let camera = Camera { target: [x, y, z], zoom: zoom_to(length, MAX_ZOOM[1]), ..from.camera };
+            Some(Vantage { camera, ..*from })
+        }
+        _ => None,
+    }
 }
 
 /// The zoom at which a length in fitted extents takes its share of the picture.
@@ -140,7 +139,7 @@ fn track(script: &Script, subject: Subject, keys: &[(f64, Vec<f64>)], easing: Ea
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lsystem_drawing::{Plane, System, draw};
+    use lsystem_drawing::System;
     use lsystem_syntax::{Definition, Limits};
 
     #[test]
@@ -167,10 +166,11 @@ mod tests {
     fn a_segment_fills_its_share() {
         let curve =
             Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
-        let drawing = draw::<Plane>(&System::new(&curve).0.unwrap(), 30, &Limits::default()).unwrap();
-        let view = view_of_segment(&drawing, drawing.segment_count() / 3).unwrap();
+        let figure = Figure::draw(&System::new(&curve).0.unwrap(), 30, &Limits::default()).unwrap();
+        let from = Vantage::default();
+        let Vantage { view, .. } = vantage_of_segment(&figure, figure.segment_count() / 3, &from).unwrap();
         // A segment is a 3^30th of the width.
         assert!((view.zoom / (SHARE * libm::pow(3.0, 30.0)) - 1.0).abs() < 1e-6, "{}", view.zoom);
-        assert!(view_of_segment(&drawing, u128::MAX).is_none());
+        assert!(vantage_of_segment(&figure, u128::MAX, &from).is_none());
     }
 }

@@ -15,14 +15,15 @@
 //! ```
 //!
 //! Limits: a text has at most [`MAX_TEXT`] bytes, and at most 100 diagnostics of a text are listed. This crate neither
-//! derives nor draws. It holds [`Limits`], [`Meter`] and [`Progress`] because every later crate counts its work with
-//! them.
+//! derives nor draws. It holds [`Limits`], [`Meter`], [`Progress`] and [`Work`] because every later crate counts its
+//! work with them.
 
 // In the order of the data: limits, definitions, meanings of symbols, readers and printers, diagnostics.
 mod limits;
 mod meter;
 mod progress;
 pub mod sorted;
+mod work;
 
 mod action;
 mod characters;
@@ -80,6 +81,7 @@ pub use problem::{Problem, problems};
 pub use progress::Progress;
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
 pub use value::Value;
+pub use work::{Halt, Work, run_steps};
 
 pub(crate) use diagnostic::Role;
 pub(crate) use limits::MAX_CONTEXT;

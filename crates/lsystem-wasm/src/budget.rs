@@ -3,7 +3,7 @@
 //! | MiB | for |
 //! |---|---|
 //! | 70 | the shown drawing; in space, with its scene |
-//! | 70 | one at a time: the drawing in the making; a picture for a file; a remembered derivation with the counts for reading a string ([`HISTORY`], 24 and 16); a small picture with its drawing ([`SMALL`]) |
+//! | 70 | one at a time: the drawing in the making; a remembered derivation with the counts for reading a string ([`HISTORY`], 24 and 16); a small picture with its drawing ([`SMALL`]) |
 //! | 16 | counts of any size ([`lsystem::syntax::MAX_COUNTING`]) |
 //! | 84 | pictures, plus the rest of the shown drawing's share ([`picture_room`]); also the second scene of a drawing in space that is shown in part |
 //! | 16 | texts, compiled systems and messages |

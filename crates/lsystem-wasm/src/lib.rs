@@ -22,7 +22,7 @@ mod solid;
 mod surface;
 mod viewer;
 
-pub use files::{Picture, read_file, tag_png};
+pub use files::read_file;
 pub use notation::{notation, site_of};
 pub use plain::{Segments, draw, expand};
 pub use playground::Playground;

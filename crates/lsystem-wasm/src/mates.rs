@@ -3,7 +3,7 @@
 
 use crate::playground::Playground;
 use crate::sharing::Sharing;
-use crate::viewer::Realm;
+use lsystem::Figure;
 use lsystem::render::{Pane, Spent};
 use wasm_bindgen::prelude::*;
 
@@ -31,11 +31,10 @@ impl Playground {
         Some(vec![number as f64, x, y, width, height, f64::from(budget)])
     }
 
-    /// Whether there is nothing to do but wait: the picture waits for mates, or a new drawing waits for a file in the
-    /// making.
+    /// Whether there is nothing to do but wait for mates.
     #[wasm_bindgen(getter)]
     pub fn waits(&mut self) -> bool {
-        !self.built() && self.is_saving() || self.shared().is_some_and(|(sharing, _)| sharing.is_waiting())
+        self.shared().is_some_and(|(sharing, _)| sharing.is_waiting())
     }
 
     /// Records that a mate has made a pane; `work` and `poor` as [`Playground::step_pane`]. Returns whether the canvas
@@ -76,18 +75,23 @@ impl Playground {
 impl Playground {
     /// The panes of the shared picture and the picture's budget; `None` if no up-to-date picture is shared.
     fn shared(&mut self) -> Option<(&mut Sharing, f32)> {
-        if self.stale || !self.built() || self.shown != Some(Realm::Space) {
+        if self.stale || !self.built() || !self.is_in_space() {
             return None;
         }
         self.views.solid.sharing()
     }
 
+    fn is_in_space(&self) -> bool {
+        matches!(self.shown, Some(Figure::Space(_)))
+    }
+
     /// Continues the pane; the result is as [`Playground::step_pane`].
     fn continue_pane(&mut self) -> Option<Vec<f64>> {
-        if self.continue_drawing() {
+        if !self.built() {
+            self.build();
             return None;
         }
-        let (Some(settings), Some(Realm::Space), false) = (self.settings(), self.shown, self.refused) else {
+        let (Some(settings), true, false) = (self.settings(), self.is_in_space(), self.refused) else {
             return Some(vec![]);
         };
         let view = &mut self.views.solid;

@@ -2,13 +2,10 @@
 
 use crate::budget::affordable;
 use crate::clock::Clock;
-use crate::report::Report;
 use crate::surface::CanvasSurface;
-use crate::viewer::{Drawn, NOTHING, Only, PictureSettings, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
-use lsystem::Viewport;
-use lsystem::derive::Counter;
-use lsystem::render::{Detail, Pane, Pass, fitted_scale};
-use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, Renderer, System};
+use crate::viewer::{Drawn, Only, PictureSettings, Viewer, WORK};
+use lsystem::render::Detail;
+use lsystem::{Drawing, Progress, Renderer};
 use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
@@ -19,18 +16,9 @@ const PATIENCE: f64 = 8.0;
 /// slowness may have been accidental.
 const SKETCHES: u8 = 4;
 
-/// The most pixels of a band of a picture for a file. A pixel with subsamples takes up to 24 bytes, so a band takes 24
-/// MiB.
-const BAND: u32 = 1 << 20;
-
-/// The side of a cell, in pixels. Panes that begin at multiples of this have the same subsamples as the whole picture.
-const CELL: u32 = 16;
-
 /// A drawing in the plane and its picture.
 pub(crate) struct PlaneView {
-    pub(crate) drawing: Option<Arc<Drawing>>,
-    /// The drawing that is being built.
-    drawer: Option<Box<Drawer>>,
+    drawing: Option<Arc<Drawing>>,
     fine: Renderer,
     /// The renderer of coarse pictures. `None` for small pictures, which use `fine` for both and always start coarse.
     coarse: Option<Renderer>,
@@ -57,7 +45,6 @@ impl Default for PlaneView {
     fn default() -> Self {
         Self {
             drawing: None,
-            drawer: None,
             fine: Renderer::new(),
             coarse: Some(Renderer::new()),
             settings: None,
@@ -69,35 +56,6 @@ impl Default for PlaneView {
 }
 
 impl Viewer for PlaneView {
-    fn start(&mut self, system: &System, n: u32, limits: Limits) {
-        self.drawer = Some(Box::new(Drawer::new(system, n, limits)));
-    }
-
-    fn stop(&mut self) {
-        self.drawer = None;
-    }
-
-    fn build(&mut self) -> Option<Result<(), Diagnostic>> {
-        Some(step_drawer(&mut self.drawer)?.map(|drawing| {
-            self.stage = Stage::Done;
-            self.fine.load(drawing.clone());
-            if let Some(coarse) = &mut self.coarse {
-                coarse.load(drawing.clone());
-            }
-            self.drawing = Some(drawing);
-        }))
-    }
-
-    fn forget(&mut self) {
-        self.drawing = None;
-    }
-
-    fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>) {
-        if let Some(drawing) = &self.drawing {
-            describe_drawing(report, system, n, drawing, drawing.bounds(), counted);
-        }
-    }
-
     fn begin(&mut self, settings: PictureSettings) {
         self.settings = Some(self.within_room(settings));
         if self.sketches > 0 || self.coarse.is_none() {
@@ -109,8 +67,8 @@ impl Viewer for PlaneView {
     }
 
     fn paint(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue> {
-        let (Some(drawing), Some(settings)) = (&self.drawing, &self.settings) else { return Ok(None) };
-        let (viewport, scale) = (settings.viewport, fitted_scale(drawing, settings.screen));
+        let Some(settings) = &self.settings else { return Ok(None) };
+        let &PictureSettings { viewport, scale, .. } = settings;
         match self.stage {
             Stage::Done => Ok(None),
             Stage::Coarse { begun } => {
@@ -155,54 +113,25 @@ impl Viewer for PlaneView {
     fn is_refining(&self) -> bool {
         self.stage == Stage::Fine { sketched: true }
     }
-
-    fn snapshot(&self, settings: PictureSettings) -> Result<Box<dyn Snapshot>, &'static str> {
-        let viewport = settings.viewport.within_limits();
-        let settings = PictureSettings { viewport, ..settings };
-        let mut renderer = Renderer::new();
-        renderer.load(self.drawing.clone().ok_or(NOTHING)?);
-        let rows = (BAND / viewport.width.max(1) / CELL).max(1) * CELL;
-        let bands = [viewport.width, rows];
-        let mut parts = Pass::all(settings.style.ink, viewport, bands);
-        parts.reverse();
-        let mut snapshot = PlaneSnapshot { renderer, settings, parts, part: (Pane::whole(viewport), Pass::Only) };
-        snapshot.next();
-        Ok(Box::new(snapshot))
-    }
-}
-
-/// A picture for a file, made band by band.
-struct PlaneSnapshot {
-    renderer: Renderer,
-    settings: PictureSettings,
-    /// The bands left, the next one last.
-    parts: Vec<(Pane, Pass)>,
-    /// The present band.
-    part: (Pane, Pass),
-}
-
-impl Snapshot for PlaneSnapshot {
-    fn next(&mut self) -> bool {
-        let Some(part) = self.parts.pop() else { return false };
-        self.part = part;
-        let PictureSettings { style, viewport, view, upto, .. } = &self.settings;
-        self.renderer.begin_pane(style, *viewport, *view, *upto, part);
-        true
-    }
-
-    fn step(&mut self) -> Progress {
-        self.renderer.step(WORK)
-    }
-
-    fn band(&self) -> Option<(&[u8], Viewport, Pane)> {
-        let (band, pass) = self.part;
-        pass.shows().then(|| (self.renderer.pixels(), self.settings.viewport, band))
-    }
 }
 
 impl PlaneView {
     pub(crate) fn small() -> Self {
         Self { fine: Renderer::light(), coarse: None, ..Self::default() }
+    }
+
+    /// Takes the drawing of the next pictures.
+    pub(crate) fn load(&mut self, drawing: Arc<Drawing>) {
+        self.stage = Stage::Done;
+        self.fine.load(drawing.clone());
+        if let Some(coarse) = &mut self.coarse {
+            coarse.load(drawing.clone());
+        }
+        self.drawing = Some(drawing);
+    }
+
+    pub(crate) fn forget(&mut self) {
+        *self = if self.coarse.is_some() { Self::default() } else { Self::small() };
     }
 
     /// The settings with as many pixels as fit the memory budget.
@@ -233,6 +162,6 @@ impl PlaneView {
 
 /// Starts a picture.
 fn begin(renderer: &mut Renderer, settings: &PictureSettings, detail: Detail) {
-    let PictureSettings { style, viewport, view, upto, .. } = settings;
-    renderer.begin_with(style, *viewport, *view, detail, *upto);
+    let PictureSettings { style, viewport, vantage, upto, .. } = settings;
+    renderer.begin_with(style, *viewport, vantage.view, detail, *upto);
 }

@@ -4,12 +4,13 @@ use crate::budget::{LIMITS, SMALL};
 use crate::clock::Clock;
 use crate::report::{Report, compile, legend_of, problems};
 use crate::surface::CanvasSurface;
-use crate::viewer::{Drawn, PictureSettings, Realm, Views, WORK};
+use crate::viewer::{Drawn, PictureSettings, Views, WORK};
 use crate::{from_js, to_js};
 use lsystem::derive::Counter;
-use lsystem::drawing::{kind, why_empty};
+use lsystem::drawing::{FigureDrawer, kind, why_empty};
+use lsystem::render::fitted_scale;
 use lsystem::syntax::Kind;
-use lsystem::{Definition, Diagnostic, Limits, Progress, System, View, Viewport};
+use lsystem::{Camera, Definition, Diagnostic, Figure, Limits, Progress, System, Vantage, View, Viewport};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
@@ -26,17 +27,17 @@ pub struct Playground {
     pub(crate) views: Views,
     /// The limits of drawings.
     limits: Limits,
-    /// The space of the drawing that is being built.
-    building: Option<Realm>,
-    /// The space of the shown drawing.
-    pub(crate) shown: Option<Realm>,
+    /// The drawing that is being built.
+    drawer: Option<FigureDrawer>,
+    /// The shown drawing.
+    pub(crate) shown: Option<Figure>,
     pub(crate) report: Report,
     /// The counters of symbols and segments. Long counts continue when there is nothing else to do.
     counters: Option<[Counter; 2]>,
     /// Whether the report has changed since the page got it.
     is_report_new: bool,
     pub(crate) viewport: Viewport,
-    pub(crate) view: View,
+    pub(crate) vantage: Vantage,
     /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
     /// Whether the viewer has not yet begun with the present settings.
@@ -45,8 +46,6 @@ pub struct Playground {
     pub(crate) refused: bool,
     /// The number of mates that help with slow pictures in space.
     pub(crate) mates: u32,
-    /// A reference; every file in the making has another one.
-    pub(crate) files: std::rc::Rc<()>,
     /// On a mate: the pane to begin, and its budget.
     pub(crate) pane: Option<(lsystem::render::Pane, f32)>,
 }
@@ -127,7 +126,7 @@ impl Playground {
                 counter.step(COUNTING);
             });
             self.report_counts();
-            self.start(&system, n);
+            self.drawer = Some(Figure::drawer(&system, n, self.limits));
         }
         self.stale = true;
         self.history = None;
@@ -140,10 +139,31 @@ impl Playground {
     /// fitted one. The centre is the sum of `x`, `y` and the small corrections `fine_x`, `fine_y`.
     #[expect(clippy::too_many_arguments, reason = "an object would have to be read field by field")]
     pub fn view(&mut self, width: u32, height: u32, ratio: f64, x: f64, y: f64, zoom: f64, fine_x: f64, fine_y: f64) {
-        self.view = View { x, y, zoom, fine: [fine_x, fine_y] };
+        self.vantage.view = View { x, y, zoom, fine: [fine_x, fine_y] };
         self.viewport = Viewport { width, height, ratio }.within_limits();
         // Even an equal view gets a new picture.
         self.stale = true;
+    }
+
+    /// Sets the camera of drawings in space, as [`lsystem::Camera`]: angles in degrees, the target relative to the
+    /// fitted centre, in fitted extents.
+    #[expect(clippy::too_many_arguments, reason = "an object would have to be read field by field")]
+    pub fn camera(
+        &mut self,
+        azimuth: f64,
+        elevation: f64,
+        zoom: f64,
+        x: f64,
+        y: f64,
+        z: f64,
+        perspective: bool,
+        fade: f64,
+    ) {
+        let camera = Camera { azimuth, elevation, zoom, target: [x, y, z], perspective, fade };
+        if camera != self.vantage.camera {
+            self.vantage.camera = camera;
+            self.stale = true;
+        }
     }
 
     /// Shows only the first `upto` segments, or all without a number. A new drawing shows all segments.
@@ -157,7 +177,7 @@ impl Playground {
     /// Whether no drawing is being built.
     #[wasm_bindgen(getter)]
     pub fn built(&self) -> bool {
-        self.building.is_none()
+        self.drawer.is_none()
     }
 
     /// Works for about `budget` milliseconds. Returns `{report, drawn: {complete, scale, moving, rough, slow, only}, idle}`;
@@ -166,15 +186,12 @@ impl Playground {
     /// # Errors
     /// Throws if the canvas refuses the picture.
     pub fn step(&mut self, budget: f64) -> Result<JsValue, JsValue> {
-        let refining = !self.stale && self.shown.is_some_and(|realm| self.views.get(realm).is_refining());
+        let refining = !self.stale && self.shown.is_some() && self.views.get().is_refining();
         let end = self.clock.now() + if refining { budget.min(REFINING) } else { budget };
         let mut drawn = None;
         while drawn.is_none() && !self.is_idle() {
-            if let Some(realm) = self.building {
-                if self.is_saving() {
-                    break;
-                }
-                self.build(realm);
+            if !self.built() {
+                self.build();
             } else if !self.is_painting() {
                 self.count();
             } else {
@@ -202,34 +219,23 @@ impl Playground {
             history: None,
             views,
             limits,
-            building: None,
+            drawer: None,
             shown: None,
             report: Report::default(),
             counters: None,
             is_report_new: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
-            view: View::default(),
+            vantage: Vantage::default(),
             upto: None,
             stale: false,
             refused: false,
             mates: 0,
-            files: std::rc::Rc::default(),
             pane: None,
         })
     }
 
     pub(crate) fn shown_iterations(&self) -> u32 {
         self.definition.iterations
-    }
-
-    /// Starts building a drawing.
-    fn start(&mut self, system: &System, n: u32) {
-        if let Some(realm) = self.building.take() {
-            self.views.at(realm).stop();
-        }
-        let realm = Realm::of(system);
-        self.building = Some(realm);
-        self.views.at(realm).start(system, n, self.limits);
     }
 
     fn is_idle(&self) -> bool {
@@ -245,7 +251,9 @@ impl Playground {
         let counter = self.counters.iter_mut().flatten().find(|counter| !counter.is_done());
         if counter.is_some_and(|counter| counter.step(WORK as u64) == Progress::Done) {
             self.report_counts();
-            self.describe();
+            if !self.is_refused() {
+                self.describe();
+            }
             self.is_report_new = true;
         }
     }
@@ -262,10 +270,18 @@ impl Playground {
 
     /// Adds the properties of the shown drawing to the report.
     fn describe(&mut self) {
-        let (Some(realm), Some(system)) = (self.shown, &self.system) else { return };
-        if self.building.is_none() && !self.is_refused() {
-            let counted = self.counters.as_ref().map(|[_, segments]| segments);
-            self.views.at(realm).describe(&mut self.report, system, self.definition.iterations, counted);
+        let (Some(figure), Some(system)) = (&self.shown, &self.system) else { return };
+        let report = &mut self.report;
+        if let Some(symbols) = figure.symbol_count() {
+            report.symbols = Some(symbols.to_string());
+        }
+        report.memoised = Some(figure.is_memoised());
+        report.blocks = Some(figure.block_count());
+        // If the count depends on chance, the drawing is unfolded and has an exact count.
+        let counted = self.counters.as_ref().and_then(|[_, segments]| segments.count()).cloned();
+        if let Some(segments) = counted.or_else(|| figure.exact_segments()) {
+            report.description = figure.describe(system, self.definition.iterations, &segments);
+            report.segments = Some(segments.to_string());
         }
     }
 
@@ -274,53 +290,29 @@ impl Playground {
         self.report.memoised.is_none()
     }
 
-    /// Whether a file is in the making. Meanwhile no drawing is built and no derivation is remembered, because they
-    /// share the file's memory.
-    pub(crate) fn is_saving(&self) -> bool {
-        std::rc::Rc::strong_count(&self.files) > 1
-    }
-
     /// Whether a picture is in the making or must be made.
     fn is_painting(&self) -> bool {
         let visible = self.viewport.width > 0 && self.viewport.height > 0;
-        let Some(realm) = self.shown.filter(|_| visible) else { return false };
-        self.stale || !self.views.get(realm).is_done()
-    }
-
-    /// Continues the drawing that is being built. Returns false if there is none.
-    pub(crate) fn continue_drawing(&mut self) -> bool {
-        self.building.is_some_and(|realm| {
-            self.build(realm);
-            true
-        })
-    }
-
-    /// Records that the picture must be painted again.
-    pub(crate) fn outdate(&mut self) {
-        self.stale = true;
+        visible && self.shown.is_some() && (self.stale || !self.views.get().is_done())
     }
 
     /// Continues the drawing that is being built.
-    fn build(&mut self, realm: Realm) {
-        let Some(outcome) = self.views.at(realm).build() else { return };
-        self.building = None;
-        match outcome {
-            Ok(()) => self.accept(realm),
+    pub(crate) fn build(&mut self) {
+        if self.drawer.as_mut().is_none_or(|drawer| drawer.step(WORK as u64) == Progress::More) {
+            return;
+        }
+        let Some(drawer) = self.drawer.take() else { return };
+        match drawer.finish() {
+            Ok(figure) => {
+                self.refused = false;
+                self.views.load(&figure);
+                self.shown = Some(figure);
+                self.describe();
+            }
             Err(limit) => self.refuse(limit),
         }
         self.is_report_new = true;
         self.stale = true;
-    }
-
-    fn accept(&mut self, realm: Realm) {
-        self.refused = false;
-        if let Some(former) = self.shown.replace(realm).filter(|&former| former != realm) {
-            self.views.at(former).forget();
-        }
-        if let Some(system) = &self.system {
-            let counted = self.counters.as_ref().map(|[_, segments]| segments);
-            self.views.at(realm).describe(&mut self.report, system, self.definition.iterations, counted);
-        }
     }
 
     fn refuse(&mut self, limit: Diagnostic) {
@@ -333,25 +325,24 @@ impl Playground {
 
     /// Continues the picture. Returns the picture on the canvas if it is new.
     fn paint(&mut self) -> Result<Option<Drawn>, JsValue> {
-        let Some(realm) = self.shown else { return Ok(None) };
-        if let Some(settings) = self.settings().filter(|_| self.stale) {
-            self.views.at(realm).begin(settings);
+        if self.stale
+            && let Some(settings) = self.settings()
+        {
+            self.views.get_mut().begin(settings);
             self.stale = false;
         }
-        self.views.at(realm).paint(&self.clock, &self.surface)
+        self.views.get_mut().paint(&self.clock, &self.surface)
     }
 
-    /// The settings of the picture.
+    /// The settings of the picture, if there is a drawing.
     pub(crate) fn settings(&self) -> Option<PictureSettings> {
-        let style = self.system.as_ref()?.style.clone();
-        let mates = if self.refused { 0 } else { self.mates };
         Some(PictureSettings {
-            style,
+            style: self.system.as_ref()?.style.clone(),
             viewport: self.viewport,
-            screen: self.viewport,
-            view: self.view,
+            scale: fitted_scale(self.shown.as_ref()?, self.viewport, &self.vantage),
+            vantage: self.vantage,
             upto: self.upto,
-            mates,
+            mates: if self.refused { 0 } else { self.mates },
         })
     }
 }

@@ -3,15 +3,13 @@
 use crate::budget::HISTORY;
 use crate::playground::Playground;
 use crate::to_js;
-use crate::viewer::{Views, WORK};
+use crate::viewer::WORK;
 use core::ops::Range;
 use lsystem::derive::{Ancestor, History, Word};
-use lsystem::drawing::{Segment, Space, StyleChange, symbol_of_polygon};
-use lsystem::render::{
-    Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon, pick_solid,
-};
+use lsystem::drawing::{Segment, StyleChange};
+use lsystem::render::{Pointer, Target, fitted_ends, fitted_outline, fitted_polygon};
 use lsystem::syntax::print_module;
-use lsystem::{Drawing, Progress, pick};
+use lsystem::{Figure, Progress, pick};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -105,9 +103,6 @@ impl Playground {
         if system.word(generation).is_some() {
             return true;
         }
-        if self.is_saving() {
-            return false;
-        }
         let n = self.shown_iterations();
         if self.history.is_none() {
             self.history = system.history(n, &HISTORY);
@@ -198,7 +193,8 @@ impl Playground {
             GenerationReader::Remembered(history) => history.part(generation, index, later),
         });
         to_js(&part.map(|lsystem::derive::Part { symbols, segments }| {
-            let outline = if later == self.shown_iterations() { self.outline(segments.clone()) } else { vec![] };
+            let shown = self.shown.as_ref().filter(|_| later == self.shown_iterations());
+            let outline = shown.map_or_else(Vec::new, |figure| fitted_outline(figure, segments.clone()));
             Descendants { symbols: ends(symbols), segments: ends(segments), outline }
         }))
     }
@@ -211,20 +207,7 @@ impl Playground {
     /// # Errors
     /// Throws only if the result cannot be translated.
     pub fn segment(&self, number: u128) -> Result<JsValue, JsValue> {
-        let Views { plane, solid, .. } = &self.views;
-        let in_plane = plane.drawing.as_ref().and_then(|drawing| {
-            let heading = |_: &Segment| drawing.heading_at(number).map(Direction::Degrees);
-            stroke(drawing, number, fitted_ends(drawing, number)?, heading)
-        });
-        let in_space = || {
-            let drawing = solid.drawing.as_ref()?;
-            stroke(drawing, number, fitted_solid_ends(drawing, number)?, |Segment { from, to, .. }| {
-                let way = [0, 1, 2].map(|i| to[i] - from[i]);
-                let length = way.map(|c| c * c).iter().sum::<f64>().sqrt();
-                Some(Direction::Vector(way.map(|c| if length > 0.0 { c / length } else { 0.0 })))
-            })
-        };
-        to_js(&in_plane.or_else(in_space))
+        to_js(&self.shown.as_ref().and_then(|figure| segment_facts(figure, number)))
     }
 
     /// Polygon `number` (0-based): `{outline, level, colour}`, or null after the last. The vertices are in the units of
@@ -233,17 +216,9 @@ impl Playground {
     /// # Errors
     /// Throws only if the result cannot be translated.
     pub fn polygon(&self, number: u128) -> Result<JsValue, JsValue> {
-        let Views { plane, solid, .. } = &self.views;
-        let in_plane = plane.drawing.as_ref();
-        let in_plane =
-            in_plane.map(|drawing| (drawing.polygon_style(number), corners(fitted_polygon(drawing, number))));
-        let found = in_plane.or_else(|| {
-            let drawing = solid.drawing.as_ref()?;
-            Some((drawing.polygon_style(number), corners(fitted_solid_polygon(drawing, number))))
-        });
-        to_js(&found.and_then(|(style, outline)| {
-            let StyleChange { level, colour, .. } = style?;
-            Some(PolygonFacts { outline, level, colour: colour.of(0) })
+        to_js(&self.shown.as_ref().and_then(|figure| {
+            let StyleChange { level, colour, .. } = figure.polygon_style(number)?;
+            Some(PolygonFacts { outline: fitted_polygon(figure, number), level, colour: colour.of(0) })
         }))
     }
 
@@ -255,11 +230,7 @@ impl Playground {
     /// Throws only if the result cannot be translated.
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Result<JsValue, JsValue> {
         let pointer = Pointer { at: [x, y], tolerance, upto: self.upto, visits: VISITS };
-        let views = &self.views;
-        let in_plane = views.plane.drawing.as_ref();
-        let in_plane = in_plane.and_then(|drawing| pick(drawing, self.viewport, self.view, &pointer));
-        let found = in_plane
-            .or_else(|| pick_solid(views.solid.drawing.as_ref()?, self.viewport, &views.solid.camera, &pointer));
+        let found = self.shown.as_ref().and_then(|figure| pick(figure, self.viewport, &self.vantage, &pointer));
         let picked = found.map(|pick| {
             let (segment, polygon, symbol) = match pick.target {
                 Target::Segment(number) => (Some(number), None, self.symbol_of_segment(number)),
@@ -295,30 +266,13 @@ impl Playground {
 impl Playground {
     /// The position of the symbol that opens a polygon.
     fn symbol_of_polygon(&self, number: u128) -> Option<String> {
-        let (system, n) = (self.system.as_ref()?, self.shown_iterations());
-        let Views { plane, solid, .. } = &self.views;
-        let symbol = match &plane.drawing {
-            Some(drawing) => symbol_of_polygon(system, n, drawing, number),
-            None => symbol_of_polygon(system, n, solid.drawing.as_ref()?, number),
-        };
-        Some(symbol?.to_string())
+        let symbol = self.shown.as_ref()?.symbol_of_polygon(self.system.as_ref()?, self.shown_iterations(), number)?;
+        Some(symbol.to_string())
     }
 
     fn reader(&self, generation: u32) -> Option<GenerationReader<'_>> {
         let word = self.system.as_ref()?.word(generation).map(GenerationReader::Counted);
         word.or_else(|| self.history.as_ref().map(GenerationReader::Remembered))
-    }
-
-    /// The outline of these segments, as [`Descendants::outline`].
-    fn outline(&self, segments: Range<u128>) -> Vec<Vec<f64>> {
-        let Views { plane, solid, .. } = &self.views;
-        if let Some(drawing) = &plane.drawing {
-            return corners(fitted_outline(drawing, segments));
-        }
-        let single = segments.end.checked_sub(segments.start) == Some(1);
-        let drawing = solid.drawing.as_ref().filter(|_| single);
-        let ends = drawing.and_then(|drawing| fitted_solid_ends(drawing, segments.start));
-        ends.into_iter().flatten().map(Vec::from).collect()
     }
 
     fn link(&self, ancestor: Ancestor) -> AncestryLink {
@@ -333,29 +287,19 @@ impl Playground {
     }
 }
 
-fn stroke<S: Space, const N: usize>(
-    drawing: &Drawing<S>,
-    number: u128,
-    fitted: [[f64; N]; 2],
-    heading: impl FnOnce(&Segment<S>) -> Option<Direction>,
-) -> Option<SegmentFacts> {
-    let segment = drawing.segments_from(number).next()?;
-    let heading = heading(&segment)?;
-    let Segment { from, to, level, colour, .. } = segment;
-    let [fitted_from, fitted_to] = fitted.map(Vec::from);
-    Some(SegmentFacts {
-        from: from.as_ref().into(),
-        to: to.as_ref().into(),
-        fitted_from,
-        fitted_to,
-        heading,
-        level,
-        colour,
-    })
-}
-
-fn corners<const N: usize>(outline: Vec<[f64; N]>) -> Vec<Vec<f64>> {
-    outline.into_iter().map(Vec::from).collect()
+fn segment_facts(figure: &Figure, number: u128) -> Option<SegmentFacts> {
+    let Segment { from, to, level, colour, .. } = figure.segments_from(number).next()?;
+    let [fitted_from, fitted_to] = fitted_ends(figure, number)?;
+    let (heading, dimensions) = match figure {
+        Figure::Plane(drawing) => (Direction::Degrees(drawing.heading_at(number)?), 2),
+        Figure::Space(_) => {
+            let way = [0, 1, 2].map(|i| to[i] - from[i]);
+            let length = way.map(|c| c * c).iter().sum::<f64>().sqrt();
+            (Direction::Vector(way.map(|c| if length > 0.0 { c / length } else { 0.0 })), 3)
+        }
+    };
+    let [from, to] = [from, to].map(|end| end.into_iter().take(dimensions).collect());
+    Some(SegmentFacts { from, to, fitted_from, fitted_to, heading, level, colour })
 }
 
 fn ends(range: Range<u128>) -> [String; 2] {

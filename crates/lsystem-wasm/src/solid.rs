@@ -1,17 +1,14 @@
 //! The viewer of drawings in space. A coarse picture comes first, finer ones follow while the settings stay the same.
 
-use crate::budget::{LIMITS, affordable, halved};
+use crate::budget::{affordable, halved};
 use crate::clock::Clock;
-use crate::playground::Playground;
-use crate::report::Report;
 use crate::sharing::{NextAction, Sharing};
 use crate::surface::CanvasSurface;
-use crate::viewer::{Drawn, NOTHING, Only, PictureSettings, Snapshot, Viewer, WORK, describe_drawing, step_drawer};
-use lsystem::derive::Counter;
-use lsystem::render::{Effort, Pane, Quality, Spent, solid_scale};
-use lsystem::{Camera, Diagnostic, Drawer, Drawing, Limits, Progress, Solid, SolidRenderer, System, Viewport};
+use crate::viewer::{Drawn, Only, PictureSettings, Viewer, WORK};
+use lsystem::render::{Effort, Pane, Quality, Spent};
+use lsystem::{Drawing, Progress, Solid, SolidRenderer, Viewport};
 use std::sync::Arc;
-use wasm_bindgen::prelude::*;
+use wasm_bindgen::JsValue;
 
 /// The wanted time of a moving picture, in milliseconds.
 const TARGET: f64 = 7.5;
@@ -37,11 +34,8 @@ const MOVING_WORK: usize = WORK / 4;
 
 /// A drawing in space and its picture.
 pub(crate) struct SolidView {
-    pub(crate) drawing: Option<Arc<Drawing<Solid>>>,
-    /// The drawing that is being built.
-    drawer: Option<Box<Drawer<Solid>>>,
+    drawing: Option<Arc<Drawing<Solid>>>,
     renderer: SolidRenderer,
-    pub(crate) camera: Camera,
     settings: Option<PictureSettings>,
     /// The quality of the picture in the making.
     quality: Quality,
@@ -73,9 +67,7 @@ impl Default for SolidView {
     fn default() -> Self {
         Self {
             drawing: None,
-            drawer: None,
             renderer: SolidRenderer::new(),
-            camera: Camera::default(),
             settings: None,
             quality: MIDDLE,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
@@ -94,38 +86,6 @@ impl Default for SolidView {
 }
 
 impl Viewer for SolidView {
-    fn start(&mut self, system: &System, n: u32, limits: Limits) {
-        self.drawer = Some(Box::new(Drawer::<Solid>::new(system, n, limits)));
-    }
-
-    fn stop(&mut self) {
-        self.drawer = None;
-    }
-
-    fn build(&mut self) -> Option<Result<(), Diagnostic>> {
-        Some(step_drawer(&mut self.drawer)?.map(|drawing| {
-            self.renderer.load(drawing.clone());
-            // A drawing that grows or changes an angle takes about as long as the previous one.
-            let known = self.drawing.as_ref().map_or(0, |former| former.segment_count());
-            if drawing.segment_count() / LIKE > known {
-                self.pace = self.pace.min(UNKNOWN);
-            }
-            self.drawing = Some(drawing);
-        }))
-    }
-
-    fn forget(&mut self) {
-        self.drawing = None;
-        self.renderer = SolidRenderer::new();
-    }
-
-    fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>) {
-        if let Some(drawing) = &self.drawing {
-            let bounds = drawing.bounds().map(|[low, high]| [low[0], low[1], high[0], high[1]]);
-            describe_drawing(report, system, n, drawing, bounds, counted);
-        }
-    }
-
     fn begin(&mut self, settings: PictureSettings) {
         self.renderer.play(settings.upto);
         self.settings = Some(self.within_room(settings));
@@ -158,7 +118,7 @@ impl Viewer for SolidView {
         }
         let finished = clock.now();
         surface.show(self.renderer.pixels(), self.viewport)?;
-        let scale = solid_scale(drawing, settings.screen, &self.camera);
+        let scale = settings.scale;
         let complete = self.quality == Quality::FINEST;
         let only = if complete { Only::of(self.renderer.pixels(), &settings.style) } else { None };
         let slow = complete && self.spent > SLOW && drawing.is_memoised();
@@ -181,28 +141,6 @@ impl Viewer for SolidView {
     fn is_refining(&self) -> bool {
         !self.done && !self.moving
     }
-
-    fn snapshot(&self, settings: PictureSettings) -> Result<Box<dyn Snapshot>, &'static str> {
-        let drawing = self.drawing.clone().ok_or(NOTHING)?;
-        let settings = PictureSettings { viewport: settings.viewport.within_limits(), ..settings };
-        let panes = SolidRenderer::panes(settings.viewport);
-        let pane = panes.first().map_or(0, |pane| {
-            SolidRenderer::most_bytes(Viewport { width: pane.width, height: pane.height, ..settings.viewport })
-        });
-        if SolidRenderer::scene_bytes(&drawing) + part_bytes(&drawing, &settings) + pane > LIMITS.memory {
-            return Err(
-                "so large a drawing in space leaves too little memory for a picture beside the one that is shown",
-            );
-        }
-        let mut renderer = SolidRenderer::new();
-        renderer.load(drawing);
-        renderer.play(settings.upto);
-        let effort = Effort::new(Quality::BEST, settings.viewport);
-        let spent = Spent::default();
-        let mut snapshot = SolidSnapshot { renderer, settings, camera: self.camera, panes, at: 0, effort, spent };
-        snapshot.begin();
-        Ok(Box::new(snapshot))
-    }
 }
 
 /// The bytes of the second scene, for the first segments alone, if the picture does not show all segments.
@@ -210,52 +148,23 @@ fn part_bytes(drawing: &Drawing<Solid>, settings: &PictureSettings) -> u64 {
     if settings.upto.is_some() { SolidRenderer::scene_bytes(drawing) } else { 0 }
 }
 
-/// A picture for a file, made pane by pane. If the budget was too small, the panes are made again with a larger one.
-struct SolidSnapshot {
-    renderer: SolidRenderer,
-    settings: PictureSettings,
-    camera: Camera,
-    panes: Vec<Pane>,
-    /// The index of the pane in the making.
-    at: usize,
-    effort: Effort,
-    spent: Spent,
-}
-
-impl SolidSnapshot {
-    fn begin(&mut self) {
-        if let Some(pane) = self.panes.get(self.at) {
-            let PictureSettings { style, viewport, .. } = &self.settings;
-            self.renderer.begin_pane(style, *viewport, &self.camera, *pane, self.effort.budget());
-        }
-    }
-}
-
-impl Snapshot for SolidSnapshot {
-    fn next(&mut self) -> bool {
-        self.spent.add(self.renderer.effort_spent());
-        self.at += 1;
-        if self.at >= self.panes.len() {
-            let spent = core::mem::take(&mut self.spent);
-            if !self.effort.is_too_small(spent) {
-                return false;
-            }
-            self.at = 0;
-        }
-        self.begin();
-        true
-    }
-
-    fn step(&mut self) -> Progress {
-        self.renderer.step(WORK)
-    }
-
-    fn band(&self) -> Option<(&[u8], Viewport, Pane)> {
-        Some((self.renderer.pixels(), self.settings.viewport, *self.panes.get(self.at)?))
-    }
-}
-
 impl SolidView {
+    /// Takes the drawing of the next pictures.
+    pub(crate) fn load(&mut self, drawing: Arc<Drawing<Solid>>) {
+        self.renderer.load(drawing.clone());
+        // A drawing that grows or changes an angle takes about as long as the previous one.
+        let known = self.drawing.as_ref().map_or(0, |former| former.segment_count());
+        if drawing.segment_count() / LIKE > known {
+            self.pace = self.pace.min(UNKNOWN);
+        }
+        self.drawing = Some(drawing);
+    }
+
+    pub(crate) fn forget(&mut self) {
+        self.drawing = None;
+        self.renderer = SolidRenderer::new();
+    }
+
     /// The panes of the shared picture and its budget; `None` if the picture is not shared.
     pub(crate) fn sharing(&mut self) -> Option<(&mut Sharing, f32)> {
         self.shared.then_some((&mut self.sharing, self.effort.budget()))
@@ -265,7 +174,7 @@ impl SolidView {
     pub(crate) fn begin_pane(&mut self, settings: PictureSettings, pane: Pane, budget: f32) {
         self.renderer.play(settings.upto);
         let settings = self.within_room(settings);
-        self.renderer.begin_pane(&settings.style, settings.viewport, &self.camera, pane, budget);
+        self.renderer.begin_pane(&settings.style, settings.viewport, &settings.vantage.camera, pane, budget);
     }
 
     /// On a mate: continues the pane. Returns the effort spent when the pane is complete.
@@ -291,16 +200,22 @@ impl SolidView {
         self.quality = quality;
         self.viewport = if self.moving && self.half { halved(settings.viewport) } else { settings.viewport };
         (self.spent, self.hurried) = (0.0, HURRY);
-        self.renderer.begin(&settings.style, self.viewport, &self.camera, quality);
+        self.renderer.begin(&settings.style, self.viewport, &settings.vantage.camera, quality);
     }
 
     /// Continues a picture that is shared with mates.
     fn paint_shared(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue> {
-        let (Some(drawing), Some(settings)) = (&self.drawing, &self.settings) else { return Ok(None) };
+        let Some(settings) = &self.settings else { return Ok(None) };
         let viewport = self.viewport;
         match self.sharing.next_action(clock.now()) {
             NextAction::Begin(pane) => {
-                self.renderer.begin_pane(&settings.style, viewport, &self.camera, pane, self.effort.budget());
+                self.renderer.begin_pane(
+                    &settings.style,
+                    viewport,
+                    &settings.vantage.camera,
+                    pane,
+                    self.effort.budget(),
+                );
             }
             NextAction::Continue => {
                 if self.renderer.step(WORK) == Progress::Done
@@ -313,7 +228,7 @@ impl SolidView {
             NextAction::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(),
             NextAction::Done => {
                 (self.done, self.shared) = (true, false);
-                let scale = solid_scale(drawing, settings.screen, &self.camera);
+                let scale = settings.scale;
                 // A picture of a single colour is too quick to be shared.
                 let only = None;
                 return Ok(Some(Drawn { complete: true, scale, moving: false, rough: false, slow: true, only }));
@@ -350,29 +265,5 @@ fn quality_steps(spent: f64) -> i32 {
         ..1.5 => 0,
         ..2.5 => 1,
         _ => 3,
-    }
-}
-
-#[wasm_bindgen]
-impl Playground {
-    /// Sets the camera of drawings in space, as [`lsystem::Camera`]: angles in degrees, the target relative to the
-    /// fitted centre, in fitted extents.
-    #[expect(clippy::too_many_arguments, reason = "an object would have to be read field by field")]
-    pub fn camera(
-        &mut self,
-        azimuth: f64,
-        elevation: f64,
-        zoom: f64,
-        x: f64,
-        y: f64,
-        z: f64,
-        perspective: bool,
-        fade: f64,
-    ) {
-        let camera = Camera { azimuth, elevation, zoom, target: [x, y, z], perspective, fade };
-        if camera != self.views.solid.camera {
-            self.views.solid.camera = camera;
-            self.outdate();
-        }
     }
 }

@@ -2,15 +2,10 @@
 
 use crate::clock::Clock;
 use crate::plane::PlaneView;
-use crate::report::Report;
 use crate::solid::SolidView;
 use crate::surface::CanvasSurface;
-use lsystem::derive::{Counter, Tally};
-use lsystem::drawing::{Space, describe};
-use lsystem::render::Pane;
-use lsystem::{Diagnostic, Drawer, Drawing, Limits, Progress, Style, System, View, Viewport};
+use lsystem::{Figure, Style, Vantage, Viewport};
 use serde::Serialize;
-use std::sync::Arc;
 use wasm_bindgen::JsValue;
 
 /// The units of work between two checks of the clock: well under a millisecond.
@@ -20,12 +15,11 @@ pub(crate) const WORK: usize = 16_384;
 #[derive(Clone, PartialEq)]
 pub(crate) struct PictureSettings {
     pub(crate) style: Style,
-    /// The size of the painted picture; smaller than `screen` if memory does not suffice.
+    /// The size of the painted picture; smaller than the canvas on the page if memory does not suffice.
     pub(crate) viewport: Viewport,
-    /// The size of the canvas on the page.
-    pub(crate) screen: Viewport,
-    /// The view of a drawing in the plane; in space the viewer has a camera.
-    pub(crate) view: View,
+    /// Device pixels of the canvas on the page per fitted extent at zoom 1.
+    pub(crate) scale: f64,
+    pub(crate) vantage: Vantage,
     /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
     /// The number of mates that may help with a picture in space.
@@ -67,23 +61,8 @@ impl Only {
     }
 }
 
-/// Builds a drawing and makes its pictures, both in steps.
+/// Makes the pictures of a drawing in steps.
 pub(crate) trait Viewer {
-    /// Starts building the drawing of a generation. The previous drawing stays until the new one is complete.
-    fn start(&mut self, system: &System, n: u32, limits: Limits);
-
-    /// Cancels the drawing that is being built.
-    fn stop(&mut self);
-
-    /// Continues building. Returns `None` while there is more to do.
-    fn build(&mut self) -> Option<Result<(), Diagnostic>>;
-
-    /// Drops the shown drawing.
-    fn forget(&mut self);
-
-    /// Adds the properties of the drawing to a report. `counted` counts the segments exactly.
-    fn describe(&self, report: &mut Report, system: &System, n: u32, counted: Option<&Counter>);
-
     /// Starts a picture and cancels the picture in the making.
     fn begin(&mut self, settings: PictureSettings);
 
@@ -97,100 +76,42 @@ pub(crate) trait Viewer {
     fn is_refining(&self) -> bool {
         false
     }
-
-    /// Starts a picture for another canvas, or returns the reason why it cannot be made.
-    fn snapshot(&self, settings: PictureSettings) -> Result<Box<dyn Snapshot>, &'static str>;
 }
 
-/// The reason why a canvas has no picture to save.
-pub(crate) const NOTHING: &str = "nothing has been drawn yet";
-
-/// A picture for a file. It is made band by band to save memory, and in steps so that the worker can answer the page. A
-/// new snapshot has begun its first band.
-pub(crate) trait Snapshot {
-    /// Begins the next band. Returns false if there is none.
-    fn next(&mut self) -> bool;
-
-    /// Continues the band.
-    fn step(&mut self) -> Progress;
-
-    /// The pixels of the band (RGBA), the size of the picture, and the place of the band. `None` if this pass over the
-    /// band only measures.
-    fn band(&self) -> Option<(&[u8], Viewport, Pane)>;
-}
-
-/// Continues the drawing that is being built. Returns the drawing or an error at the end.
-pub(crate) fn step_drawer<S: Space>(
-    drawer: &mut Option<Box<Drawer<S>>>,
-) -> Option<Result<Arc<Drawing<S>>, Diagnostic>> {
-    if drawer.as_mut()?.step(WORK as u64) == Progress::More {
-        return None;
-    }
-    Some(drawer.take()?.finish().map(Arc::new))
-}
-
-/// The space of a drawing.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Realm {
-    Plane,
-    Space,
-}
-
-impl Realm {
-    /// The space in which a system draws.
-    pub(crate) fn of(system: &System) -> Self {
-        if system.is_solid() { Self::Space } else { Self::Plane }
-    }
-}
-
-/// The viewers of both spaces.
+/// The viewers of both spaces. One of them shows the drawing.
 #[derive(Default)]
 pub(crate) struct Views {
-    pub(crate) plane: PlaneView,
+    plane: PlaneView,
     pub(crate) solid: SolidView,
+    is_solid: bool,
 }
 
 impl Views {
     /// Viewers of small pictures, within [`SMALL`](crate::budget::SMALL).
     pub(crate) fn small() -> Self {
-        Self { plane: PlaneView::small(), solid: SolidView::default() }
+        Self { plane: PlaneView::small(), ..Self::default() }
     }
 
-    pub(crate) fn get(&self, realm: Realm) -> &dyn Viewer {
-        match realm {
-            Realm::Plane => &self.plane,
-            Realm::Space => &self.solid,
+    /// Takes the drawing of the next pictures.
+    pub(crate) fn load(&mut self, figure: &Figure) {
+        self.is_solid = figure.is_solid();
+        match figure {
+            Figure::Plane(drawing) => {
+                self.solid.forget();
+                self.plane.load(drawing.clone());
+            }
+            Figure::Space(drawing) => {
+                self.plane.forget();
+                self.solid.load(drawing.clone());
+            }
         }
     }
 
-    pub(crate) fn at(&mut self, realm: Realm) -> &mut dyn Viewer {
-        match realm {
-            Realm::Plane => &mut self.plane,
-            Realm::Space => &mut self.solid,
-        }
+    pub(crate) fn get(&self) -> &dyn Viewer {
+        if self.is_solid { &self.solid } else { &self.plane }
     }
-}
 
-/// Adds the properties of a drawing to a report; `bounds` as for [`describe`].
-pub(crate) fn describe_drawing<S: Space>(
-    report: &mut Report,
-    system: &System,
-    n: u32,
-    drawing: &Drawing<S>,
-    bounds: Option<[f64; 4]>,
-    counted: Option<&Counter>,
-) {
-    // If the count depends on chance, the drawing is unfolded and has an exact count.
-    let exact = || Some(drawing.segment_count()).filter(|&count| count < u128::MAX).map(Tally::from);
-    let segments = counted.and_then(Counter::count).cloned().or_else(exact);
-    if let Some(symbols) = drawing.symbol_count() {
-        report.symbols = Some(symbols.to_string());
-    }
-    report.memoised = Some(drawing.is_memoised());
-    report.blocks = Some(drawing.block_count());
-    let shared = drawing.is_memoised().then(|| drawing.block_count());
-    if let Some(segments) = segments {
-        report.description = describe(system, n, &segments, shared, bounds);
-        report.segments = Some(segments.to_string());
+    pub(crate) fn get_mut(&mut self) -> &mut dyn Viewer {
+        if self.is_solid { &mut self.solid } else { &mut self.plane }
     }
 }

@@ -2,7 +2,9 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{Array, Float32Array, JSON, Reflect};
-use lsystem_wasm::{Playground, draw, expand, fresh_seed, notation, qr_code, read_file, tag_png};
+use lsystem::files::tag_png;
+use lsystem::{Definition, write_json};
+use lsystem_wasm::{Playground, draw, expand, fresh_seed, notation, qr_code, read_file};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::OffscreenCanvas;
@@ -196,14 +198,14 @@ fn modules_are_read_with_their_arguments() {
 #[wasm_bindgen_test]
 fn pictures_carry_their_system() {
     const PNG: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x01\0\0\0\x01\x08\0\0\0\0\x3a\x7e\x9b\x55";
-    let tagged = tag_png(PNG.to_vec(), object(PLANT)).unwrap();
+    let definition = Definition { rules: "X -> F[+X][-X]FX\nF -> FF".into(), ..Definition::default() };
+    let tagged = tag_png(PNG, &write_json(&definition)).unwrap();
     let file = read_file(&tagged).unwrap();
     assert_eq!(text(&get(&file, "definition"), "rules"), "X -> F[+X][-X]FX\nF -> FF");
     assert_eq!(get(&file, "diagnostics").unchecked_into::<Array>().length(), 0);
     let none = read_file(PNG).unwrap();
     assert!(get(&none, "definition").is_null());
     assert_eq!(get(&none, "diagnostics").unchecked_into::<Array>().length(), 1);
-    assert_eq!(tag_png(vec![1, 2], object(PLANT)).unwrap(), [1, 2]);
 }
 
 #[wasm_bindgen_test]

@@ -77,10 +77,6 @@ fn the_largest_drawings_stay_within_the_limit() {
         assert!(0 < count && count <= refused / 2, "{count}");
         within("with a small picture");
         drop(small);
-        if let Ok(mut picture) = shown.snapshot(OffscreenCanvas::new(1, 1).unwrap(), 4096, 2304) {
-            while !picture.step(50.0).unwrap() {}
-        }
-        within("with a picture for a file");
         largest(&mut shown, turn, refused);
         within("drawn anew");
     }

@@ -1,10 +1,9 @@
 //! A plant from its rules to files: `cargo run --example plant` writes `plant.svg` and `plant.png`.
 
-use lsystem::files::{PngOptions, PngWriter, write_all};
-use lsystem::{Definition, Limits, Style, SvgOptions, System, View, Viewport};
+use lsystem::files::{PngOptions, collect, write_png};
+use lsystem::{Definition, Figure, Limits, Style, SvgOptions, System, Vantage, Viewport};
 use lsystem::{Plane, count_segments, draw, expand, render_diagnostic, write_svg};
 use std::error::Error;
-use std::sync::Arc;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let plant = Definition {
@@ -25,11 +24,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::write("plant.svg", write_svg(&few, &Style::default(), &SvgOptions::default()).map_err(told)?.text)?;
 
     // No file holds these segments, but a picture shows them.
-    let many = draw::<Plane>(&system, 40, &Limits::default()).map_err(told)?;
+    let many = Figure::draw(&system, 40, &Limits::default()).map_err(told)?;
     println!("n = 40: {} segments", count_segments(&system, 40).map_or_else(String::new, |count| count.to_string()));
     let viewport = Viewport { width: 800, height: 1000, ratio: 1.0 };
     let options = PngOptions { viewport, dpi: Some(300.0), is_transparent: true, ..PngOptions::default() };
-    let mut writer = PngWriter::new(Arc::new(many), Style::default(), View::default(), &options).map_err(told)?;
-    std::fs::write("plant.png", write_all(&mut writer).map_err(told)?)?;
+    let written = collect::<Vec<u8>, _>(|sink| write_png(&many, &Style::default(), Vantage::default(), &options, sink));
+    std::fs::write("plant.png", written.map_err(told)?.0)?;
     Ok(())
 }

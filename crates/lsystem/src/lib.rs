@@ -54,7 +54,7 @@ pub use lsystem_drawing::{
     Drawer, Drawing, Figure, Mesh, Plane, SegmentArrays, Solid, System, count_segments, count_symbols, draw, expand,
 };
 pub use lsystem_files::{SvgOptions, read_file, read_json, write_csv, write_glb, write_json, write_obj, write_svg};
-pub use lsystem_render::{Camera, Renderer, SolidRenderer, View, Viewport, fit, pick};
+pub use lsystem_render::{Camera, Renderer, SolidRenderer, Vantage, View, Viewport, fit, pick};
 pub use lsystem_syntax::{Definition, Diagnostic, Dialect, Limits, Progress, Style, render_diagnostic};
 
 /// Tests the Rust code in the README.

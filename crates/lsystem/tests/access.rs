@@ -6,8 +6,9 @@ use crate::naive::systems::{Features, system};
 use lsystem::derive::{Ancestor, History, Part, Word};
 use lsystem::drawing::symbol_of_polygon;
 use lsystem::render::fitted_polygon;
-use lsystem::{Definition, Limits, Plane, Progress, Solid, System, draw};
+use lsystem::{Definition, Figure, Limits, Plane, Progress, Solid, System, draw};
 use proptest::prelude::*;
+use std::sync::Arc;
 
 /// A source of pages of generations.
 trait Reader {
@@ -252,8 +253,9 @@ proptest! {
             prop_assert_eq!(&found, &own);
             let rect = lsystem::fit(&flat);
             let (side, centre) = (rect.width.max(rect.height), [rect.x + rect.width / 2.0, rect.y + rect.height / 2.0]);
+            let figure = Figure::Plane(Arc::new(flat));
             for (number, (outline, ..)) in expected.iter().enumerate() {
-                let fitted = fitted_polygon(&flat, number as u128);
+                let fitted = fitted_polygon(&figure, number as u128);
                 prop_assert_eq!(fitted.len(), outline.len());
                 for (a, b) in fitted.iter().zip(outline) {
                     let off = |i: usize| (centre[i] + side * (a[i] + a[i + 2]) - b[i]).abs();

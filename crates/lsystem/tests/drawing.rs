@@ -4,11 +4,11 @@ use crate::naive;
 use crate::naive::systems::Features;
 use lsystem::derive::Rules;
 use lsystem::drawing::{Segment, Turtle};
-use lsystem::render::{Fitted, Pick, Pointer, Target, fitted_ends, fitted_outline, fitted_scale};
+use lsystem::render::{Pick, Pointer, Target, fitted_ends, fitted_outline, fitted_scale};
 use lsystem::syntax::{Action, Grammar, Heading, Kind, LimitName, Module, Production};
 use lsystem::{
-    Definition, Diagnostic, Dialect, Drawer, Drawing, Limits, Plane, Progress, SegmentArrays, Style, System, View,
-    Viewport, draw, fit, pick,
+    Definition, Diagnostic, Dialect, Drawer, Drawing, Figure, Limits, Plane, Progress, SegmentArrays, Style, System,
+    Vantage, View, Viewport, draw, fit, pick,
 };
 use proptest::prelude::*;
 use std::sync::Arc;
@@ -118,16 +118,17 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
     // Coordinates include the start here, too.
     let tolerance = 1e-9 * extent + 1e-13;
     let centre = [shown.x + shown.width / 2.0, shown.y + shown.height / 2.0];
-    let model = |[x, y, fine_x, fine_y]: Fitted| [centre[0] + side * (x + fine_x), centre[1] + side * (y + fine_y)];
+    let figure = Figure::Plane(Arc::new(drawing.clone()));
+    let model = |place: Vec<f64>| [0, 1].map(|i| centre[i] + side * (place[i] + place[i + 2]));
     for number in [0, segments.len() / 3, segments.len() - 1] {
-        let [from, to] = fitted_ends(drawing, number as u128).unwrap().map(model);
+        let [from, to] = fitted_ends(&figure, number as u128).unwrap().map(model);
         prop_assert!(near(from, segments[number].from, tolerance) && near(to, segments[number].to, tolerance));
     }
-    prop_assert_eq!(fitted_ends(drawing, segments.len() as u128), None);
+    prop_assert_eq!(fitted_ends(&figure, segments.len() as u128), None);
     for (first, last) in [(0, segments.len()), (segments.len() / 3, segments.len() * 2 / 3), (0, 1), (1, 1)] {
         let ends: Vec<[f64; 2]> = segments[first..last.max(first)].iter().flat_map(|s| [s.from, s.to]).collect();
         let outline: Vec<[f64; 2]> =
-            fitted_outline(drawing, first as u128..last as u128).into_iter().map(model).collect();
+            fitted_outline(&figure, first as u128..last as u128).into_iter().map(model).collect();
         prop_assert_eq!(outline.is_empty(), ends.is_empty());
         // The outline is convex and contains all ends. It is within the box around them, unless its hull has very many
         // corners.
@@ -152,7 +153,7 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
         }
     }
     let viewport = Viewport { width: 1000, height: 800, ratio: 1.0 };
-    let fitted = fitted_scale(drawing, viewport);
+    let fitted = fitted_scale(&figure, viewport, &Vantage::default());
     // With very wide strokes, all axes may lie within a tiny part of a pixel, where a pointer cannot separate them.
     if fitted < 1e-3 {
         return Ok(());
@@ -180,7 +181,7 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
             };
             let there = &distances[..upto.unwrap_or(distances.len())];
             let nearest = there.iter().copied().fold(f64::INFINITY, f64::min);
-            match pick(drawing, viewport, View::default(), &pointer) {
+            match pick(&figure, viewport, &Vantage::default(), &pointer) {
                 None => prop_assert!(nearest >= tolerance * 31.0 / 32.0 - slack),
                 Some(pick) => {
                     prop_assert!((there[number(pick)] - pick.distance).abs() <= slack);
@@ -188,7 +189,7 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
                     prop_assert!(pick.distance <= (tolerance / 4.0).max(nearest + tolerance / 16.0) + slack);
                 }
             }
-            let hurried = pick(drawing, viewport, View::default(), &Pointer { visits: 3, ..pointer });
+            let hurried = pick(&figure, viewport, &Vantage::default(), &Pointer { visits: 3, ..pointer });
             prop_assert!(hurried.is_none_or(|pick| (there[number(pick)] - pick.distance).abs() <= slack));
         }
     }
@@ -298,10 +299,11 @@ fn any_segment_of_a_drawing_without_end() {
     let end = 0.7 * 717_897_987_691_852_588_770_249.0; // steps of 0.7, 3^50 of them
     assert!(near(last[1].to, [0.0, end], 1e-9 * extent) || near(last[1].to, [end, 0.0], 1e-9 * extent), "{last:?}");
     let viewport = Viewport { width: 200, height: 100, ratio: 1.0 };
-    let [_, [x, y, fine_x, fine_y]] = fitted_ends(&drawing, count - 1).unwrap();
-    let view = View { x, y, zoom: 1e25, fine: [fine_x, fine_y] };
+    let figure = Figure::Plane(Arc::new(drawing));
+    let [_, end] = fitted_ends(&figure, count - 1).unwrap();
+    let view = View { x: end[0], y: end[1], zoom: 1e25, fine: [end[2], end[3]] };
     let pointer = Pointer { at: [100.0, 50.0], tolerance: 1e-6, upto: None, visits: 10_000 };
-    assert_eq!(pick(&drawing, viewport, view, &pointer).unwrap().target, Target::Segment(count - 1));
+    assert_eq!(pick(&figure, viewport, &view.into(), &pointer).unwrap().target, Target::Segment(count - 1));
 }
 
 #[test]

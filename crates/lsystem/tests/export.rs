@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use lsystem::drawing::{Outlook, Projection};
-use lsystem::files::{Svg, SvgForm, SvgWriter};
+use lsystem::files::SvgForm;
 use lsystem::syntax::{ColourBy, Kind, LimitName};
 use lsystem::{
     Definition, Dialect, Drawing, Limits, Plane, Progress, Solid, Style, SvgOptions, System, draw, read_json,
@@ -192,20 +192,23 @@ fn beyond_floating_point() {
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
 }
 
-/// The file, written in the smallest steps and taken after each step.
-fn in_steps(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Svg {
-    let mut writer = SvgWriter::new(drawing, style, options).unwrap();
-    let (mut text, mut progress) = (String::new(), Progress::More);
-    while progress == Progress::More {
-        let mut piece = String::new();
-        progress = writer.step(drawing, style, &mut piece, 1).unwrap();
-        text.push_str(&piece);
-    }
-    Svg { text, instances: writer.instances(), ink: style.ink }
+/// Compact pictures with many copies, some of which are planned more than once, tell it; a picture that is too large is
+/// refused.
+#[test]
+fn compact_files_of_deep_drawings() {
+    let bush = Definition { angle: 25.0, ..definition("F", "F -> FF-[-F+F+F]+[+F-F-F]") };
+    let drawing = drawing(&Definition { iterations: 12, ..bush.clone() });
+    let options = SvgOptions { form: SvgForm::Compact, ..SvgOptions::default() };
+    let whole = write_svg(&drawing, &bush.style, &options).unwrap();
+    assert!(whole.instances > 100_000 && whole.warning().is_some());
+    let few = SvgOptions { most: 9, ..options };
+    let over = Kind::Limit { limit: LimitName::Segments, value: 9, largest: None };
+    assert_eq!(write_svg(&drawing, &bush.style, &few).unwrap_err().kind, over);
 }
 
+/// Files of projections that are made in the smallest steps; and how many files have shared blocks.
 #[test]
-fn files_do_not_depend_on_the_size_of_steps() {
+fn files_of_all_systems() {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in");
     let folders = std::fs::read_dir(data).unwrap().flatten();
     let files = folders.flat_map(|folder| std::fs::read_dir(folder.path()).unwrap().flatten());
@@ -217,10 +220,9 @@ fn files_do_not_depend_on_the_size_of_steps() {
         let n = definition.iterations.min(4);
         let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
         for form in [SvgForm::Flat, SvgForm::Compact] {
-            let options = SvgOptions { title: name.clone(), form, ..SvgOptions::default() };
-            let whole = write_svg(&drawing, style, &options).unwrap();
-            assert_eq!(in_steps(&drawing, style, &options), whole, "{name}");
-            compact += u32::from(whole.instances > 0);
+            let svg = write_svg(&drawing, style, &SvgOptions { form, ..SvgOptions::default() }).unwrap();
+            assert!(svg.text.ends_with("</g>\n</svg>\n"), "{name}");
+            compact += u32::from(svg.instances > 0);
         }
         if system.is_solid() {
             let drawing = draw::<Solid>(&system, n, &Limits::default()).unwrap();
@@ -231,32 +233,13 @@ fn files_do_not_depend_on_the_size_of_steps() {
             let seen = projection.finish(&drawing);
             assert_eq!((seen.bounds(), &seen.places), (whole.bounds(), &whole.places), "{name}");
             let options = SvgOptions::default();
-            assert_eq!(in_steps(&seen, style, &options), write_svg(&whole, style, &options).unwrap(), "{name}");
+            assert_eq!(
+                write_svg(&seen, style, &options).unwrap(),
+                write_svg(&whole, style, &options).unwrap(),
+                "{name}"
+            );
             solid += u32::from(seen.segment_count() > 0);
         }
     }
     assert!(compact > 20 && solid > 5, "{compact} {solid}");
-}
-
-/// Some symbols are planned more than once, and a picture that is too large is refused before the first byte.
-#[test]
-fn compact_files_do_not_depend_on_the_size_of_steps() {
-    let bush = Definition { angle: 25.0, ..definition("F", "F -> FF-[-F+F+F]+[+F-F-F]") };
-    let drawing = drawing(&Definition { iterations: 12, ..bush.clone() });
-    let options = SvgOptions { form: SvgForm::Compact, ..SvgOptions::default() };
-    let whole = write_svg(&drawing, &bush.style, &options).unwrap();
-    assert!(whole.instances > 100_000 && whole.warning().is_some());
-    assert_eq!(in_steps(&drawing, &bush.style, &options), whole);
-
-    let few = SvgOptions { most: 9, ..options };
-    let refused = write_svg(&drawing, &bush.style, &few).unwrap_err();
-    let mut writer = SvgWriter::new(&drawing, &bush.style, &few).unwrap();
-    let mut text = String::new();
-    let error = loop {
-        match writer.step(&drawing, &bush.style, &mut text, 1) {
-            Ok(progress) => assert_eq!(progress, Progress::More),
-            Err(error) => break error,
-        }
-    };
-    assert_eq!((error, text.as_str()), (refused, ""));
 }

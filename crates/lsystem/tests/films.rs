@@ -1,8 +1,8 @@
 //! Films of growth: in every frame the drawing fills the picture, so that no frame's scale jumps.
 
-use lsystem::film::{Film, Script, growth};
-use lsystem::render::{fitted_ends, fitted_scale, fitted_solid_ends, fitted_solid_polygon, solid_scale};
-use lsystem::{Camera, Definition, Limits, Plane, Solid, System, View, Viewport, draw, read_file};
+use lsystem::film::{Film, Frame, Script, growth};
+use lsystem::render::{fitted_ends, fitted_polygon, fitted_scale};
+use lsystem::{Camera, Figure, Limits, System, Viewport, read_file};
 
 /// A square: the margins are as wide as they are high.
 const VIEWPORT: Viewport = Viewport { width: 1000, height: 1000, ratio: 1.0 };
@@ -15,7 +15,7 @@ fn film(file: &str, n: u32) -> Film {
     let script = Script { seconds: 4.0, ..Script::default() };
     let script = Script { tracks: vec![growth(&script, n)], ..script };
     let camera = Camera { perspective: false, elevation: 0.0, ..Camera::default() };
-    Film::new(script, definition, View::default(), camera).unwrap()
+    Film::new(script, definition, camera.into()).unwrap()
 }
 
 /// The largest distance from the middle of the picture to the side, and up or down, of points in pixels.
@@ -23,21 +23,16 @@ fn reach(points: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     points.fold([0.0_f64; 2], |most, point| [0, 1].map(|axis| most[axis].max(point[axis].abs())))
 }
 
-fn reach_in_plane(definition: &Definition) -> Option<[f64; 2]> {
-    let drawing = draw::<Plane>(&System::new(definition).0?, definition.iterations, &Limits::default()).ok()?;
-    let scale = fitted_scale(&drawing, VIEWPORT);
-    let ends = (0..drawing.segment_count()).filter_map(|number| fitted_ends(&drawing, number)).flatten();
-    (drawing.segment_count() > 0).then(|| reach(ends.map(|[x, y, ..]| [x * scale, y * scale])))
-}
-
-/// The picture has room for the drawing from all sides: the distance to the side is that from the upright axis.
-fn reach_in_space(definition: &Definition, camera: &Camera) -> Option<[f64; 2]> {
-    let drawing = draw::<Solid>(&System::new(definition).0?, definition.iterations, &Limits::default()).ok()?;
-    let scale = solid_scale(&drawing, VIEWPORT, camera);
-    let ends = (0..drawing.segment_count()).filter_map(|number| fitted_solid_ends(&drawing, number)).flatten();
-    let vertices = (0..drawing.polygon_count()).flat_map(|number| fitted_solid_polygon(&drawing, number));
-    let points = ends.chain(vertices);
-    (drawing.segment_count() > 0).then(|| reach(points.map(|[x, y, z]| [libm::hypot(x, z) * scale, y * scale])))
+/// As [`reach`], of a frame's drawing. In space the picture has room for the drawing from all sides: the distance to the
+/// side is that from the upright axis.
+fn reach_of(Frame { definition, vantage, .. }: &Frame) -> Option<[f64; 2]> {
+    let figure = Figure::draw(&System::new(definition).0?, definition.iterations, &Limits::default()).ok()?;
+    let scale = fitted_scale(&figure, VIEWPORT, vantage);
+    let ends = (0..figure.segment_count()).filter_map(|number| fitted_ends(&figure, number)).flatten();
+    let vertices = (0..figure.polygon_count()).flat_map(|number| fitted_polygon(&figure, number));
+    let aside = |place: &[f64]| if figure.is_solid() { libm::hypot(place[0], place[2]) } else { place[0] };
+    let points = ends.chain(vertices).map(|place| [aside(&place) * scale, place[1] * scale]);
+    (figure.segment_count() > 0).then(|| reach(points))
 }
 
 /// Checks that the drawing in every frame fills the same part of the picture, up to `tolerance`.
@@ -47,11 +42,8 @@ fn check(file: &str, n: u32, tolerance: f64) {
     let mut frames = 0;
     for number in 0..film.frames() {
         let frame = film.frame(number);
-        let is_solid = System::new(&frame.definition).0.unwrap().is_solid();
-        let reach =
-            if is_solid { reach_in_space(&frame.definition, &frame.camera) } else { reach_in_plane(&frame.definition) };
         // Some axioms draw nothing.
-        let Some([aside, up]) = reach else { continue };
+        let Some([aside, up]) = reach_of(&frame) else { continue };
         let filled = (2.0 * aside / f64::from(VIEWPORT.width)).max(2.0 * up / f64::from(VIEWPORT.height));
         // There is a margin, and no more.
         assert!(filled <= 1.0 && filled > 0.85, "{file}, frame {number}: {filled} of the picture is filled");

@@ -1,9 +1,7 @@
 //! The files of `data_in`: every system is read without warnings, and can be drawn and picked.
 
-use lsystem::render::{
-    Pointer, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends, pick_solid, solid_scale,
-};
-use lsystem::{Camera, Limits, Plane, Solid, System, View, Viewport, draw, pick, read_json, write_json};
+use lsystem::render::{Pointer, camera_axes, fitted_ends, fitted_polygon, fitted_scale};
+use lsystem::{Camera, Figure, Limits, Plane, System, Vantage, View, Viewport, draw, pick, read_json, write_json};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -71,37 +69,37 @@ fn everything_is_picked_within_a_budget() {
         let definition = read_json(&text).0.unwrap();
         let system = System::new(&definition).0.unwrap();
         if system.is_solid() {
-            let drawing = draw::<Solid>(&system, definition.iterations, &Limits::default()).unwrap();
+            let figure = Figure::draw(&system, definition.iterations, &Limits::default()).unwrap();
             for k in 0..20 {
-                let Some([from, to]) = fitted_solid_ends(&drawing, drawing.segment_count() / 20 * k) else { continue };
+                let Some([from, to]) = fitted_ends(&figure, figure.segment_count() / 20 * k) else { continue };
                 let camera = Camera { azimuth: 17.0 * k as f64, ..Camera::default() };
                 let along = |a: [f64; 3]| (0..3).map(|i| a[i] * (from[i] + to[i]) / 2.0).sum::<f64>();
                 let [right, up, back] = camera_axes(&camera).map(along);
-                let scale = solid_scale(&drawing, viewport, &camera) / (1.0 - back / 2.0);
+                let scale = fitted_scale(&figure, viewport, &camera.into()) / (1.0 - back / 2.0);
                 let pointer = Pointer { at: [640.0 + scale * right, 400.0 - scale * up], ..pointer };
-                let found = pick_solid(&drawing, viewport, &camera, &pointer);
+                let found = pick(&figure, viewport, &camera.into(), &pointer);
                 assert!(found.is_some_and(|pick| pick.distance <= near), "{what} {k}: {found:?}");
             }
             continue;
         }
-        let later = draw::<Plane>(&system, 40, &Limits::default()).ok().filter(lsystem::Drawing::is_memoised);
-        for drawing in
-            [draw::<Plane>(&system, definition.iterations, &Limits::default()).ok(), later].into_iter().flatten()
+        let later = Figure::draw(&system, 40, &Limits::default()).ok().filter(Figure::is_memoised);
+        for figure in
+            [Figure::draw(&system, definition.iterations, &Limits::default()).ok(), later].into_iter().flatten()
         {
             for zoom in [1.0, 30.0, 1e3, 1e6, 1e9] {
                 for k in 0..20 {
-                    let ends = fitted_ends(&drawing, drawing.segment_count() / 20 * k + k);
+                    let ends = fitted_ends(&figure, figure.segment_count() / 20 * k + k);
                     // Magnifications at which a segment is longer than a hundred screens are useless.
-                    let long = |[from, to]: &[[f64; 4]; 2]| {
+                    let long = |[from, to]: &[Vec<f64>; 2]| {
                         let [x, y] = [0, 1].map(|i| to[i] - from[i] + (to[i + 2] - from[i + 2]));
-                        fitted_scale(&drawing, viewport) * zoom * x.abs().max(y.abs()) > 1e5
+                        fitted_scale(&figure, viewport, &Vantage::default()) * zoom * x.abs().max(y.abs()) > 1e5
                     };
-                    let end = ends.filter(|ends| !long(ends)).map(|ends| ends[0]);
-                    let corner = fitted_polygon(&drawing, drawing.polygon_count() / 20 * k + k).first().copied();
+                    let end = ends.filter(|ends| !long(ends)).map(|[from, _]| from);
+                    let corner = fitted_polygon(&figure, figure.polygon_count() / 20 * k + k).into_iter().next();
                     filled += u32::from(corner.is_some());
-                    for [x, y, fine_x, fine_y] in [end, corner].into_iter().flatten() {
-                        let view = View { x, y, zoom, fine: [fine_x, fine_y] };
-                        let found = pick(&drawing, viewport, view, &pointer);
+                    for place in [end, corner].into_iter().flatten() {
+                        let view = View { x: place[0], y: place[1], zoom, fine: [place[2], place[3]] };
+                        let found = pick(&figure, viewport, &view.into(), &pointer);
                         assert!(found.is_some_and(|pick| pick.distance <= near), "{what} {zoom} {k}: {found:?}");
                     }
                 }

@@ -1,12 +1,10 @@
 //! Picking, compared with the distances of all segments and polygons, one by one.
 
 use lsystem::drawing::{Mark, Plane, Space};
-use lsystem::render::{
-    Pick, Pointer, Target, camera_axes, fitted_ends, fitted_polygon, fitted_scale, fitted_solid_ends,
-    fitted_solid_polygon, pick_solid, solid_scale,
-};
-use lsystem::{Camera, Definition, Drawing, Limits, Solid, Style, System, View, Viewport, draw, pick};
+use lsystem::render::{Pick, Pointer, Target, camera_axes, fitted_ends, fitted_polygon, fitted_scale};
+use lsystem::{Camera, Definition, Drawing, Figure, Limits, Solid, Style, System, View, Viewport, draw, pick};
 use proptest::prelude::*;
+use std::sync::Arc;
 
 const VIEWPORT: Viewport = Viewport { width: 400, height: 300, ratio: 1.0 };
 
@@ -44,6 +42,11 @@ struct Shown {
     before: u128,
     /// The place in the picture; `None` if the mark reaches behind the eye.
     seen: Option<Seen>,
+}
+
+/// The coordinates of a fitted place: four in the plane, three in space.
+fn coordinates<const N: usize>(place: Vec<f64>) -> [f64; N] {
+    place.try_into().unwrap()
 }
 
 /// The distance from a point to a segment, and the nearest point's position along the segment, from 0 to 1.
@@ -95,11 +98,12 @@ fn marks<S: Space>(drawing: &Drawing<S>, length: &dyn Fn(u128) -> f64) -> Vec<(T
 }
 
 /// All marks of a drawing in space, with their places in the picture.
-fn seen_solid(drawing: &Drawing<Solid>, camera: &Camera, at: [f64; 2]) -> Vec<Shown> {
+fn seen_solid(figure: &Figure, camera: &Camera, at: [f64; 2]) -> Vec<Shown> {
+    let Figure::Space(drawing) = figure else { panic!("a figure in the plane") };
     let [right, up, back] = camera_axes(camera);
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);
-    let scale = solid_scale(drawing, VIEWPORT, camera) * camera.zoom;
+    let scale = fitted_scale(figure, VIEWPORT, &(*camera).into()) * camera.zoom;
     // The eye is two fitted extents before the target.
     let larger = |depth: f64| if camera.perspective { 1.0 / (1.0 + depth / 2.0) } else { 1.0 };
     let view = |point: [f64; 3]| {
@@ -124,7 +128,7 @@ fn seen_solid(drawing: &Drawing<Solid>, camera: &Camera, at: [f64; 2]) -> Vec<Sh
         let ([x, y], depth) = view([0, 1, 2].map(|i| from[i] + t * (to[i] - from[i])));
         (((x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])).sqrt(), depth)
     };
-    let ends = |number: u128| fitted_solid_ends(drawing, number).unwrap();
+    let ends = |number: u128| fitted_ends(figure, number).unwrap().map(coordinates);
     let length = |number: u128| {
         let [from, to] = ends(number);
         dot(minus(to, from), minus(to, from)).sqrt()
@@ -143,7 +147,7 @@ fn seen_solid(drawing: &Drawing<Solid>, camera: &Camera, at: [f64; 2]) -> Vec<Sh
                 })
             }
             Target::Polygon(number) => {
-                let outline = fitted_solid_polygon(drawing, number);
+                let outline: Vec<_> = fitted_polygon(figure, number).into_iter().map(coordinates).collect();
                 (!outline.iter().any(is_near)).then(|| {
                     let corners: Vec<_> = outline.iter().map(|&corner| view(corner).0).collect();
                     let sides = (0..outline.len()).map(|i| nearest([outline[i], outline[(i + 1) % outline.len()]]));
@@ -174,12 +178,14 @@ fn seen_solid(drawing: &Drawing<Solid>, camera: &Camera, at: [f64; 2]) -> Vec<Sh
 }
 
 /// All marks of a drawing in the plane, with their places in the picture.
-fn seen_flat(drawing: &Drawing, view: View, at: [f64; 2]) -> Vec<Shown> {
-    let scale = fitted_scale(drawing, VIEWPORT) * view.zoom;
-    let place = |[x, y, fine_x, fine_y]: [f64; 4]| {
+fn seen_flat(figure: &Figure, view: View, at: [f64; 2]) -> Vec<Shown> {
+    let Figure::Plane(drawing) = figure else { panic!("a figure in space") };
+    let scale = fitted_scale(figure, VIEWPORT, &view.into()) * view.zoom;
+    let place = |place: Vec<f64>| {
+        let [x, y, fine_x, fine_y] = coordinates(place);
         [200.0 + scale * (x + fine_x - view.x), 150.0 - scale * (y + fine_y - view.y)]
     };
-    let ends = |number: u128| fitted_ends(drawing, number).unwrap().map(place);
+    let ends = |number: u128| fitted_ends(figure, number).unwrap().map(place);
     let length = |number: u128| {
         let [[x0, y0], [x1, y1]] = ends(number);
         ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)).sqrt() / scale
@@ -191,7 +197,7 @@ fn seen_flat(drawing: &Drawing, view: View, at: [f64; 2]) -> Vec<Shown> {
                 Seen { distance, depth: 0.0, sides: None }
             }
             Target::Polygon(number) => {
-                let outline: Vec<_> = fitted_polygon(drawing, number).into_iter().map(place).collect();
+                let outline: Vec<_> = fitted_polygon(figure, number).into_iter().map(place).collect();
                 let sides = (0..outline.len()).map(|i| to_line(at, [outline[i], outline[(i + 1) % outline.len()]]).0);
                 let sides = sides.fold(f64::INFINITY, f64::min);
                 Seen { distance: if winds(&outline, at) { 0.0 } else { sides }, depth: 0.0, sides: Some(sides) }
@@ -323,24 +329,24 @@ proptest! {
     ) {
         let system = system(words, chance, width, step);
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
-        let drawing = draw::<Solid>(&system, n, &Limits::default()).unwrap();
-        let count = drawing.segment_count();
+        let figure = Figure::Space(Arc::new(draw::<Solid>(&system, n, &Limits::default()).unwrap()));
+        let count = figure.segment_count();
         // Pointers at random places and on segments.
         for (k, (x, y)) in places.into_iter().enumerate() {
             let upto = Some((part * count as f64) as u128).filter(|&upto| upto < count);
             let pointer = Pointer { at: [x, y], tolerance, upto, visits: usize::MAX };
-            check(&seen_solid(&drawing, &camera, pointer.at), &pointer, pick_solid(&drawing, VIEWPORT, &camera, &pointer))?;
+            check(&seen_solid(&figure, &camera, pointer.at), &pointer, pick(&figure, VIEWPORT, &camera.into(), &pointer))?;
             let number = count * k as u128 / 4;
             let [right, up, back] = camera_axes(&camera);
-            let [from, to] = fitted_solid_ends(&drawing, number).unwrap();
+            let [from, to] = fitted_ends(&figure, number).unwrap();
             let p = [0, 1, 2].map(|i| 0.5 * (from[i] + to[i]) - camera.target[i]);
             let along = |a: [f64; 3]| a[0] * p[0] + a[1] * p[1] + a[2] * p[2];
             let larger = if camera.perspective { 1.0 / (1.0 - along(back) / 2.0).max(0.05) } else { 1.0 };
-            let pixels = solid_scale(&drawing, VIEWPORT, &camera) * camera.zoom * larger;
+            let pixels = fitted_scale(&figure, VIEWPORT, &camera.into()) * camera.zoom * larger;
             let at = [200.0 + pixels * along(right), 150.0 - pixels * along(up)];
             let pointer = Pointer { at, tolerance, upto: None, visits: usize::MAX };
-            check(&seen_solid(&drawing, &camera, at), &pointer, pick_solid(&drawing, VIEWPORT, &camera, &pointer))?;
-            let hurried = pick_solid(&drawing, VIEWPORT, &camera, &Pointer { at, tolerance, upto: None, visits: 3 });
+            check(&seen_solid(&figure, &camera, at), &pointer, pick(&figure, VIEWPORT, &camera.into(), &pointer))?;
+            let hurried = pick(&figure, VIEWPORT, &camera.into(), &Pointer { at, tolerance, upto: None, visits: 3 });
             prop_assert!(hurried.is_none_or(|pick| pick.distance < tolerance));
         }
     }
@@ -362,21 +368,21 @@ proptest! {
         let words = words.map(|word| word.replace(['&', '^', '\\', '/', '$'], "+"));
         let system = system(words, chance, width, step);
         prop_assume!(lsystem::count_segments(&system, n).is_none_or(|count| count.to_string().len() < 5));
-        let drawing: Drawing<Plane> = draw::<Plane>(&system, n, &Limits::default()).unwrap();
-        let (count, polygons) = (drawing.segment_count(), drawing.polygon_count());
+        let figure = Figure::Plane(Arc::new(draw::<Plane>(&system, n, &Limits::default()).unwrap()));
+        let (count, polygons) = (figure.segment_count(), figure.polygon_count());
         let view = View { x, y, zoom, fine: [0.0; 2] };
-        let scale = fitted_scale(&drawing, VIEWPORT) * zoom;
+        let scale = fitted_scale(&figure, VIEWPORT, &view.into()) * zoom;
         for (k, at) in places.into_iter().enumerate() {
             let upto = Some((part * count as f64) as u128).filter(|&upto| upto < count);
             // Pointers at random places and inside polygons.
-            let corners = (polygons > 0).then(|| fitted_polygon(&drawing, polygons * k as u128 / 4));
+            let corners = (polygons > 0).then(|| fitted_polygon(&figure, polygons * k as u128 / 4));
             let middle = corners.map(|corners| {
                 let [x, y] = [0, 1].map(|i| corners.iter().map(|c| c[i]).sum::<f64>() / corners.len() as f64);
                 [200.0 + scale * (x - view.x), 150.0 - scale * (y - view.y)]
             });
             for (at, upto) in [(<[f64; 2]>::from(at), upto), (middle.unwrap_or([200.0, 150.0]), None)] {
                 let pointer = Pointer { at, tolerance, upto, visits: usize::MAX };
-                check(&seen_flat(&drawing, view, at), &pointer, pick(&drawing, VIEWPORT, view, &pointer))?;
+                check(&seen_flat(&figure, view, at), &pointer, pick(&figure, VIEWPORT, &view.into(), &pointer))?;
             }
         }
     }
@@ -391,19 +397,20 @@ fn deep_bushes_are_picked_within_a_budget() {
     let tree = "A -> AF\nF -> F[+F][-FF][\\F][/FF][&F]";
     for (rules, angle, n) in [(bush, 22.5, 40), (tree, 40.0, 30)] {
         let definition = Definition { axiom: "A".into(), rules: rules.into(), angle, ..Definition::default() };
-        let drawing = draw::<Solid>(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+        let figure = Figure::draw(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+        assert!(figure.is_solid());
         let large = Viewport { width: 1000, height: 800, ratio: 1.0 };
         let mut missed = 0;
         for k in 0..200 {
             let camera = Camera { azimuth: 7.0 * f64::from(k), perspective: k % 2 == 0, ..Camera::default() };
             let [right, up, back] = camera_axes(&camera);
-            let [from, _] = fitted_solid_ends(&drawing, drawing.segment_count() / 201 * (k as u128 + 1)).unwrap();
+            let [from, _] = fitted_ends(&figure, figure.segment_count() / 201 * (k as u128 + 1)).unwrap();
             let along = |a: [f64; 3]| a[0] * from[0] + a[1] * from[1] + a[2] * from[2];
             let larger = if camera.perspective { 1.0 / (1.0 - along(back) / 2.0) } else { 1.0 };
-            let pixels = solid_scale(&drawing, large, &camera) * larger;
+            let pixels = fitted_scale(&figure, large, &camera.into()) * larger;
             let at = [500.0 + pixels * along(right), 400.0 - pixels * along(up)];
             let pointer = Pointer { at, tolerance: 6.0, upto: None, visits: 20_000 };
-            missed += u32::from(pick_solid(&drawing, large, &camera, &pointer).is_none());
+            missed += u32::from(pick(&figure, large, &camera.into(), &pointer).is_none());
         }
         assert_eq!(missed, 0, "{rules}");
     }

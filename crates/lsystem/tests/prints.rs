@@ -1,10 +1,10 @@
 //! PNG files that are painted while they are written: the same pixels as the renderers make at once.
 
-use lsystem::files::{PngOptions, PngWriter, Writer, read_file, write_all};
+use lsystem::files::{Owner, PngOptions, Sink, collect, read_file, write_png};
 use lsystem::render::Quality;
-use lsystem::syntax::{ColourBy, Ink};
-use lsystem::{Camera, Definition, Drawing, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
-use lsystem::{Plane, View, Viewport, draw, write_json};
+use lsystem::syntax::{ColourBy, Halt, Ink};
+use lsystem::{Camera, Definition, Drawing, Figure, Limits, Progress, Renderer, Solid, SolidRenderer, Style, System};
+use lsystem::{Plane, Vantage, View, Viewport, draw, write_json};
 use std::sync::Arc;
 
 const VIEWPORT: Viewport = Viewport { width: 300, height: 200, ratio: 1.0 };
@@ -41,6 +41,10 @@ fn whole(drawing: &Arc<Drawing>, style: &Style, viewport: Viewport) -> Vec<u8> {
     renderer.pixels().to_vec()
 }
 
+fn png(figure: &Figure, style: &Style, options: &PngOptions) -> Vec<u8> {
+    collect(|sink| write_png(figure, style, Vantage::default(), options, sink)).unwrap().0
+}
+
 /// The file's bytes and its pixels, without the channels that the file does not have.
 fn read(file: &[u8]) -> (png::Info<'static>, Vec<u8>) {
     let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
@@ -68,6 +72,27 @@ fn most_difference(a: &[u8], b: &[u8]) -> u8 {
     a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
 }
 
+/// A file with the number of its rows and the bytes of its largest piece.
+#[derive(Default)]
+struct Rows {
+    file: Vec<u8>,
+    done: u32,
+    largest: usize,
+}
+
+impl Owner for Rows {
+    fn piece(&mut self, bytes: &[u8]) -> Result<(), Halt> {
+        self.file.extend(bytes);
+        self.largest = self.largest.max(bytes.len());
+        Ok(())
+    }
+
+    fn rows(&mut self, done: u32, all: u32) {
+        assert!(self.done <= done && done <= all && all == VIEWPORT.height);
+        self.done = done;
+    }
+}
+
 #[test]
 fn streamed_is_whole() {
     for (definition, n) in [
@@ -78,17 +103,14 @@ fn streamed_is_whole() {
     ] {
         let drawing = drawing(&definition, n);
         let expected = opaque(&whole(&drawing, &definition.style, VIEWPORT));
+        let figure = Figure::Plane(drawing);
         for band in [1 << 22, 300 * 48] {
             let options = PngOptions { viewport: VIEWPORT, band, ..PngOptions::default() };
-            let mut writer =
-                PngWriter::new(drawing.clone(), definition.style.clone(), View::default(), &options).unwrap();
-            // Small steps, whose pieces are the file.
-            let (mut file, mut piece) = (vec![], vec![]);
-            while writer.step(&mut piece, 777).unwrap() == Progress::More {
-                file.append(&mut piece);
-            }
-            file.append(&mut piece);
-            assert_eq!(writer.rows(), VIEWPORT.height);
+            let mut rows = Rows::default();
+            let write = |sink: &mut Sink<'_>| write_png(&figure, &definition.style, Vantage::default(), &options, sink);
+            Sink::to(&mut rows, write).unwrap();
+            assert_eq!((rows.done, rows.largest < 20_000), (VIEWPORT.height, true), "{}", rows.largest);
+            let file = rows.file;
             let (_, pixels) = read(&file);
             let differ = pixels.iter().zip(&expected).filter(|(a, b)| a != b).count();
             // Bands round the places of strokes in another way: some strokes are off by a subsample.
@@ -111,8 +133,7 @@ fn transparent_over_the_background_is_opaque() {
         let drawing = drawing(&definition, 6);
         let opaque = opaque(&whole(&drawing, &definition.style, VIEWPORT));
         let options = PngOptions { viewport: VIEWPORT, is_transparent: true, ..PngOptions::default() };
-        let style = definition.style.clone();
-        let file = write_all(&mut PngWriter::new(drawing, style, View::default(), &options).unwrap()).unwrap();
+        let file = png(&Figure::Plane(drawing), &definition.style, &options);
         let (info, pixels) = read(&file);
         assert_eq!(info.color_type, png::ColorType::Rgba);
         assert_eq!((pixels[3], pixels[0]), (0, 0), "the corner is empty");
@@ -132,13 +153,12 @@ fn drawings_in_space_are_streamed_in_panes() {
     renderer.begin(&style, viewport, &Camera::default(), Quality::BEST);
     while renderer.step(100_000) == Progress::More {}
     let expected = opaque(renderer.pixels());
+    let figure = Figure::Space(drawing);
     for band in [1 << 22, 1] {
         let options = PngOptions { viewport, band, ..PngOptions::default() };
-        let mut writer = PngWriter::solid(drawing.clone(), style.clone(), Camera::default(), &options).unwrap();
-        assert_eq!(read(&write_all(&mut writer).unwrap()).1, expected, "{band}");
+        assert_eq!(read(&png(&figure, &style, &options)).1, expected, "{band}");
         let options = PngOptions { is_transparent: true, ..options };
-        let mut writer = PngWriter::solid(drawing.clone(), style.clone(), Camera::default(), &options).unwrap();
-        let (_, pixels) = read(&write_all(&mut writer).unwrap());
+        let (_, pixels) = read(&png(&figure, &style, &options));
         assert!(most_difference(&over(&pixels, style.background.rgb), &expected) <= 1);
     }
 }
@@ -152,9 +172,7 @@ fn files_tell_resolution_and_system() {
         system: write_json(&definition),
         ..PngOptions::default()
     };
-    let style = definition.style.clone();
-    let mut writer = PngWriter::new(drawing(&definition, 2), style, View::default(), &options).unwrap();
-    let file = write_all(&mut writer).unwrap();
+    let file = png(&Figure::Plane(drawing(&definition, 2)), &definition.style, &options);
     let (info, _) = read(&file);
     assert_eq!((info.width, info.height, info.color_type), (20, 10, png::ColorType::Rgb));
     let dims = info.pixel_dims.unwrap();

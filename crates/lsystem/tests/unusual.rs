@@ -2,11 +2,11 @@
 
 use lsystem::drawing::{Outlook, expand_symbol};
 use lsystem::files::SvgForm;
-use lsystem::render::{Detail, Effort, Pointer, Quality, Spent, pick_solid};
+use lsystem::render::{Detail, Effort, Pointer, Quality, Spent};
 use lsystem::syntax::{ColourBy, Expected, Ink, Kind, LimitName, MAX_TEXT, Meter};
 use lsystem::{
-    Camera, Definition, Drawer, Limits, Mesh, Plane, Progress, Renderer, Solid, SolidRenderer, Style, SvgOptions,
-    System, View, Viewport, draw, pick, read_file, read_json, write_csv, write_json, write_svg,
+    Camera, Definition, Drawer, Figure, Limits, Mesh, Plane, Progress, Renderer, Solid, SolidRenderer, Style,
+    SvgOptions, System, Vantage, View, Viewport, draw, pick, read_file, read_json, write_csv, write_json, write_svg,
 };
 use std::sync::Arc;
 
@@ -239,11 +239,11 @@ fn a_symbol_alone_has_no_context() {
 #[test]
 fn a_pointer_that_is_nowhere_finds_nothing() {
     let definition = Definition { axiom: "F{FFFFFF}FF".into(), angle: 90.0, ..Definition::default() };
-    let drawing = draw::<Plane>(&system(&definition), 0, &Limits::default()).unwrap();
+    let figure = Figure::draw(&system(&definition), 0, &Limits::default()).unwrap();
     let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
     let found = |at| {
         let pointer = Pointer { at, tolerance: 1e3, upto: None, visits: 1000 };
-        pick(&drawing, viewport, View::default(), &pointer)
+        pick(&figure, viewport, &Vantage::default(), &pointer)
     };
     assert!(found([32.0, 32.0]).is_some());
     for at in [[32.0, f64::NAN], [f64::NAN, f64::INFINITY], [f64::INFINITY, 32.0]] {
@@ -256,16 +256,16 @@ fn distances_at_any_magnification_are_numbers() {
     let definition = Definition { axiom: "F{FFF}+F{FFFF}&F".into(), angle: 60.0, ..Definition::default() };
     let system = system(&definition);
     let (flat, solid) = (draw::<Plane>(&system, 0, &Limits::default()), draw::<Solid>(&system, 0, &Limits::default()));
-    let (flat, solid) = (flat.unwrap(), solid.unwrap());
+    let (flat, solid) = (Figure::Plane(Arc::new(flat.unwrap())), Figure::Space(Arc::new(solid.unwrap())));
     let viewport = Viewport { width: 64, height: 64, ratio: 1.0 };
     for zoom in [1.0, 1e25, 1e150, 1e160, 1e300, f64::MAX] {
         for at in [[0.0, 0.0], [32.0, 32.0], [1e9, 40.0]] {
             let pointer = Pointer { at, tolerance: 8.0, upto: None, visits: 1000 };
             let view = View { zoom, ..View::default() };
-            let mut found = vec![pick(&flat, viewport, view, &pointer)];
+            let mut found = vec![pick(&flat, viewport, &view.into(), &pointer)];
             for perspective in [false, true] {
                 let camera = Camera { zoom, perspective, ..Camera::default() };
-                found.push(pick_solid(&solid, viewport, &camera, &pointer));
+                found.push(pick(&solid, viewport, &camera.into(), &pointer));
             }
             for pick in found.iter().flatten() {
                 assert!(pick.distance >= 0.0 && pick.distance <= pointer.tolerance, "{zoom} {at:?} {pick:?}");

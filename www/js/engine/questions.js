@@ -14,9 +14,6 @@ const READING = /** @satisfies {import('../protocol.js').Reading[]} */ (['string
 /** Whether a question is about the newest definition's string or drawing. @param {Asked} type */
 export const isReading = (type) => READING.includes(type);
 
-/** Questions about the drawing, rather than about texts, files and other systems. @type {readonly Asked[]} */
-const ABOUT_DRAWING = [...READING, 'png'];
-
 /**
  * @param {object} worker
  * @param {(question: Question) => void} worker.post
@@ -89,7 +86,7 @@ export function createQuestions({ post, nextId }) {
         },
 
         /** Refuses the questions about a drawing that was given up. */
-        refuseAboutDrawing: () => refuse(({ type }) => ABOUT_DRAWING.includes(type), new Stopped('the drawing was given up')),
+        refuseAboutDrawing: () => refuse(({ type }) => isReading(type), new Stopped('the drawing was given up')),
 
         /** @param {Error} error */
         refuseAll: (error) => refuse(() => true, error),
@@ -122,19 +119,12 @@ export function asking(ask) {
         /** @param {Blob} file */
         read: (file) => ask('read', { file }),
 
-        /** @param {number} width @param {number} height @param {Definition | null} definition stored in the file, to open it again */
-        async png(width, height, definition) {
-            const { blob, reason } = await ask('png', { width, height, definition });
-            if (!blob) throw new Error(reason ?? 'the browser could not make the picture');
-            return blob;
-        },
-
         /** @param {string} text */
         qr: async (text) => (await ask('qr', { text })).modules,
 
         seed: async () => (await ask('seed', {})).seed,
 
-        /** @param {Definition} definition @param {number} width @param {number} height */
-        thumb: (definition, width, height) => ask('thumb', { definition, width, height }),
+        /** @param {Definition} definition @param {number} width @param {number} height @param {import('../protocol.js').Camera | null} [camera] */
+        thumb: (definition, width, height, camera = null) => ask('thumb', { definition, width, height, camera }),
     };
 }

@@ -1,4 +1,4 @@
-/** Files of systems, made by the tool `export`. Its worker starts with the first file, and ends when it is not needed. */
+/** Files of systems, made by the tool `export`. Its worker starts with the first file, and ends when it is not needed or a file is cancelled. */
 
 import { createTool } from '../tool.js';
 
@@ -7,7 +7,7 @@ import { createTool } from '../tool.js';
 
 export function createExports() {
     /** @type {ReturnType<typeof createTool<import('../protocol.js').ExportCalls>>} */
-    const tool = createTool('export');
+    const tool = createTool('export', { isStraight: true });
 
     return {
         /**

@@ -1,19 +1,12 @@
-/**
- * Makes a file of a state by the tool `export`. Pictures of the view that a canvas can hold are drawn by the page's worker,
- * which has the drawing.
- */
+/** Makes a file of a state by the tool `export`, and small pictures for its preview. */
 
-import { make } from '../dom.js';
+import { byId, make } from '../dom.js';
 import { definitionOf } from '../state.js';
 import { FORMATS } from '../tables.js';
-import { Cancelled } from '../tool.js';
 import { pixelSize, sizeOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
 /** What is wanted: a format, and those of its options that differ from their defaults. @typedef {{format: Format, values: Record<string, import('./choices.js').Value>}} FileWanted */
-
-/** The most pixels along a side of a picture that the browser draws on a canvas. */
-const CANVAS_SIDE = 4096;
 
 /**
  * @param {object} page
@@ -31,14 +24,20 @@ export function createSaveFile({ store, engine, exports, canvas }) {
     }
 
     return {
-        /** A small picture of the view, with a longer side of `side` pixels. @param {number} side */
-        small: (side) => engine.png(...sidesOf(String(side)), null),
+        /** A small copy of the picture on the page, with a longer side of `side` pixels. @param {number} side */
+        small(side) {
+            const [width, height] = sidesOf(String(side));
+            const copy = new OffscreenCanvas(width, height);
+            const context = copy.getContext('2d');
+            if (context) context.imageSmoothingQuality = 'high';
+            context?.drawImage(byId('drawing', HTMLCanvasElement), 0, 0, width, height);
+            return copy.convertToBlob();
+        },
 
-        /** The whole drawing in a picture of this size; throws if there is none. @param {number} width @param {number} height @returns {Promise<HTMLElement>} */
+        /** The whole drawing in a picture of this size, as a sheet shows it; throws if there is none. @param {number} width @param {number} height @returns {Promise<HTMLElement>} */
         async fitted(width, height) {
-            // Small pictures have the first camera.
-            if (store.state.camera) return make('img', { src: URL.createObjectURL(await engine.png(width, height, null)), alt: 'The drawing' });
-            const { bitmap } = await engine.thumb(definitionOf(store.state), width, height);
+            const { camera } = store.state;
+            const { bitmap } = await engine.thumb(definitionOf(store.state), width, height, camera && { ...camera, zoom: 1, x: 0, y: 0, z: 0, perspective: false });
             if (!bitmap) throw new Error('there is no picture');
             const picture = make('canvas', { role: 'img', 'aria-label': 'The drawing', width: String(bitmap.width), height: String(bitmap.height) });
             picture.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
@@ -57,17 +56,11 @@ export function createSaveFile({ store, engine, exports, canvas }) {
             const definition = definitionOf(state);
             const isPicture = content === 'pixels';
             const sides = sidesOf(isPicture ? values['size'] : '');
-            // A canvas holds neither larger pictures nor a resolution, and the page's picture has a background.
-            if (isPicture && Math.max(...sides) <= CANVAS_SIDE && !values['transparent'] && !values['dpi']) {
-                const blob = await engine.png(...sides, values['bare'] === true ? null : definition);
-                if (how.signal?.aborted) throw new Cancelled();
-                return { blob, diagnostics: [] };
-            }
             const options = isPicture ? { ...values, size: sides.join('x') } : values;
             // Lines are as wide in a larger picture as on the page, in proportion.
             const shown = canvas();
             const ratio = (shown.ratio * sides[0]) / Math.max(shown.width, 1);
-            const { blob, diagnostics } = await exports.make({ definition, format, options, view, camera, ratio }, how);
+            const { blob, diagnostics } = await exports.make({ definition, format, options, view, camera, ratio, upto: engine.upto }, how);
             return { blob: blob && new Blob([blob], { type: mime }), diagnostics };
         },
     };

@@ -23,16 +23,16 @@ test('a fresh worker gets the open questions, except the one that stopped the fo
     /** @type {number[]} */
     let put = [];
     const questions = createQuestions({ post: ({ id }) => put.push(id), nextId: () => ++lastId });
-    const thumb = { definition: definitionOf(DEFAULTS), width: 1, height: 1 };
+    const thumb = { definition: definitionOf(DEFAULTS), width: 1, height: 1, camera: null };
     const bad = questions.ask('thumb', thumb);
     const good = questions.ask('thumb', thumb);
-    const file = questions.ask('png', { width: 1, height: 1, definition: null });
+    const pick = questions.ask('pick', { x: 0, y: 0, tolerance: 1 });
     assert.deepEqual(put, []);
     assert.equal(questions.refuseOne(1), 'thumb');
     assert.equal(questions.refuseOne(7), undefined);
     await assert.rejects(bad, Stopped);
     questions.refuseAboutDrawing();
-    await assert.rejects(file, Stopped);
+    await assert.rejects(pick, Stopped);
     questions.putAll();
     assert.deepEqual(put, [2]);
     questions.forget();

@@ -4,10 +4,19 @@ use super::derive::{is_supported, words};
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make, naive};
 use lsystem::drawing::{Outlook, Segment, Space, symbol_of_polygon};
-use lsystem::render::{fitted_ends, fitted_outline, fitted_polygon, fitted_solid_ends, fitted_solid_polygon};
+use lsystem::render::{fitted_ends, fitted_outline, fitted_polygon};
 use lsystem::syntax::Heading;
-use lsystem::{Definition, Drawer, Drawing, Limits, Progress, SegmentArrays, Solid, System, fit};
+use lsystem::{Definition, Drawer, Drawing, Figure, Limits, Progress, SegmentArrays, Solid, System, fit};
 use std::sync::Arc;
+
+/// A drawing in the space of its system, made in steps.
+pub(super) fn figure(system: &System, n: u32, limits: &Limits, gauge: &mut Gauge) -> Option<Figure> {
+    if system.is_solid() {
+        drawn_in_space(system, n, limits, gauge).map(Figure::Space)
+    } else {
+        drawn(system, n, limits, gauge).map(Figure::Plane)
+    }
+}
 
 /// A drawing in the plane, made in steps.
 pub(super) fn drawn(system: &System, n: u32, limits: &Limits, gauge: &mut Gauge) -> Option<Arc<Drawing>> {
@@ -59,12 +68,13 @@ pub(super) fn plane(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
     gauge.call("fit", || fit(&drawing));
     let number = place(source, drawing.segment_count());
-    gauge.call("fitted_ends", || fitted_ends(&drawing, number));
+    let figure = Figure::Plane(drawing.clone());
+    gauge.call("fitted_ends", || fitted_ends(&figure, number));
     gauge.call("heading_at", || drawing.heading_at(number));
     let end = number.saturating_add(u128::from(source.word()));
-    gauge.call("fitted_outline", || fitted_outline(&drawing, number..end));
+    gauge.call("fitted_outline", || fitted_outline(&figure, number..end));
     let number = place(source, drawing.polygon_count());
-    let polygon = gauge.call("fitted_polygon", || fitted_polygon(&drawing, number));
+    let polygon = gauge.call("fitted_polygon", || fitted_polygon(&figure, number));
     assert_eq!(polygon.is_empty(), number >= drawing.polygon_count());
     gauge.call("symbol_of_polygon", || symbol_of_polygon(&system, n, &drawing, number));
     let mut arrays = SegmentArrays::default();
@@ -88,9 +98,10 @@ pub(super) fn space(source: &mut Source<'_>, gauge: &mut Gauge) {
         assert!((0..3).all(|i| low[i] <= high[i]), "{bounds:?}");
     }
     let number = place(source, drawing.segment_count());
-    gauge.call("fitted_ends", || fitted_solid_ends(&drawing, number));
+    let figure = Figure::Space(drawing.clone());
+    gauge.call("fitted_ends", || fitted_ends(&figure, number));
     let number = place(source, drawing.polygon_count());
-    gauge.call("fitted_polygon", || fitted_solid_polygon(&drawing, number));
+    gauge.call("fitted_polygon", || fitted_polygon(&figure, number));
     gauge.call("symbol_of_polygon", || symbol_of_polygon(&system, n, &drawing, number));
     let outlook = Outlook { azimuth: source.number(), elevation: source.number() };
     let _ = gauge.call("seen_from", || drawing.seen_from(&outlook, 5_000));

@@ -3,7 +3,7 @@
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
 use lsystem::drawing::Outlook;
-use lsystem::files::{StlWriter, SvgForm, write_all};
+use lsystem::files::{SvgForm, write_stl};
 use lsystem::{
     Definition, Diagnostic, Drawing, Mesh, Solid, Style, SvgOptions, read_file, write_csv, write_glb, write_json,
     write_obj, write_svg,
@@ -57,7 +57,7 @@ fn printed(drawing: &Drawing<Solid>, style: &Style, gauge: &mut Gauge) {
     assert!(open.is_none(), "an edge of a printed mesh: {open:?}");
     assert!(mesh.positions.iter().flatten().all(|c| c.is_finite()), "a corner that is not finite");
     let count = mesh.triangles.len();
-    let file = gauge.call("stl", || write_all(&mut StlWriter::new(mesh)));
+    let file = gauge.file("stl", usize::MAX, |sink| write_stl(mesh, sink)).map(|(file, ())| file);
     // A head of 80 bytes, the number of triangles, and 50 bytes for each.
     assert_eq!(file.map(|file| file.len()), Ok(84 + 50 * count), "the length of an STL file");
     gauge.reach("stl");

@@ -3,11 +3,11 @@
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::film::{
-    Easing, Ending, Film, Frame, GifWriter, Painter, PaletteMaker, Script, Subject, Track, camera_of_segment, dive,
-    dive_in_space, growth, turntable, turtle, view_of_segment,
+    Easing, Ending, Film, Frame, GifWriter, Painter, PaletteMaker, Script, Subject, Track, dive, dive_in_space, growth,
+    turntable, turtle, vantage_of_segment,
 };
 use lsystem::render::Detail;
-use lsystem::{Camera, Definition, View};
+use lsystem::{Camera, Definition, Vantage};
 
 /// The most frames of a GIF in this target.
 const GIF: u32 = 4;
@@ -18,8 +18,12 @@ pub(super) fn films(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some(script) = script(source, gauge) else { return };
     read_back(&script);
     frames_are_told(&script);
-    let (view, camera) = if source.once_in(3) { (make::view(source), make::camera(source)) } else { <_>::default() };
-    let Ok(film) = gauge.call("film", || Film::new(script, definition.clone(), view, camera)) else { return };
+    let vantage = if source.once_in(3) {
+        Vantage { view: make::view(source), camera: make::camera(source) }
+    } else {
+        Vantage::default()
+    };
+    let Ok(film) = gauge.call("film", || Film::new(script, definition.clone(), vantage)) else { return };
     gauge.reach("film");
     let detail = source.pick(&[Detail::Fine, Detail::Coarse]);
     let size = [source.between(16, 64) as u32, source.between(16, 64) as u32];
@@ -203,20 +207,17 @@ fn presets(source: &mut Source<'_>, film: &Film, painter: &Painter, gauge: &mut 
         1 => count,
         _ => u128::from(source.word()),
     };
-    let camera = Camera::default();
     let Definition { iterations, .. } = film.frame(0).definition;
     let mut tracks: Vec<Track> = vec![growth(&script, iterations), turtle(&script)];
-    if let Some(drawing) = painter.drawing() {
-        let number = number(source, drawing.segment_count());
-        let to = gauge.call("view_of_segment", || view_of_segment(drawing, number));
-        tracks.extend(to.map(|to: View| dive(&script, to)));
-    }
-    if let Some(drawing) = painter.solid() {
-        let number = number(source, drawing.segment_count());
-        match gauge.call("camera_of_segment", || camera_of_segment(drawing, number, &camera)) {
-            Some(to) => tracks.push(dive_in_space(&script, &to)),
-            None => tracks.push(turntable(&script, &camera)),
-        }
+    if let Some(figure) = painter.figure() {
+        let number = number(source, figure.segment_count());
+        let to = gauge.call("vantage_of_segment", || vantage_of_segment(figure, number, &Vantage::default()));
+        tracks.extend(match (to, figure.is_solid()) {
+            (Some(to), false) => Some(dive(&script, to.view)),
+            (None, false) => None,
+            (Some(to), true) => Some(dive_in_space(&script, &to.camera)),
+            (None, true) => Some(turntable(&script, &Camera::default())),
+        });
     }
     // A film may be too short for the times of a preset.
     if script.seconds >= 1.0 {

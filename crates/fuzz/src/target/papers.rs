@@ -1,11 +1,10 @@
 //! Files for papers: figures and typeset systems that LaTeX and viewers can read.
 
 use super::drawing::{drawn, drawn_in_space};
-use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::drawing::Outlook;
-use lsystem::files::{Content, FORMATS, FileOptions, Format, Purpose, Sheet, Writer};
-use lsystem::{Definition, Drawing, Progress, System, read_file, write_json};
+use lsystem::files::{Content, FORMATS, FileOptions, Format, Purpose, Sheet};
+use lsystem::{Definition, Drawing, System, read_file, write_json};
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use std::sync::Arc;
 
@@ -28,19 +27,18 @@ pub(super) fn papers(source: &mut Source<'_>, gauge: &mut Gauge) {
         ..FileOptions::default()
     };
     for format in FORMATS.iter().filter(|format| format.purposes.contains(&Purpose::Paper)) {
-        if let Content::Words(begin) = format.content {
-            let Ok(mut writer) = gauge.call(format.name, || begin(&definition, &system, &options)) else { continue };
-            let Some(file) = written(format, &mut *writer, gauge) else { continue };
+        if let Content::Words(write) = format.content {
+            let written = gauge.file(format.name, usize::MAX, |sink| write(&definition, &system, &options, sink));
+            let Ok((file, _)) = written else { continue };
             check_words(format, &file);
         }
     }
     let Some(drawing) = paper_drawing(source, &definition, &system, gauge) else { return };
     for format in FORMATS.iter().filter(|format| format.purposes.contains(&Purpose::Paper)) {
-        if let Content::Paper(begin) = format.content {
-            let begin = || begin(drawing.clone(), system.style.clone(), &options);
-            let Ok(mut writer) = gauge.call(format.name, begin) else { continue };
-            let Some(file) = written(format, &mut *writer, gauge) else { continue };
-            let _ = writer.remark();
+        if let Content::Paper(write) = format.content {
+            let written =
+                gauge.file(format.name, usize::MAX, |sink| write(drawing.clone(), &system.style, &options, sink));
+            let Ok((file, _)) = written else { continue };
             gauge.reach(format.name);
             match format.name {
                 "pdf" => check_pdf(&file, &options.system),
@@ -64,21 +62,6 @@ fn paper_drawing(
     let solid = drawn_in_space(system, n, &limits, gauge)?;
     let outlook = Outlook { azimuth: source.part() * 360.0, elevation: source.pick(&[12.0, 0.0, 90.0, 300.0]) };
     gauge.call("seen_from", || solid.seen_from(&outlook, MOST)).ok().map(Arc::new)
-}
-
-/// The whole file, written in steps; `None` if a limit is exceeded.
-fn written(format: &'static Format, writer: &mut dyn Writer, gauge: &mut Gauge) -> Option<Vec<u8>> {
-    let mut file = vec![];
-    loop {
-        match gauge.call(format.name, || writer.step(&mut file, WORK as u64)) {
-            Ok(Progress::More) => {}
-            Ok(Progress::Done) => return Some(file),
-            Err(limit) => {
-                assert!(!limit.message().is_empty());
-                return None;
-            }
-        }
-    }
 }
 
 /// Checks a typeset system.

@@ -1,32 +1,24 @@
 //! Picking: the mark under a pointer, in the plane and in space.
 
-use super::drawing::{drawn, drawn_in_space};
+use super::drawing::figure;
 use crate::{Gauge, Source, make};
-use lsystem::pick as pick_in_plane;
-use lsystem::render::{Pick, Pointer, Target, pick_solid};
+use lsystem::Vantage;
+use lsystem::render::{Pick, Pointer, Target};
 
 /// A few pointers on a picture.
 pub(super) fn pick(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some((definition, system)) = make::system(source) else { return };
     let (n, limits) = (definition.iterations, make::limits(source));
     let viewport = make::viewport(source);
-    let (view, camera) = (make::view(source), make::camera(source));
+    let vantage = Vantage { view: make::view(source), camera: make::camera(source) };
     let pointers: Vec<Pointer> = (0..source.between(1, 6)).map(|_| pointer(source)).collect();
     if source.is_shown {
-        println!("{viewport:?} {view:?} {camera:?}\n{pointers:?}");
+        println!("{viewport:?} {vantage:?}\n{pointers:?}");
     }
-    if system.is_solid() {
-        let Some(drawing) = drawn_in_space(&system, n, &limits, gauge) else { return };
-        for pointer in &pointers {
-            let found = gauge.call("pick", || pick_solid(&drawing, viewport, &camera, pointer));
-            check(found, pointer, drawing.segment_count(), drawing.polygon_count(), gauge);
-        }
-    } else {
-        let Some(drawing) = drawn(&system, n, &limits, gauge) else { return };
-        for pointer in &pointers {
-            let found = gauge.call("pick", || pick_in_plane(&drawing, viewport, view, pointer));
-            check(found, pointer, drawing.segment_count(), drawing.polygon_count(), gauge);
-        }
+    let Some(figure) = figure(&system, n, &limits, gauge) else { return };
+    for pointer in &pointers {
+        let found = gauge.call("pick", || lsystem::pick(&figure, viewport, &vantage, pointer));
+        check(found, pointer, figure.segment_count(), figure.polygon_count(), gauge);
     }
 }
 

@@ -1,16 +1,16 @@
 //! Files for pen plotters: lines on the sheet, and a summary that tells what the file holds.
 
 use super::drawing::{drawn, drawn_in_space};
-use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::drawing::Outlook;
-use lsystem::files::{Corner, FileOptions, PlotOptions, PlotSummary, PlotWriter, Sheet};
-use lsystem::{Progress, read_file, write_json};
+use lsystem::files::{Corner, FileOptions, PlotOptions, PlotSummary, Sheet, write_plot};
+use lsystem::{read_file, write_json};
 
 /// The most strokes of a plot in this target.
 const MOST: u64 = 20_000;
-/// The most steps of a plot in this target. A plot may read millions of blocks until a limit ends it.
-const STEPS: usize = 400;
+/// The most parts of a plot in this target, of about 16,384 units of work each. A plot may read millions of blocks until
+/// a limit ends it.
+const PARTS: usize = 400;
 /// The rounding of a coordinate in the file, in millimetres.
 const ROUNDING: f64 = 0.0005;
 /// The least relative and absolute rounding error of long sums and of drawings placed on the sheet.
@@ -42,31 +42,15 @@ pub(super) fn plots(source: &mut Source<'_>, gauge: &mut Gauge) {
         println!("{:?}\n{:?}", options.sheet, options.plot);
     }
     let style = if source.once_in(3) { make::style(source) } else { system.style.clone() };
-    let mut writer = gauge.call("plot writer", || PlotWriter::new(drawing, style, &options));
-    let mut text = String::new();
-    let (mut refused, mut steps) = (false, 0);
-    gauge.steps("plot", WORK, || {
-        let before = writer.spent();
-        let progress = writer.step_text(&mut text, WORK as u64).unwrap_or_else(|limit| {
-            assert!(!limit.message().is_empty());
-            refused = true;
-            Progress::Done
-        });
-        steps += 1;
-        (if steps == STEPS { Progress::Done } else { progress }, writer.spent() - before)
-    });
-    if steps == STEPS {
-        gauge.reach("long");
-        return;
-    }
-    if refused {
-        gauge.reach("refused");
-        return;
-    }
+    let (file, summary) = match gauge.file("plot", PARTS, |sink| write_plot(drawing, &style, &options, sink)) {
+        Ok(plot) => plot,
+        Err(limit) => return gauge.reach(if limit.is_some() { "refused" } else { "long" }),
+    };
+    let text = String::from_utf8(file).expect("UTF-8");
     gauge.reach("plot");
     let found = read_file(text.as_bytes()).definition.map(|definition| write_json(&definition));
     assert_eq!(found, Some(written), "the system in the file");
-    check(&text, &writer.summary(), &options, gauge);
+    check(&text, &summary, &options, gauge);
 }
 
 /// A sheet, seldom a strange one.

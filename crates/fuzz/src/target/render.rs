@@ -5,7 +5,7 @@ use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::render::{Detail, Pane, Pass, RenderStats, fitted_scale};
 use lsystem::syntax::Ink;
-use lsystem::{Definition, Dialect, Drawing, Progress, Renderer, Style, System, View, Viewport, fit};
+use lsystem::{Definition, Dialect, Drawing, Figure, Progress, Renderer, Style, System, View, Viewport, fit};
 use std::sync::Arc;
 
 /// The settings of a picture.
@@ -88,7 +88,7 @@ pub(super) fn views(source: &mut Source<'_>, gauge: &mut Gauge) {
     let mut settings = PictureSettings::make(source, &system);
     settings.style.ink = Ink::Solid;
     gauge.allow(settings.memory());
-    let _ = (fit(&drawing), fitted_scale(&drawing, settings.viewport));
+    let _ = (fit(&drawing), fitted_scale(&Figure::Plane(drawing.clone()), settings.viewport, &settings.view.into()));
     check_opaque(source, &drawing, &settings, gauge);
 }
 

@@ -2,8 +2,8 @@
 use super::drawing::drawn_in_space;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
-use lsystem::render::{Effort, Pane, Quality, Spent, camera_axes, solid_scale};
-use lsystem::{Progress, SolidRenderer, Style};
+use lsystem::render::{Effort, Pane, Quality, Spent, camera_axes, fitted_scale};
+use lsystem::{Figure, Progress, SolidRenderer, Style};
 
 /// Pictures in space: at all qualities, in a hurry, and in panes.
 pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
@@ -18,7 +18,7 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
         println!("{viewport:?} {camera:?} {quality:?} upto {upto:?}\n{style:?}");
     }
     gauge.allow(64 * viewport.width as usize * viewport.height as usize);
-    let _ = (camera_axes(&camera), solid_scale(&drawing, viewport, &camera));
+    let _ = (camera_axes(&camera), fitted_scale(&Figure::Space(drawing.clone()), viewport, &camera.into()));
     let mut renderer = SolidRenderer::new();
     gauge.call("load", || renderer.load(drawing.clone()));
     gauge.call("play", || renderer.play(upto));

@@ -3,27 +3,13 @@
 use super::pool::Pool;
 use super::words;
 use crate::cli::FilmFormat;
+use crate::output::within;
 use crate::pending::Pending;
 use crate::{CommandFailure, print};
 use lsystem::film::{GifWriter, Palette, PaletteMaker, palette_samples};
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-
-/// Runs `work` as the writer of an output, and returns its failure unless the output itself fails.
-fn within(
-    output: impl FnOnce(&mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandFailure>,
-    mut work: impl FnMut(&mut dyn Write) -> Result<(), CommandFailure>,
-) -> Result<(), CommandFailure> {
-    let mut failure = None;
-    let done = output(&mut |out| {
-        work(out).map_err(|error| {
-            failure = Some(error);
-            io::Error::other("stopped")
-        })
-    });
-    failure.map_or(done, Err)
-}
 
 /// Writes a GIF. The file is either complete or absent.
 pub(super) fn gif_to_file(pool: &Pool<'_>, path: &Path) -> Result<(), CommandFailure> {

@@ -142,7 +142,8 @@ pub struct Growth {
 pub fn growth(system: &System, n: u32) -> Result<Growth, &'static str> {
     let process = Process::new(system)?;
     let all = vec![1; process.letters()];
-    let path = Path::new(system, &process);
+    let is_flat = !system.is_solid();
+    let path = Path::new(system, &process, is_flat);
     let rows = rows(&process, path.as_ref(), n);
     let listed = process.letters().min(MAX_LISTED);
     let series = |weights: &[u32], of: fn(&Generation) -> &Count| {
@@ -150,7 +151,7 @@ pub fn growth(system: &System, n: u32) -> Result<Growth, &'static str> {
         series(&process, weights, &values)
     };
     let (symbols, segments) = (series(&all, |row| &row.symbols), series(&process.drawn, |row| &row.segments));
-    let stretch = curve::stretch(system);
+    let stretch = is_flat.then(|| curve::stretch(system)).flatten();
     let is_fractal = segments.kind == GrowthKind::Exponential && segments.degree == 0 && !process.is_random();
     let dimension = stretch.filter(|_| is_fractal).map(|stretch| libm::log(segments.factor) / libm::log(stretch));
     let mut growth = Growth {

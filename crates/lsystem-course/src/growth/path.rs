@@ -13,7 +13,7 @@ pub(crate) struct Path {
 
 impl Path {
     /// `None` if lengths are scaled on the way, or vary.
-    pub(crate) fn new(system: &System, process: &Process) -> Option<Self> {
+    pub(crate) fn new(system: &System, process: &Process, is_flat: bool) -> Option<Self> {
         let turtle = &system.turtle;
         let is_varied = turtle.length_factor != 1.0 || turtle.length_variation != 0.0;
         let (mut lengths, mut turns) = (Vec::new(), Some(Vec::new()));
@@ -42,7 +42,7 @@ impl Path {
                 turns
             });
         }
-        let turns = turns.filter(|_| !system.is_solid() && turtle.angle_variation == 0.0);
+        let turns = turns.filter(|_| is_flat && turtle.angle_variation == 0.0);
         (!is_varied).then_some(Self { lengths, turns })
     }
 

@@ -3,7 +3,7 @@
 use super::segments::{Cursor, ItemRef};
 use super::{Drawing, Frame, Segment};
 use crate::drawing::block::Space;
-use crate::style::StyleChange;
+use crate::style::{StyleChange, StyleId};
 use lsystem_syntax::Tint;
 
 /// A segment or a polygon, in model units, with the quantities that its colour may depend on.
@@ -14,56 +14,6 @@ pub enum Mark<S: Space> {
     /// The vertices of a filled polygon, each joined to the next and the last to the first. The inside follows the
     /// nonzero winding rule.
     Polygon(Vec<S::Point>, Tint),
-}
-
-/// Reads the marks of a drawing. The reader does not borrow the drawing between calls.
-#[derive(Clone, Debug)]
-pub struct MarkReader<S: Space> {
-    cursor: Cursor<S>,
-    /// The number of segments read so far.
-    segments: u64,
-    /// The number of segments and polygons read so far.
-    marks: usize,
-    /// The number of segments of the drawing.
-    all: f64,
-    /// As [`Drawing::unit`].
-    unit: f64,
-}
-
-impl<S: Space> MarkReader<S> {
-    /// A reader at the first mark.
-    #[must_use]
-    pub fn new(drawing: &Drawing<S>) -> Self {
-        let mut cursor = Cursor::new();
-        if let Some(root) = drawing.root {
-            cursor.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
-        }
-        Self { cursor, segments: 0, marks: 0, all: drawing.segment_count() as f64, unit: drawing.unit() }
-    }
-
-    /// The next mark. Every call needs the same drawing.
-    pub fn next(&mut self, drawing: &Drawing<S>) -> Option<Mark<S>> {
-        let (part, frame) = self.cursor.next_part(drawing)?;
-        let change = |id: crate::style::StyleId| frame.style.then(&drawing.styles[id.0 as usize]);
-        let own = if self.all > 0.0 { (self.segments as f64 + 0.5) / self.all } else { 0.0 };
-        let place = drawing.places.get(self.marks).copied().unwrap_or(own);
-        self.marks += 1;
-        let tint = |style: &StyleChange| Tint { index: style.colour.of(0), level: style.level, place };
-        Some(match part {
-            ItemRef::Stroke(stroke) => {
-                let style = change(stroke.style);
-                let ends = [stroke.from, stroke.to].map(|end| frame.transform(end));
-                self.segments += 1;
-                Mark::Segment(drawing.segment(ends, &style, self.unit), tint(&style))
-            }
-            ItemRef::Polygon(polygon) => {
-                let style = change(polygon.style);
-                let vertices = drawing.vertices_of(polygon).iter();
-                let vertices = vertices.map(|&vertex| drawing.model(frame.transform(vertex), self.unit)).collect();
-                Mark::Polygon(vertices, tint(&style))
-            }
-        })
-    }
 }
 
 impl<S: Space> Mark<S> {
@@ -80,7 +30,33 @@ impl<S: Space> Drawing<S> {
     /// All marks in drawing order; a polygon comes before the marks that are drawn while it is open. A shared drawing
     /// may have too many marks to read them all.
     pub fn marks(&self) -> impl Iterator<Item = Mark<S>> {
-        let mut reader = MarkReader::new(self);
-        core::iter::from_fn(move || reader.next(self))
+        let mut cursor = Cursor::new();
+        if let Some(root) = self.root {
+            cursor.enter(self, root, &Frame::new(1.0, StyleChange::start(self.width)));
+        }
+        let (all, unit) = (self.segment_count() as f64, self.unit());
+        let (mut segments, mut marks) = (0_u64, 0);
+        core::iter::from_fn(move || {
+            let (part, frame) = cursor.next_part(self)?;
+            let change = |id: StyleId| frame.style.then(&self.styles[id.0 as usize]);
+            let own = if all > 0.0 { (segments as f64 + 0.5) / all } else { 0.0 };
+            let place = self.places.get(marks).copied().unwrap_or(own);
+            marks += 1;
+            let tint = |style: &StyleChange| Tint { index: style.colour.of(0), level: style.level, place };
+            Some(match part {
+                ItemRef::Stroke(stroke) => {
+                    let style = change(stroke.style);
+                    let ends = [stroke.from, stroke.to].map(|end| frame.transform(end));
+                    segments += 1;
+                    Mark::Segment(self.segment(ends, &style, unit), tint(&style))
+                }
+                ItemRef::Polygon(polygon) => {
+                    let style = change(polygon.style);
+                    let vertices = self.vertices_of(polygon).iter();
+                    let vertices = vertices.map(|&vertex| self.model(frame.transform(vertex), unit)).collect();
+                    Mark::Polygon(vertices, tint(&style))
+                }
+            })
+        })
     }
 }

@@ -10,28 +10,38 @@ use crate::chunks::Chunks;
 use crate::room::bytes_of;
 use crate::rotation::Vector;
 use crate::style::{StyleChange, StyleId, Styles};
-use lsystem_syntax::{Diagnostic, LimitName, Meter, Progress};
+use lsystem_syntax::{Diagnostic, Halt, LimitName, Work};
 use std::collections::HashMap;
 
 impl Drawing<Solid> {
     /// The drawing with one stroke in place of every block that is less than `finest` across, in parts of the longest
-    /// side of the drawing. See [`Simplifier`].
+    /// side of the drawing.
+    ///
+    /// The stroke for a block begins at the point of the block's box that is nearest to the turtle at the block's entry,
+    /// so that it stays joined to its parent, and goes through the middle of the box. The stroke is as wide as the
+    /// block's widest stroke and has the colour of the block's last one. A stroke without length stands for a block that
+    /// lies around its entry; meshes leave such strokes out. The simpler drawing has the extent of the first one, and
+    /// places along the path follow the drawing order.
     ///
     /// # Errors
     /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the simpler drawing would take more than `memory` bytes.
-    pub fn simplified(&self, finest: f64, memory: u64) -> Result<Self, Diagnostic> {
-        let mut simplifier = Simplifier::new(self, finest, memory);
-        while simplifier.step(self, u64::MAX)? == Progress::More {}
+    pub fn simplified(&self, finest: f64, memory: u64, work: &mut dyn Work) -> Result<Self, Halt> {
+        let mut simplifier = Simplifier::new(self, finest);
+        while !simplifier.open.is_empty() {
+            work.charge(4)?;
+            if !simplifier.read(self) {
+                simplifier.close(self);
+                if simplifier.bytes() > memory {
+                    return Err(Diagnostic::limit(LimitName::Memory, memory, None).into());
+                }
+            }
+        }
         Ok(simplifier.finish(self))
     }
 }
 
-/// Simplifies a drawing in steps. The stroke for a block begins at the point of the block's box that is nearest to the
-/// turtle at the block's entry, so that it stays joined to its parent, and goes through the middle of the box. The
-/// stroke is as wide as the block's widest stroke and has the colour of the block's last one. A stroke without length
-/// stands for a block that lies around its entry; meshes leave such strokes out.
-#[derive(Clone, Debug)]
-pub struct Simplifier {
+/// A simpler drawing in the making.
+struct Simplifier {
     /// Blocks less than this across are fine, in units of the root block.
     finest: f64,
     /// The simpler blocks by block and scale.
@@ -41,12 +51,9 @@ pub struct Simplifier {
     blocks: Vec<Block<Solid>>,
     items: Chunks<Item<Solid>>,
     styles: Styles,
-    memory: u64,
-    spent: u64,
 }
 
 /// A block in the making.
-#[derive(Clone, Debug)]
 struct OpenBlock {
     block: BlockId,
     /// One unit of the block in units of the root block.
@@ -59,10 +66,7 @@ struct OpenBlock {
 }
 
 impl Simplifier {
-    /// A simplifier for a drawing. Blocks less than `finest` across become one stroke, in parts of the longest side of
-    /// the drawing.
-    #[must_use]
-    pub fn new(drawing: &Drawing<Solid>, finest: f64, memory: u64) -> Self {
+    fn new(drawing: &Drawing<Solid>, finest: f64) -> Self {
         let longest = drawing.extent().map_or(0.0, |extent| {
             let [low, high] = extent.sides;
             (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max)
@@ -74,19 +78,11 @@ impl Simplifier {
             blocks: vec![],
             items: Chunks::new(),
             styles: Styles::new(),
-            memory,
-            spent: 0,
         };
         if let Some(root) = drawing.root {
             simplifier.enter(root, 1.0);
         }
         simplifier
-    }
-
-    /// The units of work of all steps so far, as [`Meter`] counts them.
-    #[must_use]
-    pub fn spent(&self) -> u64 {
-        self.spent
     }
 
     fn enter(&mut self, block: BlockId, scale: f64) {
@@ -97,25 +93,6 @@ impl Simplifier {
     fn bytes(&self) -> u64 {
         let known = self.known.capacity() / 7 * 8 * size_of::<((BlockId, u64), BlockId)>();
         bytes_of(&self.blocks) + self.items.bytes() + self.styles.bytes() + known as u64
-    }
-
-    /// Continues for about `work` units. Every call needs the same drawing.
-    ///
-    /// # Errors
-    /// As [`Drawing::simplified`].
-    pub fn step(&mut self, drawing: &Drawing<Solid>, work: u64) -> Result<Progress, Diagnostic> {
-        let mut meter = Meter::new(work);
-        while !meter.is_spent() && !self.open.is_empty() {
-            meter.charge(4);
-            if !self.read(drawing) {
-                self.close(drawing);
-                if self.bytes() > self.memory {
-                    return Err(Diagnostic::limit(LimitName::Memory, self.memory, None));
-                }
-            }
-        }
-        self.spent = self.spent.saturating_add(meter.spent());
-        Ok(if self.open.is_empty() { Progress::Done } else { Progress::More })
     }
 
     /// Reads the next item of the innermost open block, or opens the item's block. Returns whether there was one.
@@ -159,10 +136,7 @@ impl Simplifier {
         self.blocks.push(Block { items, segments, polygons, ..drawing.blocks[block.0 as usize].clone() });
     }
 
-    /// The simpler drawing, when all steps are done. It has the extent of the first drawing, and places along the path
-    /// follow the drawing order.
-    #[must_use]
-    pub fn finish(self, drawing: &Drawing<Solid>) -> Drawing<Solid> {
+    fn finish(self, drawing: &Drawing<Solid>) -> Drawing<Solid> {
         Drawing {
             root: self.blocks.len().checked_sub(1).map(|last| BlockId(last as u32)),
             blocks: self.blocks,

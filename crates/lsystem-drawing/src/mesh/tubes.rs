@@ -68,11 +68,6 @@ impl Tubes {
         2.0 * self.least
     }
 
-    /// Frees the meshes.
-    pub(super) fn clear(&mut self) {
-        *self = Self::new(self.form, self.sides, self.least);
-    }
-
     /// Makes room for a mark, and for the end of the open tube.
     pub(super) fn reserve(&mut self, mark: &Mark<Solid>, style: &Style) {
         self.reserve_end();

@@ -1,44 +1,42 @@
 //! The features of a drawing's blocks at the size of a picture.
 
 use lsystem_drawing::{BlockId, Directions, Drawing, Item, Line, Shape};
-use lsystem_syntax::{Meter, Progress};
+use lsystem_syntax::{Halt, Work};
 
 /// Blocks less than this size across become one stroke, in pixels.
 const DOT: f64 = 1.0;
 
-/// The features of blocks, by block, as far as computed.
-#[derive(Clone, Debug, Default)]
+/// The features of blocks, by block.
+#[derive(Default)]
 pub(super) struct Features {
     shapes: Vec<Shape>,
     /// The number of strokes that draw the block at this size, saturating. Blocks placed with scaled lengths may have
     /// other numbers there.
     strokes: Vec<u32>,
-    directions: Directions,
 }
 
 impl Features {
-    /// Computes the features of further blocks until the meter is spent. One unit of the root is `scale` pixels.
-    pub(super) fn step(&mut self, drawing: &Drawing, root: BlockId, scale: f64, meter: &mut Meter) -> Progress {
+    /// Finds the features of all blocks. One unit of the root is `scale` pixels.
+    pub(super) fn new(drawing: &Drawing, root: BlockId, scale: f64, work: &mut dyn Work) -> Result<Self, Halt> {
         let exponent = drawing.blocks[root.0 as usize].exponent;
-        while let Some(block) = drawing.blocks.get(self.shapes.len()) {
-            if meter.is_spent() {
-                return Progress::More;
-            }
-            meter.charge(1 + Shape::work(block, drawing));
-            let shape = Shape::new(block, &self.shapes, drawing, &mut self.directions);
+        let (mut features, mut directions) = (Self::default(), Directions::default());
+        for block in &drawing.blocks {
+            work.charge(1 + Shape::work(block, drawing))?;
+            let shape = Shape::new(block, &features.shapes, drawing, &mut directions);
             let own = scale * libm::scalbn(1.0, block.exponent.saturating_sub(exponent));
-            self.strokes.push(match one_stroke(&shape, own) {
+            let strokes = match one_stroke(&shape, own) {
                 Some(_) => 1,
                 None => (drawing.contents(block).iter())
                     .map(|item| match item {
                         Item::Stroke(_) | Item::Polygon(_) => 1,
-                        Item::Block(placed) => self.strokes(placed.block),
+                        Item::Block(placed) => features.strokes(placed.block),
                     })
                     .fold(0, u32::saturating_add),
-            });
-            self.shapes.push(shape);
+            };
+            features.strokes.push(strokes);
+            features.shapes.push(shape);
         }
-        Progress::Done
+        Ok(features)
     }
 
     pub(super) fn strokes(&self, block: BlockId) -> u32 {

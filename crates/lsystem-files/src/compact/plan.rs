@@ -4,15 +4,15 @@ use super::styled_drawing::StyledDrawing;
 use crate::strokes::{PATH, StrokeLook};
 use core::ops::Range;
 use lsystem_drawing::{BlockId, Directions, Frame, Item, Line, StyleChange};
-use lsystem_syntax::{Heading, Meter, Progress};
+use lsystem_syntax::{Diagnostic, Halt, Heading, LimitName, Work};
 use std::collections::{BinaryHeap, HashMap};
 
-/// The content of a compact file, planned in steps.
-#[derive(Clone, Debug)]
+/// The content of a compact file.
 pub(super) struct CompactPlan {
     /// Blocks of at most this many strokes are written out at each place.
     small: u32,
-    /// The number of strokes, vertices of polygons and placed blocks that may still be planned.
+    /// The most strokes, vertices of polygons and placed blocks, and how many may still be planned.
+    most: u64,
     left: u64,
     directions: Directions,
     symbols: Vec<Symbol>,
@@ -26,8 +26,6 @@ pub(super) struct CompactPlan {
     pending: BinaryHeap<(BlockId, usize)>,
     /// The symbol being planned.
     current: usize,
-    /// The blocks of the current symbol that are being read, outermost first: the items that remain, and the frame.
-    open: Vec<(Range<u32>, Frame)>,
     /// The symbols that are defined once and placed by `<use>`, children after parents. Other symbols are written in
     /// place.
     pub(super) shared: Vec<usize>,
@@ -63,9 +61,17 @@ impl CompactPlan {
 
     /// A plan that writes out blocks of at most `small` strokes at each place, and has at most `most` strokes, vertices
     /// of polygons and placed blocks. One unit of the root is `scale` pixels.
-    pub(super) fn new(styled: &StyledDrawing<'_>, root: BlockId, scale: f64, small: u32, most: u64) -> Self {
+    pub(super) fn new(
+        styled: &StyledDrawing<'_>,
+        root: BlockId,
+        scale: f64,
+        small: u32,
+        most: u64,
+        work: &mut dyn Work,
+    ) -> Result<Self, Halt> {
         let mut plan = Self {
             small,
+            most,
             left: most,
             directions: Directions::default(),
             symbols: vec![],
@@ -74,55 +80,55 @@ impl CompactPlan {
             known: HashMap::new(),
             pending: BinaryHeap::new(),
             current: Self::WHOLE,
-            open: vec![],
             shared: vec![],
             instances: 0,
         };
         let whole = plan.symbol(styled, root, scale, &StyleChange::start(styled.drawing.width));
         plan.symbols[whole].copies = 1;
-        plan
-    }
-
-    /// Continues the plan until the meter is spent; `None` if the plan exceeds its limit.
-    pub(super) fn step(&mut self, styled: &StyledDrawing<'_>, meter: &mut Meter) -> Option<Progress> {
-        while !meter.is_spent() {
-            meter.charge(4);
-            let Some((items, frame)) = self.open.last_mut() else {
-                if !self.begin(styled) {
-                    return Some(Progress::Done);
-                }
-                continue;
-            };
-            match items.next() {
-                Some(item) => {
-                    let frame = *frame;
-                    self.read(styled, &styled.drawing.items[item as usize], &frame, meter)?;
-                }
-                None => {
-                    self.open.pop();
-                }
-            }
-        }
-        Some(Progress::More)
-    }
-
-    /// Begins the next symbol. Returns whether there was one.
-    fn begin(&mut self, styled: &StyledDrawing<'_>) -> bool {
         // Blocks come before the blocks that contain them, so a planned symbol is never used again.
-        let Some((block, current)) = self.pending.pop() else { return false };
+        while let Some((block, symbol)) = plan.pending.pop() {
+            plan.fill(styled, block, symbol, work)?;
+        }
+        Ok(plan)
+    }
+
+    /// Plans the parts of a symbol.
+    fn fill(
+        &mut self,
+        styled: &StyledDrawing<'_>,
+        block: BlockId,
+        current: usize,
+        work: &mut dyn Work,
+    ) -> Result<(), Halt> {
+        self.current = current;
         let symbol = &mut self.symbols[current];
         symbol.parts = self.parts.len()..self.parts.len();
         if symbol.uses > 1 {
             self.shared.push(current);
             self.instances = self.instances.saturating_add(symbol.copies);
         }
-        self.current = current;
-        self.open.push((styled.drawing.blocks[block.0 as usize].items.clone(), symbol.frame));
-        true
+        // The blocks being read, outermost first: the items that remain, and the frame.
+        let mut open = vec![(styled.drawing.items_of(block).iter(), symbol.frame)];
+        while let Some((items, frame)) = open.last_mut() {
+            work.charge(4)?;
+            let Some(item) = items.next() else {
+                open.pop();
+                continue;
+            };
+            let frame = *frame;
+            open.extend(self.read(styled, item, &frame, work)?);
+        }
+        Ok(())
     }
 
-    /// Adds an item to the current symbol, or opens its block to write it out.
-    fn read(&mut self, styled: &StyledDrawing<'_>, item: &Item, frame: &Frame, meter: &mut Meter) -> Option<()> {
+    /// Adds an item to the current symbol. Returns the block that is written out in place of a placed one.
+    fn read<'a>(
+        &mut self,
+        styled: &StyledDrawing<'a>,
+        item: &Item,
+        frame: &Frame,
+        work: &mut dyn Work,
+    ) -> Result<Option<(core::slice::Iter<'a, Item>, Frame)>, Halt> {
         let drawing = styled.drawing;
         let stroke = |line: &Line, frame: &Frame| {
             SymbolPart::Stroke(
@@ -134,8 +140,8 @@ impl CompactPlan {
         let part = match item {
             Item::Stroke(own) => stroke(&Line::new(own, drawing), frame),
             Item::Polygon(polygon) => {
-                self.left = self.left.checked_sub(u64::from(polygon.count) - 1)?;
-                meter.charge(u64::from(polygon.count) / 8);
+                self.take(u64::from(polygon.count) - 1)?;
+                work.charge(u64::from(polygon.count) / 8)?;
                 let first = self.vertices.len();
                 self.vertices.extend(drawing.vertices_of(polygon).iter().map(|&vertex| frame.transform(vertex)));
                 let style = frame.style.then(&drawing.styles[polygon.style.0 as usize]);
@@ -146,8 +152,7 @@ impl CompactPlan {
                 match styled.features.one_stroke(placed.block, inner.scale) {
                     Some(line) => stroke(line, &inner),
                     None if styled.features.strokes(placed.block) <= self.small => {
-                        self.open.push((drawing.blocks[placed.block.0 as usize].items.clone(), inner));
-                        return Some(());
+                        return Ok(Some((drawing.items_of(placed.block).iter(), inner)));
                     }
                     None => {
                         let target = self.symbol(styled, placed.block, inner.scale, &inner.style);
@@ -160,10 +165,16 @@ impl CompactPlan {
                 }
             }
         };
-        self.left = self.left.checked_sub(1)?;
+        self.take(1)?;
         self.parts.push(part);
         self.symbols[self.current].parts.end = self.parts.len();
-        Some(())
+        Ok(None)
+    }
+
+    fn take(&mut self, count: u64) -> Result<(), Diagnostic> {
+        let left = self.left.checked_sub(count);
+        self.left = left.ok_or_else(|| Diagnostic::limit(LimitName::Segments, self.most, None))?;
+        Ok(())
     }
 
     /// The symbol of a block. A new symbol becomes pending.

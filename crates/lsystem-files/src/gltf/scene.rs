@@ -1,9 +1,11 @@
 //! A scene as the bytes of a binary glTF file.
 
+use crate::Sink;
 use crate::number::write_exact;
 use core::fmt::Write;
+use core::ops::Range;
 use lsystem_drawing::{Material, Mesh};
-use lsystem_syntax::{Meter, Progress};
+use lsystem_syntax::{Halt, Work};
 
 /// Constants of the format, by their names in its specification.
 const FLOAT: u32 = 5126;
@@ -12,8 +14,10 @@ const UNSIGNED_INT: u32 = 5125;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// The most entries written between two checks of the meter.
+/// The entries that are written at a time.
 const PIECE: usize = 256;
+/// The bytes of the file's head that are written in a unit of work.
+const HEAD_BYTES: u64 = 16;
 /// The most corners of a mesh with 16-bit indices: the greatest 16-bit number is no index.
 const SHORT: usize = 0xffff;
 
@@ -77,6 +81,23 @@ impl List {
             Self::Short => 6,
         }
     }
+
+    /// The bytes of a range of a mesh's entries. `linear` has the linear value of each sRGB value.
+    fn bytes(self, mesh: &Mesh, range: Range<usize>, linear: &[u16]) -> Vec<u8> {
+        match self {
+            Self::Positions => mesh.positions[range].iter().flatten().flat_map(|c| c.to_le_bytes()).collect(),
+            Self::Normals => mesh.normals[range].iter().flatten().flat_map(|c| c.to_le_bytes()).collect(),
+            Self::Colours => {
+                let channels =
+                    |[r, g, b]: &[u8; 3]| [*r, *g, *b].map(|c| linear[usize::from(c)]).into_iter().chain([u16::MAX]);
+                mesh.colours[range].iter().flat_map(channels).flat_map(u16::to_le_bytes).collect()
+            }
+            Self::Long => mesh.triangles[range].iter().flatten().flat_map(|index| index.to_le_bytes()).collect(),
+            Self::Short => {
+                mesh.triangles[range].iter().flatten().flat_map(|&index| (index as u16).to_le_bytes()).collect()
+            }
+        }
+    }
 }
 
 impl Scene {
@@ -85,8 +106,32 @@ impl Scene {
         self.meshes.iter().map(|mesh| list.entries(mesh, self.has_colours)).sum::<usize>() * list.size()
     }
 
-    /// The bytes before the binary data. Only parts with triangles may have nodes.
-    pub(super) fn head(&self) -> Vec<u8> {
+    /// Writes the file. Only parts with triangles may have nodes.
+    pub(super) fn write(&self, sink: &mut Sink<'_>) -> Result<(), Halt> {
+        let head = self.head();
+        sink.charge(head.len() as u64 / HEAD_BYTES)?;
+        sink.bytes(&head)?;
+        drop(head);
+        // By sRGB value: the linear value.
+        let linear: Vec<u16> =
+            (0..=u8::MAX).map(|value| libm::round(linear(value) * f64::from(u16::MAX)) as u16).collect();
+        for list in List::ALL {
+            for mesh in &self.meshes {
+                sink.charge(1)?;
+                let entries = list.entries(mesh, self.has_colours);
+                for start in (0..entries).step_by(PIECE) {
+                    let piece = start..(start + PIECE).min(entries);
+                    sink.charge(piece.len() as u64)?;
+                    sink.bytes(&list.bytes(mesh, piece, &linear))?;
+                }
+            }
+        }
+        let bytes: usize = List::ALL.map(|list| self.bytes_of(list)).iter().sum();
+        sink.bytes(&[0; 4][..bytes.next_multiple_of(4) - bytes])
+    }
+
+    /// The bytes before the binary data.
+    fn head(&self) -> Vec<u8> {
         // The length of a chunk is a multiple of four bytes.
         let binary = List::ALL.map(|list| self.bytes_of(list)).iter().sum::<usize>().next_multiple_of(4);
         let mut json = String::from("{\"asset\":{\"version\":\"2.0\",\"generator\":\"lsystem\"},\"scene\":0,");
@@ -197,65 +242,6 @@ impl Scene {
     }
 }
 
-/// A place in the binary chunk.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Data {
-    list: usize,
-    mesh: usize,
-    /// The number of entries written.
-    entry: usize,
-    bytes: usize,
-}
-
-impl Data {
-    /// Appends bytes until the meter is spent. `linear` has the linear value of each sRGB value.
-    pub(super) fn step(&mut self, scene: &Scene, linear: &[u16], bytes: &mut Vec<u8>, meter: &mut Meter) -> Progress {
-        while !meter.is_spent() {
-            let Some(&list) = List::ALL.get(self.list) else {
-                while !self.bytes.is_multiple_of(4) {
-                    bytes.push(0);
-                    self.bytes += 1;
-                }
-                return Progress::Done;
-            };
-            meter.charge(1);
-            let Some(mesh) = scene.meshes.get(self.mesh) else {
-                (self.list, self.mesh) = (self.list + 1, 0);
-                continue;
-            };
-            let entries = list.entries(mesh, scene.has_colours);
-            let (from, to) = (self.entry, (self.entry + PIECE).min(entries));
-            if from == to {
-                (self.mesh, self.entry) = (self.mesh + 1, 0);
-                continue;
-            }
-            match list {
-                List::Positions | List::Normals => {
-                    let vectors = if list == List::Positions { &mesh.positions } else { &mesh.normals };
-                    vectors[from..to].iter().flatten().for_each(|value| bytes.extend(value.to_le_bytes()));
-                }
-                List::Colours => {
-                    for colour in &mesh.colours[from..to] {
-                        let [r, g, b] = colour.map(|c| linear[usize::from(c)]);
-                        [r, g, b, u16::MAX].iter().for_each(|value| bytes.extend(value.to_le_bytes()));
-                    }
-                }
-                List::Long => {
-                    mesh.triangles[from..to].iter().flatten().for_each(|index| bytes.extend(index.to_le_bytes()));
-                }
-                List::Short => {
-                    let indices = mesh.triangles[from..to].iter().flatten();
-                    indices.for_each(|&index| bytes.extend((index as u16).to_le_bytes()));
-                }
-            }
-            self.entry = to;
-            self.bytes += (to - from) * list.size();
-            meter.charge((to - from) as u64);
-        }
-        Progress::More
-    }
-}
-
 /// Writes the accessor of a mesh's entries in a list.
 fn write_accessor(json: &mut String, list: List, view: usize, offset: usize, mesh: &Mesh) {
     let (corners, indices) = (mesh.positions.len(), 3 * mesh.triangles.len());
@@ -306,7 +292,7 @@ fn write_material(json: &mut String, Material { rgb, is_leaf }: Material) {
 }
 
 /// Converts an sRGB value (0 to 255) to a linear value (0 to 1).
-pub(super) fn linear(value: u8) -> f64 {
+fn linear(value: u8) -> f64 {
     let value = f64::from(value) / 255.0;
     if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
 }

@@ -1,13 +1,14 @@
 //! Drawings as TikZ pictures: paths in millimetres.
 
 use super::figure::{Figure, coordinates, lengths};
+use crate::formats::Notes;
 use crate::number::Decimals;
-use crate::strokes::StrokeLook;
-use crate::{FileOptions, Writer};
+use crate::strokes::{StrokeFile, StrokeLook, VERTEX_WORK, write_marks};
+use crate::svg::warning;
+use crate::{FileOptions, Sink};
 use core::fmt::Write;
-use lsystem_drawing::{Drawing, Mark, MarkReader, Plane};
-use lsystem_syntax::{Diagnostic, Field, Ink, Kind, Meter, Progress, Style};
-use std::sync::Arc;
+use lsystem_drawing::Drawing;
+use lsystem_syntax::{Halt, Style, Work};
 
 /// The most segments and vertices of a picture: LaTeX takes about 15 seconds for them.
 const MOST: u64 = 100_000;
@@ -15,26 +16,38 @@ const MOST: u64 = 100_000;
 const PATH: usize = 1_000;
 /// The number of points on a line of the file.
 const LINE: usize = 8;
-/// The units of work of one point.
-const POINT_WORK: u64 = 4;
 
 /// Writes a TikZ picture. Consecutive strokes of the same colour and width share a path.
-pub struct TikzWriter {
-    drawing: Arc<Drawing>,
-    style: Style,
-    figure: Figure,
-    reader: MarkReader<Plane>,
-    /// The file's start; empty once written.
-    head: String,
+///
+/// # Errors
+/// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the drawing has more segments and vertices than the options allow, or
+/// more than 100,000.
+pub(crate) fn write_tikz(
+    drawing: &Drawing,
+    style: &Style,
+    options: &FileOptions,
+    sink: &mut Sink<'_>,
+) -> Result<Notes, Halt> {
+    drawing.check_size(options.most.min(MOST))?;
+    let figure = Figure::for_text(drawing, &options.sheet);
+    let usual = figure.start(drawing, style).width;
+    write_head(&figure, style, options, usual, &mut sink.text);
+    let mut picture = Picture { sink, colours: vec![], usual, open: None, coordinates: coordinates() };
+    let look = |tint, width| figure.look(style, tint, width);
+    write_marks(drawing, style, |point| figure.place(point), look, &mut picture)?;
+    sink.text.push_str("\\end{tikzpicture}\n");
+    Ok(Notes { remark: warning(0, style.ink), ..Notes::default() })
+}
+
+/// A picture in the making.
+struct Picture<'a, 'o> {
+    sink: &'a mut Sink<'o>,
     /// The colours with names: `c0`, `c1` and so on.
     colours: Vec<[u8; 3]>,
     /// The width of paths without a width of their own.
     usual: f64,
     open: Option<OpenPath>,
-    /// The vertices of the open polygon, and the number of vertices written.
-    outline: Option<(Vec<[f64; 2]>, usize)>,
     coordinates: Decimals,
-    is_done: bool,
 }
 
 /// The path being written.
@@ -48,50 +61,10 @@ struct OpenPath {
     points: usize,
 }
 
-impl TikzWriter {
-    /// A writer for a drawing.
-    ///
-    /// # Errors
-    /// [`Kind::Limit`] if the drawing has more segments and vertices than the options allow, or more than 100,000.
-    pub fn new(drawing: Arc<Drawing>, style: Style, options: &FileOptions) -> Result<Self, Diagnostic> {
-        drawing.check_size(options.most.min(MOST))?;
-        let figure = Figure::for_text(&drawing, &options.sheet);
-        let usual = figure.start(&drawing, &style).width;
-        Ok(Self {
-            reader: MarkReader::new(&drawing),
-            head: head(&figure, &style, options, usual),
-            drawing,
-            style,
-            figure,
-            colours: vec![],
-            usual,
-            open: None,
-            outline: None,
-            coordinates: coordinates(),
-            is_done: false,
-        })
-    }
-
-    fn stroke(&mut self, text: &mut String, from: [f64; 2], to: [f64; 2], look: StrokeLook) {
-        let [start, end] = [from, to].map(|point| point.map(|c| self.coordinates.round(c)));
-        let mut open = match self.open {
-            Some(open) if open.look == look && open.segments < PATH => open,
-            _ => {
-                self.close(text);
-                self.begin(text, "draw", look.rgb, (look.width != self.usual).then_some(look.width));
-                OpenPath { look, at: [f64::NAN; 2], segments: 0, points: 0 }
-            }
-        };
-        if open.at != start {
-            self.point(text, from, &mut open.points);
-        }
-        text.push_str("--");
-        self.point(text, to, &mut open.points);
-        self.open = Some(OpenPath { at: end, segments: open.segments + 1, ..open });
-    }
-
+impl Picture<'_, '_> {
     /// Begins a command. A new colour gets its name first.
-    fn begin(&mut self, text: &mut String, command: &str, rgb: [u8; 3], width: Option<f64>) {
+    fn begin(&mut self, command: &str, rgb: [u8; 3], width: Option<f64>) {
+        let text = &mut self.sink.text;
         let number = self.colours.iter().position(|own| *own == rgb).unwrap_or_else(|| {
             let [r, g, b] = rgb;
             self.colours.push(rgb);
@@ -108,7 +81,8 @@ impl TikzWriter {
         text.push(']');
     }
 
-    fn point(&self, text: &mut String, [x, y]: [f64; 2], points: &mut usize) {
+    fn point(&mut self, [x, y]: [f64; 2], points: &mut usize) {
+        let text = &mut self.sink.text;
         if *points == LINE {
             text.push('\n');
             *points = 0;
@@ -120,71 +94,67 @@ impl TikzWriter {
         self.coordinates.write(text, y);
         text.push(')');
     }
+}
 
-    fn close(&mut self, text: &mut String) {
-        if self.open.take().is_some() {
-            text.push_str(";\n");
-        }
+impl Work for Picture<'_, '_> {
+    fn charge(&mut self, units: u64) -> Result<(), Halt> {
+        self.sink.charge(units)
     }
+}
 
-    /// Writes the next vertex of the open polygon, or its end. Returns whether a polygon was open.
-    fn vertex(&mut self, text: &mut String) -> bool {
-        let Some((vertices, written)) = self.outline.take() else { return false };
-        let Some(&vertex) = vertices.get(written) else {
-            text.push_str("--cycle;\n");
-            return true;
+impl StrokeFile for Picture<'_, '_> {
+    fn stroke(&mut self, from: [f64; 2], to: [f64; 2], look: StrokeLook) {
+        let [start, end] = [from, to].map(|point| point.map(|c| self.coordinates.round(c)));
+        let mut open = match self.open {
+            Some(open) if open.look == look && open.segments < PATH => open,
+            _ => {
+                self.close();
+                self.begin("draw", look.rgb, (look.width != self.usual).then_some(look.width));
+                OpenPath { look, at: [f64::NAN; 2], segments: 0, points: 0 }
+            }
         };
-        let mut points = if written > 0 && written.is_multiple_of(LINE) { LINE } else { written % LINE };
-        text.push_str(if written > 0 { "--" } else { "" });
-        self.point(text, vertex, &mut points);
-        self.outline = Some((vertices, written + 1));
-        true
+        if open.at != start {
+            self.point(from, &mut open.points);
+        }
+        self.sink.text.push_str("--");
+        self.point(to, &mut open.points);
+        self.open = Some(OpenPath { at: end, segments: open.segments + 1, ..open });
     }
 
-    fn write(&mut self, text: &mut String, meter: &mut Meter) {
-        text.push_str(&core::mem::take(&mut self.head));
-        while !self.is_done && !meter.is_spent() {
-            if self.vertex(text) {
-                meter.charge(POINT_WORK);
-                continue;
-            }
-            let mark = self.reader.next(&self.drawing);
-            meter.charge(mark.as_ref().map_or(8, Mark::work));
-            match mark {
-                Some(Mark::Segment(segment, tint)) => {
-                    let look = self.figure.look(&self.style, tint, segment.width);
-                    self.stroke(text, self.figure.place(segment.from), self.figure.place(segment.to), look);
-                }
-                Some(Mark::Polygon(vertices, tint)) => {
-                    self.close(text);
-                    self.begin(text, "fill", self.style.colour_of(tint).rgb, None);
-                    self.outline = Some((vertices.into_iter().map(|vertex| self.figure.place(vertex)).collect(), 0));
-                }
-                None => {
-                    self.close(text);
-                    text.push_str("\\end{tikzpicture}\n");
-                    self.is_done = true;
-                }
-            }
+    fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, rgb: [u8; 3]) -> Result<(), Halt> {
+        self.close();
+        self.begin("fill", rgb, None);
+        let mut points = 0;
+        for (number, vertex) in vertices.enumerate() {
+            self.charge(VERTEX_WORK)?;
+            self.sink.text.push_str(if number > 0 { "--" } else { "" });
+            self.point(vertex, &mut points);
+        }
+        self.sink.text.push_str("--cycle;\n");
+        Ok(())
+    }
+
+    fn close(&mut self) {
+        if self.open.take().is_some() {
+            self.sink.text.push_str(";\n");
         }
     }
 }
 
 /// The lines before the first path.
-fn head(figure: &Figure, style: &Style, options: &FileOptions, usual: f64) -> String {
-    let mut text = title(&options.title);
+fn write_head(figure: &Figure, style: &Style, options: &FileOptions, usual: f64, text: &mut String) {
+    text.push_str(&title(&options.title));
     text.push_str("% For documents with \\usepackage{tikz}. Lengths are in millimetres.\n");
     text.push_str("\\begin{tikzpicture}[x=1mm,y=1mm,line cap=round,line join=round,line width=");
-    lengths().write(&mut text, usual);
+    lengths().write(text, usual);
     text.push_str("mm]\n");
     let [r, g, b] = style.background.rgb;
     // Writing to a `String` cannot fail.
     let _ = write!(text, "\\definecolor{{background}}{{RGB}}{{{r},{g},{b}}}\n\\fill[background](0,0)rectangle(");
-    coordinates().write(&mut text, figure.size[0]);
+    coordinates().write(text, figure.size[0]);
     text.push(',');
-    coordinates().write(&mut text, figure.size[1]);
+    coordinates().write(text, figure.size[1]);
     text.push_str(");\n");
-    text
 }
 
 /// A title as a comment; nothing for an empty title.
@@ -193,36 +163,18 @@ pub(super) fn title(title: &str) -> String {
     if title.is_empty() { title } else { format!("% {title}\n") }
 }
 
-impl Writer for TikzWriter {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        let mut text = String::new();
-        self.write(&mut text, &mut Meter::new(work));
-        file.append(&mut text.into_bytes());
-        Ok(if self.is_done { Progress::Done } else { Progress::More })
-    }
-
-    fn remark(&self) -> Option<Diagnostic> {
-        covering(&self.style)
-    }
-}
-
-/// A warning if the drawing has additive ink, which files for papers do not have.
-pub(super) fn covering(style: &Style) -> Option<Diagnostic> {
-    (style.ink == Ink::Density).then_some(Diagnostic { kind: Kind::CoveringInk, field: Field::Numbers, span: 0..0 })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::write_all;
+    use crate::collect;
     use expect_test::expect;
-    use lsystem_drawing::{System, draw};
-    use lsystem_syntax::{Definition, LimitName, Limits};
+    use lsystem_drawing::{Plane, System, draw};
+    use lsystem_syntax::{Definition, Diagnostic, Kind, LimitName, Limits};
 
-    fn writer(definition: &Definition, options: &FileOptions) -> Result<TikzWriter, Diagnostic> {
+    fn written(definition: &Definition, options: &FileOptions) -> Result<String, Diagnostic> {
         let drawing =
             draw::<Plane>(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
-        TikzWriter::new(Arc::new(drawing), definition.style.clone(), options)
+        collect(|sink| write_tikz(&drawing, &definition.style, options, sink)).map(|(text, _)| text)
     }
 
     #[test]
@@ -234,7 +186,7 @@ mod tests {
             ..Definition::default()
         };
         let options = FileOptions { title: "A leaf\n& more".into(), ..FileOptions::default() };
-        let whole = write_all(&mut writer(&definition, &options).unwrap()).unwrap();
+        let whole = written(&definition, &options).unwrap();
         expect![[r#"
             % A leaf & more
             % For documents with \usepackage{tikz}. Lengths are in millimetres.
@@ -249,11 +201,7 @@ mod tests {
             \draw[c0,line width=36.1674mm](31.92,72.33)--(31.92,90.42);
             \fill[c0](31.92,90.42)--(38.84,107.13)--(38.84,125.21)--(31.92,141.92)--(25,125.21)--(25,107.13)--(31.92,90.42)--cycle;
             \end{tikzpicture}
-        "#]].assert_eq(str::from_utf8(&whole).unwrap());
-
-        let (mut small, mut file) = (writer(&definition, &options).unwrap(), vec![]);
-        while small.step(&mut file, 1).unwrap() == Progress::More {}
-        assert_eq!(file, whole);
+        "#]].assert_eq(&whole);
     }
 
     #[test]
@@ -265,11 +213,10 @@ mod tests {
             iterations,
             ..Definition::default()
         };
-        let text =
-            String::from_utf8(write_all(&mut writer(&koch(6), &FileOptions::default()).unwrap()).unwrap()).unwrap();
+        let text = written(&koch(6), &FileOptions::default()).unwrap();
         assert_eq!((text.matches("\\draw").count(), text.matches("--").count()), (5, 4096));
         assert!(text.lines().all(|line| line.len() < 200));
-        let over = writer(&koch(9), &FileOptions::default()).err().map(|error| error.kind);
+        let over = written(&koch(9), &FileOptions::default()).err().map(|error| error.kind);
         assert_eq!(over, Some(Kind::Limit { limit: LimitName::Segments, value: MOST, largest: None }));
     }
 }

@@ -5,13 +5,16 @@
 
 use super::bibtex::slug;
 use super::figure::{Figure, lengths};
-use super::tikz::{covering, title};
-use crate::{FileOptions, Writer};
+use super::tikz::title;
+use crate::formats::Notes;
+use crate::svg::warning;
+use crate::{FileOptions, Sink};
 use core::fmt::Write;
 use lsystem_drawing::{Drawer, Drawing, Plane, System, expand};
 use lsystem_syntax::number::number;
 use lsystem_syntax::{
-    Action, ColourBy, Definition, Diagnostic, Field, Grammar, Heading, Kind, Limits, Module, Progress, TikzObstacle,
+    Action, ColourBy, Definition, Diagnostic, Field, Grammar, Halt, Heading, Kind, Limits, Module, TikzObstacle,
+    run_steps,
 };
 
 /// The limits of a drawing by TeX, which draws some thousand symbols in a second.
@@ -30,94 +33,77 @@ const OWN: [(char, &str); 6] = [
     (']', "\\pgflsystemrestorestate"),
 ];
 
-/// Writes the declaration of a system, and a picture with its drawing.
-pub struct TikzLibraryWriter {
-    definition: Definition,
-    options: FileOptions,
-    grammar: Grammar,
-    /// The symbols whose codes differ from the library's.
-    codes: Vec<(char, String)>,
-    /// Finds the size of the drawing; `None` when all is written.
-    drawer: Option<Drawer<Plane>>,
+/// Writes the declaration of a definition's system, and a picture with its drawing.
+///
+/// # Errors
+/// [`Kind::NotInTikz`] if the library cannot express the system, and [`Kind::Limit`] if TeX would take too long.
+pub(crate) fn write_tikz_library(
+    definition: &Definition,
+    system: &System,
+    options: &FileOptions,
+    sink: &mut Sink<'_>,
+) -> Result<Notes, Halt> {
+    if let Some(obstacle) = obstacle(definition, system) {
+        return Err(lacking(obstacle).into());
+    }
+    let codes = codes(system).map_err(lacking)?;
+    let word = expand(system, definition.iterations, &LIMITS)?;
+    check_branches(system, &word).map_err(lacking)?;
+    let mut drawer = Drawer::<Plane>::new(system, definition.iterations, LIMITS);
+    run_steps(sink, |units| drawer.step(units))?;
+    let drawing = drawer.finish()?;
+    let mut grammar = system.grammar.clone();
+    // Rules that never apply may have symbols that TeX cannot read.
+    let reached = reached(system);
+    grammar.productions.retain(|production| reached.contains(&production.predecessor.symbol));
+    write_picture(definition, &grammar, &codes, &drawing, options, &mut sink.text);
+    Ok(Notes { remark: warning(0, definition.style.ink), ..Notes::default() })
 }
 
-impl TikzLibraryWriter {
-    /// A writer for a definition and its system.
-    ///
-    /// # Errors
-    /// [`Kind::NotInTikz`] if the library cannot express the system, and [`Kind::Limit`] if TeX would take too long.
-    pub fn new(definition: &Definition, system: &System, options: &FileOptions) -> Result<Self, Diagnostic> {
-        if let Some(obstacle) = obstacle(definition, system) {
-            return Err(lacking(obstacle));
-        }
-        let codes = codes(system).map_err(lacking)?;
-        let word = expand(system, definition.iterations, &LIMITS)?;
-        check_branches(system, &word).map_err(lacking)?;
-        let drawer = Some(Drawer::new(system, definition.iterations, LIMITS));
-        let mut grammar = system.grammar.clone();
-        // Rules that never apply may have symbols that TeX cannot read.
-        let reached = reached(system);
-        grammar.productions.retain(|production| reached.contains(&production.predecessor.symbol));
-        Ok(Self { definition: definition.clone(), options: options.clone(), grammar, codes, drawer })
+/// Writes the file. `codes` are those that differ from the library's.
+fn write_picture(
+    definition: &Definition,
+    grammar: &Grammar,
+    codes: &[(char, String)],
+    drawing: &Drawing,
+    options: &FileOptions,
+    text: &mut String,
+) {
+    let figure = Figure::for_text(drawing, &options.sheet);
+    let look = figure.start(drawing, &definition.style);
+    let [r, g, b] = look.rgb;
+    let name = slug(&definition.name);
+    let name = if name.is_empty() { "l-system" } else { &name };
+    text.push_str(&title(&options.title));
+    text.push_str("% For documents with \\usepackage{tikz} and \\usetikzlibrary{lindenmayersystems}.\n");
+    // Writing to a `String` cannot fail.
+    let _ = writeln!(text, "\\pgfdeclarelindenmayersystem{{{name}}}{{");
+    for (symbol, code) in codes {
+        let _ = writeln!(text, "  \\symbol{{{symbol}}}{{{code}}}");
     }
-
-    fn write(&self, drawing: &Drawing) -> String {
-        let definition = &self.definition;
-        let figure = Figure::for_text(drawing, &self.options.sheet);
-        let look = figure.start(drawing, &definition.style);
-        let [r, g, b] = look.rgb;
-        let name = slug(&definition.name);
-        let name = if name.is_empty() { "l-system" } else { &name };
-        let mut text = title(&self.options.title);
-        text.push_str("% For documents with \\usepackage{tikz} and \\usetikzlibrary{lindenmayersystems}.\n");
-        // Writing to a `String` cannot fail.
-        let _ = writeln!(text, "\\pgfdeclarelindenmayersystem{{{name}}}{{");
-        for (symbol, code) in &self.codes {
-            let _ = writeln!(text, "  \\symbol{{{symbol}}}{{{code}}}");
+    let mut known = Vec::new();
+    for production in &grammar.productions {
+        let symbol = production.predecessor.symbol;
+        // Of several productions, the first one applies here and the last one in the library.
+        if !known.contains(&symbol) {
+            known.push(symbol);
+            let _ = writeln!(text, "  \\rule{{{symbol} -> {}}}", symbols(&production.successor));
         }
-        let mut known = Vec::new();
-        for production in &self.grammar.productions {
-            let symbol = production.predecessor.symbol;
-            // Of several productions, the first one applies here and the last one in the library.
-            if !known.contains(&symbol) {
-                known.push(symbol);
-                let _ = writeln!(text, "  \\rule{{{symbol} -> {}}}", symbols(&production.successor));
-            }
-        }
-        let _ = writeln!(text, "}}\n\\begin{{tikzpicture}}\n\\definecolor{{stroke}}{{RGB}}{{{r},{g},{b}}}");
-        text.push_str("\\draw[stroke,line cap=round,line join=round,line width=");
-        lengths().write(&mut text, look.width);
-        let _ = write!(text, "mm,rotate={},\n  l-system={{{name}, ", degrees(definition.heading));
-        let _ = write!(text, "axiom={{{}}}, order={}, ", symbols(&self.grammar.axiom), definition.iterations);
-        let right = definition.right_angle.unwrap_or(definition.angle);
-        if right == definition.angle {
-            let _ = write!(text, "angle={}", degrees(right));
-        } else {
-            let _ = write!(text, "left angle={}, right angle={}", degrees(definition.angle), degrees(right));
-        }
-        text.push_str(", step=");
-        lengths().write(&mut text, figure.scale * definition.step);
-        text.push_str("mm}] lindenmayer system;\n\\end{tikzpicture}\n");
-        text
     }
-}
-
-impl Writer for TikzLibraryWriter {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        let Some(drawer) = &mut self.drawer else { return Ok(Progress::Done) };
-        if drawer.step(work) == Progress::Done
-            && let Some(drawer) = self.drawer.take()
-        {
-            let text = self.write(&drawer.finish()?);
-            file.append(&mut text.into_bytes());
-            return Ok(Progress::Done);
-        }
-        Ok(Progress::More)
+    let _ = writeln!(text, "}}\n\\begin{{tikzpicture}}\n\\definecolor{{stroke}}{{RGB}}{{{r},{g},{b}}}");
+    text.push_str("\\draw[stroke,line cap=round,line join=round,line width=");
+    lengths().write(text, look.width);
+    let _ = write!(text, "mm,rotate={},\n  l-system={{{name}, ", degrees(definition.heading));
+    let _ = write!(text, "axiom={{{}}}, order={}, ", symbols(&grammar.axiom), definition.iterations);
+    let right = definition.right_angle.unwrap_or(definition.angle);
+    if right == definition.angle {
+        let _ = write!(text, "angle={}", degrees(right));
+    } else {
+        let _ = write!(text, "left angle={}, right angle={}", degrees(definition.angle), degrees(right));
     }
-
-    fn remark(&self) -> Option<Diagnostic> {
-        covering(&self.definition.style)
-    }
+    text.push_str(", step=");
+    lengths().write(text, figure.scale * definition.step);
+    text.push_str("mm}] lindenmayer system;\n\\end{tikzpicture}\n");
 }
 
 fn lacking(obstacle: TikzObstacle) -> Diagnostic {
@@ -244,13 +230,13 @@ fn deepest(symbols: impl Iterator<Item = char>, change: impl Fn(char) -> isize) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::write_all;
+    use crate::collect;
     use expect_test::{Expect, expect};
 
     fn written(definition: &Definition) -> Result<String, Diagnostic> {
         let options = FileOptions { title: definition.title.clone(), ..FileOptions::default() };
-        let file = write_all(&mut TikzLibraryWriter::new(definition, &System::new(definition).0.unwrap(), &options)?)?;
-        Ok(String::from_utf8(file).unwrap())
+        let system = System::new(definition).0.unwrap();
+        collect(|sink| write_tikz_library(definition, &system, &options, sink)).map(|(text, _)| text)
     }
 
     fn check(definition: &Definition, expected: &Expect) {

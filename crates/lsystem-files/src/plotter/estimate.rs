@@ -28,8 +28,9 @@ impl PlotSummary {
         Self { seconds: moves + self.polylines as f64 * options.lift, ..self }
     }
 
-    /// The summary as a line of text.
-    pub(super) fn words(&self, options: &PlotOptions) -> String {
+    /// The summary as a line of text, with the speeds of `options`.
+    pub(crate) fn words(&self, options: &PlotOptions) -> String {
+        let options = options.bounded();
         let [width, height] = self.sheet;
         let plural = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
         format!(

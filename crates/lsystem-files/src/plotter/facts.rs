@@ -2,14 +2,12 @@
 
 use super::page::{Point, distance};
 use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Shape, StyleChange};
-use lsystem_syntax::{Meter, Progress};
+use lsystem_syntax::{Halt, Work};
 
-/// The facts about all blocks, as far as computed.
-#[derive(Clone, Debug, Default)]
+/// The facts about all blocks.
 pub(super) struct BlockFacts {
     shapes: Vec<Shape>,
     ways: Vec<Way>,
-    directions: Directions,
 }
 
 /// The pen's way through a block, in block units.
@@ -24,14 +22,13 @@ struct Way {
 }
 
 impl BlockFacts {
-    /// Computes the facts about further blocks until the meter is spent.
-    pub(super) fn step(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        while let Some(block) = drawing.blocks.get(self.shapes.len()) {
-            if meter.is_spent() {
-                return Progress::More;
-            }
-            meter.charge(1 + Shape::work(block, drawing));
-            let shape = Shape::new(block, &self.shapes, drawing, &mut self.directions);
+    /// Finds the facts about all blocks.
+    pub(super) fn new(drawing: &Drawing, work: &mut dyn Work) -> Result<Self, Halt> {
+        let mut directions = Directions::default();
+        let (mut shapes, mut ways): (Vec<Shape>, Vec<Way>) = (vec![], vec![]);
+        for block in &drawing.blocks {
+            work.charge(1 + Shape::work(block, drawing))?;
+            let shape = Shape::new(block, &shapes, drawing, &mut directions);
             let diameter = if shape.straight.is_some() { f64::INFINITY } else { shape.longest.length() };
             let mut way = Way { ends: None, ink: 0.0, finest: diameter };
             let home = Frame::new(1.0, StyleChange::NONE);
@@ -43,11 +40,11 @@ impl BlockFacts {
                         Some([stroke.from, stroke.to])
                     }
                     Item::Block(placed) => {
-                        let inner = self.ways[placed.block.0 as usize];
+                        let inner = ways[placed.block.0 as usize];
                         let scale = placed.scale.abs();
                         way.ink += inner.ink * scale;
                         way.finest = way.finest.min(inner.finest * scale);
-                        let frame = home.place(placed, drawing, &mut self.directions);
+                        let frame = home.place(placed, drawing, &mut directions);
                         inner.ends.map(|ends| ends.map(|end| frame.transform(end)))
                     }
                 };
@@ -56,10 +53,10 @@ impl BlockFacts {
                     (before, next) => before.or(next),
                 };
             }
-            self.shapes.push(shape);
-            self.ways.push(way);
+            shapes.push(shape);
+            ways.push(way);
         }
-        Progress::Done
+        Ok(Self { shapes, ways })
     }
 
     /// The stroke equal to a block, if there is one.

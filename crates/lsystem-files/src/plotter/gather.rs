@@ -6,16 +6,15 @@
 //! than the pen a spot is drawn once ([`Spots`]).
 
 use super::facts::BlockFacts;
-use super::hatch::{self, Fill};
-use super::merge::LEAST;
+use super::hatch;
+use super::merge::{LEAST, Merge};
 use super::options::PlotOptions;
 use super::page::{Page, Point, distance};
 use super::spots::Spots;
 use crate::compact::visible;
-use core::ops::Range;
-use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Placed, StyleChange};
+use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Placed, Polygon, StyleChange};
 use lsystem_syntax::style::gradient_step;
-use lsystem_syntax::{ColourBy, Diagnostic, LimitName, Meter, Progress, Style, Tint};
+use lsystem_syntax::{ColourBy, Diagnostic, Halt, LimitName, Style, Tint, Work};
 use std::collections::{HashMap, HashSet};
 
 /// The distance up to which two placements of a block are the same, in millimetres: far above rounding errors and far
@@ -28,20 +27,19 @@ const LOCAL: f64 = 8.0;
 /// Blocks of fewer segments are read at each place: that takes no longer than to look them up.
 const FEW: u128 = 4;
 
-/// Receives the strokes: the layer and the ends.
-pub(super) trait Strokes {
-    fn add(&mut self, layer: u32, ends: [Point; 2]);
-}
-
-/// Reads the strokes of a drawing in steps.
-#[derive(Clone, Debug)]
-pub(super) struct Gather {
-    page: Page,
+/// Reads the strokes of a drawing.
+pub(super) struct Gather<'a> {
+    drawing: &'a Drawing,
+    style: &'a Style,
+    facts: &'a BlockFacts,
+    page: &'a Page,
     options: PlotOptions,
     /// The most strokes, and the most open blocks.
-    most: u64,
-    most_blocks: u64,
-    /// The strokes so far.
+    pub(super) limits: [u64; 2],
+    /// Whether parts smaller than the pen become one stroke.
+    pub(super) is_cut: bool,
+    /// The strokes so far, and their number.
+    pub(super) strokes: Merge,
     count: u64,
     /// The blocks opened so far.
     blocks: u64,
@@ -50,7 +48,7 @@ pub(super) struct Gather {
     all: f64,
     directions: Directions,
     /// The open blocks, outermost first: the items that remain, and the frame.
-    open: Vec<(Range<u32>, Frame)>,
+    open: Vec<(core::slice::Iter<'a, Item>, Frame)>,
     /// The layers' colours, in the order of their first strokes.
     pub(super) colours: Vec<[u8; 3]>,
     layers: HashMap<[u8; 3], u32>,
@@ -58,13 +56,7 @@ pub(super) struct Gather {
     variants: HashMap<Variant, u32>,
     /// The placed blocks so far: the variant, and the position in steps of [`SAME`] or of [`BESIDE`].
     placed: HashSet<(u32, [i64; 2])>,
-    /// Whether parts smaller than the pen become one stroke.
-    is_cut: bool,
     pub(super) spots: Spots,
-    /// The spots of which the lone strokes are drawn.
-    lone: usize,
-    /// The polygon being hatched, and its layer.
-    fill: Option<(u32, Fill)>,
     /// The end of the last stroke of each layer, and the travel so far in drawing order.
     last: Vec<Point>,
     travel: f64,
@@ -74,105 +66,96 @@ pub(super) struct Gather {
 /// and the visible colour and level.
 type Variant = (BlockId, u64, bool, u64, u64, i32, u32);
 
-impl Gather {
-    /// Prepares the reading of at most this many strokes and blocks, with or without a cut at the pen's width.
+impl<'a> Gather<'a> {
+    /// No strokes so far, and no limits.
     pub(super) fn new(
-        drawing: &Drawing,
-        page: Page,
+        drawing: &'a Drawing,
+        style: &'a Style,
+        facts: &'a BlockFacts,
+        page: &'a Page,
         options: PlotOptions,
-        [most, most_blocks]: [u64; 2],
-        is_cut: bool,
     ) -> Self {
-        let mut open = Vec::new();
-        if let Some(root) = drawing.root {
-            open.push((drawing.blocks[root.0 as usize].items.clone(), page.frame));
-        }
         Self {
+            drawing,
+            style,
+            facts,
             page,
             options,
-            most,
-            most_blocks,
+            limits: [u64::MAX; 2],
+            is_cut: false,
+            strokes: Merge::new(page.size),
             count: 0,
             blocks: 0,
             passed: [0; 2],
             all: drawing.segment_count() as f64,
             directions: Directions::default(),
-            open,
+            open: Vec::new(),
             colours: Vec::new(),
             layers: HashMap::new(),
             variants: HashMap::new(),
             placed: HashSet::new(),
-            is_cut,
             spots: Spots::new(options.pen),
-            lone: 0,
-            fill: None,
             last: Vec::new(),
             travel: 0.0,
         }
     }
 
-    /// Continues until the meter is spent.
+    /// Reads the whole drawing.
     ///
     /// # Errors
     /// If there are too many strokes or blocks.
-    pub(super) fn step(
-        &mut self,
-        (drawing, style, facts): (&Drawing, &Style, &BlockFacts),
-        strokes: &mut impl Strokes,
-        meter: &mut Meter,
-    ) -> Result<Progress, Diagnostic> {
-        while !meter.is_spent() {
-            if let Some((layer, mut fill)) = self.fill.take() {
-                let left = self.most - self.count;
-                let progress = fill.step(left, meter, |ends| self.stroke(layer, ends, strokes));
-                match progress {
-                    None => return Err(self.too_many()),
-                    Some(Progress::More) => self.fill = Some((layer, fill)),
-                    Some(Progress::Done) => {}
-                }
-                continue;
-            }
-            meter.charge(4);
-            let Some((items, frame)) = self.open.last_mut() else {
-                if self.lone as u64 == self.spots.count() {
-                    return Ok(Progress::Done);
-                }
-                let lone = self.spots.lone(self.lone);
-                lone.into_iter().for_each(|(layer, ends)| self.stroke(layer, ends, strokes));
-                self.lone += 1;
-                continue;
-            };
+    pub(super) fn read(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
+        self.open.extend(self.drawing.root.map(|root| (self.drawing.items_of(root).iter(), self.page.frame)));
+        while let Some((items, frame)) = self.open.last_mut() {
+            work.charge(4)?;
             let Some(item) = items.next() else {
                 self.open.pop();
                 continue;
             };
             let frame = *frame;
-            match &drawing.items[item as usize] {
+            match item {
                 Item::Stroke(own) => {
-                    self.line((style, drawing), &Line::new(own, drawing), &frame, strokes, meter);
+                    self.line(&Line::new(own, self.drawing), &frame, work)?;
                     self.passed[0] = self.passed[0].saturating_add(1);
                 }
-                Item::Polygon(polygon) => {
-                    meter.charge(u64::from(polygon.count));
-                    let vertices: Vec<Point> =
-                        drawing.vertices_of(polygon).iter().map(|&vertex| self.down(frame.transform(vertex))).collect();
-                    let layer =
-                        self.layer(style, drawing, &frame.style.then(&drawing.styles[polygon.style.0 as usize]));
-                    let ends = vertices.iter().copied().zip(vertices.iter().copied().cycle().skip(1));
-                    ends.for_each(|(from, to)| self.stroke(layer, [from, to], strokes));
-                    self.passed[1] = self.passed[1].saturating_add(1);
-                    if self.options.hatch {
-                        self.fill = Some((layer, Fill::new(vertices, self.options.pen)));
-                    }
-                }
-                Item::Block(placed) => self.enter((drawing, style, facts), placed, &frame, strokes, meter)?,
+                Item::Polygon(polygon) => self.polygon(polygon, &frame, work)?,
+                Item::Block(placed) => self.enter(placed, &frame, work)?,
             }
             // A spot may get a stroke of its own.
-            if self.count.max(self.spots.count()) > self.most {
+            if self.count.max(self.spots.count()) > self.limits[0] {
                 return Err(self.too_many());
             }
         }
-        Ok(Progress::More)
+        for number in 0..self.spots.count() as usize {
+            work.charge(4)?;
+            if let Some((layer, ends)) = self.spots.lone(number) {
+                self.stroke(layer, ends);
+            }
+        }
+        Ok(())
+    }
+
+    /// Draws the outline of a polygon, and its hatch lines if they are asked for.
+    fn polygon(&mut self, polygon: &Polygon, frame: &Frame, work: &mut dyn Work) -> Result<(), Halt> {
+        work.charge(u64::from(polygon.count))?;
+        let drawing = self.drawing;
+        let vertices: Vec<Point> =
+            drawing.vertices_of(polygon).iter().map(|&vertex| self.down(frame.transform(vertex))).collect();
+        let layer = self.layer(&frame.style.then(&drawing.styles[polygon.style.0 as usize]));
+        let ends = vertices.iter().copied().zip(vertices.iter().copied().cycle().skip(1));
+        ends.for_each(|(from, to)| self.stroke(layer, [from, to]));
+        self.passed[1] = self.passed[1].saturating_add(1);
+        if !self.options.hatch {
+            return Ok(());
+        }
+        let pen = self.options.pen;
+        let left = self.limits[0].checked_sub(self.count).ok_or_else(|| self.too_many())?;
+        let crossings = hatch::crossings(&vertices, pen, left, work)?.ok_or_else(|| self.too_many())?;
+        for line in hatch::lines(crossings, pen) {
+            work.charge(1)?;
+            line.into_iter().for_each(|ends| self.stroke(layer, ends));
+        }
+        Ok(())
     }
 
     /// The travel of all strokes in drawing order, from the pens' start and back to it.
@@ -181,41 +164,35 @@ impl Gather {
         self.travel + self.last.iter().map(|&end| distance(end, home)).sum::<f64>()
     }
 
-    fn too_many(&self) -> Diagnostic {
-        Diagnostic::limit(LimitName::PlotStrokes, self.most, None)
+    fn too_many(&self) -> Halt {
+        Diagnostic::limit(LimitName::PlotStrokes, self.limits[0], None).into()
     }
 
     /// Opens a placed block, or draws it as one stroke, or passes it over.
-    fn enter(
-        &mut self,
-        (drawing, style, facts): (&Drawing, &Style, &BlockFacts),
-        placed: &Placed,
-        outer: &Frame,
-        strokes: &mut impl Strokes,
-        meter: &mut Meter,
-    ) -> Result<(), Diagnostic> {
+    fn enter(&mut self, placed: &Placed, outer: &Frame, work: &mut dyn Work) -> Result<(), Halt> {
+        let (drawing, facts) = (self.drawing, self.facts);
         let frame = outer.place(placed, drawing, &mut self.directions);
         let block = &drawing.blocks[placed.block.0 as usize];
         let scale = frame.scale.abs();
         let (pen, diameter) = (self.options.pen, facts.diameter(placed.block) * scale);
         let passed = self.passed;
         let pass = [block.segments, block.polygons];
-        let is_plain = style.colour_by != ColourBy::Path || self.has_one_step(drawing, pass);
+        let is_plain = self.style.colour_by != ColourBy::Path || self.has_one_step(pass);
         let one_stroke = facts.straight(placed.block).copied().filter(|_| is_plain);
         if let Some(line) = one_stroke {
-            self.line((style, drawing), &line, &frame, strokes, meter);
+            self.line(&line, &frame, work)?;
         } else if self.is_cut && diameter < pen {
-            self.line((style, drawing), &facts.chord(placed.block, drawing), &frame, strokes, meter);
-        } else if block.segments >= FEW && is_plain && self.is_known((drawing, style, facts), placed.block, &frame) {
-            meter.charge(4);
-        } else if self.is_cut && diameter < LOCAL * pen && self.is_full((style, drawing, facts), placed.block, &frame) {
-            meter.charge(64);
+            self.line(&facts.chord(placed.block, drawing), &frame, work)?;
+        } else if block.segments >= FEW && is_plain && self.is_known(placed.block, &frame) {
+            work.charge(4)?;
+        } else if self.is_cut && diameter < LOCAL * pen && self.is_full(placed.block, &frame) {
+            work.charge(64)?;
         } else {
             self.blocks += 1;
-            if self.blocks > self.most_blocks {
-                return Err(Diagnostic::limit(LimitName::PlotBlocks, self.most_blocks, None));
+            if self.blocks > self.limits[1] {
+                return Err(Diagnostic::limit(LimitName::PlotBlocks, self.limits[1], None).into());
             }
-            self.open.push((block.items.clone(), frame));
+            self.open.push((drawing.contents(block).iter(), frame));
             return Ok(());
         }
         self.passed = [0, 1].map(|kind| passed[kind].saturating_add(pass[kind]));
@@ -223,34 +200,29 @@ impl Gather {
     }
 
     /// The place along the path after `passed` segments and polygons.
-    fn place(&self, drawing: &Drawing, passed: [u128; 2]) -> f64 {
+    fn place(&self, passed: [u128; 2]) -> f64 {
         let mark = usize::try_from(passed[0].saturating_add(passed[1])).unwrap_or(usize::MAX);
         let own = if self.all > 0.0 { (passed[0] as f64 + 0.5) / self.all } else { 0.0 };
-        drawing.places.get(mark).copied().unwrap_or(own)
+        self.drawing.places.get(mark).copied().unwrap_or(own)
     }
 
     /// Whether the next marks have the same step of the gradient along the path.
-    fn has_one_step(&self, drawing: &Drawing, next: [u128; 2]) -> bool {
+    fn has_one_step(&self, next: [u128; 2]) -> bool {
         let last = [0, 1].map(|kind| self.passed[kind].saturating_add(next[kind].saturating_sub(1)));
-        let [a, b] = [self.passed, last].map(|passed| gradient_step(self.place(drawing, passed)));
+        let [a, b] = [self.passed, last].map(|passed| gradient_step(self.place(passed)));
         // With places of their own, the marks between the first and the last may have any.
-        a == b && drawing.places.is_empty()
+        a == b && self.drawing.places.is_empty()
     }
 
     /// Whether a block is drawn at this place already; from now on it is.
-    fn is_known(
-        &mut self,
-        (drawing, style, facts): (&Drawing, &Style, &BlockFacts),
-        block: BlockId,
-        frame: &Frame,
-    ) -> bool {
-        let is_cut = self.is_cut && facts.finest(block) * frame.scale.abs() < self.options.pen;
+    fn is_known(&mut self, block: BlockId, frame: &Frame) -> bool {
+        let is_cut = self.is_cut && self.facts.finest(block) * frame.scale.abs() < self.options.pen;
         let width = frame.style.width.of(0.0);
-        let is_broad =
-            self.options.hatch && drawing.blocks[block.0 as usize].widest.of(width) * self.page.step > self.options.pen;
-        let (colour, level) = match style.colour_by {
-            ColourBy::Path => (gradient_step(self.place(drawing, self.passed)) as i32, 0),
-            _ => visible(style, &frame.style),
+        let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.page.step;
+        let is_broad = self.options.hatch && widest > self.options.pen;
+        let (colour, level) = match self.style.colour_by {
+            ColourBy::Path => (gradient_step(self.place(self.passed)) as i32, 0),
+            _ => visible(self.style, &frame.style),
         };
         let width = if is_broad { width } else { 0.0 };
         let variant = (block, frame.heading.units(), is_cut, frame.scale.to_bits(), width.to_bits(), colour, level);
@@ -259,68 +231,58 @@ impl Gather {
         let cell = if is_cut { BESIDE * self.options.pen } else { SAME };
         let place = frame.at.map(|value| libm::round(value / cell) as i64);
         // Beyond the limit, blocks are only read more than once.
-        if self.placed.len() as u64 >= self.most {
+        if self.placed.len() as u64 >= self.limits[0] {
             return self.placed.contains(&(variant, place));
         }
         !self.placed.insert((variant, place))
     }
 
     /// Whether all spots of a box around a block have ink of its colour.
-    fn is_full(
-        &mut self,
-        (style, drawing, facts): (&Style, &Drawing, &BlockFacts),
-        block: BlockId,
-        frame: &Frame,
-    ) -> bool {
-        let layer = self.layer(style, drawing, &frame.style.then(&facts.chord(block, drawing).style));
+    fn is_full(&mut self, block: BlockId, frame: &Frame) -> bool {
+        let drawing = self.drawing;
+        let layer = self.layer(&frame.style.then(&self.facts.chord(block, drawing).style));
         let corners = drawing.corners_of(&drawing.blocks[block.0 as usize]);
         self.spots.is_full(layer, corners.iter().map(|&corner| self.down(frame.transform(corner))))
     }
 
     /// Draws a line of a block, or what is new of it if the drawing has parts smaller than the pen.
-    fn line(
-        &mut self,
-        (style, drawing): (&Style, &Drawing),
-        line: &Line,
-        frame: &Frame,
-        strokes: &mut impl Strokes,
-        meter: &mut Meter,
-    ) {
+    fn line(&mut self, line: &Line, frame: &Frame, work: &mut dyn Work) -> Result<(), Halt> {
         let change = frame.style.then(&line.style);
-        let layer = self.layer(style, drawing, &change);
+        let layer = self.layer(&change);
         let ends = [line.from, line.to].map(|end| self.down(frame.transform(end)));
         let width = change.width.of(0.0) * self.page.step;
         if self.options.hatch && width > self.options.pen && ends[0] != ends[1] {
-            let left = self.most.saturating_sub(self.count) + 1;
-            hatch::broad(ends, width, self.options.pen, left).for_each(|ends| self.stroke(layer, ends, strokes));
+            let left = self.limits[0].saturating_sub(self.count) + 1;
+            hatch::broad(ends, width, self.options.pen, left).for_each(|ends| self.stroke(layer, ends));
         } else if !self.is_cut {
-            self.stroke(layer, ends, strokes);
+            self.stroke(layer, ends);
         } else if distance(ends[0], ends[1]) < self.options.pen {
-            self.spots.dot(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends, strokes));
+            self.spots.dot(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends));
         } else {
-            meter.charge(self.spots.steps(ends));
-            self.spots.stretches(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends, strokes));
+            work.charge(self.spots.steps(ends))?;
+            self.spots.stretches(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends));
         }
+        Ok(())
     }
 
-    fn stroke(&mut self, layer: u32, ends: [Point; 2], strokes: &mut impl Strokes) {
+    fn stroke(&mut self, layer: u32, ends: [Point; 2]) {
         let last = &mut self.last[layer as usize];
         self.travel += distance(*last, ends[0]);
         *last = ends[1];
         // After many iterations, the strokes between blocks are points.
         if distance(ends[0], ends[1]) > LEAST {
             self.count += 1;
-            strokes.add(layer, ends);
+            self.strokes.add(layer, ends);
         }
     }
 
     /// The layer of a stroke in this style, after the marks passed so far.
-    fn layer(&mut self, style: &Style, drawing: &Drawing, change: &StyleChange) -> u32 {
-        let place = match style.colour_by {
-            ColourBy::Path => self.place(drawing, self.passed),
+    fn layer(&mut self, change: &StyleChange) -> u32 {
+        let place = match self.style.colour_by {
+            ColourBy::Path => self.place(self.passed),
             _ => 0.0,
         };
-        let rgb = style.colour_of(Tint { index: change.colour.of(0), level: change.level, place }).rgb;
+        let rgb = self.style.colour_of(Tint { index: change.colour.of(0), level: change.level, place }).rgb;
         *self.layers.entry(rgb).or_insert_with(|| {
             self.colours.push(rgb);
             self.last.push(self.options.start.of(self.page.size));

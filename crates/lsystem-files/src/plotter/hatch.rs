@@ -1,9 +1,8 @@
 //! Lines a pen's width apart, in place of broad strokes and of polygons.
 
 use super::page::{Point, distance};
-use super::sort::Sort;
 use core::f64::consts::FRAC_1_SQRT_2;
-use lsystem_syntax::{Meter, Progress};
+use lsystem_syntax::{Halt, Work};
 
 /// The lines of a stroke of this width, at most `most`: parallel to its axis, joined end to end in turns.
 pub(super) fn broad([from, to]: [Point; 2], width: f64, pen: f64, most: u64) -> impl Iterator<Item = [Point; 2]> {
@@ -28,108 +27,55 @@ pub(super) fn broad([from, to]: [Point; 2], width: f64, pen: f64, most: u64) -> 
 /// leads upwards, -1 where it leads downwards.
 type Crossing = (i64, f64, i32);
 
-/// The hatch lines of a polygon by the nonzero winding rule. They lie on the same lines for all polygons, at 45
-/// degrees.
-#[derive(Clone, Debug)]
-pub(super) struct Fill {
-    vertices: Vec<Point>,
+/// The crossings of a polygon's hatch lines, line by line and along each. The lines are the same for all polygons, at 45
+/// degrees. `None` if there are more than `most` crossings.
+pub(super) fn crossings(
+    vertices: &[Point],
     pen: f64,
-    /// The number of the next side, and of its next hatch line.
-    side: usize,
-    line: Option<i64>,
-    crossings: Vec<Crossing>,
-    sort: Option<Sort<Crossing>>,
-    /// The sorted crossings, the last first.
-    sorted: Vec<Crossing>,
-    is_sorted: bool,
-    /// The winding number and the start of the open hatch line.
-    winding: i32,
-    start: Option<(i64, f64)>,
-}
-
-impl Fill {
-    pub(super) fn new(vertices: Vec<Point>, pen: f64) -> Self {
-        Self {
-            vertices,
-            pen,
-            side: 0,
-            line: None,
-            crossings: Vec::new(),
-            sort: None,
-            sorted: Vec::new(),
-            is_sorted: false,
-            winding: 0,
-            start: None,
-        }
-    }
-
-    /// Continues until the meter is spent, and hands each line to `draw`. `None` if there are more than `most`
-    /// crossings.
-    pub(super) fn step(&mut self, most: u64, meter: &mut Meter, mut draw: impl FnMut([Point; 2])) -> Option<Progress> {
-        while !meter.is_spent() {
-            meter.charge(1);
-            if let Some(sort) = &mut self.sort {
-                if sort.step(meter) == Progress::Done {
-                    self.sorted = self.sort.take()?.finish();
-                    self.sorted.reverse();
-                    self.is_sorted = true;
-                }
-            } else if !self.is_sorted {
-                if self.side == self.vertices.len() {
-                    let order = |a: &Crossing, b: &Crossing| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1));
-                    self.sort = Some(Sort::new(core::mem::take(&mut self.crossings), order));
-                } else {
-                    self.cross();
-                    if self.crossings.len() as u64 > most {
-                        return None;
-                    }
-                }
-            } else {
-                let Some(crossing) = self.sorted.pop() else { return Some(Progress::Done) };
-                if let Some(line) = self.pass(crossing) {
-                    draw(line);
-                }
+    most: u64,
+    work: &mut dyn Work,
+) -> Result<Option<Vec<Crossing>>, Halt> {
+    let mut crossings: Vec<Crossing> = vec![];
+    for (from, to) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
+        work.charge(1)?;
+        let [from, to] = [*from, *to].map(turned);
+        // Half-open, so that a vertex on a hatch line counts once.
+        let number = |v: f64| libm::ceil(v / pen - 0.5) as i64;
+        let way = if to[1] > from[1] { 1 } else { -1 };
+        for line in number(from[1].min(to[1]))..number(from[1].max(to[1])) {
+            work.charge(1)?;
+            let part = (height(line, pen) - from[1]) / (to[1] - from[1]);
+            crossings.push((line, from[0] + part.clamp(0.0, 1.0) * (to[0] - from[0]), way));
+            if crossings.len() as u64 > most {
+                return Ok(None);
             }
         }
-        Some(Progress::More)
     }
+    crossings.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    Ok(Some(crossings))
+}
 
-    /// Adds the next crossing of the present side, or goes on to the next side.
-    fn cross(&mut self) {
-        let next = self.vertices[(self.side + 1) % self.vertices.len()];
-        let [from, to] = [self.vertices[self.side], next].map(turned);
-        // Half-open, so that a vertex on a hatch line counts once.
-        let number = |v: f64| libm::ceil(v / self.pen - 0.5) as i64;
-        let [first, end] = [number(from[1].min(to[1])), number(from[1].max(to[1]))];
-        let line = self.line.unwrap_or(first);
-        if line >= end {
-            (self.side, self.line) = (self.side + 1, None);
-            return;
-        }
-        let part = (self.height(line) - from[1]) / (to[1] - from[1]);
-        let way = if to[1] > from[1] { 1 } else { -1 };
-        self.crossings.push((line, from[0] + part.clamp(0.0, 1.0) * (to[0] - from[0]), way));
-        self.line = Some(line + 1);
-    }
-
-    fn height(&self, line: i64) -> f64 {
-        (line as f64 + 0.5) * self.pen
-    }
-
-    /// Passes a crossing. Returns the line that ends there, if one does.
-    fn pass(&mut self, (line, at, way): Crossing) -> Option<[Point; 2]> {
-        self.winding += way;
-        match self.start {
-            None => self.start = Some((line, at)),
-            Some((line, start)) if self.winding == 0 => {
-                self.start = None;
-                let v = self.height(line);
-                return (at > start).then(|| [[start, v], [at, v]].map(turned_back));
+/// The hatch lines between crossings, by the nonzero winding rule: `None` for a crossing where no line ends.
+pub(super) fn lines(crossings: Vec<Crossing>, pen: f64) -> impl Iterator<Item = Option<[Point; 2]>> {
+    let (mut winding, mut start) = (0, None);
+    crossings.into_iter().map(move |(line, at, way)| {
+        winding += way;
+        match start {
+            None => start = Some((line, at)),
+            Some((line, from)) if winding == 0 => {
+                start = None;
+                let v = height(line, pen);
+                return (at > from).then(|| [[from, v], [at, v]].map(turned_back));
             }
             Some(_) => {}
         }
         None
-    }
+    })
+}
+
+/// The place of a hatch line across all of them.
+fn height(line: i64, pen: f64) -> f64 {
+    (line as f64 + 0.5) * pen
 }
 
 /// A point in axes along and across the hatch lines.
@@ -144,12 +90,11 @@ fn turned_back([u, v]: Point) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lsystem_syntax::Meter;
 
     fn filled(vertices: &[Point], pen: f64) -> Vec<[Point; 2]> {
-        let mut fill = Fill::new(vertices.to_vec(), pen);
-        let mut lines = vec![];
-        while fill.step(1000, &mut Meter::new(3), |line| lines.push(line)) == Some(Progress::More) {}
-        lines
+        let crossings = crossings(vertices, pen, 1000, &mut Meter::new(0)).unwrap().unwrap();
+        lines(crossings, pen).flatten().collect()
     }
 
     fn ink(lines: &[[Point; 2]]) -> f64 {
@@ -166,7 +111,7 @@ mod tests {
         // A bow tie has two triangles.
         let tie = [[0.0, 0.0], [10.0, 10.0], [10.0, 0.0], [0.0, 10.0]];
         assert!((ink(&filled(&tie, 0.1)) * 0.1 - 50.0).abs() < 1.5);
-        assert_eq!(Fill::new(square.to_vec(), 1e-3).step(100, &mut Meter::new(u64::MAX), |_| {}), None);
+        assert_eq!(crossings(&square, 1e-3, 100, &mut Meter::new(0)), Ok(None));
     }
 
     #[test]

@@ -6,7 +6,7 @@
 
 use super::near::Near;
 use super::page::{Point, distance};
-use lsystem_syntax::{Meter, Progress};
+use lsystem_syntax::{Halt, Meter, Work};
 use std::collections::VecDeque;
 
 /// The nearest ends that are tried.
@@ -23,9 +23,23 @@ const SHIFTED: u64 = 16;
 /// The least saving, in millimetres: far above rounding errors.
 const LEAST: f64 = 1e-6;
 
-/// Improves a closed way in steps. An end is numbered as in [`Order`](super::order::Order).
-#[derive(Clone, Debug)]
-pub(super) struct Improve {
+/// Improves a closed way. An end is numbered as in [`order`](super::order::order); the last two of the `ends` are the start
+/// of the pen.
+pub(super) fn improve(near: Near, ends: Vec<Point>, way: Vec<u32>, work: &mut dyn Work) -> Result<Vec<u32>, Halt> {
+    let mut left = EFFORT * way.len() as u64;
+    let mut improve = Improve::new(near, ends, way);
+    while left > 0
+        && let Some(units) = improve.step()
+    {
+        left = left.saturating_sub(units);
+        work.charge(units)?;
+    }
+    improve.tour.remove(0);
+    Ok(improve.tour)
+}
+
+/// A closed way that becomes shorter.
+struct Improve {
     near: Near,
     ends: Vec<Point>,
     /// The end at which each polyline is entered, in order. The start of the pen is the first polyline and stays there.
@@ -35,13 +49,10 @@ pub(super) struct Improve {
     /// The polylines to look at, and whether each is among them.
     queue: VecDeque<u32>,
     is_queued: Vec<bool>,
-    /// The units of work that are left.
-    left: u64,
 }
 
 impl Improve {
-    /// Prepares the improvement of a way. The last two of the `ends` are the start of the pen.
-    pub(super) fn new(near: Near, ends: Vec<Point>, way: Vec<u32>) -> Self {
+    fn new(near: Near, ends: Vec<Point>, way: Vec<u32>) -> Self {
         let count = way.len() as u32;
         let tour: Vec<u32> = core::iter::once(2 * count).chain(way).collect();
         let mut places = vec![0; tour.len()];
@@ -52,30 +63,20 @@ impl Improve {
             places,
             queue: tour.iter().map(|end| end / 2).collect(),
             is_queued: vec![true; tour.len()],
-            left: EFFORT * u64::from(count),
             tour,
         }
     }
 
-    /// Continues until the meter is spent.
-    pub(super) fn step(&mut self, meter: &mut Meter) -> Progress {
-        while !meter.is_spent() {
-            let Some(polyline) = self.queue.pop_front().filter(|_| self.left > 0) else { return Progress::Done };
-            self.is_queued[polyline as usize] = false;
-            let before = meter.spent();
-            meter.charge(1);
-            if self.improve(polyline, meter) {
-                self.look_at(polyline);
-            }
-            self.left = self.left.saturating_sub(meter.spent() - before);
+    /// Looks at the next polyline. Returns the units of work for it; `None` if no polyline is left.
+    fn step(&mut self) -> Option<u64> {
+        let polyline = self.queue.pop_front()?;
+        self.is_queued[polyline as usize] = false;
+        let mut meter = Meter::new(u64::MAX);
+        meter.charge(1);
+        if self.improve(polyline, &mut meter) {
+            self.look_at(polyline);
         }
-        Progress::More
-    }
-
-    /// The way, after all steps.
-    pub(super) fn finish(mut self) -> Vec<u32> {
-        self.tour.remove(0);
-        self.tour
+        Some(meter.spent())
     }
 
     fn far(&self, a: u32, b: u32) -> f64 {
@@ -231,7 +232,6 @@ impl Improve {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plotter::near::NearMaker;
 
     fn length(ends: &[Point], way: &[u32]) -> f64 {
         let start = ends[ends.len() - 1];
@@ -255,19 +255,18 @@ mod tests {
         for pair in ends.chunks_exact_mut(2) {
             pair[1] = [0, 1].map(|axis| pair[0][axis] + (pair[1][axis] - pair[0][axis]) / 20.0);
         }
-        let mut maker = NearMaker::new(ends.iter().copied(), [120.0, 120.0]);
-        maker.step(&mut Meter::new(u64::MAX));
+        let near = Near::new(ends.iter().copied(), [120.0, 120.0]);
         ends.extend([[0.0; 2]; 2]);
         let way: Vec<u32> = (0..200).map(|polyline| 2 * polyline).collect();
         let before = length(&ends, &way);
-        let mut improve = Improve::new(maker.finish(), ends.clone(), way);
+        let mut improve = Improve::new(near, ends.clone(), way);
         let mut last = before;
-        while improve.step(&mut Meter::new(5)) == Progress::More {
+        while improve.step().is_some() {
             let now = length(&ends, &improve.tour[1..]);
             assert!(now <= last + 1e-9 && improve.tour[0] == 400);
             last = now;
         }
-        let way = improve.finish();
+        let way = improve.tour[1..].to_vec();
         let mut polylines: Vec<u32> = way.iter().map(|end| end / 2).collect();
         polylines.sort_unstable();
         assert!(polylines.into_iter().eq(0..200));

@@ -13,9 +13,9 @@ use super::ink::Ink;
 use super::merge::{JOINT, Piece};
 use super::options::PlotOptions;
 use super::page::{Point, distance};
-use super::pair::Pair;
+use super::pair::pairs;
 use super::spots::Spots;
-use lsystem_syntax::{Meter, Progress};
+use lsystem_syntax::{Halt, Work};
 
 /// The most pieces at a node that are compared to find the straightest way on.
 const COMPARED: usize = 16;
@@ -55,26 +55,67 @@ impl Polylines {
         [points[0], points[points.len() - 1]]
     }
 
+    /// The place in `points` at which the last polyline starts that has not ended.
+    fn start(&self) -> usize {
+        self.list.last().map_or(0, |&(_, end)| end)
+    }
+
+    /// Goes along a line.
+    fn go(&mut self, [from, to]: [Point; 2]) {
+        let start = self.start();
+        let points = &mut self.points;
+        if points.len() == start {
+            points.push(from);
+        } else if points.len() - start >= 2 && goes_on([points[points.len() - 2], from, to]) {
+            points.pop();
+        }
+        points.push(to);
+    }
+
+    /// Ends a polyline, or leaves it out if it is shorter than `least`.
+    fn end(&mut self, layer: u32, trail: u32, least: f64) {
+        let start = self.start();
+        let length: f64 = self.points[start..].windows(2).map(|pair| distance(pair[0], pair[1])).sum();
+        if length < least || length == 0.0 {
+            self.points.truncate(start);
+        } else {
+            self.list.push((layer, self.points.len()));
+            self.trails.push(trail);
+        }
+    }
+
     pub(super) fn is_closed(&self, number: usize) -> bool {
         let [start, end] = self.ends(number);
         start == end
     }
 }
 
-/// Joins pieces in steps.
-#[derive(Clone, Debug)]
-pub(super) struct Join {
+/// Joins ink on a sheet of this size.
+pub(super) fn join(ink: Ink, options: &PlotOptions, size: [f64; 2], work: &mut dyn Work) -> Result<Polylines, Halt> {
+    let mut join = Join { pieces: ink.pieces, spots: ink.spots, spare: ink.spare, pen: options.pen, ..Join::default() };
+    join.number(work)?;
+    join.pair(size, work)?;
+    join.list(work)?;
+    // Moves come first, so that a trail with moves starts with one.
+    for piece in (0..join.ends.len() as u32).rev() {
+        work.charge(2)?;
+        if !join.taken[piece as usize] {
+            join.add_trail(piece, work)?;
+        }
+    }
+    join.write(options.least, work)
+}
+
+/// The graph of pieces and moves.
+#[derive(Default)]
+struct Join {
     pieces: Vec<Piece>,
-    /// The length under which polylines are left out.
-    least: f64,
     pen: f64,
     spots: Spots,
     /// The length of the moves that may still be drawn.
     spare: f64,
-    size: [f64; 2],
     /// The nodes of the moves so far.
     moves: Vec<[u32; 2]>,
-    cells: Cells,
     /// The position and the layer of each node.
     nodes: Vec<(Point, u32)>,
     /// The nodes of each piece, then those of each move.
@@ -92,150 +133,47 @@ pub(super) struct Join {
     next: Vec<u32>,
     /// The first piece or move of each closed trail.
     heads: Vec<u32>,
-    stage: Stage,
-    /// The trail being walked.
-    walk: Option<Walk>,
-    polylines: Polylines,
-}
-
-/// A trail being walked: its first and its last piece, the node reached, and the piece behind which the trail is
-/// inserted; [`NONE`] for a trail of its own.
-#[derive(Clone, Copy, Debug)]
-struct Walk {
-    first: u32,
-    last: u32,
-    node: u32,
-    behind: u32,
-}
-
-#[derive(Clone, Debug)]
-enum Stage {
-    /// Numbering the ends of this piece.
-    Number(usize),
-    /// Looking for odd degrees, from this node on: the nodes found, by layer.
-    Odd(usize, Vec<Vec<u32>>),
-    /// Pairing the nodes of a layer, with those of the layers that follow.
-    Pair(Box<Pair>, Vec<u32>, std::vec::IntoIter<Vec<u32>>),
-    /// Adding up the degrees to ranges, from this node on.
-    Range(usize),
-    /// Listing this piece or move at its nodes.
-    List(usize),
-    /// Starting a closed trail with the piece or move before this one.
-    Start(usize),
-    /// Inserting closed trails into the last trail, behind this piece. All pieces from this number on are in trails.
-    Insert(usize, u32),
-    /// Writing the points of the trail with this number, from this piece on.
-    Write(usize, u32),
-    Done,
 }
 
 impl Join {
-    /// Prepares the joining of ink on a sheet of this size.
-    pub(super) fn new(ink: Ink, options: &PlotOptions, size: [f64; 2]) -> Self {
-        Self {
-            pieces: ink.pieces,
-            least: options.least,
-            pen: options.pen,
-            spots: ink.spots,
-            spare: ink.spare,
-            size,
-            moves: Vec::new(),
-            cells: Cells::new([JOINT; 2]),
-            nodes: Vec::new(),
-            ends: Vec::new(),
-            free: Vec::new(),
-            starts: Vec::new(),
-            limits: Vec::new(),
-            around: Vec::new(),
-            taken: Vec::new(),
-            flipped: Vec::new(),
-            next: Vec::new(),
-            heads: Vec::new(),
-            stage: Stage::Number(0),
-            walk: None,
-            polylines: Polylines::default(),
+    /// Numbers the ends of the pieces.
+    fn number(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
+        let mut cells = Cells::new([JOINT; 2]);
+        for &Piece { layer, ends } in &self.pieces {
+            work.charge(2)?;
+            let nodes = ends.map(|end| {
+                let (node, is_new) = cells.number(layer, end);
+                if is_new {
+                    self.nodes.push((end, layer));
+                    self.free.push(0);
+                }
+                self.free[node as usize] += 1;
+                node
+            });
+            self.ends.push(nodes);
         }
+        Ok(())
     }
 
-    /// Continues until the meter is spent.
-    pub(super) fn step(&mut self, meter: &mut Meter) -> Progress {
-        while !meter.is_spent() {
-            meter.charge(2);
-            if let Some(walk) = self.walk.take() {
-                self.walk_on(walk, meter);
-                continue;
+    /// Joins the nodes of odd degree in pairs, layer by layer.
+    fn pair(&mut self, size: [f64; 2], work: &mut dyn Work) -> Result<(), Halt> {
+        let mut odd: Vec<Vec<u32>> = Vec::new();
+        for (node, &(_, layer)) in (0..).zip(&self.nodes) {
+            work.charge(2)?;
+            if self.free[node as usize] % 2 == 1 {
+                odd.resize(odd.len().max(layer as usize + 1), Vec::new());
+                odd[layer as usize].push(node);
             }
-            self.stage = match core::mem::replace(&mut self.stage, Stage::Done) {
-                Stage::Number(piece) => self.number(piece),
-                Stage::Odd(node, odd) => self.find_odd(node, odd),
-                Stage::Pair(mut pair, nodes, rest) => match pair.step(meter) {
-                    Progress::More => Stage::Pair(pair, nodes, rest),
-                    Progress::Done => {
-                        for [a, b] in pair.finish() {
-                            let ends = [nodes[a as usize], nodes[b as usize]];
-                            ends.iter().for_each(|&node| self.free[node as usize] += 1);
-                            self.add_move(ends);
-                        }
-                        self.pair(rest)
-                    }
-                },
-                Stage::Range(node) => self.range(node),
-                Stage::List(piece) => self.list(piece),
-                Stage::Start(0) => self.write_from(0),
-                Stage::Start(piece) => self.start(piece - 1),
-                Stage::Insert(rest, behind) => self.insert(rest, behind),
-                Stage::Write(trail, piece) => self.write(trail, piece),
-                Stage::Done => return Progress::Done,
-            };
         }
-        Progress::More
-    }
-
-    /// The polylines, after all steps.
-    pub(super) fn finish(self) -> Polylines {
-        self.polylines
-    }
-
-    fn number(&mut self, piece: usize) -> Stage {
-        let Some(&Piece { layer, ends }) = self.pieces.get(piece) else {
-            self.cells = Cells::new([JOINT; 2]);
-            return Stage::Odd(0, Vec::new());
-        };
-        let nodes = ends.map(|end| {
-            let (node, is_new) = self.cells.number(layer, end);
-            if is_new {
-                self.nodes.push((end, layer));
-                self.free.push(0);
+        for nodes in odd {
+            let points: Vec<Point> = nodes.iter().map(|&node| self.nodes[node as usize].0).collect();
+            for [a, b] in pairs(&points, size, work)? {
+                let ends = [nodes[a as usize], nodes[b as usize]];
+                ends.iter().for_each(|&node| self.free[node as usize] += 1);
+                self.add_move(ends);
             }
-            self.free[node as usize] += 1;
-            node
-        });
-        self.ends.push(nodes);
-        Stage::Number(piece + 1)
-    }
-
-    fn find_odd(&mut self, node: usize, mut odd: Vec<Vec<u32>>) -> Stage {
-        let Some(&(_, layer)) = self.nodes.get(node) else { return self.pair(odd.into_iter()) };
-        if self.free[node] % 2 == 1 {
-            odd.resize(odd.len().max(layer as usize + 1), Vec::new());
-            odd[layer as usize].push(node as u32);
         }
-        Stage::Odd(node + 1, odd)
-    }
-
-    /// Begins to pair the nodes of the next layer, or to list the pieces at each node.
-    fn pair(&mut self, mut rest: std::vec::IntoIter<Vec<u32>>) -> Stage {
-        if let Some(nodes) = rest.next() {
-            let points = nodes.iter().map(|&node| self.nodes[node as usize].0).collect();
-            return Stage::Pair(Box::new(Pair::new(points, self.size)), nodes, rest);
-        }
-        self.ends.append(&mut self.moves);
-        let count = self.ends.len();
-        self.taken = vec![false; count];
-        self.flipped = vec![false; count];
-        self.next = vec![NONE; count];
-        self.around = vec![0; 2 * count];
-        Stage::Range(0)
+        Ok(())
     }
 
     /// Adds a move between two nodes, or a piece if the move is short and ink is spare.
@@ -252,36 +190,50 @@ impl Join {
         }
     }
 
-    fn range(&mut self, node: usize) -> Stage {
-        if node == self.nodes.len() {
-            return Stage::List(0);
+    /// Lists the pieces and moves at each node.
+    fn list(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
+        self.ends.append(&mut self.moves);
+        let count = self.ends.len();
+        self.taken = vec![false; count];
+        self.flipped = vec![false; count];
+        self.next = vec![NONE; count];
+        self.around = vec![0; 2 * count];
+        let mut start = 0;
+        for free in &self.free {
+            work.charge(2)?;
+            self.starts.push(start);
+            start += free;
         }
-        let start = if node == 0 { 0 } else { self.starts[node - 1] + self.free[node - 1] };
-        self.starts.push(start);
-        self.limits.push(start);
-        Stage::Range(node + 1)
+        self.limits.clone_from(&self.starts);
+        for (piece, &ends) in (0..).zip(&self.ends) {
+            work.charge(2)?;
+            for node in ends {
+                let limit = &mut self.limits[node as usize];
+                self.around[*limit as usize] = piece;
+                *limit += 1;
+            }
+        }
+        Ok(())
     }
 
-    fn list(&mut self, piece: usize) -> Stage {
-        let Some(&ends) = self.ends.get(piece) else { return Stage::Start(self.ends.len()) };
-        for node in ends {
-            let limit = &mut self.limits[node as usize];
-            self.around[*limit as usize] = piece as u32;
-            *limit += 1;
+    /// Adds a closed trail that starts with a piece or move, and inserts trails into it until no piece at its nodes is
+    /// free.
+    fn add_trail(&mut self, head: u32, work: &mut dyn Work) -> Result<(), Halt> {
+        self.put(head, self.ends[head as usize][0]);
+        self.walk(self.end(head), head, work)?;
+        self.heads.push(head);
+        let mut piece = head;
+        while piece != NONE {
+            work.charge(2)?;
+            let node = self.end(piece);
+            if self.free[node as usize] == 0 {
+                piece = self.next[piece as usize];
+            } else if let Some([first, last]) = self.walk(node, NONE, work)? {
+                self.next[last as usize] = self.next[piece as usize];
+                self.next[piece as usize] = first;
+            }
         }
-        Stage::List(piece + 1)
-    }
-
-    /// Starts a closed trail with a piece or move, unless it is in one. Moves come first, so that a trail with moves
-    /// starts with one.
-    fn start(&mut self, piece: usize) -> Stage {
-        if self.taken[piece] {
-            return Stage::Start(piece);
-        }
-        let number = piece as u32;
-        self.put(number, self.ends[piece][0]);
-        self.walk = Some(Walk { first: number, last: number, node: self.end(number), behind: NONE });
-        Stage::Insert(piece, NONE)
+        Ok(())
     }
 
     /// Notes that a piece is in a trail, which enters it at a node.
@@ -291,36 +243,30 @@ impl Join {
         self.ends[piece as usize].iter().for_each(|&end| self.free[end as usize] -= 1);
     }
 
-    /// Adds the next piece to a trail, or ends the trail.
-    fn walk_on(&mut self, mut walk: Walk, meter: &mut Meter) {
-        match self.take(walk.node, walk.last, meter) {
-            Some(piece) => {
-                if walk.last == NONE {
-                    walk.first = piece;
-                } else {
-                    self.next[walk.last as usize] = piece;
-                }
-                walk.last = piece;
-                walk.node = self.end(piece);
-                self.walk = Some(walk);
+    /// Takes free pieces from a node on, each from the end of the one before, until there is none. The first one follows
+    /// `last`. Returns the first piece and the last one.
+    fn walk(&mut self, mut node: u32, mut last: u32, work: &mut dyn Work) -> Result<Option<[u32; 2]>, Halt> {
+        let mut first = None;
+        while let Some(piece) = self.take(node, last, work)? {
+            work.charge(2)?;
+            if last != NONE {
+                self.next[last as usize] = piece;
             }
-            None if walk.first == NONE => {}
-            None if walk.behind == NONE => self.heads.push(walk.first),
-            None => {
-                self.next[walk.last as usize] = self.next[walk.behind as usize];
-                self.next[walk.behind as usize] = walk.first;
-            }
+            first = first.or(Some(piece));
+            last = piece;
+            node = self.end(piece);
         }
+        Ok(first.map(|first| [first, last]))
     }
 
     /// Takes a free piece at a node: the one that leads most straight on from `last`, or else a move.
-    fn take(&mut self, node: u32, last: u32, meter: &mut Meter) -> Option<u32> {
+    fn take(&mut self, node: u32, last: u32, work: &mut dyn Work) -> Result<Option<u32>, Halt> {
         let at = node as usize;
         let from = if last == NONE { None } else { self.way_from(last, self.begin(last)) };
         let (mut best, mut best_turn) = (None, f64::INFINITY);
         let (mut slot, mut compared) = (self.starts[at] as usize, 0);
         while slot < self.limits[at] as usize && compared < COMPARED {
-            meter.charge(1);
+            work.charge(1)?;
             let piece = self.around[slot];
             if self.taken[piece as usize] {
                 self.limits[at] -= 1;
@@ -337,9 +283,10 @@ impl Join {
             }
             (slot, compared) = (slot + 1, compared + 1);
         }
-        let piece = best?;
-        self.put(piece, node);
-        Some(piece)
+        if let Some(piece) = best {
+            self.put(piece, node);
+        }
+        Ok(best)
     }
 
     /// The direction of a piece that starts at a node; `None` for a move.
@@ -357,59 +304,25 @@ impl Join {
         self.ends[piece as usize][usize::from(!self.flipped[piece as usize])]
     }
 
-    /// Inserts a closed trail behind a piece of the last trail, or goes on along the trail.
-    fn insert(&mut self, rest: usize, behind: u32) -> Stage {
-        let piece = match (behind, self.heads.last()) {
-            (NONE, Some(&head)) => head,
-            (NONE, None) => return Stage::Start(rest),
-            (piece, _) => piece,
-        };
-        let node = self.end(piece);
-        if self.free[node as usize] > 0 {
-            self.walk = Some(Walk { first: NONE, last: NONE, node, behind: piece });
-            return Stage::Insert(rest, piece);
-        }
-        match self.next[piece as usize] {
-            NONE => Stage::Start(rest),
-            next => Stage::Insert(rest, next),
-        }
-    }
-
-    fn write_from(&self, trail: usize) -> Stage {
-        self.heads.get(trail).map_or(Stage::Done, |&head| Stage::Write(trail, head))
-    }
-
-    /// Writes the points of a piece. Pieces that lead straight on become one, and a move ends a polyline.
-    fn write(&mut self, trail: usize, piece: u32) -> Stage {
-        let next = self.next[piece as usize];
-        let own = self.pieces.get(piece as usize).copied();
-        if let Some(Piece { layer, .. }) = own {
-            let start = self.polylines.list.last().map_or(0, |&(_, end)| end);
-            let [from, to] = [self.begin(piece), self.end(piece)].map(|node| self.nodes[node as usize].0);
-            let points = &mut self.polylines.points;
-            if points.len() == start {
-                points.push(from);
-            } else if points.len() - start >= 2 && goes_on([points[points.len() - 2], from, to]) {
-                points.pop();
-            }
-            points.push(to);
-            if next == NONE || next as usize >= self.pieces.len() {
-                self.close(start, trail, layer);
+    /// The points of all trails. Pieces that lead straight on become one, and a move ends a polyline. Polylines that are
+    /// shorter than `least` are left out.
+    fn write(&self, least: f64, work: &mut dyn Work) -> Result<Polylines, Halt> {
+        let mut polylines = Polylines::default();
+        for (trail, &head) in (0..).zip(&self.heads) {
+            let mut piece = head;
+            while piece != NONE {
+                work.charge(2)?;
+                let next = self.next[piece as usize];
+                if let Some(&Piece { layer, .. }) = self.pieces.get(piece as usize) {
+                    polylines.go([self.begin(piece), self.end(piece)].map(|node| self.nodes[node as usize].0));
+                    if next == NONE || next as usize >= self.pieces.len() {
+                        polylines.end(layer, trail, least);
+                    }
+                }
+                piece = next;
             }
         }
-        if next == NONE { self.write_from(trail + 1) } else { Stage::Write(trail, next) }
-    }
-
-    /// Ends a polyline that starts with the point `start`.
-    fn close(&mut self, start: usize, trail: usize, layer: u32) {
-        let Polylines { points, list, trails } = &mut self.polylines;
-        let length: f64 = points[start..].windows(2).map(|pair| distance(pair[0], pair[1])).sum();
-        if length < self.least || length == 0.0 {
-            points.truncate(start);
-        } else {
-            list.push((layer, points.len()));
-            trails.push(trail as u32);
-        }
+        Ok(polylines)
     }
 }
 

@@ -3,10 +3,8 @@
 //! The pieces of a line end where strokes end, so that strokes of other lines that start there meet an end.
 
 use super::cells::Cells;
-use super::gather::Strokes;
 use super::page::{Point, distance};
-use super::sort::Sort;
-use lsystem_syntax::{Meter, Progress};
+use lsystem_syntax::{Halt, Work};
 
 /// Points nearer than a tenth of this are one point, in millimetres; a plotter's step is at least ten times as long.
 pub(super) const JOINT: f64 = 1e-3;
@@ -24,20 +22,11 @@ pub(super) struct Piece {
 }
 
 /// The lines that carry the strokes, and where strokes start and end along them.
-#[derive(Clone, Debug)]
 pub(super) struct Merge {
     centre: Point,
     numbers: Cells,
     lines: Vec<Line>,
     ends: Vec<End>,
-    sort: Option<Sort<End>>,
-    /// The number of ends passed so far.
-    next: usize,
-    pieces: Vec<Piece>,
-    /// The length of the pieces, in millimetres.
-    length: f64,
-    /// The last end of a piece, and the number of strokes there.
-    last: End,
 }
 
 /// A line of one layer: a unit vector along the line, and the distance to its left from the sheet's centre.
@@ -57,8 +46,15 @@ struct End {
     starts: i32,
 }
 
-impl Strokes for Merge {
-    fn add(&mut self, layer: u32, [from, to]: [Point; 2]) {
+impl Merge {
+    /// No ink, on a sheet of this size.
+    pub(super) fn new(size: [f64; 2]) -> Self {
+        let centre = size.map(|side| side / 2.0);
+        Self { centre, numbers: Cells::new([DIRECTION, JOINT]), lines: Vec::new(), ends: Vec::new() }
+    }
+
+    /// Adds a stroke.
+    pub(super) fn add(&mut self, layer: u32, [from, to]: [Point; 2]) {
         let length = distance(from, to);
         if length.is_nan() || length <= LEAST {
             return;
@@ -84,75 +80,32 @@ impl Strokes for Merge {
         self.ends.push(End { line: number, at: start.min(end), starts: 1 });
         self.ends.push(End { line: number, at: start.max(end), starts: -1 });
     }
-}
 
-impl Merge {
-    /// No ink, on a sheet of this size.
-    pub(super) fn new(size: [f64; 2]) -> Self {
-        Self {
-            centre: size.map(|side| side / 2.0),
-            numbers: Cells::new([DIRECTION, JOINT]),
-            lines: Vec::new(),
-            ends: Vec::new(),
-            sort: None,
-            next: 0,
-            pieces: Vec::new(),
-            length: 0.0,
-            last: End { line: u32::MAX, at: 0.0, starts: 0 },
-        }
-    }
-
-    /// Merges the strokes until the meter is spent. No strokes can be added any more.
-    pub(super) fn step(&mut self, meter: &mut Meter) -> Progress {
-        if !self.ends.is_empty() && self.sort.is_none() && self.next == 0 {
-            self.numbers = Cells::new([DIRECTION, JOINT]);
-            let order =
-                |a: &End, b: &End| a.line.cmp(&b.line).then(a.at.total_cmp(&b.at)).then(b.starts.cmp(&a.starts));
-            self.sort = Some(Sort::new(core::mem::take(&mut self.ends), order));
-        }
-        if let Some(mut sort) = self.sort.take() {
-            match sort.step(meter) {
-                Progress::More => {
-                    self.sort = Some(sort);
-                    return Progress::More;
+    /// The pieces of ink, and their length in millimetres.
+    pub(super) fn finish(self, work: &mut dyn Work) -> Result<(Vec<Piece>, f64), Halt> {
+        let Self { centre, numbers, lines, mut ends } = self;
+        drop(numbers);
+        ends.sort_unstable_by(|a, b| a.line.cmp(&b.line).then(a.at.total_cmp(&b.at)).then(b.starts.cmp(&a.starts)));
+        let (mut pieces, mut length) = (vec![], 0.0);
+        // The last end of a piece, and the number of strokes there.
+        let mut last = End { line: u32::MAX, at: 0.0, starts: 0 };
+        for end in ends {
+            work.charge(1)?;
+            if end.line != last.line {
+                last = end;
+                continue;
+            }
+            // Nearer ends are one end.
+            if end.at - last.at >= JOINT {
+                if last.starts > 0 {
+                    length += end.at - last.at;
+                    pieces.push(lines[end.line as usize].piece(centre, [last.at, end.at]));
                 }
-                Progress::Done => self.ends = sort.finish(),
+                last.at = end.at;
             }
+            last.starts += end.starts;
         }
-        while !meter.is_spent() {
-            meter.charge(1);
-            let Some(&end) = self.ends.get(self.next) else { return Progress::Done };
-            self.next += 1;
-            self.pass(end);
-        }
-        Progress::More
-    }
-
-    /// Passes an end, and adds the piece from the last one up to here if there is ink between them.
-    fn pass(&mut self, end: End) {
-        if end.line != self.last.line {
-            self.last = end;
-            return;
-        }
-        // Nearer ends are one end.
-        if end.at - self.last.at >= JOINT {
-            if self.last.starts > 0 {
-                self.length += end.at - self.last.at;
-                self.pieces.push(self.lines[end.line as usize].piece(self.centre, [self.last.at, end.at]));
-            }
-            self.last.at = end.at;
-        }
-        self.last.starts += end.starts;
-    }
-
-    /// The length of all pieces so far, in millimetres.
-    pub(super) fn length(&self) -> f64 {
-        self.length
-    }
-
-    /// The pieces of ink, after all steps.
-    pub(super) fn finish(self) -> Vec<Piece> {
-        self.pieces
+        Ok((pieces, length))
     }
 }
 

@@ -5,8 +5,7 @@
 //! empty ones.
 
 use super::page::{Point, distance};
-use super::sort::Sort;
-use lsystem_syntax::{Meter, Progress};
+use lsystem_syntax::Meter;
 
 /// The points of a box at the bottom of the tree.
 const LEAF: usize = 8;
@@ -14,7 +13,6 @@ const LEAF: usize = 8;
 const EMPTY: [f64; 4] = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
 
 /// A tree of points. Points are numbered by their place in the list that it was made of.
-#[derive(Clone, Debug)]
 pub(super) struct Near {
     /// The points in the tree's order, with their numbers.
     points: Vec<(Point, u32)>,
@@ -30,49 +28,6 @@ pub(super) struct Near {
     open: Vec<(f64, u32)>,
 }
 
-/// Makes a [`Near`] in steps.
-#[derive(Clone, Debug)]
-pub(super) struct NearMaker {
-    sort: Sort<(u64, Point, u32)>,
-}
-
-impl NearMaker {
-    /// Prepares a tree of points of a sheet of this size.
-    pub(super) fn new(points: impl Iterator<Item = Point>, size: [f64; 2]) -> Self {
-        let side = size[0].max(size[1]);
-        let code = |point: Point| {
-            let [x, y] = point.map(|value| (value / side * f64::from(u32::MAX)) as u32);
-            spread(x) | spread(y) << 1
-        };
-        let points = points.zip(0..).map(|(point, number)| (code(point), point, number)).collect();
-        Self { sort: Sort::new(points, |a, b| a.0.cmp(&b.0).then(a.2.cmp(&b.2))) }
-    }
-
-    /// Continues until the meter is spent.
-    pub(super) fn step(&mut self, meter: &mut Meter) -> Progress {
-        self.sort.step(meter)
-    }
-
-    /// The tree, after all steps.
-    pub(super) fn finish(self) -> Near {
-        let points: Vec<_> = self.sort.finish().into_iter().map(|(_, point, number)| (point, number)).collect();
-        let mut places = vec![0; points.len()];
-        points.iter().enumerate().for_each(|(place, &(_, number))| places[number as usize] = place as u32);
-        let leaves = points.len().div_ceil(LEAF).next_power_of_two();
-        let mut near = Near {
-            is_in: vec![true; points.len()],
-            points,
-            places,
-            boxes: vec![EMPTY; 2 * leaves],
-            leaves,
-            open: Vec::new(),
-        };
-        (0..leaves).for_each(|leaf| near.boxes[leaves + leaf] = near.leaf_box(leaf));
-        (1..leaves).rev().for_each(|at| near.boxes[at] = near.joined(at));
-        near
-    }
-}
-
 /// The bits of a number with a gap behind each.
 fn spread(value: u32) -> u64 {
     let mut bits = u64::from(value);
@@ -84,6 +39,33 @@ fn spread(value: u32) -> u64 {
 }
 
 impl Near {
+    /// A tree of points of a sheet of this size.
+    pub(super) fn new(points: impl Iterator<Item = Point>, size: [f64; 2]) -> Self {
+        let side = size[0].max(size[1]);
+        let code = |point: Point| {
+            let [x, y] = point.map(|value| (value / side * f64::from(u32::MAX)) as u32);
+            spread(x) | spread(y) << 1
+        };
+        let mut sorted: Vec<(u64, u32, Point)> =
+            points.zip(0..).map(|(point, number)| (code(point), number, point)).collect();
+        sorted.sort_unstable_by_key(|&(code, number, _)| (code, number));
+        let points: Vec<_> = sorted.into_iter().map(|(_, number, point)| (point, number)).collect();
+        let mut places = vec![0; points.len()];
+        points.iter().enumerate().for_each(|(place, &(_, number))| places[number as usize] = place as u32);
+        let leaves = points.len().div_ceil(LEAF).next_power_of_two();
+        let mut near = Self {
+            is_in: vec![true; points.len()],
+            points,
+            places,
+            boxes: vec![EMPTY; 2 * leaves],
+            leaves,
+            open: Vec::new(),
+        };
+        (0..leaves).for_each(|leaf| near.boxes[leaves + leaf] = near.leaf_box(leaf));
+        (1..leaves).rev().for_each(|at| near.boxes[at] = near.joined(at));
+        near
+    }
+
     fn leaf(&self, leaf: usize) -> core::ops::Range<usize> {
         let end = self.points.len();
         (leaf * LEAF).min(end)..((leaf + 1) * LEAF).min(end)
@@ -116,7 +98,7 @@ impl Near {
         }
     }
 
-    /// Puts all points back, for a search among all of them. `finish` has made `full`.
+    /// Puts all points back, for a search among all of them. `full` has the boxes of the new tree.
     pub(super) fn restore(&mut self, full: &[[f64; 4]]) {
         self.is_in.fill(true);
         self.boxes.copy_from_slice(full);
@@ -185,9 +167,7 @@ mod tests {
         let points: Vec<Point> = (0..700_u32)
             .map(|at| [7, 11].map(|by| f64::from(at.wrapping_mul(2_654_435_761).rotate_left(by) % 1000) / 10.0))
             .collect();
-        let mut maker = NearMaker::new(points.iter().copied(), [100.0, 100.0]);
-        while maker.step(&mut Meter::new(50)) == Progress::More {}
-        let mut near = maker.finish();
+        let mut near = Near::new(points.iter().copied(), [100.0, 100.0]);
         let full = near.boxes();
         let mut left: Vec<u32> = (0..points.len() as u32).collect();
         let mut from = [3.0, 4.0];

@@ -14,7 +14,7 @@ const LINES: u8 = 2;
 const GAP: usize = 4;
 
 /// The spots with ink.
-#[derive(Clone, Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Spots {
     side: f64,
     numbers: HashMap<(u32, [i64; 2]), u32>,

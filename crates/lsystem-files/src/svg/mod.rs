@@ -3,15 +3,16 @@
 mod compact;
 mod flat;
 mod paths;
-mod writer;
 
-use super::compact::MANY;
+use super::compact::{MANY, is_shareable};
 use super::number::Decimals;
+use super::sink::{Sink, collect};
+use compact::write_compact;
 use core::fmt::Write;
+use flat::write_flat;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Diagnostic, Field, Ink, Kind, Progress, Style};
+use lsystem_syntax::{Diagnostic, Field, Halt, Ink, Kind, Style};
 use paths::attribute;
-pub use writer::SvgWriter;
 
 /// Options of an SVG picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,9 +58,6 @@ pub struct Svg {
     pub ink: Ink,
 }
 
-/// The units of work to write a vertex of a polygon.
-const VERTEX_WORK: u64 = 4;
-
 impl Svg {
     /// A warning if the file opens slowly or differs from the drawing.
     #[must_use]
@@ -68,7 +66,8 @@ impl Svg {
     }
 }
 
-fn warning(instances: u128, ink: Ink) -> Option<Diagnostic> {
+/// A warning about a picture of strokes: it makes many copies of blocks, or it lacks the drawing's additive ink.
+pub(super) fn warning(instances: u128, ink: Ink) -> Option<Diagnostic> {
     let kind = match ink {
         _ if instances > MANY => Kind::Instances { count: instances },
         Ink::Density => Kind::CoveringInk,
@@ -98,10 +97,23 @@ impl Default for SvgOptions {
 /// # Errors
 /// [`Kind::Limit`] if there is more to write than [`SvgOptions::most`].
 pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
-    let mut text = String::new();
-    let mut writer = SvgWriter::new(drawing, style, options)?;
-    while writer.step(drawing, style, &mut text, u64::MAX)? == Progress::More {}
-    Ok(Svg { text, instances: writer.instances(), ink: style.ink })
+    let (text, instances) = collect(|sink| svg_file(drawing, style, options, sink))?;
+    Ok(Svg { text, instances, ink: style.ink })
+}
+
+/// As [`write_svg`], piece by piece. Returns [`Svg::instances`].
+pub(crate) fn svg_file(
+    drawing: &Drawing,
+    style: &Style,
+    options: &SvgOptions,
+    sink: &mut Sink<'_>,
+) -> Result<u128, Halt> {
+    match (options.form, drawing.root) {
+        (SvgForm::Compact, Some(root)) if is_shareable(drawing, style) => {
+            write_compact(drawing, root, style, options, sink)
+        }
+        _ => write_flat(drawing, style, options, sink).map(|()| 0),
+    }
 }
 
 /// The rectangle of the picture, in the units of the file, y down.
@@ -116,18 +128,18 @@ struct ViewBox {
 
 impl ViewBox {
     /// Writes the file's start and opens the drawing's group. `more` are further attributes of the group.
-    fn open(&self, style: &Style, options: &SvgOptions, more: &str) -> String {
+    fn open(&self, style: &Style, options: &SvgOptions, more: &str, text: &mut String) {
         let decimals = Decimals::for_size(self.width.max(self.height));
-        let mut text = String::from("<svg xmlns=\"http://www.w3.org/2000/svg\"");
+        text.push_str("<svg xmlns=\"http://www.w3.org/2000/svg\"");
         if !more.is_empty() {
             text.push_str(" xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
         }
         let pixels = Decimals::for_size(options.size * 1e3);
-        attribute(&mut text, "width", pixels, self.width / self.pixel);
-        attribute(&mut text, "height", pixels, self.height / self.pixel);
+        attribute(text, "width", pixels, self.width / self.pixel);
+        attribute(text, "height", pixels, self.height / self.pixel);
         text.push_str(" viewBox=\"");
         for (value, end) in [(self.x, ' '), (self.y, ' '), (self.width, ' '), (self.height, '"')] {
-            decimals.write(&mut text, value);
+            decimals.write(text, value);
             text.push(end);
         }
         text.push_str(" role=\"img\">\n");
@@ -137,16 +149,15 @@ impl ViewBox {
                 let _ = writeln!(text, "<{tag}>{}</{tag}>", super::xml::escape(words));
             }
         }
-        super::embed::write_metadata(&mut text, &options.system);
+        super::embed::write_metadata(text, &options.system);
         if !options.transparent {
             text.push_str("<rect");
-            attribute(&mut text, "x", decimals, self.x);
-            attribute(&mut text, "y", decimals, self.y);
-            attribute(&mut text, "width", decimals, self.width);
-            attribute(&mut text, "height", decimals, self.height);
+            attribute(text, "x", decimals, self.x);
+            attribute(text, "y", decimals, self.y);
+            attribute(text, "width", decimals, self.width);
+            attribute(text, "height", decimals, self.height);
             let _ = writeln!(text, " fill=\"{}\"/>", String::from(style.background));
         }
         let _ = writeln!(text, "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"{more}>");
-        text
     }
 }

@@ -1,8 +1,10 @@
 //! Strokes and polygons as `<path>` elements.
 
 use super::Decimals;
-use crate::strokes::{PATH, StrokeLook};
+use crate::Sink;
+use crate::strokes::{PATH, StrokeFile, StrokeLook, VERTEX_WORK};
 use core::fmt::Write;
+use lsystem_syntax::{Halt, Work};
 
 /// A look as attributes of an element.
 pub(super) fn look_attributes(look: &StrokeLook) -> String {
@@ -12,23 +14,20 @@ pub(super) fn look_attributes(look: &StrokeLook) -> String {
     text
 }
 
-/// Writes strokes and polygons. Consecutive strokes of the same look share a path. The writer holds no text,
-/// so that callers may store it between two calls.
-#[derive(Clone, Debug)]
-pub(super) struct Paths {
-    decimals: Decimals,
+/// Writes strokes and polygons. Consecutive strokes of the same look share a path. In the file, y points down.
+pub(super) struct Paths<'a, 'o> {
+    pub(super) sink: &'a mut Sink<'o>,
+    pub(super) decimals: Decimals,
     /// The look of the surrounding group.
     around: Option<StrokeLook>,
     /// The ID of the next path.
     pub(super) id: Option<String>,
     /// The open path.
     open: Option<OpenPath>,
-    /// The vertices of the open polygon, and the number of vertices written.
-    outline: Option<(Vec<[f64; 2]>, usize)>,
 }
 
 /// The open path.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 struct OpenPath {
     look: StrokeLook,
     /// The end of the path so far, in units of the last decimal place.
@@ -36,77 +35,73 @@ struct OpenPath {
     segments: usize,
 }
 
-impl Paths {
-    pub(super) fn new(decimals: Decimals, around: Option<StrokeLook>) -> Self {
-        Self { decimals, around, id: None, open: None, outline: None }
+impl<'a, 'o> Paths<'a, 'o> {
+    pub(super) fn new(sink: &'a mut Sink<'o>, decimals: Decimals, around: Option<StrokeLook>) -> Self {
+        Self { sink, decimals, around, id: None, open: None }
     }
 
-    /// Writes a stroke, in the units of the file, y down.
-    pub(super) fn stroke(&mut self, text: &mut String, from: [f64; 2], to: [f64; 2], look: StrokeLook) {
+    fn point(&mut self, [x, y]: [f64; 2]) {
+        let text = &mut self.sink.text;
+        self.decimals.write(text, x);
+        text.push(' ');
+        self.decimals.write(text, -y);
+    }
+}
+
+impl Work for Paths<'_, '_> {
+    fn charge(&mut self, units: u64) -> Result<(), Halt> {
+        self.sink.charge(units)
+    }
+}
+
+impl StrokeFile for Paths<'_, '_> {
+    fn stroke(&mut self, from: [f64; 2], to: [f64; 2], look: StrokeLook) {
         let [start, end] = [from, to].map(|point| point.map(|c| self.decimals.round(c)));
-        match self.open {
-            Some(open) if open.look == look && open.segments < PATH => {
-                text.push(if open.at == start { ' ' } else { 'M' });
-                if open.at != start {
-                    self.point(text, from);
-                    text.push('L');
-                }
-            }
-            _ => {
-                self.close(text);
+        let open = self.open.filter(|open| open.look == look && open.segments < PATH);
+        if open.is_some_and(|open| open.at == start) {
+            self.sink.text.push(' ');
+        } else {
+            if open.is_none() {
+                self.close();
+                let text = &mut self.sink.text;
                 text.push_str("<path");
                 if let Some(id) = self.id.take() {
+                    // Writing to a `String` cannot fail.
                     let _ = write!(text, " id=\"{id}\"");
                 }
                 if self.around != Some(look) {
                     text.push_str(&look_attributes(&look));
                 }
-                text.push_str(" d=\"M");
-                self.point(text, from);
-                text.push('L');
+                text.push_str(" d=\"");
             }
+            self.sink.text.push('M');
+            self.point(from);
+            self.sink.text.push('L');
         }
-        self.point(text, to);
-        let segments = self.open.map_or(0, |open| open.segments) + 1;
-        self.open = Some(OpenPath { look, at: end, segments });
+        self.point(to);
+        self.open = Some(OpenPath { look, at: end, segments: open.map_or(0, |open| open.segments) + 1 });
     }
 
-    /// Begins a filled polygon without a stroke. [`Paths::vertex`] writes its vertices.
-    pub(super) fn fill(&mut self, text: &mut String, vertices: Vec<[f64; 2]>, [r, g, b]: [u8; 3]) {
-        self.close(text);
+    fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, [r, g, b]: [u8; 3]) -> Result<(), Halt> {
+        self.close();
         // Writing to a `String` cannot fail.
-        let _ = write!(text, "<path fill=\"#{r:02x}{g:02x}{b:02x}\" stroke=\"none\" d=\"");
-        self.outline = Some((vertices, 0));
+        let _ = write!(self.sink.text, "<path fill=\"#{r:02x}{g:02x}{b:02x}\" stroke=\"none\" d=\"");
+        for (number, vertex) in vertices.enumerate() {
+            self.charge(VERTEX_WORK)?;
+            self.sink.text.push_str(match number {
+                0 => "M",
+                1 => "L",
+                _ => " ",
+            });
+            self.point(vertex);
+        }
+        self.sink.text.push_str("z\"/>\n");
+        Ok(())
     }
 
-    /// Writes the next vertex of the open polygon, or its end. Returns whether a polygon was open.
-    pub(super) fn vertex(&mut self, text: &mut String) -> bool {
-        let Some((vertices, written)) = &mut self.outline else { return false };
-        let Some(&vertex) = vertices.get(*written) else {
-            text.push_str("z\"/>\n");
-            self.outline = None;
-            return true;
-        };
-        text.push_str(match *written {
-            0 => "M",
-            1 => "L",
-            _ => " ",
-        });
-        *written += 1;
-        self.point(text, vertex);
-        true
-    }
-
-    fn point(&self, text: &mut String, [x, y]: [f64; 2]) {
-        self.decimals.write(text, x);
-        text.push(' ');
-        self.decimals.write(text, y);
-    }
-
-    /// Ends the open path, so that other elements can follow.
-    pub(super) fn close(&mut self, text: &mut String) {
+    fn close(&mut self) {
         if self.open.take().is_some() {
-            text.push_str("\"/>\n");
+            self.sink.text.push_str("\"/>\n");
         }
     }
 }

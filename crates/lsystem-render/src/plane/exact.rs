@@ -13,12 +13,12 @@ use lsystem_syntax::Heading;
 /// A place in the fitted view: `[x, y, fine_x, fine_y]`. The place is `x + fine_x` right of the centre and `y + fine_y`
 /// above it, in fitted extents (the longer side of [`fit`](crate::fit)). The fine part is below the precision of `x`
 /// and `y`, as in [`View::fine`](crate::View::fine).
-pub type Fitted = [f64; 4];
+pub(crate) type Fitted = [f64; 4];
 
 /// The start and the end of the segment `number` (0-based); `None` after the last segment. The time grows with the
 /// depth to which blocks are nested.
 #[must_use]
-pub fn fitted_ends(drawing: &Drawing, number: u128) -> Option<[Fitted; 2]> {
+pub(crate) fn fitted_ends(drawing: &Drawing, number: u128) -> Option<[Fitted; 2]> {
     let frame = FittedFrame::new(drawing);
     let ends = Locator::new(drawing, number..number).ends(number)?;
     Some(ends.map(|end| frame.fit(end)))
@@ -29,7 +29,7 @@ pub fn fitted_ends(drawing: &Drawing, number: u128) -> Option<[Fitted; 2]> {
 /// the convex hull, unless that has very many corners. Blocks are taken whole, so the time grows with the depth to
 /// which blocks are nested, not with the number of segments.
 #[must_use]
-pub fn fitted_outline(drawing: &Drawing, segments: Range<u128>) -> Vec<Fitted> {
+pub(crate) fn fitted_outline(drawing: &Drawing, segments: Range<u128>) -> Vec<Fitted> {
     let mut locator = Locator::new(drawing, segments.clone());
     let (Some(root), Some([base, _])) = (drawing.root, locator.ends(segments.start)) else { return vec![] };
     locator.base = base;
@@ -43,7 +43,7 @@ pub fn fitted_outline(drawing: &Drawing, segments: Range<u128>) -> Vec<Fitted> {
 /// The vertices of the polygon `number` (0-based, in the order in which polygons are opened). Each vertex is joined to
 /// the next and the last to the first. Empty after the last polygon.
 #[must_use]
-pub fn fitted_polygon(drawing: &Drawing, number: u128) -> Vec<Fitted> {
+pub(crate) fn fitted_polygon(drawing: &Drawing, number: u128) -> Vec<Fitted> {
     let mut locator = Locator::new(drawing, 0..0);
     let Some((Item::Polygon(polygon), place)) = locator.find(number, Drawing::polygons_in) else { return vec![] };
     let frame = FittedFrame::new(drawing);

@@ -90,14 +90,15 @@ mod sample;
 mod tests;
 
 pub(crate) use amount::Amount;
-pub use exact::{Fitted, fitted_ends, fitted_outline, fitted_polygon};
+pub(crate) use exact::{fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
 pub use pane::{Pane, Pass};
-pub use pick::pick;
+pub(crate) use pick::pick;
 pub use pyramid::{Pyramid, Share, TilePlace, TileRenderer, Tiles};
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};
-pub use view::{Detail, View, Viewport, fit, fitted_scale};
+pub(crate) use view::fitted_scale;
+pub use view::{Detail, View, Viewport, fit};
 
 use density::Density;
 use lsystem_drawing::Drawing;

@@ -13,7 +13,7 @@ use lsystem_drawing::{BlockId, Drawing, Placed, Plane, Polygon, Stroke};
 /// is. Where many blocks overlap, the search ends with the pointer's visits. Segments and polygons beyond the first
 /// 2^128 - 1 are not found.
 #[must_use]
-pub fn pick(drawing: &Drawing, viewport: Viewport, view: View, pointer: &Pointer) -> Option<Pick> {
+pub(crate) fn pick(drawing: &Drawing, viewport: Viewport, view: View, pointer: &Pointer) -> Option<Pick> {
     let transform = ViewTransform::new(drawing, viewport, view, 1.0);
     let mut descent = Descent::default();
     let root = descent.root(drawing, transform)?;
@@ -95,8 +95,9 @@ impl Sight<Plane> for PlaneSight<'_> {
 mod tests {
     use super::super::search::Target;
     use super::super::tests::{hard, picture};
+    use super::super::{fitted_ends, fitted_outline, fitted_scale};
     use super::*;
-    use crate::{Renderer, fitted_ends};
+    use crate::Renderer;
     use lsystem_drawing::Item;
     use lsystem_syntax::{ColourBy, Style};
     use std::sync::Arc;
@@ -105,7 +106,7 @@ mod tests {
 
     /// The ends of a segment in the picture, in device pixels.
     fn shown(drawing: &Drawing, view: View, number: u128) -> [[f64; 2]; 2] {
-        let scale = crate::fitted_scale(drawing, VIEWPORT) * view.zoom;
+        let scale = fitted_scale(drawing, VIEWPORT) * view.zoom;
         fitted_ends(drawing, number).unwrap().map(|[x, y, fine_x, fine_y]| {
             let [dx, dy] = [x - view.x + (fine_x - view.fine[0]), y - view.y + (fine_y - view.fine[1])];
             [160.0 + scale * dx, 100.0 - scale * dy]
@@ -149,7 +150,7 @@ mod tests {
             };
             let drawing = Arc::new(sample.draw(n));
             assert!(drawing.segment_count() < u128::MAX);
-            let fitted = crate::fitted_scale(&drawing, VIEWPORT);
+            let fitted = fitted_scale(&drawing, VIEWPORT);
             // Too many blocks overlap to look into all of them.
             let crowded = name == "bush" || name == "coloured c";
             renderer.load(drawing.clone());
@@ -170,7 +171,7 @@ mod tests {
                     let on = |corner: &[f64; 4]| {
                         [0, 1].map(|i| fitted * zoom * (corner[i] - end[i] + (corner[i + 2] - end[i + 2])).abs())
                     };
-                    let outline = crate::fitted_outline(&drawing, number..number + 1);
+                    let outline = fitted_outline(&drawing, number..number + 1);
                     assert!(
                         outline.len() == 2 && outline.iter().any(|corner| on(corner).iter().all(|&off| off < 0.01))
                     );
@@ -217,7 +218,7 @@ mod tests {
         let viewport = Viewport { width: 1280, height: 800, ratio: 1.0 };
         for (name, sample) in hard() {
             let drawing = sample.draw(40);
-            let fitted = crate::fitted_scale(&drawing, viewport);
+            let fitted = fitted_scale(&drawing, viewport);
             for zoom in [1.0, 30.0, 1e3, 1e6, 1e9] {
                 for k in 0..50 {
                     let number = drawing.segment_count() / 51 * (k + 1) + 977 * k;

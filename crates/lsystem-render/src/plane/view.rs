@@ -96,7 +96,7 @@ pub fn fit(drawing: &Drawing) -> Rect {
 /// Device pixels in one fitted extent (the longer side of [`fit`]) at zoom 1. With this scale a finished picture can be
 /// moved and magnified as the renderer would.
 #[must_use]
-pub fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
+pub(crate) fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
     let (_, rect) = root_bounds(drawing);
     ViewTransform::new(drawing, viewport, View::default(), 1.0).scale * rect.longer_side()
 }

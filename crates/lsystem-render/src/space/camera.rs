@@ -32,7 +32,7 @@ impl Default for Camera {
 
 /// Device pixels in one fitted extent at zoom 1, on the plane through the target that faces the eye.
 #[must_use]
-pub fn solid_scale(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera) -> f64 {
+pub(crate) fn fitted_scale(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera) -> f64 {
     Lens::new(drawing, viewport, &Camera { zoom: 1.0, ..*camera }, 1.0).extent
 }
 
@@ -49,7 +49,7 @@ pub fn camera_axes(camera: &Camera) -> [[f64; 3]; 3] {
 /// The start and the end of the segment `number` (0-based), from the fitted centre, in fitted extents (the diameter of
 /// a ball around the drawing), in the directions of the model, as [`Camera::target`]; `None` after the last segment.
 #[must_use]
-pub fn fitted_solid_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64; 3]; 2]> {
+pub(crate) fn fitted_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64; 3]; 2]> {
     let (centre, radius) = ball(drawing);
     let segment = drawing.segments_from(number).next()?;
     let unit = drawing.unit();
@@ -61,9 +61,9 @@ pub fn fitted_solid_ends(drawing: &Drawing<Solid>, number: u128) -> Option<[[f64
 }
 
 /// The vertices of the polygon `number` (0-based, in the order in which polygons are opened), in the coordinates of
-/// [`fitted_solid_ends`]. Each vertex is joined to the next and the last to the first. Empty after the last polygon.
+/// [`fitted_ends`]. Each vertex is joined to the next and the last to the first. Empty after the last polygon.
 #[must_use]
-pub fn fitted_solid_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64; 3]> {
+pub(crate) fn fitted_polygon(drawing: &Drawing<Solid>, number: u128) -> Vec<[f64; 3]> {
     let Some((polygon, frame)) = drawing.polygon(number) else { return vec![] };
     let (centre, radius) = ball(drawing);
     let sign = drawing.unit().signum();

@@ -36,9 +36,10 @@ mod tile;
 #[cfg(test)]
 mod tests;
 
-pub use camera::{Camera, camera_axes, fitted_solid_ends, fitted_solid_polygon, solid_scale};
+pub use camera::{Camera, camera_axes};
+pub(crate) use camera::{fitted_ends, fitted_polygon, fitted_scale};
 pub use effort::{Effort, Spent};
-pub use pick::pick_solid;
+pub(crate) use pick::pick;
 
 use crate::{Pane, RenderStats, Viewport};
 use lsystem_drawing::{Drawing, Solid};

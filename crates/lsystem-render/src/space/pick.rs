@@ -13,7 +13,7 @@ use lsystem_drawing::{BlockId, Drawing, Placed, Polygon, Solid, Stroke, StyleCha
 /// depth. If there are none, the nearest to the pointer is picked, to a 32nd of the tolerance. Where many blocks
 /// overlap, the search ends with the pointer's visits. Segments and polygons beyond the first 2^128 - 1 are not found.
 #[must_use]
-pub fn pick_solid(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, pointer: &Pointer) -> Option<Pick> {
+pub(crate) fn pick(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, pointer: &Pointer) -> Option<Pick> {
     let lens = Lens::new(drawing, viewport, camera, 1.0);
     let [x, y] = [0, 1].map(|i| pointer.at[i] - lens.middle[i]);
     let towards = [x * lens.nearness, y * lens.nearness, 1.0];

@@ -1,10 +1,10 @@
 //! The cost of the steps of pictures.
 
 use super::systems::{Case, LENGTHS, LONGEST, cases, generations};
-use lsystem::render::{Detail, Pointer, Quality, pick_solid};
+use lsystem::render::{Detail, Pointer, Quality};
 use lsystem::syntax::{Ink, Meter};
 use lsystem::{
-    Camera, Drawing, Limits, Plane, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport, draw, pick,
+    Camera, Drawing, Figure, Limits, Plane, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport, draw, pick,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -67,7 +67,8 @@ fn check_plane(drawing: &Arc<Drawing>, name: &str, viewport: Viewport, view: Vie
         look_at(&mut adding, "Renderer::step, density", name, most);
     }
     let at = [f64::from(viewport.width) / 2.0, f64::from(viewport.height) / 2.0];
-    let _ = pick(drawing, viewport, view, &Pointer { at, tolerance: 8.0, upto: None, visits: 20_000 });
+    let pointer = Pointer { at, tolerance: 8.0, upto: None, visits: 20_000 };
+    let _ = pick(&Figure::Plane(drawing.clone()), viewport, &view.into(), &pointer);
 }
 
 fn check_space(drawing: &Arc<Drawing<Solid>>, name: &str, viewport: Viewport, zoom: f64, most: &mut Most) {
@@ -87,7 +88,8 @@ fn check_space(drawing: &Arc<Drawing<Solid>>, name: &str, viewport: Viewport, zo
         }
     }
     let at = [f64::from(viewport.width) / 2.0, f64::from(viewport.height) / 2.0];
-    let _ = pick_solid(drawing, viewport, &camera, &Pointer { at, tolerance: 8.0, upto: None, visits: 20_000 });
+    let pointer = Pointer { at, tolerance: 8.0, upto: None, visits: 20_000 };
+    let _ = pick(&Figure::Space(drawing.clone()), viewport, &camera.into(), &pointer);
 }
 
 /// Pictures of one drawing in several sizes and magnifications.

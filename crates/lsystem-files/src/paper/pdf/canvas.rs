@@ -1,9 +1,10 @@
 //! A PDF document with one page, and forms (form `XObjects`) that the page and other forms place.
 
 use super::packed::PackedContent;
+use crate::Sink;
 use crate::compact::{SymbolFile, SymbolForm};
-use crate::strokes::{PATH, StrokeLook};
-use lsystem_syntax::Heading;
+use crate::strokes::{PATH, StrokeFile, StrokeLook, VERTEX_WORK};
+use lsystem_syntax::{Halt, Heading, Work};
 use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::writers::Resources;
 use pdf_writer::{Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
@@ -38,16 +39,17 @@ pub(super) struct PageLayout {
 }
 
 /// The title and the system in a document.
-pub(super) struct About {
-    pub(super) title: String,
-    pub(super) system: String,
+pub(super) struct About<'a> {
+    pub(super) title: &'a str,
+    pub(super) system: &'a str,
 }
 
 /// Writes a document. Points are in CSS pixels of the picture, y up.
-pub(super) struct Canvas {
-    /// The objects written so far; `None` when the file is complete.
-    pdf: Option<Pdf>,
-    about: About,
+pub(super) struct Canvas<'a, 'o> {
+    sink: &'a mut Sink<'o>,
+    /// The objects written so far.
+    pdf: Pdf,
+    about: About<'a>,
     layout: PageLayout,
     stream: PackedContent,
     /// The colour and width of strokes in the open stream, if set.
@@ -55,18 +57,14 @@ pub(super) struct Canvas {
     /// The colour of polygons in the open stream, if set.
     fill_colour: Option<[u8; 3]>,
     open: Option<OpenPath>,
-    /// The vertices of the open polygon, and the number of vertices written.
-    outline: Option<(Vec<[f64; 2]>, usize)>,
     /// The extent of the open symbol, with stroke widths: min x, min y, max x, max y.
     extent: [f64; 4],
     /// The extents of the symbols so far.
     extents: Vec<[f64; 4]>,
     /// The symbols that the open stream places, by number.
     placed: BTreeSet<usize>,
-    /// The bytes compressed since the last call of [`Canvas::work`].
-    packed: usize,
-    /// The whole file, when it is complete.
-    pub(super) file: Option<Vec<u8>>,
+    /// The bytes compressed since the last charge.
+    packed: u64,
 }
 
 /// The open path.
@@ -81,33 +79,27 @@ struct OpenPath {
 /// The extent of nothing.
 const EMPTY: [f64; 4] = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
 
-impl Canvas {
-    pub(super) fn new(about: About, layout: PageLayout) -> Self {
+impl<'a, 'o> Canvas<'a, 'o> {
+    pub(super) fn new(about: About<'a>, layout: PageLayout, sink: &'a mut Sink<'o>) -> Self {
         let mut pdf = Pdf::new();
         // First, so that the beginning of a file is enough to open the system.
         if !about.system.is_empty() {
             pdf.embedded_file(FILE, about.system.as_bytes()).subtype(Name(b"application/json"));
         }
         Self {
-            pdf: Some(pdf),
+            sink,
+            pdf,
             about,
             layout,
             stream: PackedContent::new(),
             stroke_look: None,
             fill_colour: None,
             open: None,
-            outline: None,
             extent: EMPTY,
             extents: vec![],
             placed: BTreeSet::new(),
             packed: 0,
-            file: None,
         }
-    }
-
-    /// The work of compressing since the last call: a unit for a byte.
-    pub(super) fn work(&mut self) -> u64 {
-        core::mem::take(&mut self.packed) as u64
     }
 
     fn begin_stream(&mut self) {
@@ -120,9 +112,9 @@ impl Canvas {
         self.extent = [x0.min(x - around), y0.min(y - around), x1.max(x + around), y1.max(y + around)];
     }
 
-    /// Writes all objects that are not written yet.
-    fn finish(&mut self) {
-        let Some(mut pdf) = self.pdf.take() else { return };
+    /// Ends the picture and the file.
+    pub(super) fn finish(mut self) -> Result<(), Halt> {
+        let pdf = &mut self.pdf;
         let packed = self.stream.end();
         pdf.stream(CONTENT, &packed).filter(Filter::FlateDecode);
         let mut page = pdf.page(PAGE);
@@ -133,7 +125,7 @@ impl Canvas {
         pdf.pages(PAGES).kids([PAGE]).count(1);
         let mut info = pdf.document_info(INFO);
         if !self.about.title.is_empty() {
-            info.title(TextStr(&self.about.title));
+            info.title(TextStr(self.about.title));
         }
         info.creator(TextStr(PROGRAM));
         info.finish();
@@ -149,47 +141,18 @@ impl Canvas {
             catalog.names().embedded_files().names().insert(Str(ATTACHMENT), FILE_SPECIFICATION);
         }
         catalog.finish();
-        self.file = Some(pdf.finish());
+        self.sink.bytes(&self.pdf.finish())
     }
 }
 
-impl SymbolFile for Canvas {
-    fn begin(&mut self) {}
-
-    fn define(&mut self, _: usize, _: SymbolForm) {
-        self.begin_stream();
+/// A unit of work for each compressed byte.
+impl Work for Canvas<'_, '_> {
+    fn charge(&mut self, units: u64) -> Result<(), Halt> {
+        self.sink.charge(units + core::mem::take(&mut self.packed))
     }
+}
 
-    fn end_symbol(&mut self, _: SymbolForm) {
-        let packed = self.stream.end();
-        let [x0, y0, x1, y1] = if self.extent[0] <= self.extent[2] { self.extent } else { [0.0; 4] };
-        let number = self.extents.len();
-        self.extents.push([x0, y0, x1, y1]);
-        let Some(pdf) = &mut self.pdf else { return };
-        let mut form = pdf.form_xobject(form_ref(number), &packed);
-        form.filter(Filter::FlateDecode);
-        // Rounded outwards, because a form is cut at its box.
-        let [x0, y0] = [x0, y0].map(|c| real(libm::floor(c)));
-        let [x1, y1] = [x1, y1].map(|c| real(libm::ceil(c)));
-        form.bbox(Rect::new(x0, y0, x1, y1));
-        write_resources(form.resources(), &self.placed);
-    }
-
-    fn begin_picture(&mut self, _: usize) {
-        self.begin_stream();
-        let PageLayout { size: [width, height], scale, origin: [x, y], background } = self.layout;
-        let [r, g, b] = background.map(channel);
-        let content = &mut self.stream.content;
-        content.set_fill_rgb(r, g, b).rect(0.0, 0.0, short(width), short(height)).fill_nonzero();
-        content.transform([scale as f32, 0.0, 0.0, scale as f32, short(x), short(y)]);
-        content.set_line_cap(LineCapStyle::RoundCap).set_line_join(LineJoinStyle::RoundJoin);
-    }
-
-    fn end(&mut self) {
-        self.close();
-        self.finish();
-    }
-
+impl StrokeFile for Canvas<'_, '_> {
     fn stroke(&mut self, from: [f64; 2], to: [f64; 2], look: StrokeLook) {
         let [start, end] = [from, to].map(|point| point.map(short));
         let open = self.open.filter(|open| open.look == look && open.segments < PATH);
@@ -216,44 +179,63 @@ impl SymbolFile for Canvas {
         self.packed += self.stream.pack();
     }
 
-    fn fill(&mut self, vertices: Vec<[f64; 2]>, rgb: [u8; 3]) {
+    fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, rgb: [u8; 3]) -> Result<(), Halt> {
         self.close();
         if self.fill_colour != Some(rgb) {
             let [r, g, b] = rgb.map(channel);
             self.stream.content.set_fill_rgb(r, g, b);
             self.fill_colour = Some(rgb);
         }
-        self.outline = Some((vertices, 0));
-    }
-
-    fn vertex(&mut self) -> bool {
-        let Some((vertices, written)) = &mut self.outline else { return false };
-        let vertex = vertices.get(*written).copied();
-        let is_first = *written == 0;
-        *written += 1;
-        match vertex {
-            Some(vertex) => {
-                let [x, y] = vertex.map(short);
-                if is_first {
-                    self.stream.content.move_to(x, y);
-                } else {
-                    self.stream.content.line_to(x, y);
-                }
-                self.see(vertex, 0.0);
+        for (number, vertex) in vertices.enumerate() {
+            self.charge(VERTEX_WORK)?;
+            let [x, y] = vertex.map(short);
+            if number == 0 {
+                self.stream.content.move_to(x, y);
+            } else {
+                self.stream.content.line_to(x, y);
             }
-            None => {
-                self.stream.content.close_path().fill_nonzero();
-                self.outline = None;
-            }
+            self.see(vertex, 0.0);
+            self.packed += self.stream.pack();
         }
+        self.stream.content.close_path().fill_nonzero();
         self.packed += self.stream.pack();
-        true
+        Ok(())
     }
 
     fn close(&mut self) {
         if self.open.take().is_some() {
             self.stream.content.stroke();
         }
+    }
+}
+
+impl SymbolFile for Canvas<'_, '_> {
+    fn define(&mut self, _: usize, _: SymbolForm) {
+        self.begin_stream();
+    }
+
+    fn end_symbol(&mut self, _: SymbolForm) {
+        let packed = self.stream.end();
+        let [x0, y0, x1, y1] = if self.extent[0] <= self.extent[2] { self.extent } else { [0.0; 4] };
+        let number = self.extents.len();
+        self.extents.push([x0, y0, x1, y1]);
+        let mut form = self.pdf.form_xobject(form_ref(number), &packed);
+        form.filter(Filter::FlateDecode);
+        // Rounded outwards, because a form is cut at its box.
+        let [x0, y0] = [x0, y0].map(|c| real(libm::floor(c)));
+        let [x1, y1] = [x1, y1].map(|c| real(libm::ceil(c)));
+        form.bbox(Rect::new(x0, y0, x1, y1));
+        write_resources(form.resources(), &self.placed);
+    }
+
+    fn begin_picture(&mut self, _: usize) {
+        self.begin_stream();
+        let PageLayout { size: [width, height], scale, origin: [x, y], background } = self.layout;
+        let [r, g, b] = background.map(channel);
+        let content = &mut self.stream.content;
+        content.set_fill_rgb(r, g, b).rect(0.0, 0.0, short(width), short(height)).fill_nonzero();
+        content.transform([scale as f32, 0.0, 0.0, scale as f32, short(x), short(y)]);
+        content.set_line_cap(LineCapStyle::RoundCap).set_line_join(LineJoinStyle::RoundJoin);
     }
 
     fn place(&mut self, number: usize, at: [f64; 2], heading: Heading) {

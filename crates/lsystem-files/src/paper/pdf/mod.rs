@@ -4,13 +4,14 @@ mod canvas;
 mod packed;
 
 use super::figure::Figure;
-use super::tikz::covering;
-use crate::compact::{Compact, MANY, SymbolFile, is_shareable};
-use crate::{FileOptions, INCH, Writer};
+use crate::compact::{Compact, SymbolFile, is_shareable};
+use crate::formats::Notes;
+use crate::strokes::write_marks;
+use crate::svg::warning;
+use crate::{FileOptions, INCH, Sink};
 use canvas::{About, Canvas, PageLayout};
-use lsystem_drawing::{Drawing, Mark, MarkReader, Plane};
-use lsystem_syntax::{Diagnostic, Field, Kind, Meter, Progress, Style};
-use std::sync::Arc;
+use lsystem_drawing::Drawing;
+use lsystem_syntax::{Halt, Style};
 
 /// The pixels along the longer side of the picture.
 const PICTURE: f64 = 1024.0;
@@ -24,46 +25,34 @@ const MILLIMETRE: f64 = 72.0 / INCH;
 /// Writes a PDF. A drawing of more than 100,000 segments has each of its shared blocks as one form, which the page and
 /// other forms place; a drawing without shared blocks is always written out. The compressed file is in memory until it
 /// is complete.
-pub struct PdfWriter {
-    drawing: Arc<Drawing>,
-    style: Style,
-    canvas: Canvas,
-    parts: Parts,
-}
-
-/// What is left to write.
-enum Parts {
-    Flat(MarkReader<Plane>, Figure),
-    Shared(Box<Compact>),
-}
-
-impl PdfWriter {
-    /// A writer for a drawing.
-    ///
-    /// # Errors
-    /// [`Kind::Limit`] if the drawing has more segments and vertices than the options allow.
-    pub fn new(drawing: Arc<Drawing>, style: Style, options: &FileOptions) -> Result<Self, Diagnostic> {
-        let is_large = || drawing.check_size(options.most.min(FLAT)).is_err();
-        let shared = drawing.root.filter(|_| is_shareable(&drawing, &style) && is_large());
-        let (parts, size) = match shared {
-            Some(root) => {
-                let compact = Compact::new(&drawing, root, &style, PICTURE, options.most.min(SHARED));
-                let size = compact.size;
-                (Parts::Shared(Box::new(compact)), size)
-            }
-            None => {
-                drawing.check_size(options.most)?;
-                let figure = Figure::new(&drawing, [PICTURE; 2]);
-                (Parts::Flat(MarkReader::new(&drawing), figure), figure.size)
-            }
-        };
-        let about = About { title: options.title.clone(), system: options.system.trim_end().to_owned() };
-        let mut canvas = Canvas::new(about, layout(options, &style, size, shared.is_some()));
-        if shared.is_none() {
-            canvas.begin_picture(0);
-        }
-        Ok(Self { drawing, style, canvas, parts })
+///
+/// # Errors
+/// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the drawing has more segments and vertices than the options allow.
+pub(crate) fn write_pdf(
+    drawing: &Drawing,
+    style: &Style,
+    options: &FileOptions,
+    sink: &mut Sink<'_>,
+) -> Result<Notes, Halt> {
+    let about = About { title: &options.title, system: options.system.trim_end() };
+    let is_large = || drawing.check_size(options.most.min(FLAT)).is_err();
+    let mut instances = 0;
+    if let Some(root) = drawing.root.filter(|_| is_shareable(drawing, style) && is_large()) {
+        let picture = Compact::new(drawing, root, style, PICTURE, options.most.min(SHARED), sink)?;
+        let mut canvas = Canvas::new(about, layout(options, style, picture.size, true), sink);
+        picture.write(&mut canvas)?;
+        canvas.finish()?;
+        instances = picture.instances();
+    } else {
+        drawing.check_size(options.most)?;
+        let figure = Figure::new(drawing, [PICTURE; 2]);
+        let mut canvas = Canvas::new(about, layout(options, style, figure.size, false), sink);
+        canvas.begin_picture(0);
+        let look = |tint, width| figure.look(style, tint, width);
+        write_marks(drawing, style, |point| figure.place(point), look, &mut canvas)?;
+        canvas.finish()?;
     }
+    Ok(Notes { remark: warning(instances, style.ink), ..Notes::default() })
 }
 
 /// The page for a picture of this size in pixels. The origin of its pixels is the upper left corner if `from_top`, or
@@ -79,78 +68,19 @@ fn layout(options: &FileOptions, style: &Style, size: [f64; 2], from_top: bool) 
     PageLayout { size: page, scale, origin, background: style.background.rgb }
 }
 
-impl Writer for PdfWriter {
-    fn step(&mut self, file: &mut Vec<u8>, work: u64) -> Result<Progress, Diagnostic> {
-        let mut meter = Meter::new(work);
-        while !meter.is_spent() {
-            if let Some(mut whole) = self.canvas.file.take() {
-                file.append(&mut whole);
-                return Ok(Progress::Done);
-            }
-            match &mut self.parts {
-                Parts::Flat(reader, figure) => {
-                    write_mark(&self.drawing, &self.style, reader, figure, &mut self.canvas, &mut meter);
-                }
-                Parts::Shared(compact) => {
-                    // Small shares, so that the work of compressing counts soon.
-                    let mut share = Meter::new(meter.left().min(1 << 10));
-                    compact.step(&self.drawing, &self.style, &mut self.canvas, &mut share)?;
-                    meter.charge(share.spent());
-                }
-            }
-            meter.charge(self.canvas.work());
-        }
-        Ok(Progress::More)
-    }
-
-    fn remark(&self) -> Option<Diagnostic> {
-        let count = if let Parts::Shared(compact) = &self.parts { compact.instances() } else { 0 };
-        let many = Diagnostic { kind: Kind::Instances { count }, field: Field::Numbers, span: 0..0 };
-        if count > MANY { Some(many) } else { covering(&self.style) }
-    }
-}
-
-/// Writes the next mark, the next vertex of a polygon, or the end.
-fn write_mark(
-    drawing: &Drawing,
-    style: &Style,
-    reader: &mut MarkReader<Plane>,
-    figure: &Figure,
-    canvas: &mut Canvas,
-    meter: &mut Meter,
-) {
-    if canvas.vertex() {
-        meter.charge(4);
-        return;
-    }
-    let mark = reader.next(drawing);
-    meter.charge(mark.as_ref().map_or(8, Mark::work));
-    match mark {
-        Some(Mark::Segment(segment, tint)) => {
-            let look = figure.look(style, tint, segment.width);
-            canvas.stroke(figure.place(segment.from), figure.place(segment.to), look);
-        }
-        Some(Mark::Polygon(vertices, tint)) => {
-            let vertices = vertices.into_iter().map(|vertex| figure.place(vertex)).collect();
-            canvas.fill(vertices, style.colour_of(tint).rgb);
-        }
-        None => canvas.end(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{read_file, write_all, write_json};
+    use crate::{collect, read_file, write_json};
     use expect_test::expect;
-    use lsystem_drawing::{System, draw};
-    use lsystem_syntax::{ColourBy, Definition, LimitName, Limits};
+    use lsystem_drawing::{Plane, System, draw};
+    use lsystem_syntax::{ColourBy, Definition, Diagnostic, Kind, LimitName, Limits};
     use miniz_oxide::inflate::decompress_to_vec_zlib;
 
-    fn writer(definition: &Definition, options: &FileOptions) -> Result<PdfWriter, Diagnostic> {
+    fn written(definition: &Definition, options: &FileOptions) -> Result<Vec<u8>, Diagnostic> {
         let drawing =
             draw::<Plane>(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
-        PdfWriter::new(Arc::new(drawing), definition.style.clone(), options)
+        collect(|sink| write_pdf(&drawing, &definition.style, options, sink)).map(|(file, _)| file)
     }
 
     fn leaf() -> Definition {
@@ -189,18 +119,12 @@ mod tests {
         streams
     }
 
-    fn in_small_steps(definition: &Definition, options: &FileOptions) -> Vec<u8> {
-        let (mut writer, mut file) = (writer(definition, options).unwrap(), vec![]);
-        while writer.step(&mut file, 1).unwrap() == Progress::More {}
-        file
-    }
-
     #[test]
     fn a_page() {
         let definition = leaf();
         let system = write_json(&definition);
         let options = FileOptions { title: "A leaf é".into(), system, ..FileOptions::default() };
-        let file = write_all(&mut writer(&definition, &options).unwrap()).unwrap();
+        let file = written(&definition, &options).unwrap();
         let [page] = &streams_of(&file)[..] else { panic!("one stream") };
         expect![[r#"
             0.984 0.98 0.961 rg
@@ -240,19 +164,17 @@ mod tests {
         "#]]
         .assert_eq(page);
         assert_eq!(read_file(&file).definition, Some(definition.clone()));
-        assert!(in_small_steps(&definition, &options) == file);
         let sheet = FileOptions { is_cropped: false, ..options };
-        let file = write_all(&mut writer(&definition, &sheet).unwrap()).unwrap();
+        let file = written(&definition, &sheet).unwrap();
         assert!(String::from_utf8_lossy(&file).contains("/MediaBox [0 0 595.276 841.89]"));
     }
 
     #[test]
     fn shared_blocks_are_forms() {
-        let file = write_all(&mut writer(&bush(12), &FileOptions::default()).unwrap()).unwrap();
+        let file = written(&bush(12), &FileOptions::default()).unwrap();
         let streams = streams_of(&file);
         assert!(streams.len() > 5 && file.len() < 10_000, "{} {}", streams.len(), file.len());
         assert!(streams.iter().any(|text| text.contains(" cm\n/x0 Do\nQ")));
-        assert!(in_small_steps(&bush(12), &FileOptions::default()) == file);
     }
 
     #[test]
@@ -263,7 +185,7 @@ mod tests {
             style: Style { width: 1.0, ..Style::default() },
             ..Definition::default()
         };
-        let file = write_all(&mut writer(&definition, &FileOptions::default()).unwrap()).unwrap();
+        let file = written(&definition, &FileOptions::default()).unwrap();
         let words = streams_of(&file).join(" ");
         let numbers = words.split_ascii_whitespace().filter_map(|word| word.parse::<f32>().ok());
         assert!(numbers.clone().all(f32::is_finite) && numbers.clone().any(|number| number > 1e30), "{words}");
@@ -275,7 +197,7 @@ mod tests {
         let over = Kind::Limit { limit: LimitName::Segments, value: 9, largest: None };
         let mut coloured = bush(6);
         coloured.style.colour_by = ColourBy::Path;
-        assert_eq!(writer(&coloured, &options).err().unwrap().kind, over);
-        assert_eq!(write_all(&mut writer(&bush(12), &options).unwrap()).unwrap_err().kind, over);
+        assert_eq!(written(&coloured, &options).err().unwrap().kind, over);
+        assert_eq!(written(&bush(12), &options).unwrap_err().kind, over);
     }
 }

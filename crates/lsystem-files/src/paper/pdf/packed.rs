@@ -23,7 +23,7 @@ impl PackedContent {
     }
 
     /// Compresses the content if it has grown to a piece. Returns the number of bytes that were compressed.
-    pub(super) fn pack(&mut self) -> usize {
+    pub(super) fn pack(&mut self) -> u64 {
         if self.content.len() < PIECE { 0 } else { self.compress(TDEFLFlush::None) }
     }
 
@@ -34,7 +34,7 @@ impl PackedContent {
         core::mem::take(&mut self.packed)
     }
 
-    fn compress(&mut self, flush: TDEFLFlush) -> usize {
+    fn compress(&mut self, flush: TDEFLFlush) -> u64 {
         let mut piece = core::mem::replace(&mut self.content, Content::new()).finish().into_vec();
         // Operators need white space between them.
         piece.push(b'\n');
@@ -44,6 +44,6 @@ impl PackedContent {
             packed.extend(bytes);
             true
         });
-        piece.len()
+        piece.len() as u64
     }
 }

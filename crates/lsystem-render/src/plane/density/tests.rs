@@ -1,8 +1,9 @@
+use super::super::fitted_scale;
 use super::*;
+use crate::fit;
 use crate::plane::tests::{check_odd_views, check_small_steps, close_up, difference, hard, put, samples, time};
 use crate::plane::view::root_bounds;
 use crate::plane::{InkMethod, Pass, Renderer, View, Viewport};
-use crate::{fit, fitted_scale};
 use lsystem_syntax::{ColourBy, Ink, Style};
 use std::sync::Arc;
 

@@ -1,7 +1,8 @@
 use super::*;
+use crate::Renderer;
+use crate::plane::fitted_ends;
 use crate::plane::sample::Sample;
 use crate::plane::tests::{difference, hard, picture};
-use crate::{Renderer, fitted_ends};
 use lsystem_syntax::{Ink, Progress};
 
 const SIDE: u32 = 64;

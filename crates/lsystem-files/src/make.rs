@@ -1,0 +1,225 @@
+//! The way from a system to a file of any format.
+
+use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
+use lsystem_drawing::{Drawing, Figure, FigureDrawer, Outlook, Projection, Solid, System, expand};
+use lsystem_render::{Camera, Vantage, Viewport, fit};
+use lsystem_syntax::{Definition, Diagnostic, Halt, LimitName, Limits, Progress, Work, run_steps};
+use std::sync::Arc;
+
+/// The default length of the longer side of a picture of pixels. At this length a stroke's least width is in pixels;
+/// larger pictures scale it.
+const USUAL: u32 = 1024;
+/// The least default length of the shorter side, in pixels.
+const LEAST: u32 = 128;
+/// The number of symbols of a string that are written at a time.
+const SYMBOLS: usize = 1 << 15;
+
+/// What a file is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct FileTask<'a> {
+    /// The definition.
+    pub definition: &'a Definition,
+    /// Its system.
+    pub system: &'a System,
+    /// The format.
+    pub format: &'static Format,
+    /// The choices of the reader. The title, the system and the limits are filled in.
+    pub options: &'a FileOptions,
+    /// The view of drawings.
+    pub view: FileView,
+    /// The limits.
+    pub limits: FileLimits,
+}
+
+/// The view of a drawing in a file.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FileView {
+    /// The place from which pictures of pixels see the drawing. Drawings on paper are projected in the direction of its
+    /// camera.
+    pub vantage: Vantage,
+    /// The number of segments that pictures of pixels show; `None` for all.
+    pub upto: Option<u128>,
+    /// Device pixels in a CSS pixel, for pictures of pixels; `None` for so many that a picture of 1024 pixels has 1.
+    pub ratio: Option<f64>,
+    /// Whether files of strokes get a description for screen readers.
+    pub is_described: bool,
+}
+
+/// The limits of a file and of what it is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct FileLimits {
+    /// The limits of the drawing.
+    pub drawing: Limits,
+    /// The most bytes of the drawing, at most those of `drawing`. Limits decide how a drawing is made, but this one does not.
+    pub drawing_bytes: u64,
+    /// The limits of the string.
+    pub string: Limits,
+    /// Whether a string that cannot be read by counts is read piece by piece from a remembered derivation, within the
+    /// memory of `string`. Otherwise it is derived as a whole.
+    pub remembers: bool,
+    /// The most segments and vertices of polygons in a file.
+    pub segments: u64,
+    /// The most segments and vertices of polygons that are in memory at once: of projections, and of formats that are
+    /// [made in memory](Format::is_made_in_memory).
+    pub held: u64,
+    /// The most segments of a mesh, and its most bytes.
+    pub mesh: [u64; 2],
+    /// As [`PngOptions::band`].
+    pub band: u32,
+}
+
+/// Writes a file of a system.
+///
+/// # Errors
+/// The diagnostic for an exceeded limit, or for a system that the format cannot express, before the first byte. If the
+/// owner of the sink stops the work.
+pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
+    let FileTask { definition, system, format, options, view, limits } = *task;
+    let style = &system.style;
+    let stored = if options.bare { String::new() } else { write_json(definition) };
+    let most = if format.is_made_in_memory { limits.held } else { limits.segments };
+    let options = FileOptions { title: definition.label().to_owned(), system: stored, most, ..options.clone() };
+    let none = |()| Notes::default();
+    match format.content {
+        Content::System => {
+            sink.text.push_str(&write_json(definition));
+            Ok(Notes::default())
+        }
+        Content::String => write_string(task, sink).map(none),
+        Content::Words(write) => write(definition, system, &options, sink),
+        Content::Pixels => {
+            let figure = task.figure(sink)?;
+            write_png(&figure, style, view.vantage, &task.png(&figure, options), sink).map(none)
+        }
+        Content::Segments { plane, space } => match task.figure(sink)? {
+            Figure::Plane(drawing) => plane(&drawing, most, sink).map(none),
+            Figure::Space(drawing) => space(&drawing, most, sink).map(none),
+        },
+        Content::Paper(write) => {
+            let figure = task.figure(sink)?;
+            let description = task.description(&figure, sink)?;
+            let drawing = task.on_paper(figure, sink)?;
+            write(drawing, style, &FileOptions { description, ..options }, sink)
+        }
+        Content::Mesh(write) => {
+            let [most, memory] = limits.mesh;
+            write(task.in_space(sink)?, style, &FileOptions { most, memory, ..options }, sink)
+        }
+    }
+}
+
+impl FileTask<'_> {
+    fn figure(&self, work: &mut dyn Work) -> Result<Figure, Halt> {
+        self.drawn(Figure::drawer(self.system, self.definition.iterations, self.limits.drawing), work)
+    }
+
+    /// The drawing in space, also of a system that does not leave the plane.
+    fn in_space(&self, work: &mut dyn Work) -> Result<Arc<Drawing<Solid>>, Halt> {
+        let drawer = Figure::drawer_in_space(self.system, self.definition.iterations, self.limits.drawing);
+        match self.drawn(drawer, work)? {
+            Figure::Space(drawing) => Ok(drawing),
+            Figure::Plane(_) => Err(Halt::Stopped),
+        }
+    }
+
+    fn drawn(&self, mut drawer: FigureDrawer, work: &mut dyn Work) -> Result<Figure, Halt> {
+        let most = self.limits.drawing_bytes;
+        run_steps(work, |units| match drawer.step(units) {
+            Progress::More if drawer.bytes() <= most => Progress::More,
+            _ => Progress::Done,
+        })?;
+        if drawer.bytes() > most {
+            return Err(Diagnostic::limit(LimitName::Memory, most, None).into());
+        }
+        Ok(drawer.finish()?)
+    }
+
+    /// The drawing in the plane, or its projection. The drawing in space is dropped, to save memory.
+    fn on_paper(&self, figure: Figure, work: &mut dyn Work) -> Result<Arc<Drawing>, Halt> {
+        let drawing = match figure {
+            Figure::Plane(drawing) => return Ok(drawing),
+            Figure::Space(drawing) => drawing,
+        };
+        let Camera { azimuth, elevation, .. } = self.view.vantage.camera;
+        let mut projection = Projection::new(&drawing, &Outlook { azimuth, elevation }, self.limits.held)?;
+        run_steps(work, |units| projection.step(&drawing, units))?;
+        Ok(Arc::new(projection.finish(&drawing)))
+    }
+
+    /// The drawing in words, if they are asked for. The number of segments is counted where the drawing does not tell.
+    fn description(&self, figure: &Figure, work: &mut dyn Work) -> Result<String, Halt> {
+        if !self.view.is_described {
+            return Ok(String::new());
+        }
+        let n = self.definition.iterations;
+        if let Some(count) = figure.exact_segments() {
+            return Ok(figure.describe(self.system, n, &count));
+        }
+        let mut counter = self.system.segments(n);
+        run_steps(work, |units| counter.step(units))?;
+        Ok(counter.count().map(|count| figure.describe(self.system, n, count)).unwrap_or_default())
+    }
+
+    fn png(&self, figure: &Figure, options: FileOptions) -> PngOptions {
+        let FileOptions { size, dpi, transparent: is_transparent, system, .. } = options;
+        let [width, height] = size.unwrap_or_else(|| usual_size(figure));
+        let ratio = self.view.ratio.unwrap_or((f64::from(width.max(height)) / f64::from(USUAL)).max(1.0));
+        let (viewport, upto, band) = (Viewport { width, height, ratio }, self.view.upto, self.limits.band);
+        PngOptions { viewport, dpi, is_transparent, system, upto, band }
+    }
+}
+
+/// The default size of a picture: in the plane in the proportions of the drawing, in space a square.
+fn usual_size(figure: &Figure) -> [u32; 2] {
+    let Figure::Plane(drawing) = figure else { return [USUAL; 2] };
+    let extent = fit(drawing);
+    let longer = extent.width.max(extent.height);
+    let side = |length: f64| {
+        let share = length / longer;
+        // The proportions are unknown if the extent is beyond the range of `f64`.
+        if share.is_finite() { (libm::round(share * f64::from(USUAL)) as u32).clamp(LEAST, USUAL) } else { USUAL }
+    };
+    [side(extent.width), side(extent.height)]
+}
+
+/// Writes the string and a newline.
+fn write_string(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<(), Halt> {
+    let (system, n, limits) = (task.system, task.definition.iterations, &task.limits.string);
+    if !task.limits.remembers {
+        sink.bytes(expand(system, n, limits)?.as_bytes())?;
+        return sink.bytes(b"\n");
+    }
+    let symbols = |n: u32| system.word(n).map(|word| word.symbols());
+    let too_long = |count: u128| count > u128::from(limits.symbols);
+    match symbols(n) {
+        Some(count) if too_long(count) => {
+            let largest = (0..n).rev().find(|&n| !symbols(n).is_some_and(too_long));
+            Err(Diagnostic::limit(LimitName::Symbols, limits.symbols, largest).into())
+        }
+        Some(_) => write_pieces(|at| system.word(n).map(|word| word.slice(at, SYMBOLS)).unwrap_or_default(), sink),
+        None => {
+            let full = |largest| Diagnostic::limit(LimitName::Memory, limits.memory, largest);
+            let mut history = system.history(n, limits).ok_or_else(|| full(None))?;
+            run_steps(sink, |units| history.step(units as usize))?;
+            if history.symbols(n).is_none() {
+                return Err(full((0..n).rev().find(|&n| history.symbols(n).is_some())).into());
+            }
+            write_pieces(|at| history.slice(n, at, SYMBOLS), sink)
+        }
+    }
+}
+
+/// Writes all pieces of a string, and a newline. `piece` returns the piece from a symbol on.
+fn write_pieces(mut piece: impl FnMut(u128) -> String, sink: &mut Sink<'_>) -> Result<(), Halt> {
+    let mut at = 0;
+    loop {
+        let text = piece(at);
+        if text.is_empty() {
+            sink.text.push('\n');
+            return Ok(());
+        }
+        sink.text.push_str(&text);
+        sink.charge(SYMBOLS as u64)?;
+        at += SYMBOLS as u128;
+    }
+}
