@@ -13,6 +13,9 @@ const embedded = (name) => document.querySelector(`script[data-file="${name}"]`)
 /** Whether the page is a single file. */
 export const isWhole = () => embedded(WASM) !== null;
 
+/** Whether the page has a file inside. @param {string} name */
+export const isCarried = (name) => embedded(name) !== null;
+
 /**
  * The address of a classic script.
  * @param {string} name

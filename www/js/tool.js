@@ -4,7 +4,7 @@
  */
 
 import { SILENCE, STARTUP, createWatchdog } from './engine/watchdog.js';
-import { scriptAddress } from './files.js';
+import { isCarried, isWhole, scriptAddress } from './files.js';
 import { compile } from './wasm.js';
 
 /** @typedef {import('./protocol.js').ToTool} ToTool */
@@ -16,10 +16,13 @@ export class Cancelled extends Error {}
 
 /**
  * @template {Record<string, {asked: object, answer: unknown}>} Calls
- * @param {string} name the tool's worker is `NAME.js`, and its wasm `NAME.wasm`
+ * @param {'course' | 'export' | 'film' | 'find' | 'import'} tool
  * @param {{isStraight?: boolean}} [options] whether the worker hears nothing while it answers a call, so that a cancel ends it
  */
-export function createTool(name, { isStraight = false } = {}) {
+export function createTool(tool, { isStraight = false } = {}) {
+    // The page has all tools in one wasm. Pages in single files carry or fetch no more than they need.
+    const isAlone = isCarried(`${tool}.wasm`) || (isWhole() && !isCarried('tools.wasm'));
+    const name = isAlone ? tool : 'tools';
     /** @type {Worker | null} */
     let worker = null;
     let hasSpoken = false;

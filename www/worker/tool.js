@@ -10,11 +10,10 @@
 /** The tool's page. @type {import('../js/protocol.js').Channel<FromTool, ToTool>} */
 const page = self;
 
-/**
- * @param {(module: WebAssembly.Module) => void} start starts the wasm
- * @param {Record<string, (asked: any, tell: (value: any) => void) => any>} calls the answers to calls, by name; an answer may be a generator, whose result is the answer
- */
-export function serve(start, calls) {
+/** The answers to calls, by name; an answer may be a generator, whose result is the answer. @typedef {Record<string, (asked: any, tell: (value: any) => void) => any>} CallTable */
+
+/** @param {CallTable} calls */
+export function serve(calls) {
     /** Long calls that were not cancelled. @type {Set<number>} */
     const running = new Set();
     let dead = false;
@@ -24,7 +23,7 @@ export function serve(start, calls) {
         if (data.type === 'ping') page.postMessage({ type: 'pong' });
         else if (data.type === 'cancel') running.delete(data.id);
         else if (data.type === 'init') guard(0, () => {
-            start(data.wasm);
+            wasm_bindgen.initSync({ module: data.wasm });
             // From now on the page need not wait long to know that this worker is silent.
             page.postMessage({ type: 'pong' });
         });

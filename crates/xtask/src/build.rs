@@ -71,23 +71,20 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
     let include_index = |file: &Path| files::write(file, include::include(&files::read_text(file)?, index, &whole)?);
     [&exercise, &site.join("film.html"), &embed].into_iter().try_for_each(|file| include_index(file))?;
     // These pages become single files, with the files that they would fetch inside.
-    let all: Vec<_> = wasms::WASMS
-        .iter()
-        .flat_map(|wasm| [wasm.script, wasm.file])
-        .chain(["gallery.json", "exercises.json"])
-        .collect();
-    let of = |package: &'static str| {
-        wasms::WASMS.iter().filter(move |wasm| wasm.package.contains(package)).flat_map(|wasm| [wasm.script, wasm.file])
+    let of = |name: &str| -> Vec<String> {
+        let found = wasms::WASMS.iter().filter(|wasm| wasm.name == name);
+        found.flat_map(|wasm| [wasm.script.to_owned(), wasm.file()]).collect()
     };
-    let drawing: Vec<_> = of("lsystem-wasm").collect();
-    let marking: Vec<_> = of("lsystem-wasm").chain(of("course")).collect();
+    let all = [of("lsystem"), of("tools"), vec!["gallery.json".to_owned(), "exercises.json".to_owned()]].concat();
+    let (drawing, marking, playing) = (of("lsystem"), [of("lsystem"), of("course")].concat(), of("film"));
     let maker = &one_file::Maker { site: &site, bundler: &esbuild, packed: &workspace.target.join("packed") };
-    all.iter().filter(|name| !name.ends_with(".js")).try_for_each(|name| maker.pack(name).map(drop))?;
+    let packed = all.iter().chain(&marking).chain(&playing);
+    packed.filter(|name| !name.ends_with(".js")).try_for_each(|name| maker.pack(name).map(drop))?;
     let single = [
         (index, "playground.html", all),
         ("embed.html", "embed.html", drawing),
         ("exercise.html", "exercise.html", marking),
-        ("film.html", "film.html", of("film").collect()),
+        ("film.html", "film.html", playing.clone()),
     ];
     thread::scope(|scope| {
         let threads = single.iter().map(|(page, _, carried)| scope.spawn(move || maker.make(page, carried)));
@@ -96,6 +93,8 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
         let texts = threads.into_iter().map(joined).collect::<Result<Vec<_>>>()?;
         single.iter().zip(texts).try_for_each(|((_, file, _), text)| files::write(&site.join(file), text))
     })?;
+    // Nobody fetches what the page of films carries.
+    playing.iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
     make("documents")?;
     let documents = site.join("docs");
     files::list(&documents, |path| path.extension().is_none_or(|ending| ending == "html"))?

@@ -2,7 +2,7 @@
 
 use crate::report::Report;
 use crate::tools;
-use crate::wasms::WASMS;
+use crate::wasms::PACKAGES;
 use crate::workspace::Workspace;
 use anyhow::Result;
 
@@ -42,7 +42,7 @@ pub(crate) fn clippy(workspace: &Workspace, packages: &[&str]) -> Result<()> {
 pub(crate) fn wasm(workspace: &Workspace, report: &Report) {
     report.step(workspace, "clippy for wasm", |workspace, _| {
         tools::wasm_target()?;
-        let packages = WASMS.iter().map(|wasm| wasm.package).chain(["bench"]).flat_map(|name| ["--package", name]);
+        let packages = PACKAGES.into_iter().chain(["bench"]).flat_map(|name| ["--package", name]);
         let words = ["clippy", "--lib", "--tests", "--profile=draft", "--target", tools::WASM_TARGET];
         workspace.run(workspace.cargo(words.into_iter().chain(packages)).args(STRICT))
     });

@@ -27,7 +27,7 @@ pub(crate) struct Maker<'a> {
 
 impl Maker<'_> {
     /// A single file of a page. `carried` are the files that the page would fetch.
-    pub(crate) fn make(&self, page: &str, carried: &[&str]) -> Result<String> {
+    pub(crate) fn make(&self, page: &str, carried: &[impl AsRef<str>]) -> Result<String> {
         let text = files::read_text(&self.site.join(page))?;
         Assembly { maker: self, policy: Policy::default() }
             .assemble(&text, carried)
@@ -76,7 +76,7 @@ struct Assembly<'a> {
 const POLICY: &str = "<meta name=\"policy\">";
 
 impl Assembly<'_> {
-    fn assemble(mut self, text: &str, carried: &[&str]) -> Result<String> {
+    fn assemble(mut self, text: &str, carried: &[impl AsRef<str>]) -> Result<String> {
         let mut page = String::new();
         let mut styles = vec![];
         let mut modules = vec![];
@@ -109,7 +109,7 @@ impl Assembly<'_> {
                 // The files and the script come last, so that the page is visible before they are read.
                 _ if line == "</body>" => {
                     for name in carried {
-                        page.push_str(&self.carry(name)?);
+                        page.push_str(&self.carry(name.as_ref())?);
                     }
                     for module in &modules {
                         let script = self.maker.bundler.module(module, &[])?;

@@ -8,41 +8,50 @@ use anyhow::Result;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A wasm of the site.
+/// A wasm of the site: `NAME.wasm`.
 pub(crate) struct Wasm {
     /// The crate with its boundary.
     pub(crate) package: &'static str,
-    /// The name of the wasm on the site.
-    pub(crate) file: &'static str,
+    /// The feature with which it is compiled; `None` for all.
+    feature: Option<&'static str>,
+    pub(crate) name: &'static str,
     /// The name of its worker's script on the site.
     pub(crate) script: &'static str,
     /// The worker's first module, in `www`.
     worker: &'static str,
 }
 
-/// All wasms: the core, and the tools that few visits need.
-pub(crate) const WASMS: [Wasm; 6] = [
-    Wasm { package: "lsystem-wasm", file: "lsystem.wasm", script: "worker.js", worker: "worker/worker.js" },
-    Wasm { package: "lsystem-import-wasm", file: "import.wasm", script: "import.js", worker: "worker/import.js" },
-    Wasm { package: "lsystem-course-wasm", file: "course.wasm", script: "course.js", worker: "worker/course.js" },
-    Wasm { package: "lsystem-find-wasm", file: "find.wasm", script: "find.js", worker: "worker/find.js" },
-    Wasm { package: "lsystem-export-wasm", file: "export.wasm", script: "export.js", worker: "worker/export.js" },
-    Wasm { package: "lsystem-film-wasm", file: "film.wasm", script: "film.js", worker: "worker/film.js" },
+const TOOLS: &str = "lsystem-tools-wasm";
+
+/// All wasms: the core, the tools that few visits need, and the tools that pages in single files carry.
+pub(crate) const WASMS: [Wasm; 4] = [
+    Wasm { package: "lsystem-wasm", feature: None, name: "lsystem", script: "worker.js", worker: "worker/worker.js" },
+    Wasm { package: TOOLS, feature: None, name: "tools", script: "tools.js", worker: "worker/tools.js" },
+    Wasm { package: TOOLS, feature: Some("course"), name: "course", script: "course.js", worker: "worker/course.js" },
+    Wasm { package: TOOLS, feature: Some("film"), name: "film", script: "film.js", worker: "worker/film.js" },
 ];
 
+/// The boundary crates.
+pub(crate) const PACKAGES: [&str; 2] = ["lsystem-wasm", TOOLS];
+
 impl Wasm {
-    /// The name of the crate's library and of its generated files.
-    fn library(&self) -> String {
-        self.package.replace('-', "_")
+    /// The name of the wasm on the site.
+    pub(crate) fn file(&self) -> String {
+        format!("{}.wasm", self.name)
     }
 
     /// The worker as one classic script, which works in sandboxed frames and from files. Module workers and imports
     /// fail there.
     fn write(&self, esbuild: &Esbuild, generated: &Path, site: &Path) -> Result<()> {
-        let library = self.library();
-        fs::copy(generated.join(format!("{library}_bg.wasm")), site.join(self.file))?;
-        let glue = files::read_text(&generated.join(format!("{library}.js")))?;
+        fs::copy(generated.join(format!("{}_bg.wasm", self.name)), site.join(self.file()))?;
+        let glue = files::read_text(&generated.join(format!("{}.js", self.name)))?;
         files::write(&site.join(self.script), esbuild.minified("glue.js", &glue)? + &esbuild.script(self.worker)?)
+    }
+
+    /// Where Cargo writes the compiled crate, and where it is kept, because its next features overwrite it.
+    fn compiled(&self, workspace: &Workspace, kind: Kind) -> [PathBuf; 2] {
+        let folder = workspace.target.join(tools::WASM_TARGET).join(profile(kind));
+        [self.package.replace('-', "_"), format!("site-{}", self.name)].map(|name| folder.join(name + ".wasm"))
     }
 }
 
@@ -50,9 +59,24 @@ impl Wasm {
 pub(crate) fn compile(workspace: &Workspace, kind: Kind) -> Result<()> {
     tools::wasm_target()?;
     let profile = format!("--profile={}", profile(kind));
-    let packages = WASMS.iter().flat_map(|wasm| ["--package", wasm.package]);
-    let words = ["build", &profile, "--lib", "--target", tools::WASM_TARGET].into_iter().chain(packages);
-    workspace.run(&mut workspace.cargo(words))
+    let build = |words: &[&str]| {
+        let all = ["build", &profile, "--lib", "--target", tools::WASM_TARGET].into_iter().chain(words.iter().copied());
+        workspace.run(&mut workspace.cargo(all))
+    };
+    let keep = |wasm: &Wasm| {
+        let [written, kept] = wasm.compiled(workspace, kind);
+        fs::copy(written, kept)
+    };
+    build(&PACKAGES.map(|package| ["--package", package]).concat())?;
+    let (whole, parts): (Vec<_>, Vec<_>) = WASMS.iter().partition(|wasm| wasm.feature.is_none());
+    for wasm in whole {
+        keep(wasm)?;
+    }
+    for (wasm, feature) in parts.into_iter().filter_map(|wasm| Some((wasm, wasm.feature?))) {
+        build(&["--package", wasm.package, "--no-default-features", "--features", feature])?;
+        keep(wasm)?;
+    }
+    Ok(())
 }
 
 fn profile(kind: Kind) -> &'static str {
@@ -71,13 +95,11 @@ pub(crate) fn generated(workspace: &Workspace) -> PathBuf {
 /// Generates the JavaScript of the compiled crates, and puts wasms and workers into the folder of the site.
 pub(crate) fn write(workspace: &Workspace, kind: Kind, esbuild: &Esbuild, site: &Path) -> Result<()> {
     let generated = generated(workspace);
-    let compiled = workspace.target.join(tools::WASM_TARGET).join(profile(kind));
     WASMS.iter().try_for_each(|wasm| {
-        let library = wasm.library();
-        let file = compiled.join(format!("{library}.wasm"));
+        let [_, file] = wasm.compiled(workspace, kind);
         // Reading a wasm and writing it anew takes a second, so it is done only after a change.
-        let made_of = generated.join(format!("{library}.made-of"));
-        files::once(&file, &made_of, || bindgen::generate(&file, &generated, &library))?;
+        let made_of = generated.join(format!("{}.made-of", wasm.name));
+        files::once(&file, &made_of, || bindgen::generate(&file, &generated, wasm.name))?;
         wasm.write(esbuild, &generated, site)
     })
 }

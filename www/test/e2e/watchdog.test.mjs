@@ -80,7 +80,7 @@ async function withFaults(page) {
             }
         };
     });
-    await page.route(/\/(worker|export)\.js$/, async (route) => {
+    await page.route(/\/(worker|tools)\.js$/, async (route) => {
         try {
             const response = await route.fetch();
             await route.fulfill({ response, body: (await response.text()) + FAULTS });

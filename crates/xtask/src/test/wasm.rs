@@ -4,7 +4,7 @@
 use super::native::CRATES;
 use super::passed::{Passed, fingerprint};
 use crate::report::Report;
-use crate::wasms::WASMS;
+use crate::wasms::PACKAGES;
 use crate::workspace::Workspace;
 use crate::{files, tools};
 use anyhow::Result;
@@ -27,7 +27,7 @@ pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
     // `--tests` leaves out examples in the documentation, which run natively. All boundaries together, so that they
     // share their libraries with the page that `serve` builds.
     let words = ["test", "--no-run", "--tests", "--profile=draft", "--message-format=json-render-diagnostics"];
-    let packages = WASMS.iter().flat_map(|wasm| ["--package", wasm.package]);
+    let packages = PACKAGES.iter().flat_map(|package| ["--package", package]);
     let mut command = workspace.cargo(words.into_iter().chain(packages).chain(["--target", tools::WASM_TARGET]));
     if let Ok(digests) = files::read_text(&digests(workspace)) {
         command.env("LSYSTEM_SAME_BITS", digests);

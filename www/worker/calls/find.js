@@ -1,8 +1,6 @@
-/** The worker that searches for rules. The build joins it with the generated glue. */
+/** Calls for the search for rules. */
 
-import { serve } from './tool.js';
-
-/** @typedef {import('../js/protocol.js').FindReport} FindReport */
+/** @typedef {import('../../js/protocol.js').FindReport} FindReport */
 
 /** A step lasts about this long, in milliseconds: timers add a pause of 4 ms after each. */
 const STEP_MS = 40;
@@ -20,7 +18,8 @@ function report() {
     return { ...search.finder.report(), work: search.work, isMore: search.isMore };
 }
 
-serve((module) => wasm_bindgen.initSync({ module }), {
+/** @type {import('../tool.js').CallTable} */
+export const calls = {
     begin({ source, question, part, parts }) {
         search?.finder.free();
         search = null;
@@ -49,4 +48,4 @@ serve((module) => wasm_bindgen.initSync({ module }), {
         }
         return report();
     },
-});
+};

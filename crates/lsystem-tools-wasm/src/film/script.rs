@@ -1,6 +1,7 @@
 //! Scripts as plain objects.
 
-use crate::{from_js, to_js, words};
+use super::words;
+use crate::{from_js, to_js};
 use lsystem_film::{Script, Subject};
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::{Definition, Expected, FieldSpec, MAX_ITERATIONS, classify};

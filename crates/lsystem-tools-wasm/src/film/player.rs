@@ -1,6 +1,7 @@
 //! A film whose frames are made in steps.
 
-use crate::{from_js, to_js, words};
+use super::words;
+use crate::{from_js, to_js};
 use lsystem_film::{
     Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, middle_segment, palette_samples, vantage_of_segment,
 };

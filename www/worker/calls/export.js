@@ -1,11 +1,10 @@
-/** The worker that makes files. The build joins it with the generated glue. */
-
-import { serve } from './tool.js';
+/** Calls for files. */
 
 /** The time between two signs of life, in milliseconds. */
 const SIGN = 300;
 
-serve((module) => wasm_bindgen.initSync({ module }), {
+/** @type {import('../tool.js').CallTable} */
+export const calls = {
     /** Makes a file in one call, so that the worker cannot hear meanwhile: the page ends the worker to cancel. */
     file(asked, tell) {
         let last = performance.now();
@@ -16,4 +15,4 @@ serve((module) => wasm_bindgen.initSync({ module }), {
             tell(piece);
         });
     },
-});
+};

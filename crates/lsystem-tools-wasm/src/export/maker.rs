@@ -1,6 +1,6 @@
 //! Files of systems.
 
-use crate::budget::LIMITS;
+use super::budget::LIMITS;
 use lsystem_drawing::System;
 use lsystem_files::{FileOptions, FileTask, FileView, Format, Owner, Sink};
 use lsystem_syntax::{Definition, Problem, problems};

@@ -1,5 +1,6 @@
-//! The readers of other notations for JavaScript. The page loads this wasm when text is pasted, dropped or opened.
+//! The readers of other notations.
 
+use crate::to_js;
 use lsystem_import::Remark;
 use lsystem_syntax::Definition;
 use serde::Serialize;
@@ -48,6 +49,5 @@ pub fn import_systems(text: &str) -> Result<JsValue, JsValue> {
             })
             .collect(),
     });
-    let plain = serde_wasm_bindgen::Serializer::json_compatible();
-    report.serialize(&plain).map_err(JsValue::from)
+    to_js(&report)
 }

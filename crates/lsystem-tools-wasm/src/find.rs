@@ -1,5 +1,6 @@
-//! The search for the rules of a picture or a string, for JavaScript. The page loads this wasm with the first search.
+//! The search for the rules of a picture or a string.
 
+use crate::{from_js, to_js};
 use lsystem_find::{Drawn, FOUND, Finder, Picture, Question, Searched, StringFinder};
 use lsystem_syntax::Definition;
 use serde::{Deserialize, Serialize};
@@ -18,7 +19,7 @@ struct Asked {
 
 impl Asked {
     fn read(value: JsValue) -> Result<Question, JsValue> {
-        let Self { axiom, angle, heading, n, draws } = serde_wasm_bindgen::from_value(value)?;
+        let Self { axiom, angle, heading, n, draws } = from_js(value)?;
         Ok(Question { axiom, angle, heading, n, draws })
     }
 }
@@ -120,7 +121,6 @@ impl RuleFinder {
             is_found: drawn.agreement >= FOUND,
         };
         let report = FindReport { candidates: found.iter().map(candidate).collect(), searched };
-        let plain = serde_wasm_bindgen::Serializer::json_compatible();
-        report.serialize(&plain).map_err(JsValue::from)
+        to_js(&report)
     }
 }

@@ -1,10 +1,11 @@
-//! Files of systems for JavaScript. The page loads this wasm with the first file that it saves.
+//! Files of systems.
 //!
 //! A file is made from a definition by one call, and handed on piece by piece, so that the wasm never holds a whole file.
 
 mod budget;
 mod maker;
 
+use crate::{from_js, to_js};
 use js_sys::{Function, Uint8Array};
 use lsystem_files::{FileOptions, FileView, Format, OptionValue, Owner};
 use lsystem_render::{PageCamera, PageView, Vantage};
@@ -87,7 +88,7 @@ impl Owner for Page<'_> {
 /// Throws if there is no such format or option, or if the argument cannot be translated.
 #[wasm_bindgen]
 pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
-    let Asked { definition, format, options, view, camera, ratio, upto } = serde_wasm_bindgen::from_value(asked)?;
+    let Asked { definition, format, options, view, camera, ratio, upto } = from_js(asked)?;
     let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
     let options = FileOptions::from_values(&options)?;
     let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into).unwrap_or_default());
@@ -96,5 +97,5 @@ pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
     let Report { complete, diagnostics } = make(&Order { definition, format, options, view }, &mut page);
     let complete = complete && page.hand_on().is_ok();
     let report = ExportReport { complete, diagnostics };
-    report.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).map_err(JsValue::from)
+    to_js(&report)
 }

@@ -1,6 +1,7 @@
 //! The usual films for the page's buttons.
 
-use crate::{from_js, words};
+use super::words;
+use crate::from_js;
 use lsystem_film::{Preset, Script};
 use lsystem_render::{Camera, View};
 use serde::Deserialize;
@@ -18,7 +19,7 @@ enum PresetObject {
     Turntable { azimuth: f64 },
     /// A dive to the numbers of a view, or of a camera in space, as of [`FilmPlayer::place_of_segment`].
     ///
-    /// [`FilmPlayer::place_of_segment`]: crate::FilmPlayer::place_of_segment
+    /// [`FilmPlayer::place_of_segment`]: super::FilmPlayer::place_of_segment
     Dive { place: Vec<f64>, space: bool },
 }
 

@@ -1,0 +1,11 @@
+//! Exercises, checks, growth and single steps.
+
+mod check;
+mod exercise;
+mod growth;
+mod steps;
+
+pub use check::check_output;
+pub use exercise::{OpenExercise, write_exercise};
+pub use growth::growth;
+pub use steps::{one_by_one, step_rows, turtle_trace};

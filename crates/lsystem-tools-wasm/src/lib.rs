@@ -1,0 +1,37 @@
+//! What few visits need, for JavaScript. The page loads this wasm with the first of these calls.
+
+#[cfg(feature = "course")]
+mod course;
+#[cfg(feature = "export")]
+mod export;
+#[cfg(feature = "film")]
+mod film;
+#[cfg(feature = "find")]
+mod find;
+#[cfg(feature = "import")]
+mod import;
+
+#[cfg(feature = "course")]
+pub use course::{OpenExercise, check_output, growth, one_by_one, step_rows, turtle_trace, write_exercise};
+#[cfg(feature = "export")]
+pub use export::make_file;
+#[cfg(feature = "film")]
+pub use film::{FilmPlayer, read_film, subjects, with_preset};
+#[cfg(feature = "find")]
+pub use find::RuleFinder;
+#[cfg(feature = "import")]
+pub use import::import_systems;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use wasm_bindgen::JsValue;
+
+fn from_js<T: DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
+    Ok(serde_wasm_bindgen::from_value(value)?)
+}
+
+/// Translates a value to plain objects and arrays; `None` becomes null.
+fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let plain = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&plain).map_err(JsValue::from)
+}

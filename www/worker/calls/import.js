@@ -1,0 +1,6 @@
+/** Calls for the notations of other programs. */
+
+/** @type {import('../tool.js').CallTable} */
+export const calls = {
+    import: ({ text }) => wasm_bindgen.importSystems(text),
+};
