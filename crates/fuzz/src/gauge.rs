@@ -2,8 +2,9 @@
 
 use crate::ALLOCATOR;
 use crate::clock::thread_time;
+use lsystem::base::Meter;
 use lsystem::files::{Owner, Sink};
-use lsystem::syntax::{Halt, Meter};
+use lsystem::syntax::Halt;
 use lsystem::{Diagnostic, Progress};
 use std::time::Duration;
 

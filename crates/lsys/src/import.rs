@@ -3,9 +3,10 @@
 use crate::input::{bytes_of, remark_line};
 use crate::pending::Pending;
 use crate::{CommandFailure, print, say};
+use lsystem::base::MAX_TEXT;
 use lsystem::files::FileContent;
 use lsystem::import::{Entry, Imported, Remark, import_file};
-use lsystem::syntax::{MAX_TEXT, visible};
+use lsystem::syntax::visible;
 use lsystem::{Definition, System, read_file, write_json};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

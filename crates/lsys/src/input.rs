@@ -3,10 +3,11 @@
 use crate::cli::Changes;
 use crate::cores::Say;
 use crate::{CommandFailure, settings};
+use lsystem::base::{LimitName, MAX_TEXT};
 use lsystem::drawing::FigureDrawer;
 use lsystem::files::FileContent;
 use lsystem::import::{Entry, Imported, Remark, import_file};
-use lsystem::syntax::{LimitName, MAX_TEXT, visible};
+use lsystem::syntax::visible;
 use lsystem::{Definition, Diagnostic, Figure, Limits, Progress, System, read_file, render_diagnostic};
 use std::fs::File;
 use std::io::{self, Read};

@@ -8,9 +8,10 @@ mod string;
 mod words;
 
 use crate::compiled::compiled;
+use lsystem_base::{Limits, MAX_ITERATIONS};
 use lsystem_derive::Tally;
 use lsystem_files::read_segments;
-use lsystem_syntax::{Definition, Diagnostic, Limits, MAX_ITERATIONS};
+use lsystem_syntax::{Definition, Diagnostic};
 
 /// The most bytes of an output that is read.
 pub const MAX_OUTPUT: usize = 16 << 20;

@@ -5,8 +5,9 @@ use crate::fit::{Ends, Fit};
 use crate::mark::{Marker, counted};
 use crate::sketch::{Sketch, Sketching};
 use core::cell::Cell;
+use lsystem_base::MAX_ITERATIONS;
 use lsystem_drawing::{System, why_empty};
-use lsystem_syntax::{Definition, MAX_ITERATIONS};
+use lsystem_syntax::Definition;
 
 /// Pictures that agree this much look the same.
 const LOOKS_THE_SAME: f64 = 0.995;

@@ -6,11 +6,12 @@ use crate::exercise::{Asks, Exercise};
 use crate::same::Outline;
 use crate::sample::{Sample, Sampling};
 use crate::sketch::{Sketch, Sketching};
+use lsystem_base::{Limits, Progress};
 use lsystem_drawing::expand;
 use lsystem_render::mask::Mask;
 use lsystem_render::{Renderer, View, Viewport};
 use lsystem_syntax::message::grouped;
-use lsystem_syntax::{Definition, Diagnostic, Limits, Progress};
+use lsystem_syntax::{Definition, Diagnostic};
 
 /// Pictures whose ink agrees less than this are different: equal ones differ by the rounding of pixels only.
 const SURELY_DIFFERENT: f64 = 0.98;

@@ -1,8 +1,9 @@
 //! Drawings of one system with many seeds, as statistics.
 
 use crate::compiled::compiled;
+use lsystem_base::Limits;
 use lsystem_drawing::{Drawer, Plane, System};
-use lsystem_syntax::{Definition, Diagnostic, Limits};
+use lsystem_syntax::{Definition, Diagnostic};
 
 /// The number of seeds.
 const SEEDS: u32 = 400;

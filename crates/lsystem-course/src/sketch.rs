@@ -5,9 +5,10 @@ use crate::fit::Ends;
 use crate::graph::is_same_graph;
 
 use crate::same::Outline;
+use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Drawing, Figure, FigureDrawer, Outlook, Projection, Solid};
 use lsystem_render::mask::{Mask, Tracing};
-use lsystem_syntax::{Definition, Diagnostic, Limits, Progress};
+use lsystem_syntax::{Definition, Diagnostic};
 use std::sync::Arc;
 
 /// The most segments and vertices of polygons that are compared one by one, and that a view of a drawing in space has.

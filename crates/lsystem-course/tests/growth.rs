@@ -1,8 +1,9 @@
 //! Growth compared with brute force and with published values.
 
+use lsystem_base::Limits;
 use lsystem_course::growth::{Growth, GrowthKind, growth};
 use lsystem_drawing::{System, expand};
-use lsystem_syntax::{Definition, Limits};
+use lsystem_syntax::Definition;
 
 fn system(axiom: &str, rules: &str, angle: f64) -> System {
     let definition =

@@ -2,7 +2,7 @@
 
 mod naive;
 
-use lsystem_syntax::Limits;
+use lsystem_base::Limits;
 use naive::is_same;
 use naive::systems::{one_symbol_edits, rewritings, systems};
 

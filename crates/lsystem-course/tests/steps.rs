@@ -1,8 +1,9 @@
 //! Steps compared with strings, with drawings, and with replacing text.
 
+use lsystem_base::Limits;
 use lsystem_course::steps::{Order, one_by_one, rows, trace};
 use lsystem_drawing::{Plane, Solid, System, draw, expand};
-use lsystem_syntax::{Definition, Limits};
+use lsystem_syntax::Definition;
 
 fn system(axiom: &str, rules: &str) -> System {
     let definition = Definition {

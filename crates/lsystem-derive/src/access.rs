@@ -6,7 +6,8 @@
 use crate::counts::Depths;
 use crate::{Key, LetterId, Rule, Rules, Template};
 use core::ops::Range;
-use lsystem_syntax::{Code, MAX_ITERATIONS, Meter};
+use lsystem_base::{MAX_ITERATIONS, Meter};
+use lsystem_syntax::Code;
 
 /// Generation `n` of a system in which each letter always has the same successor, read without expanding the string.
 /// Modules may have parameters, even random ones, but the letters of a successor must not depend on parameters.
@@ -346,7 +347,7 @@ impl<'a> Word<'a> {
 mod tests {
     use super::*;
     use crate::testing::{TestSystem, expand, system};
-    use lsystem_syntax::Limits;
+    use lsystem_base::Limits;
     use proptest::prelude::*;
 
     /// A word whose letters draw nothing.

@@ -3,9 +3,9 @@
 use crate::rewrite::Rewrite;
 use crate::rules::{ContextPattern, Letter, LetterId, Rule, Rules, Template};
 use core::ops::Range;
+use lsystem_base::sorted::{set, sort};
 use lsystem_syntax::Expr;
 use lsystem_syntax::grammar::Values;
-use lsystem_syntax::sorted::{set, sort};
 use lsystem_syntax::{Code, Meaning, Unusable};
 use lsystem_syntax::{Grammar, Module, Pattern, Production};
 

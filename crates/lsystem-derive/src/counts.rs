@@ -4,7 +4,7 @@
 //! therefore takes one pass over all successors for each step, independent of the string's length.
 
 use crate::{LetterId, Rewrite, Rules, Tally};
-use lsystem_syntax::{MAX_COUNTING, Meter, Progress};
+use lsystem_base::{MAX_COUNTING, Meter, Progress};
 
 /// A count of a generation, made in resumable steps. It holds no references, so that callers may store it between two
 /// steps.
@@ -382,7 +382,7 @@ fn multiset(word: &[LetterId], counted: &mut [u32]) -> Multiset {
         }
         *count += 1;
     }
-    lsystem_syntax::sorted::sort(&mut letters);
+    lsystem_base::sorted::sort(&mut letters);
     letters.iter_mut().for_each(|(symbol, times)| *times = core::mem::take(&mut counted[usize::from(*symbol)]));
     letters
 }

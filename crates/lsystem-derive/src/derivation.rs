@@ -7,8 +7,10 @@
 use crate::counts::{Depths, counts_until};
 use crate::walk::{Next, Walk};
 use crate::{Fault, Key, Letter, LetterId, Rewrite, Rewriter, Rule, Rules};
-use lsystem_syntax::{Diagnostic, Kind, LimitName};
-use lsystem_syntax::{Field, Grammar, Limits, MAX_ITERATIONS, Meter};
+use lsystem_base::LimitName;
+use lsystem_base::{Limits, MAX_ITERATIONS, Meter};
+use lsystem_syntax::{Diagnostic, Kind};
+use lsystem_syntax::{Field, Grammar};
 use std::sync::Arc;
 
 /// The longest text that is copied whole, in bytes. Longer texts are composed of such copies, so that the source of a
@@ -408,7 +410,7 @@ fn fixed(rules: &Rules) -> Vec<bool> {
     if open.is_empty() {
         return fixed;
     }
-    lsystem_syntax::sorted::sort(&mut makers);
+    lsystem_base::sorted::sort(&mut makers);
     while let Some(letter) = open.pop() {
         let from = makers.partition_point(|&(made, _)| made < letter);
         for &(_, maker) in makers[from..].iter().take_while(|&&(made, _)| made == letter) {

@@ -1,7 +1,8 @@
 //! Helpers for the tests of several files.
 
 use crate::{Counter, Rules, Tally};
-use lsystem_syntax::{Diagnostic, Grammar, Limits, Meter, Module, Production};
+use lsystem_base::{Limits, Meter};
+use lsystem_syntax::{Diagnostic, Grammar, Module, Production};
 use std::sync::Arc;
 
 /// Predecessor, successor, weight.

@@ -1,10 +1,11 @@
 //! Systems and drawings in words: the legend of symbols, the reason for an empty picture, a picture's text alternative.
 use crate::System;
 use crate::drawn::shown_by_letter;
+use lsystem_base::sorted::set;
+use lsystem_base::{MAX_ITERATIONS, Meter};
 use lsystem_derive::{Rewrite, Tally, weigh_until};
 use lsystem_syntax::message::grouped;
-use lsystem_syntax::sorted::set;
-use lsystem_syntax::{Action, Grammar, Heading, MAX_ITERATIONS, Meter, Pattern, Production};
+use lsystem_syntax::{Action, Grammar, Heading, Pattern, Production};
 
 /// A symbol of a system and its actions, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -50,8 +50,9 @@ use crate::chunks::Chunks;
 use crate::room::bytes_of;
 use crate::space::finite;
 use crate::style::StyleChange;
+use lsystem_base::{LimitName, Meter};
 use lsystem_derive::LetterId;
-use lsystem_syntax::{Diagnostic, LimitName, Meter};
+use lsystem_syntax::Diagnostic;
 use std::sync::OnceLock;
 
 /// A picture of an L-system's n-th generation in the plane or in another [`Space`], ready to be read: bounds, segments,

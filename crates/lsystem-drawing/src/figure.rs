@@ -4,8 +4,9 @@ use crate::describe::describe;
 use crate::opening::symbol_of_polygon;
 use crate::style::StyleChange;
 use crate::{Drawer, Drawing, Outlook, Segment, Solid, Space, System};
+use lsystem_base::{Limits, Progress};
 use lsystem_derive::Tally;
-use lsystem_syntax::{Diagnostic, Limits, Progress};
+use lsystem_syntax::Diagnostic;
 use std::sync::Arc;
 
 /// A drawing in the plane or in space.

@@ -8,7 +8,8 @@ mod tubes;
 
 use crate::drawing::{SolidMark, SolidReader};
 use crate::{BlockId, Drawing, Frame, Mark, Solid};
-use lsystem_syntax::{Diagnostic, Halt, LimitName, Meter, Style, Work};
+use lsystem_base::{LimitName, Meter};
+use lsystem_syntax::{Diagnostic, Halt, Style, Work};
 use tubes::Tubes;
 
 /// Triangles with colours, in model units.
@@ -233,7 +234,8 @@ mod tests {
     use super::*;
     use crate::rotation::{cross, dot, norm};
     use crate::{System, draw};
-    use lsystem_syntax::{Definition, Limits};
+    use lsystem_base::Limits;
+    use lsystem_syntax::Definition;
     use std::collections::BTreeMap;
 
     fn mesh(axiom: &str, rules: &str, angle: f64, n: u32) -> Mesh {

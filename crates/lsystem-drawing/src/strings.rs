@@ -2,8 +2,9 @@
 
 use crate::System;
 use crate::drawn::{drawn_alone, drawn_by_letter};
+use lsystem_base::{Limits, Meter};
 use lsystem_derive::{Counter, History, Tally, Word};
-use lsystem_syntax::{Diagnostic, Limits, Meter};
+use lsystem_syntax::Diagnostic;
 
 /// The successor of `symbol` after one derivation step, as [`lsystem_derive::derive_symbol`].
 #[must_use]
@@ -21,7 +22,7 @@ pub fn expand_once(system: &System, word: &str, step: u32) -> String {
 ///
 /// # Errors
 /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the string would have more than [`Limits::symbols`] symbols, or if
-/// `n` is above [`MAX_ITERATIONS`](lsystem_syntax::MAX_ITERATIONS).
+/// `n` is above [`MAX_ITERATIONS`](lsystem_base::MAX_ITERATIONS).
 pub fn expand(system: &System, n: u32, limits: &Limits) -> Result<String, Diagnostic> {
     expand_counted(system, n, limits).0
 }
@@ -45,7 +46,7 @@ pub fn expand_counted(system: &System, n: u32, limits: &Limits) -> (Result<Strin
 
 /// The number of symbols of generation `n`; a module with parameters is one symbol. `None` if the number depends on
 /// random choices, contexts, conditions or cut branches, or if the counts would take more than
-/// [`MAX_COUNTING`](lsystem_syntax::MAX_COUNTING). [`System::symbols`] counts in steps.
+/// [`MAX_COUNTING`](lsystem_base::MAX_COUNTING). [`System::symbols`] counts in steps.
 #[must_use]
 pub fn count_symbols(system: &System, n: u32) -> Option<Tally> {
     system.symbols(n).finish()

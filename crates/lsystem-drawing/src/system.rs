@@ -2,13 +2,14 @@
 
 use crate::space::Tropism;
 use crate::{Colouring, Turtle};
+use lsystem_base::sorted::{set, sort};
+use lsystem_base::{LimitName, MAX_LETTERS};
 use lsystem_derive::{Letter, Rules};
 use lsystem_syntax::lint::warnings;
 use lsystem_syntax::notation;
-use lsystem_syntax::sorted::{set, sort};
 use lsystem_syntax::{
-    Action, ColourBy, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, LimitName, MAX_LETTERS,
-    Production, Style, parse_overrides,
+    Action, ColourBy, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, Production, Style,
+    parse_overrides,
 };
 use std::sync::Arc;
 

@@ -19,7 +19,7 @@ pub struct Triangles {
     pub facing: Option<Vector>,
     /// The indices of the triangles' vertices; all triangles have the polygon's orientation.
     pub corners: Vec<[usize; 3]>,
-    /// The units of work spent: at most half of [`Meter::PIECE`](lsystem_syntax::Meter::PIECE), plus about one for each
+    /// The units of work spent: at most half of [`Meter::PIECE`](lsystem_base::Meter::PIECE), plus about one for each
     /// vertex.
     pub work: u64,
 }
@@ -104,7 +104,7 @@ mod tests {
         };
         for count in [10, 100, 999, 1000] {
             let triangles = triangulate(&comb(count));
-            assert!(triangles.work <= lsystem_syntax::Meter::PIECE / 2 + count as u64, "{}", triangles.work);
+            assert!(triangles.work <= lsystem_base::Meter::PIECE / 2 + count as u64, "{}", triangles.work);
             assert_eq!(triangles.corners.len(), count - 2);
         }
     }

@@ -1,7 +1,8 @@
 //! Systems in the metadata of pictures, and reading a system from any file of this library.
 
 use super::{png, read_json, xml};
-use lsystem_syntax::{Definition, Diagnostic, Field, Kind, LimitName, MAX_TEXT};
+use lsystem_base::{LimitName, MAX_TEXT};
+use lsystem_syntax::{Definition, Diagnostic, Field, Kind};
 use std::borrow::Cow;
 
 /// The keyword of a system in a picture's metadata.

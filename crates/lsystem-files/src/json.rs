@@ -22,10 +22,10 @@ use jsonc_parser::ast::{Object, ObjectProp, Value};
 use jsonc_parser::common::Ranged;
 use jsonc_parser::errors::{ParseError, ParseErrorKind};
 use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
+use lsystem_base::sorted::repeated;
 use lsystem_syntax::Value as Held;
 use lsystem_syntax::fields::{Section, field};
 use lsystem_syntax::notes::{Notes, excerpt, similar};
-use lsystem_syntax::sorted::repeated;
 use lsystem_syntax::{
     Definition, Diagnostic, Dialect, Expected, FIELDS, Field, Grammar, JsonError, Kind, Module, Production, Style,
     print_axiom, print_rules,

@@ -1,8 +1,8 @@
 //! Writing systems as JSON files. `json.rs` describes the format.
 
 use super::read_json;
+use lsystem_base::number::number;
 use lsystem_syntax::fields::Section;
-use lsystem_syntax::number::number;
 use lsystem_syntax::{Definition, Dialect, FIELDS, Grammar, Module, Production, Style, Value, parse};
 
 /// A JSON text that reads back as `definition`, ending with a newline. The text is a course file if such a file can

@@ -2,8 +2,9 @@
 //! them in the same way; `docs/links.md` describes the format.
 
 use super::packed::unpack;
+use lsystem_base::{MAX_PALETTE, decimal};
 use lsystem_syntax::notes::excerpt;
-use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, MAX_PALETTE, Value, decimal};
+use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
 use std::collections::HashMap;
 
 /// Longer links are not read, in UTF-16 units.

@@ -1,9 +1,10 @@
 //! The way from a system to a file of any format.
 
 use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
+use lsystem_base::{LimitName, Limits, Progress};
 use lsystem_drawing::{Drawing, Figure, FigureDrawer, Outlook, Projection, Solid, System, expand};
 use lsystem_render::{Camera, Vantage, Viewport, fit};
-use lsystem_syntax::{Definition, Diagnostic, Halt, LimitName, Limits, Progress, Work, run_steps};
+use lsystem_syntax::{Definition, Diagnostic, Halt, Work, run_steps};
 use std::sync::Arc;
 
 /// The default length of the longer side of a picture of pixels. At this length a stroke's least width is in pixels;

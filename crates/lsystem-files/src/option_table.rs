@@ -3,9 +3,9 @@
 //! A new choice needs a member of [`FileOptions`], a row here, and its name in the rows of the formats that read it.
 
 use crate::{Corner, FileOptions, SHEETS, Sheet};
-use lsystem_syntax::MAX_PICTURE_SIDE;
+use lsystem_base::MAX_PICTURE_SIDE;
+use lsystem_base::number::number;
 use lsystem_syntax::message::grouped;
-use lsystem_syntax::number::number;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 

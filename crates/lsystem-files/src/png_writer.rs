@@ -4,9 +4,10 @@ use super::Sink;
 use super::embed::KEYWORD;
 use super::sheet::INCH;
 use core::cell::RefCell;
+use lsystem_base::LimitName;
 use lsystem_drawing::Figure;
 use lsystem_render::{FigureRenderer, Painted, PictureOptions, Quality, Vantage, Viewport};
-use lsystem_syntax::{Diagnostic, Halt, LimitName, Style, Work};
+use lsystem_syntax::{Diagnostic, Halt, Style, Work};
 use std::io;
 use std::io::Write;
 use std::rc::Rc;
@@ -19,7 +20,7 @@ const WORK: u64 = 1 << 14;
 /// The size and the content of a PNG file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PngOptions {
-    /// The size: at most [`MAX_PICTURE_SIDE`](lsystem_syntax::MAX_PICTURE_SIDE) pixels each way.
+    /// The size: at most [`MAX_PICTURE_SIDE`](lsystem_base::MAX_PICTURE_SIDE) pixels each way.
     pub viewport: Viewport,
     /// Pixels of an inch on paper; none if the file tells no resolution.
     pub dpi: Option<f64>,

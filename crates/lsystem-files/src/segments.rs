@@ -3,7 +3,7 @@
 mod svg;
 mod table;
 
-use lsystem_syntax::decimal;
+use lsystem_base::decimal;
 
 /// The segments of a file, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]

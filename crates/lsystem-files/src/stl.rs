@@ -87,8 +87,9 @@ fn normal(corners: [[f32; 3]; 3]) -> [f32; 3] {
 mod tests {
     use super::*;
     use crate::collect;
+    use lsystem_base::Limits;
     use lsystem_drawing::{Solid, System, draw};
-    use lsystem_syntax::{Definition, Limits, Style};
+    use lsystem_syntax::{Definition, Style};
     use std::collections::BTreeMap;
 
     fn mesh(axiom: &str) -> Mesh {

@@ -1,9 +1,10 @@
 //! Files of meshes over the systems of `data_in`: prints are closed, and scenes of shared parts show what the drawing has.
 
+use lsystem_base::{LimitName, Limits, MAX_MESH_COPIES, Meter};
 use lsystem_drawing::rotation::{Axis, Rotation};
 use lsystem_drawing::{Drawing, Mark, Mesh, Solid, System, draw};
 use lsystem_files::{Content, FileOptions, Format, collect, read_json, write_glb, write_stl};
-use lsystem_syntax::{Definition, Diagnostic, Heading, Kind, LimitName, Limits, MAX_MESH_COPIES, Meter, Style};
+use lsystem_syntax::{Definition, Diagnostic, Heading, Kind, Style};
 use serde_json::Value;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};

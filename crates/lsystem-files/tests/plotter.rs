@@ -1,10 +1,11 @@
 //! Files for pen plotters, against plain geometry.
 
+use lsystem_base::{LimitName, Limits, Meter};
 use lsystem_drawing::{Drawing, Mark, Plane, System, draw};
 use lsystem_files::{
     Corner, FileOptions, Owner, PlotOptions, PlotSummary, Sheet, Sink, collect, read_json, read_segments, write_plot,
 };
-use lsystem_syntax::{Definition, Halt, Kind, LimitName, Limits, Meter};
+use lsystem_syntax::{Definition, Halt, Kind};
 use std::path::Path;
 use std::sync::Arc;
 

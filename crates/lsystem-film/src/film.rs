@@ -3,8 +3,8 @@
 use crate::track::view_of;
 use crate::{FilmError, Script, Subject};
 use core::ops::Range;
+use lsystem_base::number::number as written;
 use lsystem_render::{Camera, Vantage};
-use lsystem_syntax::number::number as written;
 use lsystem_syntax::{Definition, classify};
 
 /// A script with the system that it begins with.

@@ -1,9 +1,10 @@
 //! From frames to pixels.
 
 use crate::Frame;
+use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Figure, FigureDrawer, System};
 use lsystem_render::{Detail, FigureRenderer, Painted, PictureOptions, Quality, Viewport};
-use lsystem_syntax::{Diagnostic, Limits, Progress};
+use lsystem_syntax::Diagnostic;
 
 /// The limits of the drawings of a film: those of the page. They decide which drawings are made, so that they are the
 /// same wherever frames must be.
@@ -60,7 +61,7 @@ impl Painter {
         self.limits
     }
 
-    /// The units of work of all steps so far, as [`Meter`](lsystem_syntax::Meter) counts them.
+    /// The units of work of all steps so far, as [`Meter`](lsystem_base::Meter) counts them.
     #[must_use]
     pub fn spent(&self) -> u64 {
         self.spent

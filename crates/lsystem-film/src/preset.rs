@@ -139,8 +139,9 @@ fn track(script: &Script, subject: Subject, keys: &[(f64, Vec<f64>)], easing: Ea
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lsystem_base::Limits;
     use lsystem_drawing::System;
-    use lsystem_syntax::{Definition, Limits};
+    use lsystem_syntax::Definition;
 
     #[test]
     fn presets_are_scripts() {

@@ -1,8 +1,9 @@
 //! The numbers that a track can change.
 
 use core::fmt;
+use lsystem_base::MAX_ITERATIONS;
 use lsystem_syntax::message::expected_words;
-use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, MAX_ITERATIONS, Value};
+use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
 
 /// What a track changes.
 #[derive(Clone, Debug)]

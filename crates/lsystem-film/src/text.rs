@@ -10,9 +10,9 @@ use crate::{Easing, Ending, Key, Script, ScriptError, ScriptProblem, Subject, Tr
 use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
-use lsystem_syntax::decimal;
+use lsystem_base::decimal;
+use lsystem_base::number::number as written;
 use lsystem_syntax::notes::excerpt;
-use lsystem_syntax::number::number as written;
 
 /// The version of the text form.
 const VERSION: &str = "1";

@@ -4,8 +4,9 @@ use crate::hull::{Fit, Target};
 use crate::picture::Picture;
 use crate::strokes::Strokes;
 use crate::{Found, printed};
+use lsystem_base::Limits;
 use lsystem_drawing::{Plane, draw};
-use lsystem_syntax::{Definition, Dialect, Limits};
+use lsystem_syntax::{Definition, Dialect};
 use std::iter::once;
 
 /// From this agreement on a system is told as found.

@@ -305,7 +305,8 @@ mod tests {
 
     /// A picture of a curve.
     pub(crate) fn picture(axiom: &str, rules: &str, angle: f64, n: u32) -> Picture {
-        use lsystem_syntax::{Definition, Limits};
+        use lsystem_base::Limits;
+        use lsystem_syntax::Definition;
         let definition =
             Definition { axiom: axiom.to_owned(), rules: rules.to_owned(), angle, ..Definition::default() };
         let system = lsystem_drawing::System::new(&definition).0.expect("a system");

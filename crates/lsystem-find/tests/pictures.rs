@@ -1,8 +1,8 @@
 //! The rules of pictures that are drawn here, naively, with strokes of any width.
 
+use lsystem_base::Limits;
 use lsystem_drawing::{Plane, System, draw};
 use lsystem_find::{Drawn, FOUND, Finder, Known, Picture, PictureSearch, Question, Searched, merged};
-use lsystem_syntax::Limits;
 use std::sync::Arc;
 
 /// Systems that are tried at most.

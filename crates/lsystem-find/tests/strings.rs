@@ -1,8 +1,9 @@
 //! Rules found from strings, checked by derivation.
 
+use lsystem_base::Limits;
 use lsystem_drawing::{System, expand};
 use lsystem_find::{Found, Search, Searched};
-use lsystem_syntax::{Definition, Limits};
+use lsystem_syntax::Definition;
 
 fn derived(axiom: &str, rules: &str, n: u32) -> String {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), ..Definition::default() };

@@ -17,7 +17,7 @@
 
 use crate::draft::{Draft, production};
 use crate::rules::split_rule;
-use lsystem_syntax::number::number;
+use lsystem_base::number::number;
 use lsystem_syntax::{Grammar, Module};
 
 /// The keys, in lower case. All other lines with a colon are rules or actions.

@@ -1,12 +1,12 @@
 //! A system while a reader translates it.
 
 use crate::{Entry, Remark};
+use lsystem_base::sorted::set;
+use lsystem_base::{MAX_ITERATIONS, decimal};
 use lsystem_drawing::System;
 use lsystem_syntax::notes::excerpt;
-use lsystem_syntax::sorted::set;
 use lsystem_syntax::{
-    Action, Definition, Grammar, MAX_ITERATIONS, Module, Production, decimal, parse, parse_overrides, print_axiom,
-    print_rules,
+    Action, Definition, Grammar, Module, Production, parse, parse_overrides, print_axiom, print_rules,
 };
 use std::collections::HashMap;
 

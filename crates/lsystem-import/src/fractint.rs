@@ -14,8 +14,8 @@
 //! both headings alike.
 
 use crate::draft::{Draft, FreeSymbols, production};
-use lsystem_syntax::decimal;
-use lsystem_syntax::number::number;
+use lsystem_base::decimal;
+use lsystem_base::number::number;
 use lsystem_syntax::{Colour, Grammar, Module};
 
 /// A symbol of Fractint.

@@ -29,8 +29,9 @@ mod words;
 mod tests;
 
 use draft::Draft;
+use lsystem_base::MAX_TEXT;
 use lsystem_files::text_of;
-use lsystem_syntax::{Definition, MAX_TEXT};
+use lsystem_syntax::Definition;
 
 /// All systems of a text in another notation.
 #[derive(Clone, Debug, PartialEq)]

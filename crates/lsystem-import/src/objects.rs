@@ -450,7 +450,7 @@ impl Reader<'_> {
             self.draft.meaning(symbol.chars().next().unwrap_or_default(), actions);
         }
         // lindsvg drops letters without a rule at the next iteration.
-        let mut letters = lsystem_syntax::sorted::set(self.grammar.made().map(|module| module.symbol));
+        let mut letters = lsystem_base::sorted::set(self.grammar.made().map(|module| module.symbol));
         let has_rule = |letter: char| self.grammar.productions.iter().any(|rule| rule.predecessor.symbol == letter);
         letters.retain(|&letter| !"+-[]".contains(letter) && !has_rule(letter));
         self.grammar.productions.extend(letters.into_iter().map(|letter| production(letter, [])));

@@ -1,7 +1,8 @@
 //! A system of plain symbols while a reader translates it.
 
 use crate::draft::Draft;
-use lsystem_syntax::{Definition, Grammar, MAX_ITERATIONS, Module, Production, look_alike};
+use lsystem_base::MAX_ITERATIONS;
+use lsystem_syntax::{Definition, Grammar, Module, Production, look_alike};
 
 /// A system of plain symbols: no contexts, no parameters.
 pub(super) struct Plain {

@@ -7,7 +7,7 @@
 use crate::draft::Draft;
 use crate::plain::Plain;
 use crate::words::{behind, number, original_line, plain};
-use lsystem_syntax::decimal;
+use lsystem_base::decimal;
 
 const AXIOM: &[&str] = &["axiom", "start", "initiator", "initial string", "initial word", "initial axiom", "ω", "s0"];
 const ANGLE: &[&str] = &["angle", "δ", "delta", "θ", "theta", "turning angle"];

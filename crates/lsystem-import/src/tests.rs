@@ -2,7 +2,7 @@
 
 use crate::{Entry, Imported, import};
 use expect_test::Expect;
-use lsystem_syntax::number::number;
+use lsystem_base::number::number;
 
 /// A result as text: one block for each entry.
 pub(super) fn summary(text: &str) -> String {

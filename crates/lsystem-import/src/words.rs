@@ -1,7 +1,8 @@
 //! Values behind labels in running text, as in `axiom X, angle 25°, n = 5`.
 
+use lsystem_base::decimal;
 use lsystem_syntax::line_of;
-use lsystem_syntax::{decimal, look_alike};
+use lsystem_syntax::look_alike;
 
 /// Ends a line of a formula. The text itself has no `\r`.
 const FORMULA_LINE_END: &str = "\r\n";

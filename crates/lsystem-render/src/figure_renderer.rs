@@ -1,8 +1,9 @@
 //! Pictures of figures: as a whole, or in bands from top to bottom, so that memory does not grow with the picture.
 
 use crate::{Detail, Effort, Pane, Pass, Quality, Renderer, SolidRenderer, Spent, Vantage, Viewport};
+use lsystem_base::Progress;
 use lsystem_drawing::Figure;
-use lsystem_syntax::{Progress, Style};
+use lsystem_syntax::Style;
 
 /// The side of a cell, in pixels. Panes that begin at multiples of this have the same subsamples as the whole picture.
 const CELL: u32 = 16;
@@ -100,8 +101,8 @@ impl FigureRenderer {
         self.picture = Some(picture);
     }
 
-    /// Goes on with the picture for about `work` units, as [`Meter`](lsystem_syntax::Meter) counts them, and for at most
-    /// [`Meter::PIECE`](lsystem_syntax::Meter::PIECE) more.
+    /// Goes on with the picture for about `work` units, as [`Meter`](lsystem_base::Meter) counts them, and for at most
+    /// [`Meter::PIECE`](lsystem_base::Meter::PIECE) more.
     pub fn step(&mut self, work: u64) -> Painted {
         let (Some(&(pane, pass)), Some(picture)) = (self.parts.get(self.next), &self.picture) else {
             return Painted::All;
@@ -199,8 +200,9 @@ fn parts(picture: &PictureOptions, is_solid: bool) -> Vec<(Pane, Pass)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lsystem_base::{Limits, MAX_PALETTE};
     use lsystem_drawing::{System, draw};
-    use lsystem_syntax::{Colour, Definition, Ink, Limits, MAX_PALETTE};
+    use lsystem_syntax::{Colour, Definition, Ink};
 
     /// All rows of a picture.
     fn paint(renderer: &mut FigureRenderer, picture: PictureOptions) -> Vec<u8> {

@@ -1,8 +1,9 @@
 //! The pixels that a picture covers, and how much of the ink of two pictures agrees.
 
 use crate::{Detail, Renderer, View, Viewport};
+use lsystem_base::Progress;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Colour, ColourBy, Ink as Blending, Progress, Style};
+use lsystem_syntax::{Colour, ColourBy, Ink as Blending, Style};
 use std::sync::Arc;
 
 /// The sides of a mask, in pixels.

@@ -1,8 +1,10 @@
 //! Problems in a system or a file, as values: kind, text and span. Their words stand in `message.rs`.
 
 use crate::value::Value;
-use crate::{Colour, Function, MAX_PALETTE};
+use crate::{Colour, Function};
 use core::ops::Range;
+use lsystem_base::LimitName;
+use lsystem_base::MAX_PALETTE;
 
 /// One problem in a system, a file or a picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -620,41 +622,6 @@ pub enum JsonError {
     Number,
     /// Nested too deeply.
     Depth,
-}
-
-/// The limits, by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum LimitName {
-    /// Symbols of a string held in memory ([`Limits::symbols`](crate::Limits::symbols)).
-    Symbols,
-    /// Modules of one generation held in memory ([`Limits::modules`](crate::Limits::modules)).
-    Modules,
-    /// Segments of a drawing ([`Limits::segments`](crate::Limits::segments)).
-    Segments,
-    /// Symbols derived for a drawing without shared blocks ([`Limits::work`](crate::Limits::work)).
-    Work,
-    /// Strokes of a file for plotters ([`Limits::segments`](crate::Limits::segments)).
-    PlotStrokes,
-    /// Parts of a drawing that are read for a plotter ([`MAX_PLOT_BLOCKS`](crate::MAX_PLOT_BLOCKS)).
-    PlotBlocks,
-    /// Segments and vertices of polygons that a mesh writes out.
-    Mesh,
-    /// Segments and vertices of polygons that a viewer of a mesh draws, copies included.
-    MeshCopies,
-    /// Bytes of a drawing under construction, or of a derivation ([`Limits::memory`](crate::Limits::memory)).
-    Memory,
-    /// Iterations (1,000).
-    Iterations,
-    /// Bytes of a text ([`MAX_TEXT`](crate::MAX_TEXT)).
-    Text,
-    /// Different symbols in a system (65,536).
-    Letters,
-    /// Parameters of a module ([`MAX_PARAMETERS`](crate::MAX_PARAMETERS)).
-    Parameters,
-    /// Modules in a context (`MAX_CONTEXT`).
-    Context,
-    /// Actions of a symbol ([`MAX_ACTIONS`](crate::MAX_ACTIONS)).
-    Actions,
 }
 
 impl Diagnostic {

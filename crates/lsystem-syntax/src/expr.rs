@@ -285,7 +285,7 @@ impl Expr {
             return f.write_str(")");
         }
         match self {
-            Self::Number(value) => f.write_str(&crate::number::number(*value)),
+            Self::Number(value) => f.write_str(&lsystem_base::number::number(*value)),
             Self::Name(name) => f.write_str(name),
             Self::Negative(a) => {
                 f.write_str("-")?;

@@ -2,7 +2,7 @@
 
 use crate::code::{Code, Meaning};
 use crate::expr::Expr;
-use crate::sorted::{set, sort};
+use lsystem_base::sorted::{set, sort};
 
 /// An L-system's grammar: axiom, productions and named constants, in the order of the text.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -94,7 +94,7 @@ impl Values<'_> {
 pub struct Module {
     /// The symbol: any character. The notation has white space only as a literal.
     pub symbol: char,
-    /// The arguments, at most [`MAX_PARAMETERS`](crate::MAX_PARAMETERS). The same symbol with a different number of
+    /// The arguments, at most [`MAX_PARAMETERS`](lsystem_base::MAX_PARAMETERS). The same symbol with a different number of
     /// arguments is a different letter.
     pub arguments: Vec<Expr>,
 }

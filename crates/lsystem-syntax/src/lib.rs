@@ -14,17 +14,11 @@
 //! assert_eq!(lsystem_syntax::print_rules(&grammar), "F -> F[+F]F");
 //! ```
 //!
-//! Limits: a text has at most [`MAX_TEXT`] bytes, and at most 100 diagnostics of a text are listed. This crate neither
-//! derives nor draws. It holds [`Limits`], [`Meter`], [`Progress`] and [`Work`] because every later crate counts its
-//! work with them.
+//! Limits: a text has at most [`MAX_TEXT`](lsystem_base::MAX_TEXT) bytes, and at most 100 diagnostics of a text are listed. This crate neither
+//! derives nor draws. Long work that may end early ([`Work`]) ends with a diagnostic of this crate, or because its owner
+//! wants no more.
 
-// In the order of the data: limits, definitions, meanings of symbols, readers and printers, diagnostics.
-mod limits;
-mod meter;
-mod progress;
-pub mod sorted;
-mod work;
-
+// In the order of the data: definitions, meanings of symbols, readers and printers, diagnostics.
 mod action;
 mod characters;
 mod class;
@@ -35,11 +29,9 @@ pub mod style;
 mod value;
 
 mod code;
-pub mod decimal;
 mod expr;
 pub mod grammar;
 mod heading;
-pub mod number;
 
 mod classify;
 pub mod lint;
@@ -53,6 +45,7 @@ pub mod message;
 pub mod notes;
 mod place;
 mod problem;
+mod work;
 
 pub use action::{Action, CIRCLE_SIDES};
 pub use characters::look_alike;
@@ -60,17 +53,12 @@ pub use class::Class;
 pub use classify::classify;
 pub use code::{Code, Meaning, Op, Unusable};
 pub use definition::Definition;
-pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, LimitName, Severity, TikzObstacle};
+pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, Severity, TikzObstacle};
 pub use dialect::Dialect;
 pub use expr::{Expr, Function, Operator};
 pub use fields::{FIELDS, FieldSpec};
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
 pub use heading::Heading;
-pub use limits::{
-    Limits, MAX_ACTIONS, MAX_COUNTING, MAX_ITERATIONS, MAX_LETTERS, MAX_MESH_COPIES, MAX_PALETTE, MAX_PARAMETERS,
-    MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE, MAX_PLOT_BLOCKS, MAX_TEXT,
-};
-pub use meter::Meter;
 pub use notation::constants::ConstantPlace;
 pub use notation::parse;
 pub use notation::site::{Site, site};
@@ -78,10 +66,8 @@ pub use overrides::{parse_overrides, print_overrides};
 pub use place::{byte_offset, line_of, render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};
 pub use problem::{Problem, problems};
-pub use progress::Progress;
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
 pub use value::Value;
 pub use work::{Halt, Work, run_steps};
 
 pub(crate) use diagnostic::Role;
-pub(crate) use limits::MAX_CONTEXT;

@@ -3,9 +3,10 @@
 
 use crate::notation::{Places, Reading};
 use crate::notes::Notes;
-use crate::sorted::set;
-use crate::{Action, Diagnostic, Field, Kind, Module, Production, decimal};
+use crate::{Action, Diagnostic, Field, Kind, Module, Production};
 use core::ops::Range;
+use lsystem_base::decimal;
+use lsystem_base::sorted::set;
 
 /// The warnings about texts without errors. `occurring` are the symbols that may occur in some generation, with their
 /// numbers of parameters, sorted; `actions` are those of a symbol.

@@ -1,7 +1,8 @@
 //! The words of all diagnostics, in English, in one place.
 
-use crate::number::number;
-use crate::{Diagnostic, Expected, Function, JsonError, Kind, LimitName, MAX_PALETTE, Role, TikzObstacle};
+use crate::{Diagnostic, Expected, Function, JsonError, Kind, Role, TikzObstacle};
+use lsystem_base::number::number;
+use lsystem_base::{LimitName, MAX_PALETTE};
 
 impl Diagnostic {
     /// The problem, as one English sentence.

@@ -33,12 +33,13 @@
 use crate::notation::token::{Token, span_of, text_of, tokens};
 use crate::notation::{is_comment, is_short_enough, lines};
 use crate::notes::{Notes, similar};
-use crate::number::number;
 use crate::print::symbol;
-use crate::sorted::repeated;
-use crate::{Action, Class, Diagnostic, Expected, Field, Kind, LimitName, MAX_ACTIONS};
+use crate::{Action, Class, Diagnostic, Expected, Field, Kind};
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::Range;
+use lsystem_base::number::number;
+use lsystem_base::sorted::repeated;
+use lsystem_base::{LimitName, MAX_ACTIONS};
 
 /// A symbol whose actions replace the dialect's.
 #[derive(Clone, Debug, PartialEq)]
@@ -314,7 +315,7 @@ fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
         });
     };
     let wrong = |expected| Err(Kind::ActionNumber { expected });
-    let value = crate::decimal::read(digits);
+    let value = lsystem_base::decimal::read(digits);
     let whole = digits.parse::<i64>().ok();
     const WHOLE: Expected = Expected::Whole(i32::MIN as i64, i32::MAX as i64);
     match form {

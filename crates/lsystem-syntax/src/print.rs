@@ -2,9 +2,9 @@
 
 use crate::characters::{is_blank, is_invisible, look_alike};
 use crate::notation::token::disc;
-use crate::number::number;
 use crate::{Expr, Grammar, Module, Pattern, Production, Seen};
 use core::fmt::Write;
+use lsystem_base::number::number;
 
 /// The axiom on one line.
 #[must_use]

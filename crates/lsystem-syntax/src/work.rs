@@ -1,6 +1,7 @@
 //! Straight work: one call from its beginning to its end, counted by an owner who may stop it.
 
-use crate::{Diagnostic, LimitName, Meter, Progress};
+use crate::Diagnostic;
+use lsystem_base::{LimitName, Meter, Progress};
 
 /// The reason why work ended early.
 #[derive(Clone, Debug, PartialEq)]

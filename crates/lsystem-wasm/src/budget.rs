@@ -4,7 +4,7 @@
 //! |---|---|
 //! | 70 | the shown drawing; in space, with its scene |
 //! | 70 | one at a time: the drawing in the making; a remembered derivation with the counts for reading a string ([`HISTORY`], 24 and 16); a small picture with its drawing ([`SMALL`]) |
-//! | 16 | counts of any size ([`lsystem::syntax::MAX_COUNTING`]) |
+//! | 16 | counts of any size ([`lsystem::base::MAX_COUNTING`]) |
 //! | 84 | pictures, plus the rest of the shown drawing's share ([`picture_room`]); also the second scene of a drawing in space that is shown in part |
 //! | 16 | texts, compiled systems and messages |
 
@@ -62,7 +62,7 @@ mod tests {
     const SCREENS: [[u32; 2]; 6] = [[300, 200], [1280, 800], [1920, 1080], [2560, 1440], [3840, 2160], [7680, 4320]];
 
     // The shares of an instance add up.
-    const _: () = assert!(2 * LIMITS.memory + PICTURES + lsystem::syntax::MAX_COUNTING + REST <= INSTANCE);
+    const _: () = assert!(2 * LIMITS.memory + PICTURES + lsystem::base::MAX_COUNTING + REST <= INSTANCE);
     const _: () = assert!(HISTORY.memory + 16 * MIB <= LIMITS.memory);
 
     #[test]

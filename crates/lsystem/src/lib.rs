@@ -38,6 +38,7 @@
 //! ```
 
 // All items, by phase.
+pub use lsystem_base as base;
 pub use lsystem_course as compare;
 pub use lsystem_course as course;
 pub use lsystem_derive as derive;
@@ -50,12 +51,13 @@ pub use lsystem_render as render;
 pub use lsystem_syntax as syntax;
 
 // The most used items.
+pub use lsystem_base::{Limits, Progress};
 pub use lsystem_drawing::{
     Drawer, Drawing, Figure, Mesh, Plane, SegmentArrays, Solid, System, count_segments, count_symbols, draw, expand,
 };
 pub use lsystem_files::{SvgOptions, read_file, read_json, write_csv, write_glb, write_json, write_obj, write_svg};
 pub use lsystem_render::{Camera, Renderer, SolidRenderer, Vantage, View, Viewport, fit, pick};
-pub use lsystem_syntax::{Definition, Diagnostic, Dialect, Limits, Progress, Style, render_diagnostic};
+pub use lsystem_syntax::{Definition, Diagnostic, Dialect, Style, render_diagnostic};
 
 /// Tests the Rust code in the README.
 #[cfg(doctest)]

@@ -1,7 +1,8 @@
 //! Compact SVG pictures: contents, size and cost.
 
+use lsystem::base::LimitName;
 use lsystem::files::{Svg, SvgForm};
-use lsystem::syntax::{ColourBy, Kind, LimitName, Tint};
+use lsystem::syntax::{ColourBy, Kind, Tint};
 use lsystem::{Definition, Drawing, Limits, Plane, SvgOptions, System, draw, read_json, write_svg};
 use std::collections::HashMap;
 use std::path::Path;

@@ -2,10 +2,11 @@
 
 use crate::naive;
 use crate::naive::systems::Features;
+use lsystem::base::LimitName;
 use lsystem::derive::Rules;
 use lsystem::drawing::{Segment, Turtle};
 use lsystem::render::{Pick, Pointer, Target, fitted_ends, fitted_outline, fitted_scale};
-use lsystem::syntax::{Action, Grammar, Heading, Kind, LimitName, Module, Production};
+use lsystem::syntax::{Action, Grammar, Heading, Kind, Module, Production};
 use lsystem::{
     Definition, Diagnostic, Dialect, Drawer, Drawing, Figure, Limits, Plane, Progress, SegmentArrays, Style, System,
     Vantage, View, Viewport, draw, fit, pick,

@@ -1,9 +1,10 @@
 //! Export files of drawings.
 
 use expect_test::{Expect, expect};
+use lsystem::base::LimitName;
 use lsystem::drawing::{Outlook, Projection};
 use lsystem::files::SvgForm;
-use lsystem::syntax::{ColourBy, Kind, LimitName};
+use lsystem::syntax::{ColourBy, Kind};
 use lsystem::{
     Definition, Dialect, Drawing, Limits, Plane, Progress, Solid, Style, SvgOptions, System, draw, read_json,
     write_csv, write_svg,

@@ -1,6 +1,7 @@
 //! Meshes as files: the files keep the rules of their formats.
 
-use lsystem::syntax::{Kind, LimitName};
+use lsystem::base::LimitName;
+use lsystem::syntax::Kind;
 use lsystem::{Definition, Limits, Mesh, Solid, System, draw, write_obj};
 
 fn mesh(axiom: &str, n: u32, most: u64) -> Result<Mesh, lsystem::Diagnostic> {

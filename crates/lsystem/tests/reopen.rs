@@ -1,7 +1,8 @@
 //! Reading the system out of exported files.
 
+use lsystem::base::MAX_TEXT;
 use lsystem::files::{SvgForm, tag_png};
-use lsystem::syntax::{Kind, MAX_TEXT};
+use lsystem::syntax::Kind;
 use lsystem::{
     Definition, Diagnostic, Limits, Plane, SvgOptions, System, draw, read_file, read_json, write_json, write_svg,
 };

@@ -1,8 +1,9 @@
 //! Drawings in space, compared with the naive turtle, and the meaning of symbols in space.
 
 use crate::naive;
+use lsystem::base::LimitName;
 use lsystem::drawing::{Mark, Outlook, Segment};
-use lsystem::syntax::{Action, Kind, LimitName};
+use lsystem::syntax::{Action, Kind};
 use lsystem::{Definition, Dialect, Drawing, Limits, Plane, Solid, System, draw};
 use proptest::prelude::*;
 

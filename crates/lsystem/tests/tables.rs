@@ -2,11 +2,12 @@
 //! and the table of choices for plots in `docs/plotting.md`, must equal the core's. `cargo xtask tables` updates them.
 
 use expect_test::expect_file;
+use lsystem::base::MAX_PICTURE_SIDE;
+use lsystem::base::number::number;
 use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, Format, OptionKind, Purpose, SHEETS};
 use lsystem::syntax::fields::Section;
 use lsystem::syntax::message::expected_words;
-use lsystem::syntax::number::number;
-use lsystem::syntax::{Expected, FIELDS, FieldSpec, MAX_PICTURE_SIDE, Value};
+use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value};
 use lsystem::{Definition, Dialect};
 use std::fmt::Write;
 
@@ -83,7 +84,7 @@ fn range(expected: Expected) -> String {
         Expected::Text(max) => format!("kind: 'text', maxLength: {max}"),
         Expected::Word(words) => format!("kind: 'word', words: {}", list(words.iter().copied())),
         Expected::Colour => "kind: 'colour'".into(),
-        Expected::Palette => format!("kind: 'colours', maxLength: {}", lsystem::syntax::MAX_PALETTE),
+        Expected::Palette => format!("kind: 'colours', maxLength: {}", lsystem::base::MAX_PALETTE),
         Expected::Each(count, each) => format!(
             "kind: 'list', count: {count}, each: {{ {}, expected: {} }}",
             range(*each),

@@ -1,9 +1,10 @@
 //! Drawings and files of unusual systems that once took without end or gave wrong pictures.
 
+use lsystem::base::{LimitName, MAX_TEXT, Meter};
 use lsystem::drawing::{Outlook, expand_symbol};
 use lsystem::files::SvgForm;
 use lsystem::render::{Detail, Effort, Pointer, Quality, Spent};
-use lsystem::syntax::{ColourBy, Expected, Ink, Kind, LimitName, MAX_TEXT, Meter};
+use lsystem::syntax::{ColourBy, Expected, Ink, Kind};
 use lsystem::{
     Camera, Definition, Drawer, Figure, Limits, Mesh, Plane, Progress, Renderer, Solid, SolidRenderer, Style,
     SvgOptions, System, Vantage, View, Viewport, draw, pick, read_file, read_json, write_csv, write_json, write_svg,

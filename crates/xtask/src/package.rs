@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The crates for others, each after those that it uses.
-const CRATES: [&str; 11] = [
+const CRATES: [&str; 12] = [
+    "lsystem-base",
     "lsystem-syntax",
     "lsystem-derive",
     "lsystem-drawing",

@@ -2,9 +2,10 @@
 
 use super::{Check, LIMITS, MAX_SEGMENTS, Output, Verdict, candidates};
 use crate::fit::{Ends, Fit, extent, length};
+use lsystem_base::LimitName;
 use lsystem_drawing::{Figure, System, count_segments};
 use lsystem_files::{SegmentFile, SegmentForm};
-use lsystem_syntax::{Diagnostic, LimitName};
+use lsystem_syntax::Diagnostic;
 use std::collections::HashMap;
 
 /// The part of a usual segment's length by which ends may differ.

@@ -1,9 +1,10 @@
 //! Strings, compared symbol by symbol.
 
 use super::{Check, LIMITS, Output, SymbolDifference, Verdict, candidates};
+use lsystem_base::Limits;
 use lsystem_derive::Word;
 use lsystem_drawing::{System, count_symbols, expand};
-use lsystem_syntax::{Diagnostic, Grammar, Limits, print_rules};
+use lsystem_syntax::{Diagnostic, Grammar, print_rules};
 use std::borrow::Cow;
 
 /// The symbols of a page of a long string.

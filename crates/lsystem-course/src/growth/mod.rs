@@ -22,9 +22,9 @@ use self::process::Process;
 use self::rate::{Rate, rate};
 use self::recurrence::{Recurrence, recurrence};
 use self::text::Style;
+use lsystem_base::{Limits, MAX_ITERATIONS, Progress};
 use lsystem_derive::Tally;
 use lsystem_drawing::{Figure, System};
-use lsystem_syntax::{Limits, MAX_ITERATIONS, Progress};
 use serde::Serialize;
 
 /// The most letters that are listed.

@@ -2,9 +2,10 @@
 
 use crate::steps::Why;
 use core::ops::Range;
+use lsystem_base::{Limits, MAX_ITERATIONS, Progress};
 use lsystem_derive::{History, Word};
 use lsystem_drawing::System;
-use lsystem_syntax::{Limits, MAX_ITERATIONS, Progress, print_module};
+use lsystem_syntax::print_module;
 use serde::Serialize;
 
 /// The most symbols of a row.

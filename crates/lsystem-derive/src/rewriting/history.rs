@@ -12,7 +12,7 @@ use super::step::Rewriter;
 use crate::access::{Ancestor, Part};
 use crate::rules::{Letter, Rule, Rules};
 use core::ops::Range;
-use lsystem_syntax::{Limits, MAX_ITERATIONS, Meter, Progress};
+use lsystem_base::{Limits, MAX_ITERATIONS, Meter, Progress};
 use std::sync::Arc;
 
 /// Modules in a block. Sums are stored for each block, so that a search looks at fewer modules than this.

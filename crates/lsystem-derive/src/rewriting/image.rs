@@ -19,7 +19,7 @@ pub struct Image {
 }
 
 impl Image {
-    /// The work since the last call, in units of a [`Meter`](lsystem_syntax::Meter).
+    /// The work since the last call, in units of a [`Meter`](lsystem_base::Meter).
     pub fn take_spent(&mut self) -> u64 {
         core::mem::take(&mut self.work) / 4
     }

@@ -11,8 +11,8 @@ use super::room::held;
 use super::table::{Sides, Table};
 use crate::rules::{Rule, Rules};
 use core::ops::Range;
+use lsystem_base::{LimitName, Limits, Meter};
 use lsystem_syntax::Code;
-use lsystem_syntax::{LimitName, Limits, Meter};
 use std::sync::Arc;
 
 /// The reason why a derivation stops.

@@ -1,9 +1,9 @@
 use super::*;
 use crate::rules::ContextPattern;
 use crate::{Letter, LetterId, Rule, Rules, Template};
+use lsystem_base::{LimitName, Limits};
 use lsystem_syntax::Code;
 use lsystem_syntax::Operator;
-use lsystem_syntax::{LimitName, Limits};
 use std::sync::Arc;
 
 /// Rules from `left, strict, right, successor` in single characters; `ignored` letters are not seen.

@@ -7,7 +7,7 @@ use crate::space::Geometry;
 use crate::style::{StyleId, WidthChange};
 use core::fmt::Debug;
 use core::ops::Range;
-use lsystem_syntax::Meter;
+use lsystem_base::Meter;
 
 /// A space for drawings. Each space has its own kind of convex body around a block.
 pub trait Space: Geometry {

@@ -10,7 +10,7 @@ use crate::drawing::scene::SceneSize;
 use crate::rotation::{Vector, dot, norm};
 use crate::space::unit_of;
 use core::cmp::Ordering;
-use lsystem_syntax::Meter;
+use lsystem_base::Meter;
 use std::collections::BinaryHeap;
 
 /// A box along the axes of a block's frame, and a ball about the box's centre. Each contains all that the block draws,
@@ -416,7 +416,8 @@ mod tests {
     use super::super::segments::{Frame, Strokes};
     use super::*;
     use crate::{StyleChange, System, draw};
-    use lsystem_syntax::{Definition, Limits};
+    use lsystem_base::Limits;
+    use lsystem_syntax::Definition;
 
     /// Checks that every block's body contains all that the block draws, and exceeds it by at most the block's slack.
     fn check(rules: &str, angle: f64, n: u32, loose: f64) {

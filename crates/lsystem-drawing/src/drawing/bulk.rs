@@ -4,7 +4,8 @@ use super::segments::{Frame, Strokes};
 use crate::drawing::block::{BlockId, Item};
 use crate::plane::Directions;
 use crate::style::{ColourChange, StyleChange};
-use lsystem_syntax::{Diagnostic, Heading, LimitName};
+use lsystem_base::LimitName;
+use lsystem_syntax::{Diagnostic, Heading};
 
 /// The most segments of a block that is copied as a whole: enough to make the preparation of a copy cheap, few enough
 /// to keep the copy's source in the processor's L1 cache.

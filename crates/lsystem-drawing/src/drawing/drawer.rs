@@ -8,7 +8,8 @@ use super::share::Share;
 use super::task::{Made, Outcome, Task};
 use super::unfold::Unfold;
 use crate::{Plane, System};
-use lsystem_syntax::{Diagnostic, LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
+use lsystem_base::{LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
+use lsystem_syntax::Diagnostic;
 use std::sync::OnceLock;
 
 /// Draws generation `n` in a space: `draw::<Plane>` or `draw::<Solid>`. In space also a system that does not [leave the

@@ -6,8 +6,9 @@ use crate::drawing::block::{BlockId, Contents, Enclosed, HullInput, Item, Placed
 use crate::plane::Directions;
 use crate::space::{Geometry, times, unit_of};
 use core::ops::Range;
-use lsystem_syntax::sorted::sort;
-use lsystem_syntax::{Heading, Meter};
+use lsystem_base::Meter;
+use lsystem_base::sorted::sort;
+use lsystem_syntax::Heading;
 use std::collections::HashMap;
 
 impl Space for Plane {

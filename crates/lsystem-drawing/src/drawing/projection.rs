@@ -14,7 +14,8 @@ use crate::style::StyleChange;
 use crate::turtle::Paper;
 use core::cmp::Reverse;
 use core::ops::Range;
-use lsystem_syntax::{Diagnostic, Meter, Progress};
+use lsystem_base::{Meter, Progress};
+use lsystem_syntax::Diagnostic;
 use std::collections::BinaryHeap;
 use std::sync::OnceLock;
 

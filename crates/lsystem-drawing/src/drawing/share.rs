@@ -15,7 +15,8 @@ use self::states::States;
 use super::block::Space;
 use super::builder::Builder;
 use super::task::{Made, Outcome, Task};
-use lsystem_syntax::{Diagnostic, Meter};
+use lsystem_base::Meter;
+use lsystem_syntax::Diagnostic;
 
 /// A drawing in the making.
 #[derive(Clone, Debug)]

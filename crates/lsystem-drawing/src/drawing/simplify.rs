@@ -10,7 +10,8 @@ use crate::chunks::Chunks;
 use crate::room::bytes_of;
 use crate::rotation::Vector;
 use crate::style::{StyleChange, StyleId, Styles};
-use lsystem_syntax::{Diagnostic, Halt, LimitName, Work};
+use lsystem_base::LimitName;
+use lsystem_syntax::{Diagnostic, Halt, Work};
 use std::collections::HashMap;
 
 impl Drawing<Solid> {

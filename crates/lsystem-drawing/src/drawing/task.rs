@@ -4,8 +4,9 @@ use super::block::{BlockId, Item, Space};
 use super::pieces::Pieces;
 use crate::Turtle;
 use crate::turtle::Score;
+use lsystem_base::{LimitName, Limits};
 use lsystem_derive::Rules;
-use lsystem_syntax::{Diagnostic, LimitName, Limits};
+use lsystem_syntax::Diagnostic;
 use std::sync::Arc;
 
 /// A system, a generation and limits to draw within.

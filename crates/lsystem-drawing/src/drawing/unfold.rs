@@ -13,7 +13,8 @@ use super::block::Space;
 use super::builder::Builder;
 use super::pieces::Pieces;
 use super::task::{Made, Outcome, Task};
-use lsystem_syntax::{Diagnostic, Kind, LimitName, Meter};
+use lsystem_base::{LimitName, Meter};
+use lsystem_syntax::{Diagnostic, Kind};
 
 /// A drawing in the making.
 #[derive(Clone, Debug)]

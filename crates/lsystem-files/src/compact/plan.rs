@@ -3,8 +3,9 @@
 use super::styled_drawing::StyledDrawing;
 use crate::strokes::{PATH, StrokeLook};
 use core::ops::Range;
+use lsystem_base::LimitName;
 use lsystem_drawing::{BlockId, Directions, Frame, Item, Line, StyleChange};
-use lsystem_syntax::{Diagnostic, Halt, Heading, LimitName, Work};
+use lsystem_syntax::{Diagnostic, Halt, Heading, Work};
 use std::collections::{BinaryHeap, HashMap};
 
 /// The content of a compact file.

@@ -11,11 +11,12 @@ mod scene;
 use crate::compact::visible;
 use crate::{FileOptions, Sink, collect};
 use core::hash::{Hash, Hasher};
+use lsystem_base::{LimitName, MAX_MESH_COPIES};
 use lsystem_drawing::{
     BlockId, ColourChange, Drawing, Frame, Mesh, MeshForm, MeshOptions, MeshParts, Solid, StyleChange, WidthChange,
     times,
 };
-use lsystem_syntax::{ColourBy, Diagnostic, Halt, LimitName, MAX_MESH_COPIES, Style, Work};
+use lsystem_syntax::{ColourBy, Diagnostic, Halt, Style, Work};
 use scene::{Node, Scene};
 use std::collections::HashMap;
 use std::collections::hash_map::DefaultHasher;

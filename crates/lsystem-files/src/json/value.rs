@@ -1,9 +1,10 @@
 //! Reading JSON values by their expected type, and noting wrong values.
 
 use super::*;
-use lsystem_syntax::MAX_PALETTE;
+use lsystem_base::MAX_PALETTE;
+use lsystem_base::decimal;
 use lsystem_syntax::Value as Held;
-use lsystem_syntax::{decimal, look_alike};
+use lsystem_syntax::look_alike;
 
 impl JsonFile {
     /// Notes unknown keys (unless `known` is empty) and repeated keys.

@@ -1,7 +1,7 @@
 //! What a typeset system says beside its grammar: numbers, and the meanings of symbols.
 
+use lsystem_base::number::number;
 use lsystem_drawing::System;
-use lsystem_syntax::number::number;
 use lsystem_syntax::overrides::entries;
 use lsystem_syntax::{Definition, Dialect, Grammar, Production, Seen};
 use std::collections::HashMap;

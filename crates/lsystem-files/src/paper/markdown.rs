@@ -2,8 +2,8 @@
 
 use super::facts;
 use core::fmt::Write;
+use lsystem_base::number::number;
 use lsystem_drawing::System;
-use lsystem_syntax::number::number;
 use lsystem_syntax::{Definition, Expr, Module, Pattern, Production};
 
 /// A system as Markdown: the title, the numbers, and a list with constants, axiom and productions.

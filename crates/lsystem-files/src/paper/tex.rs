@@ -2,7 +2,7 @@
 //!
 //! The output needs no packages except `amsmath`, and compiles with pdfLaTeX in its default encodings.
 
-use lsystem_syntax::number::number;
+use lsystem_base::number::number;
 
 /// A text in LaTeX. Characters that pdfLaTeX does not have become their numbers, as in `[U+1F33F]`.
 pub(super) fn text(text: &str) -> String {

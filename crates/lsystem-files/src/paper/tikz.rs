@@ -168,8 +168,9 @@ mod tests {
     use super::*;
     use crate::collect;
     use expect_test::expect;
+    use lsystem_base::{LimitName, Limits};
     use lsystem_drawing::{Plane, System, draw};
-    use lsystem_syntax::{Definition, Diagnostic, Kind, LimitName, Limits};
+    use lsystem_syntax::{Definition, Diagnostic, Kind};
 
     fn written(definition: &Definition, options: &FileOptions) -> Result<String, Diagnostic> {
         let drawing =

@@ -10,11 +10,11 @@ use crate::formats::Notes;
 use crate::svg::warning;
 use crate::{FileOptions, Sink};
 use core::fmt::Write;
+use lsystem_base::Limits;
+use lsystem_base::number::number;
 use lsystem_drawing::{Drawer, Drawing, Plane, System, expand};
-use lsystem_syntax::number::number;
 use lsystem_syntax::{
-    Action, ColourBy, Definition, Diagnostic, Field, Grammar, Halt, Heading, Kind, Limits, Module, TikzObstacle,
-    run_steps,
+    Action, ColourBy, Definition, Diagnostic, Field, Grammar, Halt, Heading, Kind, Module, TikzObstacle, run_steps,
 };
 
 /// The limits of a drawing by TeX, which draws some thousand symbols in a second.

@@ -12,9 +12,10 @@ use super::options::PlotOptions;
 use super::page::{Page, Point, distance};
 use super::spots::Spots;
 use crate::compact::visible;
+use lsystem_base::LimitName;
 use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Placed, Polygon, StyleChange};
 use lsystem_syntax::style::gradient_step;
-use lsystem_syntax::{ColourBy, Diagnostic, Halt, LimitName, Style, Tint, Work};
+use lsystem_syntax::{ColourBy, Diagnostic, Halt, Style, Tint, Work};
 use std::collections::{HashMap, HashSet};
 
 /// The distance up to which two placements of a block are the same, in millimetres: far above rounding errors and far

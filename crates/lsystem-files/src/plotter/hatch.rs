@@ -90,7 +90,7 @@ fn turned_back([u, v]: Point) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lsystem_syntax::Meter;
+    use lsystem_base::Meter;
 
     fn filled(vertices: &[Point], pen: f64) -> Vec<[Point; 2]> {
         let crossings = crossings(vertices, pen, 1000, &mut Meter::new(0)).unwrap().unwrap();

@@ -6,7 +6,8 @@
 
 use super::near::Near;
 use super::page::{Point, distance};
-use lsystem_syntax::{Halt, Meter, Work};
+use lsystem_base::Meter;
+use lsystem_syntax::{Halt, Work};
 use std::collections::VecDeque;
 
 /// The nearest ends that are tried.

@@ -10,8 +10,9 @@ use super::merge::Piece;
 use super::options::PlotOptions;
 use super::page::Page;
 use super::spots::Spots;
+use lsystem_base::MAX_PLOT_BLOCKS;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Halt, MAX_PLOT_BLOCKS, Style, Work};
+use lsystem_syntax::{Halt, Style, Work};
 
 /// The most strokes, and the most open blocks, of a drawing that is read as it stands for the comparison. To read more
 /// would take longer than the rest of a deep plot. With so many strokes shorter than the pen, the cut saves most of the

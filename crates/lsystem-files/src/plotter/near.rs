@@ -5,7 +5,7 @@
 //! empty ones.
 
 use super::page::{Point, distance};
-use lsystem_syntax::Meter;
+use lsystem_base::Meter;
 
 /// The points of a box at the bottom of the tree.
 const LEAF: usize = 8;

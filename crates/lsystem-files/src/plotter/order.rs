@@ -7,7 +7,8 @@ use super::improve::improve;
 use super::join::Polylines;
 use super::near::Near;
 use super::page::{Point, distance};
-use lsystem_syntax::{Halt, Meter, Work};
+use lsystem_base::Meter;
+use lsystem_syntax::{Halt, Work};
 
 /// A way along polylines: the number of each, and whether it is drawn from its last point to its first.
 pub(super) type Tour = Vec<(u32, bool)>;

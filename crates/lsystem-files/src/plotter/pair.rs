@@ -5,7 +5,8 @@
 
 use super::near::Near;
 use super::page::{Point, distance};
-use lsystem_syntax::{Halt, Meter, Work};
+use lsystem_base::Meter;
+use lsystem_syntax::{Halt, Work};
 use std::collections::VecDeque;
 
 /// The nearest points that are tried for each point.

@@ -1,7 +1,8 @@
 //! The systems whose pictures are searched.
 
+use lsystem_base::Limits;
 use lsystem_drawing::{Plane, System, draw};
-use lsystem_syntax::{Definition, Limits};
+use lsystem_syntax::Definition;
 
 pub(crate) struct Case {
     pub(crate) name: String,

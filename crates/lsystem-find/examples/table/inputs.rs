@@ -1,10 +1,11 @@
 //! The pictures as a visitor may have them: clean, blurred, noisy, compressed, in a frame.
 
 use crate::cases::Case;
+use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Plane, System, draw};
 use lsystem_find::Picture;
 use lsystem_render::{Detail, Renderer, View, Viewport};
-use lsystem_syntax::{Colour, ColourBy, Definition, Ink, Limits, Progress, Style};
+use lsystem_syntax::{Colour, ColourBy, Definition, Ink, Style};
 use std::sync::Arc;
 
 /// Levels of grey, with the width and the height.

@@ -7,9 +7,10 @@ use super::pen::Pen;
 use super::shape::Shape;
 use super::view::ViewTransform;
 use super::wide::Wide;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Directions;
 use lsystem_drawing::{BlockId, Drawing, Geometry, Item, Placed, Plane};
-use lsystem_syntax::{Heading, Meter, Progress};
+use lsystem_syntax::Heading;
 
 /// A block being painted, from its last item to its first.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,10 @@
 //! The colours of a block relative to its entry, so that one tile serves every entry colour.
 
 use super::sweep::{BlockVisitor, Sweep};
+use lsystem_base::MAX_PALETTE;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, BlockId, ColourChange, Drawing, Item, StyleChange, StyleId};
-use lsystem_syntax::MAX_PALETTE;
-use lsystem_syntax::{ColourBy, Meter, Progress, Style};
+use lsystem_syntax::{ColourBy, Style};
 
 /// A colour inside a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

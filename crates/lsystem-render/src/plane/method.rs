@@ -2,8 +2,8 @@
 
 use super::RenderStats;
 use super::picture::Plan;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Meter, Progress};
 
 /// Makes pictures: [`Opaque`](super::opaque::Opaque) where strokes cover each other,
 /// [`Density`](super::density::Density) where their ink adds up.

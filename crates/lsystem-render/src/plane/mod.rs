@@ -101,8 +101,9 @@ pub(crate) use view::fitted_scale;
 pub use view::{Detail, View, Viewport, fit};
 
 use density::Density;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Ink, Meter, Progress, Style};
+use lsystem_syntax::{Ink, Style};
 use method::Method;
 use opaque::Opaque;
 use picture::Plan;
@@ -231,8 +232,8 @@ impl Renderer {
 
     /// As [`Renderer::begin_with`] in fine detail, for one of the [panes](Pass::all) of the picture. The pixels are
     /// those of the pane. Panes that begin at multiples of 16 pixels have the same subsamples as the whole picture. The
-    /// picture may have [`MAX_PICTURE_SIDE`](lsystem_syntax::MAX_PICTURE_SIDE) pixels each way, and a pane
-    /// [`MAX_PICTURE_PIXELS`](lsystem_syntax::MAX_PICTURE_PIXELS) in all.
+    /// picture may have [`MAX_PICTURE_SIDE`](lsystem_base::MAX_PICTURE_SIDE) pixels each way, and a pane
+    /// [`MAX_PICTURE_PIXELS`](lsystem_base::MAX_PICTURE_PIXELS) in all.
     pub fn begin_pane(
         &mut self,
         style: &Style,

@@ -5,8 +5,8 @@ use super::canvas::resolve::Output;
 use super::method::Method;
 use super::picture::{Picture, Plan};
 use super::shape::Shapes;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Meter, Progress};
 
 /// Makes pictures in which strokes cover each other ([`Ink::Solid`](lsystem_syntax::Ink)).
 #[derive(Default)]

@@ -11,8 +11,8 @@ use super::seen::Seen;
 use super::shape::Shape;
 use super::top_down::tile;
 use super::view::{Measure, TINY};
+use lsystem_base::Meter;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::Meter;
 
 /// Strokes with a larger radius than this, in subsamples, are broad: they are not painted into tiles.
 pub(super) const BROAD: f64 = 64.0;

@@ -1,7 +1,8 @@
 //! Panes of a picture. A picture that would take too much memory is made pane by pane.
 
 use super::Viewport;
-use lsystem_syntax::{Ink, MAX_PICTURE_PIXELS};
+use lsystem_base::MAX_PICTURE_PIXELS;
+use lsystem_syntax::Ink;
 
 /// A rectangle of a picture's pixels, y down from the upper left corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,9 +5,10 @@
 
 use super::amount::Amount;
 use super::sweep::{BlockVisitor, Sweep};
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, BlockId, Drawing, Item};
 use lsystem_syntax::style::{gradient_step, is_one_step};
-use lsystem_syntax::{ColourBy, Meter, Progress, Style};
+use lsystem_syntax::{ColourBy, Style};
 
 /// A part of the path.
 #[derive(Clone, Copy, Debug)]

@@ -10,8 +10,9 @@ use super::strategy::{MOST_STEPS, Strategy};
 use super::top_down::{Context, TopDown};
 use super::view::{Detail, Measure, View, ViewTransform, Viewport};
 use super::{Pane, RenderStats};
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Meter, Progress, Style};
+use lsystem_syntax::Style;
 
 /// The most pixels of a survey: about those of an ordinary screen. A larger picture is surveyed at a smaller scale.
 const SURVEY_PIXELS: f64 = (1 << 20) as f64;

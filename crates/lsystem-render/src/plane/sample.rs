@@ -2,8 +2,9 @@
 
 use super::view::ViewTransform;
 use super::{View, Viewport};
+use lsystem_base::Limits;
 use lsystem_drawing::{BlockId, Drawing, Item, StyleChange, System, draw};
-use lsystem_syntax::{Colour, Definition, Dialect, Limits, Style, Tint};
+use lsystem_syntax::{Colour, Definition, Dialect, Style, Tint};
 
 /// Subsamples along one side of a pixel.
 const SAMPLES: f64 = 4.0;

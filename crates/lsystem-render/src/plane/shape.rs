@@ -1,8 +1,8 @@
 //! Facts about a block that the renderer uses before it looks inside.
 
 use super::sweep::{BlockVisitor, Sweep};
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, Drawing, Item, StyleChange};
-use lsystem_syntax::{Meter, Progress};
 
 /// Facts about one block, in its own frame.
 #[derive(Clone, Copy, Debug)]

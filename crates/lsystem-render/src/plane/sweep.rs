@@ -1,7 +1,7 @@
 //! Visits all blocks of a drawing in steps: block after block, item after item.
 
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, Drawing, Item};
-use lsystem_syntax::{Meter, Progress};
 
 /// The item that is visited next, as indices.
 #[derive(Clone, Copy, Debug, Default)]

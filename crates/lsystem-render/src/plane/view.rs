@@ -3,9 +3,9 @@
 use super::Pane;
 use super::pen::Pen;
 use super::wide::Wide;
+use lsystem_base::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use lsystem_drawing::{Block, Drawing};
 use lsystem_syntax::Style;
-use lsystem_syntax::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]

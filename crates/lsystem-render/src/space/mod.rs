@@ -42,8 +42,9 @@ pub use effort::{Effort, Spent};
 pub(crate) use pick::pick;
 
 use crate::{Pane, RenderStats, Viewport};
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Solid};
-use lsystem_syntax::{Meter, Progress, Style};
+use lsystem_syntax::Style;
 use picture::Picture;
 use scene::Scene;
 use std::sync::Arc;

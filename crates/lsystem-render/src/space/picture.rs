@@ -12,8 +12,8 @@ use super::shares::UNLIMITED;
 use super::stand_in::{self, Disc};
 use crate::plane::{Pane, Shade};
 use crate::{RenderStats, Viewport};
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Solid};
-use lsystem_syntax::{Meter, Progress};
 
 /// Nodes with a larger radius than this, in samples, are checked for being hidden.
 const LEAST_HIDDEN: f32 = 3.0;

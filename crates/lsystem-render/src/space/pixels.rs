@@ -2,7 +2,7 @@
 
 use super::tile::ScreenTile;
 use crate::{Pane, Viewport};
-use lsystem_syntax::{Meter, Progress};
+use lsystem_base::{Meter, Progress};
 
 /// The pixels of a picture, or of a pane of one.
 #[derive(Default)]

@@ -10,11 +10,12 @@ use super::light::Bundle;
 use super::path::Stretch;
 use crate::plane::{Amount, Choice, Shade};
 use core::ops::Range;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::SceneSize;
 use lsystem_drawing::rotation::{Vector, combine, cross, dot, minus, norm};
 use lsystem_drawing::triangulate::triangulate;
 use lsystem_drawing::{BlockId, Drawing, Item, Placed, Solid, StyleChange, WidthChange};
-use lsystem_syntax::{ColourBy, Meter, Progress, Style};
+use lsystem_syntax::{ColourBy, Style};
 
 /// The most contents of a node.
 pub(super) const WIDTH: usize = SceneSize::WIDTH;

@@ -1,9 +1,10 @@
 use super::camera::Lens;
 use super::light::LIGHT;
 use super::*;
+use lsystem_base::Limits;
 use lsystem_drawing::rotation::{Vector, dot};
 use lsystem_drawing::{Solid, System, draw};
-use lsystem_syntax::{ColourBy, Definition, Dialect, Limits};
+use lsystem_syntax::{ColourBy, Definition, Dialect};
 
 const SIZE: Viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
 

@@ -2,7 +2,8 @@
 
 use super::{Access, Affects, FieldSpec, Section, Slider};
 use crate::value::FieldType;
-use crate::{ColourBy, Dialect, Expected, Ink, MAX_ITERATIONS};
+use crate::{ColourBy, Dialect, Expected, Ink};
+use lsystem_base::MAX_ITERATIONS;
 
 /// Access to a member of a definition.
 macro_rules! at {

@@ -289,7 +289,7 @@ impl ExpressionReader<'_> {
             t.ch.is_alphanumeric() || t.ch == '.' || exponent_sign
         });
         let (digits, span): (String, _) = (run.iter().map(|t| t.ch).collect(), span_of(run, 0));
-        match crate::decimal::read(&digits) {
+        match lsystem_base::decimal::read(&digits) {
             Some(value) if value.is_infinite() => {
                 self.notes.add(Kind::NumberRange { text: crate::notes::excerpt(&digits) }, span);
                 None

@@ -34,9 +34,10 @@ pub(crate) mod token;
 pub(crate) mod word;
 
 use crate::notes::Notes;
-use crate::{Diagnostic, Field, Grammar, Kind, LimitName, MAX_TEXT, Role};
+use crate::{Diagnostic, Field, Grammar, Kind, Role};
 use constants::Constants;
 use core::ops::Range;
+use lsystem_base::{LimitName, MAX_TEXT};
 
 /// Reads an axiom and rules. The grammar holds all readable parts; it is usable if no diagnostic is an error.
 ///

@@ -6,9 +6,10 @@ use super::token::{Token, span_of, text_of};
 use super::word::{is_empty, patterns, word};
 use super::{Places, Reading};
 use crate::notes::{Notes, excerpt};
-use crate::sorted::{repeated, set};
-use crate::{Class, Code, Expr, Kind, LimitName, MAX_CONTEXT, Pattern, Production, Role};
+use crate::{Class, Code, Expr, Kind, Pattern, Production, Role};
 use core::ops::Range;
+use lsystem_base::sorted::{repeated, set};
+use lsystem_base::{LimitName, MAX_CONTEXT};
 
 /// A line with an arrow. Such lines are read after all constants.
 pub(super) struct ProductionLine {

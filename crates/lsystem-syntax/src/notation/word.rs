@@ -4,8 +4,9 @@ use super::arrow;
 use super::expression::{self, Names};
 use super::token::{Token, span_of, text_of};
 use crate::notes::Notes;
-use crate::{Class, Expr, Kind, LimitName, MAX_PARAMETERS, Module, Pattern, Role};
+use crate::{Class, Expr, Kind, Module, Pattern, Role};
 use core::ops::Range;
+use lsystem_base::{LimitName, MAX_PARAMETERS};
 
 /// The modules of a word, and each module's span in the text, in bytes.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,12 +4,12 @@
 //! |---|---|
 //! | 70 | the drawing, as on the page |
 //! | 70 | what is made of the drawing: a mesh ([`MESH`]) or a projection ([`FEW_SEGMENTS`]); a band of a picture ([`BAND`]); or a remembered derivation ([`HISTORY`]) with its counts |
-//! | 16 | counts of any size ([`lsystem_syntax::MAX_COUNTING`]) |
+//! | 16 | counts of any size ([`lsystem_base::MAX_COUNTING`]) |
 //! | 16 | texts, compiled systems, and the piece of the file that waits for the page |
 
+use lsystem_base::Limits;
 use lsystem_files::FileLimits;
 use lsystem_render::BAND_PIXEL;
-use lsystem_syntax::Limits;
 
 /// The most bytes of a remembered derivation. A string that is read by counts takes at most 16 MiB.
 const HISTORY: u64 = 24 << 20;

@@ -2,11 +2,12 @@
 
 use super::words;
 use crate::{from_js, to_js};
+use lsystem_base::Progress;
 use lsystem_film::{
     Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, middle_segment, palette_samples, vantage_of_segment,
 };
 use lsystem_render::{Camera, Detail, PageCamera, PageView, Vantage};
-use lsystem_syntax::{Definition, Diagnostic, Progress};
+use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 

@@ -2,9 +2,10 @@
 
 use super::words;
 use crate::{from_js, to_js};
+use lsystem_base::MAX_ITERATIONS;
 use lsystem_film::{Script, Subject};
 use lsystem_syntax::message::expected_words;
-use lsystem_syntax::{Definition, Expected, FieldSpec, MAX_ITERATIONS, classify};
+use lsystem_syntax::{Definition, Expected, FieldSpec, classify};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 

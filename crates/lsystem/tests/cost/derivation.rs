@@ -2,9 +2,9 @@
 
 use super::record::{Record, SHARE};
 use super::systems::{Case, LENGTHS, cases, generations, shrinking};
+use lsystem::base::{LimitName, Meter};
 use lsystem::derive::{Fault, Rewriter};
 use lsystem::drawing::why_empty;
-use lsystem::syntax::{LimitName, Meter};
 use lsystem::{Definition, Limits, Progress, System};
 use test_effort::is_thorough;
 

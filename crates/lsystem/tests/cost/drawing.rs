@@ -1,8 +1,9 @@
 //! The cost of drawing, in steps and synchronous calls.
 
 use super::systems::{LENGTHS, cases, generations};
+use lsystem::base::{LimitName, Meter};
 use lsystem::drawing::Space;
-use lsystem::syntax::{Kind, LimitName, Meter};
+use lsystem::syntax::Kind;
 use lsystem::{Definition, Dialect, Drawer, Drawing, Limits, Plane, Progress, Solid, System, draw};
 
 /// The limits of the page, except for memory, which is larger here.

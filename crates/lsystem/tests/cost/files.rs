@@ -2,9 +2,10 @@
 
 use super::drawing::{LIMITS, Largest, finished};
 use super::systems::cases;
+use lsystem::base::Meter;
 use lsystem::drawing::{Outlook, Projection};
 use lsystem::files::{Content, FileOptions, Format, Owner, Sink};
-use lsystem::syntax::{Halt, Meter};
+use lsystem::syntax::Halt;
 use lsystem::{Definition, Drawer, Drawing, Plane, Progress, Solid, System, draw};
 use std::sync::Arc;
 

@@ -1,8 +1,9 @@
 //! The cost of the steps of pictures.
 
 use super::systems::{Case, LENGTHS, LONGEST, cases, generations};
+use lsystem::base::Meter;
 use lsystem::render::{Detail, Pointer, Quality};
-use lsystem::syntax::{Ink, Meter};
+use lsystem::syntax::Ink;
 use lsystem::{
     Camera, Drawing, Figure, Limits, Plane, Progress, Renderer, Solid, SolidRenderer, Style, View, Viewport, draw, pick,
 };

@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "a phase may need only some of this")]
 
-use lsystem::syntax::Meter;
+use lsystem::base::Meter;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 

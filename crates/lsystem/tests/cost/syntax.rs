@@ -2,8 +2,9 @@
 
 use super::systems::texts;
 use lsystem::System;
+use lsystem::base::{MAX_ACTIONS, MAX_TEXT};
 use lsystem::drawing::{kind, legend};
-use lsystem::syntax::{MAX_ACTIONS, MAX_TEXT, classify, parse_overrides};
+use lsystem::syntax::{classify, parse_overrides};
 use std::time::{Duration, Instant};
 
 /// The most diagnostics of one text, with one for the number of others.

@@ -5,7 +5,7 @@ use super::super::image::Image;
 use super::super::modules::Modules;
 use super::super::step::Rewriter;
 use super::{History, Kept, PIECE, PrefixSums, SPARE, Stage, StepRecord, made_of};
-use lsystem_syntax::{Meter, Progress};
+use lsystem_base::{Meter, Progress};
 
 impl History {
     /// Does one piece of work.

@@ -6,7 +6,7 @@ use super::super::modules::{Chance, NotFinite};
 use super::super::table::LONGEST;
 use super::{Fault, LOOKS, Rewriter, StepPass, make_room, others};
 use core::ops::Range;
-use lsystem_syntax::{LimitName, Meter};
+use lsystem_base::{LimitName, Meter};
 
 impl Rewriter {
     /// Does one piece of the rightward pass, which makes the next generation.

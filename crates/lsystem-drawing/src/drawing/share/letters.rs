@@ -9,8 +9,9 @@ use crate::drawing::pieces::Pieces;
 use crate::drawing::task::{Made, Outcome, Task};
 use crate::room::bytes_of;
 use crate::turtle::{Score, TurtleOp};
+use lsystem_base::Meter;
 use lsystem_derive::{LetterId, Rewrite, Rules};
-use lsystem_syntax::{Diagnostic, Meter};
+use lsystem_syntax::Diagnostic;
 
 /// Whether every reachable letter always draws the same piece. The system must have:
 /// - no random choice and no variation;

@@ -1,6 +1,6 @@
 //! The plan of a shared drawing: the letters that each depth needs.
+use lsystem_base::Meter;
 use lsystem_derive::{LetterId, Rewrite, Rules};
-use lsystem_syntax::Meter;
 
 /// The letters that each depth needs.
 #[derive(Clone, Debug)]

@@ -5,8 +5,9 @@
 //! parameter is computed from others homogeneously in the first degree, and nothing else depends on these parameters.
 
 use crate::Turtle;
+use lsystem_base::MAX_PARAMETERS;
 use lsystem_derive::{LetterId, Rule, Rules, Template};
-use lsystem_syntax::{Action, MAX_PARAMETERS};
+use lsystem_syntax::Action;
 use lsystem_syntax::{Code, Op};
 use lsystem_syntax::{Function, Operator};
 

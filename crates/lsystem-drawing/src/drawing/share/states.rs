@@ -21,8 +21,9 @@ use crate::room::{bytes_of, reserve};
 use crate::style::ColourChange;
 use crate::turtle::{Score, TurtleOp, continuation};
 use core::ops::Range;
+use lsystem_base::Meter;
 use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
-use lsystem_syntax::{Diagnostic, Meter};
+use lsystem_syntax::Diagnostic;
 use std::collections::HashMap;
 use std::sync::Arc;
 use write::{Entry, StatePieceWriting};
@@ -148,7 +149,7 @@ impl StateModule {
 }
 
 /// The identity of a state in a level: letter, keys of the arguments, vertical.
-type StateKey = (LetterId, [u64; lsystem_syntax::MAX_PARAMETERS], Tilt);
+type StateKey = (LetterId, [u64; lsystem_base::MAX_PARAMETERS], Tilt);
 
 /// A word whose parts are being found.
 #[derive(Clone, Debug)]

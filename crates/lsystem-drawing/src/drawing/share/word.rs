@@ -7,8 +7,8 @@ use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
 use crate::style::{ColourChange, StyleChange};
 use crate::turtle::{Pen, ScaleTrace, Score, TurtleOp, scaled, work_of};
+use lsystem_base::Meter;
 use lsystem_derive::LetterId;
-use lsystem_syntax::Meter;
 
 /// The production that makes a word.
 #[derive(Clone, Copy, Debug)]

@@ -9,8 +9,9 @@ use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::style::StyleChange;
 use crate::turtle::{Pen, TurtleOp, work_of};
+use lsystem_base::{LimitName, Limits, Meter};
 use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, fault};
-use lsystem_syntax::{Diagnostic, LimitName, Limits, Meter};
+use lsystem_syntax::Diagnostic;
 
 /// The most modules read between two checks of the meter.
 const PIECE: usize = 1 << 12;

@@ -8,8 +8,8 @@ use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::style::StyleChange;
 use crate::turtle::{Pen, Score, TurtleOp, work_of};
+use lsystem_base::{LimitName, Limits, Meter};
 use lsystem_derive::{LetterId, Next, Rules, Walk};
-use lsystem_syntax::{LimitName, Limits, Meter};
 
 /// A walk through the last generation that counts symbols and segments.
 #[derive(Clone, Debug)]

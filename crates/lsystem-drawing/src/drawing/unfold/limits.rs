@@ -3,8 +3,8 @@
 use super::letters::{Census, WalkOutcome};
 use crate::drawing::block::{Item, Space};
 use crate::turtle::{Score, TurtleOp};
+use lsystem_base::{LimitName, Limits, Meter};
 use lsystem_derive::{LetterId, Rewrite, Rules};
-use lsystem_syntax::{LimitName, Limits, Meter};
 
 /// The number of letters added up between two checks of the meter.
 const READ: usize = 256;

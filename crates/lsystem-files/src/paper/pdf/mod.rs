@@ -73,8 +73,9 @@ mod tests {
     use super::*;
     use crate::{collect, read_file, write_json};
     use expect_test::expect;
+    use lsystem_base::{LimitName, Limits};
     use lsystem_drawing::{Plane, System, draw};
-    use lsystem_syntax::{ColourBy, Definition, Diagnostic, Kind, LimitName, Limits};
+    use lsystem_syntax::{ColourBy, Definition, Diagnostic, Kind};
     use miniz_oxide::inflate::decompress_to_vec_zlib;
 
     fn written(definition: &Definition, options: &FileOptions) -> Result<Vec<u8>, Diagnostic> {

@@ -20,8 +20,8 @@ use crate::plane::pen::Pen;
 use crate::plane::top_down::tile;
 use crate::plane::view::Measure;
 pub(in crate::plane) use layout::PART_WORDS;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Item, StyleId};
-use lsystem_syntax::{Meter, Progress};
 use parts::Parts;
 pub(in crate::plane) use parts::{Part, PartSource};
 

@@ -9,8 +9,9 @@ use crate::plane::top_down::tile;
 use crate::plane::view::{Measure, TINY};
 use core::hash::BuildHasherDefault;
 use core::ops::Range;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{BlockId, Drawing, Item};
-use lsystem_syntax::{Heading, Meter, Progress};
+use lsystem_syntax::Heading;
 use std::collections::{BinaryHeap, HashMap};
 
 /// The facts that parts are made from.

@@ -15,7 +15,7 @@ pub(in crate::plane) mod words;
 use crate::plane::inks::{Dye, PLANES};
 use bits::Bits;
 use core::ops::Range;
-use lsystem_syntax::{Meter, Progress};
+use lsystem_base::{Meter, Progress};
 use words::{GROUP, GroupBits, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
 
 /// Rows in a cell. A cell is 64 rows of a strip, and is turned into pixels at once.

@@ -3,7 +3,7 @@
 use super::Canvas;
 use super::words::{GROUP, NOTHING, Spans};
 use core::ops::Range;
-use lsystem_syntax::{Meter, Progress};
+use lsystem_base::{Meter, Progress};
 
 /// A place where the outline crosses a row: its x, and 1 downwards or -1 upwards.
 pub(in crate::plane) type Crossing = (f64, i32);

@@ -5,7 +5,7 @@ use super::{Canvas, Group};
 use crate::plane::Detail;
 use crate::plane::picture::Plan;
 use core::ops::Range;
-use lsystem_syntax::{Meter, Progress};
+use lsystem_base::{Meter, Progress};
 
 /// The finished pixels and the way to them.
 #[derive(Default)]

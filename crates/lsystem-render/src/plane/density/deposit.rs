@@ -5,8 +5,8 @@ use crate::plane::descent::Node;
 use crate::plane::shape::Shape;
 use crate::plane::sweep::{BlockVisitor, Sweep};
 use crate::plane::view::Measure;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, Drawing, Item};
-use lsystem_syntax::{Meter, Progress};
 
 /// The ink of one block, in its own frame.
 #[derive(Clone, Copy, Debug, Default)]

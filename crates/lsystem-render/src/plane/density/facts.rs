@@ -3,8 +3,8 @@
 use super::deposit::{Deposit, Deposits};
 use crate::plane::descent::Node;
 use crate::plane::shape::{Shape, Shapes};
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Meter, Progress};
 
 /// The shapes and deposits of a drawing's blocks.
 #[derive(Default)]

@@ -4,7 +4,7 @@
 //! size costs the same: only its corners are noted, and summed up at the end.
 
 use super::sheet::{Pigment, Sheet};
-use lsystem_syntax::{Meter, Progress};
+use lsystem_base::{Meter, Progress};
 
 /// Pixels along the side of a cell.
 const SIDE: usize = 4;

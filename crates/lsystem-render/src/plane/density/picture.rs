@@ -13,8 +13,8 @@ use crate::plane::inks::{InkTable, Inks, Shade};
 use crate::plane::picture::Plan;
 use crate::plane::view::{Measure, ViewTransform};
 use crate::plane::{Amount, Pane, Pass, RenderStats};
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Item};
-use lsystem_syntax::{Meter, Progress};
 
 /// The largest extent of a dot at first, in pixels. A dot is a block whose ink is all added at its centre of gravity.
 const TINY: f64 = 1.0;

@@ -5,8 +5,9 @@ use super::sheet::Pigment;
 use crate::plane::inks::{InkTable, Inks, Shade};
 use crate::plane::mixer::Mixer;
 use core::hash::BuildHasherDefault;
+use lsystem_base::Meter;
 use lsystem_drawing::{Drawing, Item};
-use lsystem_syntax::{Colour, Meter, Style};
+use lsystem_syntax::{Colour, Style};
 use std::collections::HashMap;
 
 /// The least part of light that a channel reflects: half of one of 256 levels, because the logarithm of 0 is infinite.

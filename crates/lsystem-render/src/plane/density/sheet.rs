@@ -6,7 +6,7 @@
 
 use crate::plane::canvas::polygon::{Crossing, MOST_SORTED, Side, sides_in};
 use core::ops::Range;
-use lsystem_syntax::{Meter, Progress};
+use lsystem_base::{Meter, Progress};
 
 /// The colour of ink: how much one layer darkens red, green and blue ([`super::pigment`]).
 pub(super) type Pigment = [f32; 3];

@@ -8,7 +8,8 @@ use super::sheet::{Pigment, Sheet};
 use crate::plane::Pass;
 use crate::plane::alpha::least_opaque;
 use crate::plane::picture::Plan;
-use lsystem_syntax::{ColourBy, Meter, Progress};
+use lsystem_base::{Meter, Progress};
+use lsystem_syntax::ColourBy;
 
 /// The number of keys. A key is the exponent of an `f32` and the first 6 bits of its fraction, so sums with the same
 /// key differ by at most a 64th.

@@ -20,8 +20,9 @@ use super::shape::Shapes;
 use super::view::{View, Viewport, fitted_scale};
 use super::wide::Wide;
 use finder::Finder;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Meter, Progress, Style};
+use lsystem_syntax::Style;
 use std::sync::Arc;
 
 /// A tile of a pyramid. The picture of a level has 2^level tiles each way.

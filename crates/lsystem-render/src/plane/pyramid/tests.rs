@@ -3,7 +3,8 @@ use crate::Renderer;
 use crate::plane::fitted_ends;
 use crate::plane::sample::Sample;
 use crate::plane::tests::{difference, hard, picture};
-use lsystem_syntax::{Ink, Progress};
+use lsystem_base::Progress;
+use lsystem_syntax::Ink;
 
 const SIDE: u32 = 64;
 

@@ -2,7 +2,8 @@
 
 use super::{Pyramid, TilePlace};
 use crate::plane::{Pane, Pass, RenderStats, Renderer, View, Viewport};
-use lsystem_syntax::{Ink, Progress};
+use lsystem_base::Progress;
+use lsystem_syntax::Ink;
 use std::collections::VecDeque;
 use std::sync::Arc;
 

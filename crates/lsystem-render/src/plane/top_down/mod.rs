@@ -14,8 +14,8 @@ use super::inks::{Inks, Shade};
 use super::painter::{BROAD, Painter};
 use super::shape::Shape;
 use super::strategy::MOST_STEPS;
+use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Item, Polygon, Stroke};
-use lsystem_syntax::{Meter, Progress};
 use passes::{Passes, sketch};
 use tiling::{Bounds, Tiling};
 

@@ -5,7 +5,7 @@ use crate::plane::descent::Node;
 use crate::plane::inks::{Inks, Shade};
 use crate::plane::painter::{BROAD, Painter};
 use crate::plane::shape::Shape;
-use lsystem_syntax::Meter;
+use lsystem_base::Meter;
 
 /// Makes and stamps the tiles of a picture.
 pub(in crate::plane) struct Tiling {

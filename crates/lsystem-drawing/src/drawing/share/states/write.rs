@@ -12,8 +12,9 @@ use crate::space::unit_of;
 use crate::style::StyleChange;
 use crate::turtle::{Pen, ScaleTrace, Score, scaled};
 use core::ops::Range;
+use lsystem_base::{Limits, Meter};
 use lsystem_derive::fault;
-use lsystem_syntax::{Diagnostic, Limits, Meter};
+use lsystem_syntax::Diagnostic;
 
 /// A piece in the making.
 #[derive(Clone, Debug)]

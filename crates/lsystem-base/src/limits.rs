@@ -1,6 +1,39 @@
 //! Limits on work and memory.
 
-use crate::LimitName;
+/// The limits, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LimitName {
+    /// Symbols of a string held in memory ([`Limits::symbols`](crate::Limits::symbols)).
+    Symbols,
+    /// Modules of one generation held in memory ([`Limits::modules`](crate::Limits::modules)).
+    Modules,
+    /// Segments of a drawing ([`Limits::segments`](crate::Limits::segments)).
+    Segments,
+    /// Symbols derived for a drawing without shared blocks ([`Limits::work`](crate::Limits::work)).
+    Work,
+    /// Strokes of a file for plotters ([`Limits::segments`](crate::Limits::segments)).
+    PlotStrokes,
+    /// Parts of a drawing that are read for a plotter ([`MAX_PLOT_BLOCKS`](crate::MAX_PLOT_BLOCKS)).
+    PlotBlocks,
+    /// Segments and vertices of polygons that a mesh writes out.
+    Mesh,
+    /// Segments and vertices of polygons that a viewer of a mesh draws, copies included.
+    MeshCopies,
+    /// Bytes of a drawing under construction, or of a derivation ([`Limits::memory`](crate::Limits::memory)).
+    Memory,
+    /// Iterations (1,000).
+    Iterations,
+    /// Bytes of a text ([`MAX_TEXT`](crate::MAX_TEXT)).
+    Text,
+    /// Different symbols in a system (65,536).
+    Letters,
+    /// Parameters of a module ([`MAX_PARAMETERS`](crate::MAX_PARAMETERS)).
+    Parameters,
+    /// Modules in a context ([`MAX_CONTEXT`]).
+    Context,
+    /// Actions of a symbol ([`MAX_ACTIONS`](crate::MAX_ACTIONS)).
+    Actions,
+}
 
 /// The limits that a caller may set. Each is checked before the allocation that it guards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +118,7 @@ pub const MAX_LETTERS: usize = 1 << 16;
 pub const MAX_PARAMETERS: usize = 8;
 
 /// The most modules in a left or a right context, including brackets.
-pub(crate) const MAX_CONTEXT: usize = 64;
+pub const MAX_CONTEXT: usize = 64;
 
 /// The most actions of a symbol. One piece of work executes all actions of a symbol, so their number is bounded.
 pub const MAX_ACTIONS: usize = 256;
