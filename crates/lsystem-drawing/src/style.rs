@@ -1,6 +1,7 @@
 //! Changes of the pen's style, and how they compose.
 
 use crate::space::finite;
+use lsystem_syntax::{ColourBy, Style};
 use std::collections::HashMap;
 
 /// The index of a style change in [`Drawing::styles`](crate::Drawing::styles).
@@ -44,6 +45,18 @@ impl StyleChange {
     #[must_use]
     pub fn start(width: f64) -> Self {
         Self { colour: ColourChange::Set(0), width: WidthChange { factor: 0.0, offset: width }, level: 0 }
+    }
+
+    /// The parts of the colour index and of the branch level that a style shows; 0 for those that it does not.
+    #[must_use]
+    pub fn seen(&self, style: &Style) -> (i32, u32) {
+        let colours = style.palette.len().clamp(1, i32::MAX as usize) as i32;
+        let seen = |index: i32| if style.holds() { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) };
+        match style.colour_by {
+            ColourBy::Single | ColourBy::Path | ColourBy::Density => (0, 0),
+            ColourBy::Symbol | ColourBy::Turn | ColourBy::Generation => (seen(self.colour.of(0)), 0),
+            ColourBy::Level => (0, seen(i32::try_from(self.level).unwrap_or(i32::MAX)).cast_unsigned()),
+        }
     }
 
     /// This change, followed by `next`.

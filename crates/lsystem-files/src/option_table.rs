@@ -2,9 +2,10 @@
 //!
 //! A new choice needs a member of [`FileOptions`], a row here, and its name in the rows of the formats that read it.
 
-use crate::{Corner, FileOptions, SHEETS, Sheet};
+use crate::FileOptions;
 use lsystem_base::MAX_PICTURE_SIDE;
 use lsystem_base::number::number;
+use lsystem_plot::{Corner, SHEETS, Sheet};
 use lsystem_syntax::message::grouped;
 use serde::Deserialize;
 use std::collections::BTreeMap;

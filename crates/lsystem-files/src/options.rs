@@ -1,6 +1,6 @@
 //! The choices for a file. Each format reads those that it needs.
 
-use crate::{PlotOptions, Sheet};
+use lsystem_plot::{PlotOptions, Sheet};
 
 /// What a file holds beside the drawing, and how the drawing is laid out.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,10 +2,10 @@
 
 use super::Sink;
 use super::embed::KEYWORD;
-use super::sheet::INCH;
 use core::cell::RefCell;
 use lsystem_base::LimitName;
 use lsystem_drawing::Figure;
+use lsystem_plot::INCH;
 use lsystem_render::{FigureRenderer, Painted, PictureOptions, Quality, Vantage, Viewport};
 use lsystem_syntax::{Diagnostic, Halt, Style, Work};
 use std::io;

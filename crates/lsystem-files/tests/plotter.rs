@@ -2,9 +2,8 @@
 
 use lsystem_base::{LimitName, Limits, Meter};
 use lsystem_drawing::{Drawing, Mark, Plane, System, draw};
-use lsystem_files::{
-    Corner, FileOptions, Owner, PlotOptions, PlotSummary, Sheet, Sink, collect, read_json, read_segments, write_plot,
-};
+use lsystem_files::{FileOptions, Owner, Sink, collect, read_json, read_segments, write_plot};
+use lsystem_plot::{Corner, PlotOptions, PlotSummary, Sheet};
 use lsystem_syntax::{Definition, Halt, Kind};
 use std::path::Path;
 use std::sync::Arc;

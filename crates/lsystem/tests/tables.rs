@@ -4,7 +4,8 @@
 use expect_test::expect_file;
 use lsystem::base::MAX_PICTURE_SIDE;
 use lsystem::base::number::number;
-use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, Format, OptionKind, Purpose, SHEETS};
+use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, Format, OptionKind, Purpose};
+use lsystem::plot::SHEETS;
 use lsystem::syntax::fields::Section;
 use lsystem::syntax::message::expected_words;
 use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value};

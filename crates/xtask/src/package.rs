@@ -8,12 +8,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The crates for others, each after those that it uses.
-const CRATES: [&str; 12] = [
+const CRATES: [&str; 13] = [
     "lsystem-base",
     "lsystem-syntax",
     "lsystem-derive",
     "lsystem-drawing",
     "lsystem-render",
+    "lsystem-plot",
     "lsystem-files",
     "lsystem-import",
     "lsystem-film",

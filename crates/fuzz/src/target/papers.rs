@@ -3,7 +3,8 @@
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
 use lsystem::drawing::Outlook;
-use lsystem::files::{Content, FORMATS, FileOptions, Format, Purpose, Sheet};
+use lsystem::files::{Content, FORMATS, FileOptions, Format, Purpose};
+use lsystem::plot::Sheet;
 use lsystem::{Definition, Drawing, System, read_file, write_json};
 use miniz_oxide::inflate::decompress_to_vec_zlib;
 use std::sync::Arc;

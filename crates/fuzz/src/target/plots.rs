@@ -3,7 +3,8 @@
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
 use lsystem::drawing::Outlook;
-use lsystem::files::{Corner, FileOptions, PlotOptions, PlotSummary, Sheet, write_plot};
+use lsystem::files::{FileOptions, write_plot};
+use lsystem::plot::{Corner, PlotOptions, PlotSummary, Sheet};
 use lsystem::{read_file, write_json};
 
 /// The most strokes of a plot in this target.

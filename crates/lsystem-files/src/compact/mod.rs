@@ -15,7 +15,6 @@ use lsystem_syntax::{ColourBy, Halt, Heading, Style, Work};
 use plan::{CompactPlan, SymbolPart};
 use std::collections::HashMap;
 use styled_drawing::StyledDrawing;
-pub(super) use styled_drawing::visible;
 
 /// The least and the greatest size, in strokes, up to which a block is written out at each place instead of shared.
 /// Small blocks make most of the copies, so a greater size means fewer copies but a longer file.

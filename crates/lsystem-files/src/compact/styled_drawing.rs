@@ -3,7 +3,7 @@
 use super::features::Features;
 use crate::strokes::StrokeLook;
 use lsystem_drawing::{BlockId, ColourChange, Drawing, StyleChange, WidthChange};
-use lsystem_syntax::{ColourBy, Style};
+use lsystem_syntax::Style;
 
 /// A drawing with its style and features.
 pub(super) struct StyledDrawing<'a> {
@@ -35,21 +35,10 @@ impl StyledDrawing<'_> {
 
     /// The visible part of the style at the start of a block.
     pub(super) fn entry(&self, block: BlockId, style: &StyleChange) -> Entry {
-        let (colour, level) = visible(self.style, style);
+        let (colour, level) = style.seen(self.style);
         let width = style.width.of(0.0);
         // If all strokes have the least width, the width is not visible.
         let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.step;
         Entry { colour, level, width: if widest <= self.style.min_width { 0.0 } else { width } }
-    }
-}
-
-/// The visible part of a colour index and of a branch level.
-pub(crate) fn visible(style: &Style, change: &StyleChange) -> (i32, u32) {
-    let colours = style.palette.len().clamp(1, i32::MAX as usize) as i32;
-    let seen = |index: i32| if style.holds() { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) };
-    match style.colour_by {
-        ColourBy::Single | ColourBy::Path | ColourBy::Density => (0, 0),
-        ColourBy::Symbol | ColourBy::Turn | ColourBy::Generation => (seen(change.colour.of(0)), 0),
-        ColourBy::Level => (0, seen(i32::try_from(change.level).unwrap_or(i32::MAX)).cast_unsigned()),
     }
 }

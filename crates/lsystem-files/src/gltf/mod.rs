@@ -8,7 +8,6 @@
 mod choice;
 mod scene;
 
-use crate::compact::visible;
 use crate::{FileOptions, Sink, collect};
 use core::hash::{Hash, Hasher};
 use lsystem_base::{LimitName, MAX_MESH_COPIES};
@@ -101,7 +100,7 @@ impl SceneMaker<'_> {
     /// Places a part. A new part is made later. Tubes have at least the width `least`, in model units.
     fn place(&mut self, least: f64, block: BlockId, frame: &Frame<Solid>) -> Result<(), Diagnostic> {
         self.take_memory(NODE_BYTES)?;
-        let (colour, level) = visible(self.style, &frame.style);
+        let (colour, level) = frame.style.seen(self.style);
         let width = frame.style.width.of(0.0);
         // If all tubes have the least width, the width is not visible.
         let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.drawing.step.abs();

@@ -1,9 +1,9 @@
 //! The place of a drawing on paper.
 
-use crate::Sheet;
 use crate::number::Decimals;
 use crate::strokes::{StrokeLook, within};
 use lsystem_drawing::{Drawing, StyleChange};
+use lsystem_plot::Sheet;
 use lsystem_syntax::{Style, Tint};
 
 /// The longer side, in pixels, of the picture for which [`Style::min_width`] is taken.

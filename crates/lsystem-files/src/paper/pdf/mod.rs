@@ -8,9 +8,10 @@ use crate::compact::{Compact, SymbolFile, is_shareable};
 use crate::formats::Notes;
 use crate::strokes::write_marks;
 use crate::svg::warning;
-use crate::{FileOptions, INCH, Sink};
+use crate::{FileOptions, Sink};
 use canvas::{About, Canvas, PageLayout};
 use lsystem_drawing::Drawing;
+use lsystem_plot::INCH;
 use lsystem_syntax::{Halt, Style};
 
 /// The pixels along the longer side of the picture.

@@ -1,6 +1,6 @@
 //! What a plot takes: lengths, pens and time.
 
-use super::options::PlotOptions;
+use crate::options::PlotOptions;
 
 /// The size of a plot. Lengths are in millimetres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,13 +23,14 @@ pub struct PlotSummary {
 
 impl PlotSummary {
     /// The summary with the time that it takes.
-    pub(super) fn timed(self, options: &PlotOptions) -> Self {
+    pub(crate) fn timed(self, options: &PlotOptions) -> Self {
         let moves = self.down / options.speed + self.travel / options.travel_speed;
         Self { seconds: moves + self.polylines as f64 * options.lift, ..self }
     }
 
     /// The summary as a line of text, with the speeds of `options`.
-    pub(crate) fn words(&self, options: &PlotOptions) -> String {
+    #[must_use]
+    pub fn words(&self, options: &PlotOptions) -> String {
         let options = options.bounded();
         let [width, height] = self.sheet;
         let plural = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });

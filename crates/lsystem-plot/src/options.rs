@@ -30,7 +30,7 @@ impl Corner {
     }
 
     /// The corner of a sheet of this size, y down.
-    pub(super) fn of(self, [width, height]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn of(self, [width, height]: [f64; 2]) -> [f64; 2] {
         match self {
             Self::TopLeft => [0.0, 0.0],
             Self::TopRight => [width, 0.0],
@@ -82,7 +82,8 @@ impl Default for PlotOptions {
 
 impl PlotOptions {
     /// The options with every number in its range.
-    pub(super) fn bounded(self) -> Self {
+    #[must_use]
+    pub fn bounded(self) -> Self {
         let usual = Self::default();
         Self {
             pen: within(self.pen, usual.pen, 0.05, 20.0),
@@ -96,6 +97,6 @@ impl PlotOptions {
 }
 
 /// `value` in a range; `usual` if `value` is not finite.
-pub(super) fn within(value: f64, usual: f64, least: f64, most: f64) -> f64 {
+pub(crate) fn within(value: f64, usual: f64, least: f64, most: f64) -> f64 {
     if value.is_finite() { value.clamp(least, most) } else { usual }
 }

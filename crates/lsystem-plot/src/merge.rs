@@ -2,27 +2,27 @@
 //!
 //! The pieces of a line end where strokes end, so that strokes of other lines that start there meet an end.
 
-use super::cells::Cells;
-use super::page::{Point, distance};
+use crate::cells::Cells;
+use crate::page::{Point, distance};
 use lsystem_syntax::{Halt, Work};
 
 /// Points nearer than a tenth of this are one point, in millimetres; a plotter's step is at least ten times as long.
-pub(super) const JOINT: f64 = 1e-3;
+pub(crate) const JOINT: f64 = 1e-3;
 /// Directions nearer than a tenth of this are one direction, as the sine of the angle or twice that. Along a sheet of
 /// A4 this is less than [`JOINT`].
 const DIRECTION: f64 = 2e-6;
 /// Shorter strokes are points: their directions would be rounding errors.
-pub(super) const LEAST: f64 = 1e-5;
+pub(crate) const LEAST: f64 = 1e-5;
 
 /// A straight piece of ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Piece {
-    pub(super) layer: u32,
-    pub(super) ends: [Point; 2],
+pub(crate) struct Piece {
+    pub(crate) layer: u32,
+    pub(crate) ends: [Point; 2],
 }
 
 /// The lines that carry the strokes, and where strokes start and end along them.
-pub(super) struct Merge {
+pub(crate) struct Merge {
     centre: Point,
     numbers: Cells,
     lines: Vec<Line>,
@@ -48,13 +48,13 @@ struct End {
 
 impl Merge {
     /// No ink, on a sheet of this size.
-    pub(super) fn new(size: [f64; 2]) -> Self {
+    pub(crate) fn new(size: [f64; 2]) -> Self {
         let centre = size.map(|side| side / 2.0);
         Self { centre, numbers: Cells::new([DIRECTION, JOINT]), lines: Vec::new(), ends: Vec::new() }
     }
 
     /// Adds a stroke.
-    pub(super) fn add(&mut self, layer: u32, [from, to]: [Point; 2]) {
+    pub(crate) fn add(&mut self, layer: u32, [from, to]: [Point; 2]) {
         let length = distance(from, to);
         if length.is_nan() || length <= LEAST {
             return;
@@ -82,7 +82,7 @@ impl Merge {
     }
 
     /// The pieces of ink, and their length in millimetres.
-    pub(super) fn finish(self, work: &mut dyn Work) -> Result<(Vec<Piece>, f64), Halt> {
+    pub(crate) fn finish(self, work: &mut dyn Work) -> Result<(Vec<Piece>, f64), Halt> {
         let Self { centre, numbers, lines, mut ends } = self;
         drop(numbers);
         ends.sort_unstable_by(|a, b| a.line.cmp(&b.line).then(a.at.total_cmp(&b.at)).then(b.starts.cmp(&a.starts)));

@@ -3,7 +3,7 @@
 //! The first point of the drawing in a spot stands for all points there. So the parts of a curve still meet, a way back
 //! over the same spots draws nothing, and the ink depends on the sheet and the pen only.
 
-use super::page::{Point, distance};
+use crate::page::{Point, distance};
 use std::collections::{HashMap, HashSet};
 
 /// The side of a spot, in pens. The diagonal is about a pen, so that the line through a spot covers it.
@@ -15,7 +15,7 @@ const GAP: usize = 4;
 
 /// The spots with ink.
 #[derive(Debug, Default)]
-pub(super) struct Spots {
+pub(crate) struct Spots {
     side: f64,
     numbers: HashMap<(u32, [i64; 2]), u32>,
     /// In the order of their first ink.
@@ -36,7 +36,7 @@ struct Spot {
 
 impl Spots {
     /// No ink, for a pen of this width.
-    pub(super) fn new(pen: f64) -> Self {
+    pub(crate) fn new(pen: f64) -> Self {
         Self { side: SIDE * pen, numbers: HashMap::new(), list: Vec::new(), lines: HashSet::new() }
     }
 
@@ -55,13 +55,13 @@ impl Spots {
     }
 
     /// The number of spots.
-    pub(super) fn count(&self) -> u64 {
+    pub(crate) fn count(&self) -> u64 {
         self.list.len() as u64
     }
 
     /// Notes a stroke shorter than the pen. Returns the ends of the line to draw, unless there is one already or both spots
     /// have lines enough.
-    pub(super) fn dot(&mut self, layer: u32, [from, to]: [Point; 2]) -> Option<[Point; 2]> {
+    pub(crate) fn dot(&mut self, layer: u32, [from, to]: [Point; 2]) -> Option<[Point; 2]> {
         let ((a, is_new), (b, _)) = (self.number(layer, from), self.number(layer, to));
         if a == b {
             if is_new {
@@ -82,7 +82,7 @@ impl Spots {
     }
 
     /// Whether a line leads over ink of this colour only.
-    pub(super) fn has(&self, layer: u32, [from, to]: [Point; 2]) -> bool {
+    pub(crate) fn has(&self, layer: u32, [from, to]: [Point; 2]) -> bool {
         let last = self.steps([from, to]).max(1);
         (0..=last).all(|step| {
             let part = step as f64 / last as f64;
@@ -92,12 +92,12 @@ impl Spots {
     }
 
     /// The steps of [`Spots::stretches`] along a line.
-    pub(super) fn steps(&self, [from, to]: [Point; 2]) -> u64 {
+    pub(crate) fn steps(&self, [from, to]: [Point; 2]) -> u64 {
         libm::ceil(2.0 * distance(from, to) / self.side) as u64
     }
 
     /// The stretches of a line with new spots, in order.
-    pub(super) fn stretches(&mut self, layer: u32, [from, to]: [Point; 2]) -> Vec<[Point; 2]> {
+    pub(crate) fn stretches(&mut self, layer: u32, [from, to]: [Point; 2]) -> Vec<[Point; 2]> {
         let last = self.steps([from, to]).max(1) as usize;
         let at = |step: usize| {
             let part = step as f64 / last as f64;
@@ -124,7 +124,7 @@ impl Spots {
     }
 
     /// Whether all spots of a box have ink.
-    pub(super) fn is_full(&self, layer: u32, corners: impl Iterator<Item = Point>) -> bool {
+    pub(crate) fn is_full(&self, layer: u32, corners: impl Iterator<Item = Point>) -> bool {
         let (low, high) =
             corners.map(|corner| self.cell(corner)).fold(([i64::MAX; 2], [i64::MIN; 2]), |(low, high), spot| {
                 ([0, 1].map(|axis| low[axis].min(spot[axis])), [0, 1].map(|axis| high[axis].max(spot[axis])))
@@ -133,7 +133,7 @@ impl Spots {
     }
 
     /// The stroke of a spot that has no other ink, with its layer.
-    pub(super) fn lone(&self, number: usize) -> Option<(u32, [Point; 2])> {
+    pub(crate) fn lone(&self, number: usize) -> Option<(u32, [Point; 2])> {
         let Spot { layer, point, lone, .. } = self.list[number];
         lone.map(|end| (layer, [point, end]))
     }

@@ -1,49 +1,28 @@
-//! The file: an SVG in millimetres with a layer for each pen.
+//! Plots as SVG in millimetres, with a layer for each pen.
 
-use super::join::Polylines;
-use super::order::Tour;
-use super::page::Point;
-use super::pen;
 use crate::number::Decimals;
-use crate::{FileOptions, Sink};
+use crate::{FileOptions, Sink, pen};
 use core::fmt::Write;
-use lsystem_syntax::{Halt, Work};
+use lsystem_drawing::Drawing;
+use lsystem_plot::{Plot, PlotSummary};
+use lsystem_syntax::{Halt, Style, Work};
+use std::sync::Arc;
 
-/// The lines of one pen.
-pub(super) struct Layer {
-    pub(super) rgb: [u8; 3],
-    pub(super) tour: Tour,
-    /// By place in the tour: the point at which a closed polyline starts; 0 for others.
-    pub(super) starts: Vec<u32>,
-}
-
-impl Layer {
-    /// Point `number` of the polyline at a place in the tour, as it is drawn.
-    pub(super) fn point(&self, polylines: &Polylines, place: usize, number: usize) -> Point {
-        let (polyline, is_flipped) = self.tour[place];
-        let points = polylines.points_of(polyline as usize);
-        let last = points.len() - 1;
-        let at = match self.starts[place] as usize {
-            0 => number,
-            // The first point and the last one of a closed polyline are the same.
-            start => (start + number) % last,
-        };
-        points[if is_flipped { last - at } else { at }]
-    }
-}
-
-/// Writes the layers of a plot on a sheet of this size.
-pub(super) fn write_layers(
-    size: [f64; 2],
-    pen: f64,
-    layers: &[Layer],
-    polylines: &Polylines,
-    options: &FileOptions,
+/// Writes a drawing for a pen plotter, on [`FileOptions::sheet`] with [`FileOptions::plot`]. There are at most
+/// [`FileOptions::most`] strokes. The drawing is dropped when its strokes are known.
+///
+/// # Errors
+/// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if the plot has too many strokes, before the first byte.
+pub fn write_plot(
+    drawing: Arc<Drawing>,
+    style: &Style,
+    file: &FileOptions,
     sink: &mut Sink<'_>,
-) -> Result<(), Halt> {
+) -> Result<PlotSummary, Halt> {
+    let plot = Plot::new(drawing, style, &file.sheet, file.plot, file.most, sink)?;
     let decimals = Decimals::for_size(1000.0);
-    write_head(size, decimals, options, &mut sink.text);
-    for (number, layer) in (1..).zip(layers) {
+    write_head(plot.summary.sheet, decimals, file, &mut sink.text);
+    for (number, layer) in (1..).zip(&plot.layers) {
         let text = &mut sink.text;
         let [r, g, b] = layer.rgb;
         // Programs for plotters take the number of a layer from the start of its label. Writing to a `String` cannot fail.
@@ -53,18 +32,17 @@ pub(super) fn write_layers(
              stroke=\"#{r:02x}{g:02x}{b:02x}\" stroke-width=\"",
             pen::name(layer.rgb)
         );
-        decimals.write(text, pen);
+        decimals.write(text, file.plot.bounded().pen);
         text.push_str("\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
-        for (place, &(polyline, _)) in layer.tour.iter().enumerate() {
-            for point in 0..polylines.points_of(polyline as usize).len() {
+        for polyline in plot.polylines_of(layer) {
+            for (place, [x, y]) in polyline.enumerate() {
                 sink.charge(4)?;
                 let text = &mut sink.text;
-                text.push_str(match point {
+                text.push_str(match place {
                     0 => "<path d=\"M",
                     1 => "L",
                     _ => " ",
                 });
-                let [x, y] = layer.point(polylines, place, point);
                 decimals.write(text, x);
                 text.push(' ');
                 decimals.write(text, y);
@@ -74,7 +52,7 @@ pub(super) fn write_layers(
         sink.text.push_str("</g>\n");
     }
     sink.text.push_str("</svg>\n");
-    Ok(())
+    Ok(plot.summary)
 }
 
 fn write_head(size: [f64; 2], decimals: Decimals, options: &FileOptions, text: &mut String) {

@@ -4,7 +4,7 @@
 //! other. A binary tree of boxes stands above them. Removed points leave their boxes, so that a search never enters
 //! empty ones.
 
-use super::page::{Point, distance};
+use crate::page::{Point, distance};
 use lsystem_base::Meter;
 
 /// The points of a box at the bottom of the tree.
@@ -13,7 +13,7 @@ const LEAF: usize = 8;
 const EMPTY: [f64; 4] = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
 
 /// A tree of points. Points are numbered by their place in the list that it was made of.
-pub(super) struct Near {
+pub(crate) struct Near {
     /// The points in the tree's order, with their numbers.
     points: Vec<(Point, u32)>,
     /// Whether each of these points is still in the tree.
@@ -40,7 +40,7 @@ fn spread(value: u32) -> u64 {
 
 impl Near {
     /// A tree of points of a sheet of this size.
-    pub(super) fn new(points: impl Iterator<Item = Point>, size: [f64; 2]) -> Self {
+    pub(crate) fn new(points: impl Iterator<Item = Point>, size: [f64; 2]) -> Self {
         let side = size[0].max(size[1]);
         let code = |point: Point| {
             let [x, y] = point.map(|value| (value / side * f64::from(u32::MAX)) as u32);
@@ -82,7 +82,7 @@ impl Near {
     }
 
     /// Removes a point.
-    pub(super) fn remove(&mut self, number: u32) {
+    pub(crate) fn remove(&mut self, number: u32) {
         let place = self.places[number as usize] as usize;
         self.is_in[place] = false;
         let leaf = place / LEAF;
@@ -99,18 +99,18 @@ impl Near {
     }
 
     /// Puts all points back, for a search among all of them. `full` has the boxes of the new tree.
-    pub(super) fn restore(&mut self, full: &[[f64; 4]]) {
+    pub(crate) fn restore(&mut self, full: &[[f64; 4]]) {
         self.is_in.fill(true);
         self.boxes.copy_from_slice(full);
     }
 
     /// A copy of all boxes, for [`Near::restore`].
-    pub(super) fn boxes(&self) -> Vec<[f64; 4]> {
+    pub(crate) fn boxes(&self) -> Vec<[f64; 4]> {
         self.boxes.clone()
     }
 
     /// The numbers of the nearest points for which `admits` is true, nearest first, with their distances.
-    pub(super) fn nearest<const N: usize>(
+    pub(crate) fn nearest<const N: usize>(
         &mut self,
         from: Point,
         meter: &mut Meter,

@@ -10,19 +10,19 @@ const NEAR: f64 = 0.1;
 /// Pairs of coordinates, numbered in the order of their arrival. Pairs of the same layer that are nearer than a tenth
 /// of a cell have the same number, and pairs that are farther apart than 1.1 cells have different ones.
 #[derive(Clone, Debug)]
-pub(super) struct Cells {
+pub(crate) struct Cells {
     size: [f64; 2],
     numbers: HashMap<(u32, [i64; 2]), u32>,
 }
 
 impl Cells {
     /// No pairs. A cell has this size.
-    pub(super) fn new(size: [f64; 2]) -> Self {
+    pub(crate) fn new(size: [f64; 2]) -> Self {
         Self { size, numbers: HashMap::new() }
     }
 
     /// The number of a pair, and whether the number is new.
-    pub(super) fn number(&mut self, layer: u32, pair: [f64; 2]) -> (u32, bool) {
+    pub(crate) fn number(&mut self, layer: u32, pair: [f64; 2]) -> (u32, bool) {
         let scaled = [0, 1].map(|axis| pair[axis] / self.size[axis] + BORDER);
         let floor = scaled.map(libm::floor);
         let cell = floor.map(|value| value as i64);

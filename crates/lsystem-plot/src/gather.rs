@@ -5,13 +5,12 @@
 //! the drawing: a block that is placed a second time where it is already is passed over, and where parts are smaller
 //! than the pen a spot is drawn once ([`Spots`]).
 
-use super::facts::BlockFacts;
 use super::hatch;
-use super::merge::{LEAST, Merge};
-use super::options::PlotOptions;
-use super::page::{Page, Point, distance};
-use super::spots::Spots;
-use crate::compact::visible;
+use crate::facts::BlockFacts;
+use crate::merge::{LEAST, Merge};
+use crate::options::PlotOptions;
+use crate::page::{Page, Point, distance};
+use crate::spots::Spots;
 use lsystem_base::LimitName;
 use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Placed, Polygon, StyleChange};
 use lsystem_syntax::style::gradient_step;
@@ -29,18 +28,18 @@ const LOCAL: f64 = 8.0;
 const FEW: u128 = 4;
 
 /// Reads the strokes of a drawing.
-pub(super) struct Gather<'a> {
+pub(crate) struct Gather<'a> {
     drawing: &'a Drawing,
     style: &'a Style,
     facts: &'a BlockFacts,
     page: &'a Page,
     options: PlotOptions,
     /// The most strokes, and the most open blocks.
-    pub(super) limits: [u64; 2],
+    pub(crate) limits: [u64; 2],
     /// Whether parts smaller than the pen become one stroke.
-    pub(super) is_cut: bool,
+    pub(crate) is_cut: bool,
     /// The strokes so far, and their number.
-    pub(super) strokes: Merge,
+    pub(crate) strokes: Merge,
     count: u64,
     /// The blocks opened so far.
     blocks: u64,
@@ -51,13 +50,13 @@ pub(super) struct Gather<'a> {
     /// The open blocks, outermost first: the items that remain, and the frame.
     open: Vec<(core::slice::Iter<'a, Item>, Frame)>,
     /// The layers' colours, in the order of their first strokes.
-    pub(super) colours: Vec<[u8; 3]>,
+    pub(crate) colours: Vec<[u8; 3]>,
     layers: HashMap<[u8; 3], u32>,
     /// The distinct ways to place a block, without the position.
     variants: HashMap<Variant, u32>,
     /// The placed blocks so far: the variant, and the position in steps of [`SAME`] or of [`BESIDE`].
     placed: HashSet<(u32, [i64; 2])>,
-    pub(super) spots: Spots,
+    pub(crate) spots: Spots,
     /// The end of the last stroke of each layer, and the travel so far in drawing order.
     last: Vec<Point>,
     travel: f64,
@@ -69,7 +68,7 @@ type Variant = (BlockId, u64, bool, u64, u64, i32, u32);
 
 impl<'a> Gather<'a> {
     /// No strokes so far, and no limits.
-    pub(super) fn new(
+    pub(crate) fn new(
         drawing: &'a Drawing,
         style: &'a Style,
         facts: &'a BlockFacts,
@@ -105,7 +104,7 @@ impl<'a> Gather<'a> {
     ///
     /// # Errors
     /// If there are too many strokes or blocks.
-    pub(super) fn read(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
+    pub(crate) fn read(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
         self.open.extend(self.drawing.root.map(|root| (self.drawing.items_of(root).iter(), self.page.frame)));
         while let Some((items, frame)) = self.open.last_mut() {
             work.charge(4)?;
@@ -160,7 +159,7 @@ impl<'a> Gather<'a> {
     }
 
     /// The travel of all strokes in drawing order, from the pens' start and back to it.
-    pub(super) fn travel_home(&self) -> f64 {
+    pub(crate) fn travel_home(&self) -> f64 {
         let home = self.options.start.of(self.page.size);
         self.travel + self.last.iter().map(|&end| distance(end, home)).sum::<f64>()
     }
@@ -223,7 +222,7 @@ impl<'a> Gather<'a> {
         let is_broad = self.options.hatch && widest > self.options.pen;
         let (colour, level) = match self.style.colour_by {
             ColourBy::Path => (gradient_step(self.place(self.passed)) as i32, 0),
-            _ => visible(self.style, &frame.style),
+            _ => frame.style.seen(self.style),
         };
         let width = if is_broad { width } else { 0.0 };
         let variant = (block, frame.heading.units(), is_cut, frame.scale.to_bits(), width.to_bits(), colour, level);

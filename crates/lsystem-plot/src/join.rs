@@ -8,13 +8,13 @@
 //! A move of at most a pen's width is drawn: the round ends of two lines touch there, and to raise the pen takes longer.
 //! So is a move of a few pens that leads over ink. All these moves together are no longer than the ink that the cut saved.
 
-use super::cells::Cells;
-use super::ink::Ink;
-use super::merge::{JOINT, Piece};
-use super::options::PlotOptions;
-use super::page::{Point, distance};
-use super::pair::pairs;
-use super::spots::Spots;
+use crate::cells::Cells;
+use crate::ink::Ink;
+use crate::merge::{JOINT, Piece};
+use crate::options::PlotOptions;
+use crate::page::{Point, distance};
+use crate::pair::pairs;
+use crate::spots::Spots;
 use lsystem_syntax::{Halt, Work};
 
 /// The most pieces at a node that are compared to find the straightest way on.
@@ -31,26 +31,26 @@ const NONE: u32 = u32::MAX;
 
 /// Points joined by lines of one layer.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Polylines {
-    pub(super) points: Vec<Point>,
+pub(crate) struct Polylines {
+    pub(crate) points: Vec<Point>,
     /// The layer and the end of each polyline in `points`; it starts where the one before ends.
-    pub(super) list: Vec<(u32, usize)>,
+    pub(crate) list: Vec<(u32, usize)>,
     /// By polyline: the number of its closed trail. The polylines of a closed trail follow each other.
-    pub(super) trails: Vec<u32>,
+    pub(crate) trails: Vec<u32>,
 }
 
 impl Polylines {
-    pub(super) fn layer(&self, number: usize) -> u32 {
+    pub(crate) fn layer(&self, number: usize) -> u32 {
         self.list[number].0
     }
 
-    pub(super) fn points_of(&self, number: usize) -> &[Point] {
+    pub(crate) fn points_of(&self, number: usize) -> &[Point] {
         let start = if number == 0 { 0 } else { self.list[number - 1].1 };
         &self.points[start..self.list[number].1]
     }
 
     /// The first and the last point.
-    pub(super) fn ends(&self, number: usize) -> [Point; 2] {
+    pub(crate) fn ends(&self, number: usize) -> [Point; 2] {
         let points = self.points_of(number);
         [points[0], points[points.len() - 1]]
     }
@@ -84,14 +84,14 @@ impl Polylines {
         }
     }
 
-    pub(super) fn is_closed(&self, number: usize) -> bool {
+    pub(crate) fn is_closed(&self, number: usize) -> bool {
         let [start, end] = self.ends(number);
         start == end
     }
 }
 
 /// Joins ink on a sheet of this size.
-pub(super) fn join(ink: Ink, options: &PlotOptions, size: [f64; 2], work: &mut dyn Work) -> Result<Polylines, Halt> {
+pub(crate) fn join(ink: Ink, options: &PlotOptions, size: [f64; 2], work: &mut dyn Work) -> Result<Polylines, Halt> {
     let mut join = Join { pieces: ink.pieces, spots: ink.spots, spare: ink.spare, pen: options.pen, ..Join::default() };
     join.number(work)?;
     join.pair(size, work)?;

@@ -4,8 +4,8 @@
 //! Only polylines near each other are joined anew, and a polyline is looked at again only after one of its joints has
 //! changed (Bentley 1992).
 
-use super::near::Near;
-use super::page::{Point, distance};
+use crate::near::Near;
+use crate::page::{Point, distance};
 use lsystem_base::Meter;
 use lsystem_syntax::{Halt, Work};
 use std::collections::VecDeque;
@@ -24,9 +24,9 @@ const SHIFTED: u64 = 16;
 /// The least saving, in millimetres: far above rounding errors.
 const LEAST: f64 = 1e-6;
 
-/// Improves a closed way. An end is numbered as in [`order`](super::order::order); the last two of the `ends` are the start
+/// Improves a closed way. An end is numbered as in [`order`](crate::order::order); the last two of the `ends` are the start
 /// of the pen.
-pub(super) fn improve(near: Near, ends: Vec<Point>, way: Vec<u32>, work: &mut dyn Work) -> Result<Vec<u32>, Halt> {
+pub(crate) fn improve(near: Near, ends: Vec<Point>, way: Vec<u32>, work: &mut dyn Work) -> Result<Vec<u32>, Halt> {
     let mut left = EFFORT * way.len() as u64;
     let mut improve = Improve::new(near, ends, way);
     while left > 0

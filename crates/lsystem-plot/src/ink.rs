@@ -4,12 +4,12 @@
 //! pen is read twice, first as it stands, and the shorter ink is drawn. What the cut saves may be spent on moves that are
 //! drawn. So the length drawn is never more than the ink of the drawing, up to [`COMPARED`] strokes.
 
-use super::facts::BlockFacts;
-use super::gather::Gather;
-use super::merge::Piece;
-use super::options::PlotOptions;
-use super::page::Page;
-use super::spots::Spots;
+use crate::facts::BlockFacts;
+use crate::gather::Gather;
+use crate::merge::Piece;
+use crate::options::PlotOptions;
+use crate::page::Page;
+use crate::spots::Spots;
 use lsystem_base::MAX_PLOT_BLOCKS;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Halt, Style, Work};
@@ -21,24 +21,24 @@ const COMPARED: u64 = 200_000;
 
 /// The ink of a plot.
 #[derive(Debug)]
-pub(super) struct Ink {
-    pub(super) pieces: Vec<Piece>,
-    pub(super) spots: Spots,
+pub(crate) struct Ink {
+    pub(crate) pieces: Vec<Piece>,
+    pub(crate) spots: Spots,
     /// The colours of the layers.
-    pub(super) colours: Vec<[u8; 3]>,
+    pub(crate) colours: Vec<[u8; 3]>,
     /// The travel of all strokes in drawing order, in millimetres.
-    pub(super) travel: f64,
+    pub(crate) travel: f64,
     /// The length of the pieces, in millimetres.
     length: f64,
     /// The length of the moves that may be drawn, in millimetres: what the cut saved. Infinite if it is unknown.
-    pub(super) spare: f64,
+    pub(crate) spare: f64,
 }
 
 /// The ink of a drawing with at most `most` strokes.
 ///
 /// # Errors
 /// If there are too many strokes or blocks.
-pub(super) fn ink(
+pub(crate) fn ink(
     drawing: &Drawing,
     style: &Style,
     page: &Page,

@@ -1,11 +1,11 @@
 //! The facts about a drawing's blocks that decide how they are plotted.
 
-use super::page::{Point, distance};
+use crate::page::{Point, distance};
 use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Shape, StyleChange};
 use lsystem_syntax::{Halt, Work};
 
 /// The facts about all blocks.
-pub(super) struct BlockFacts {
+pub(crate) struct BlockFacts {
     shapes: Vec<Shape>,
     ways: Vec<Way>,
 }
@@ -23,7 +23,7 @@ struct Way {
 
 impl BlockFacts {
     /// Finds the facts about all blocks.
-    pub(super) fn new(drawing: &Drawing, work: &mut dyn Work) -> Result<Self, Halt> {
+    pub(crate) fn new(drawing: &Drawing, work: &mut dyn Work) -> Result<Self, Halt> {
         let mut directions = Directions::default();
         let (mut shapes, mut ways): (Vec<Shape>, Vec<Way>) = (vec![], vec![]);
         for block in &drawing.blocks {
@@ -60,24 +60,24 @@ impl BlockFacts {
     }
 
     /// The stroke equal to a block, if there is one.
-    pub(super) fn straight(&self, block: BlockId) -> Option<&Line> {
+    pub(crate) fn straight(&self, block: BlockId) -> Option<&Line> {
         self.shapes[block.0 as usize].straight.as_ref()
     }
 
     /// The block's longest diagonal, in block units.
-    pub(super) fn diameter(&self, block: BlockId) -> f64 {
+    pub(crate) fn diameter(&self, block: BlockId) -> f64 {
         self.shapes[block.0 as usize].longest.length()
     }
 
     /// The least diameter of the blocks in `block` that are not straight, in units of `block`.
-    pub(super) fn finest(&self, block: BlockId) -> f64 {
+    pub(crate) fn finest(&self, block: BlockId) -> f64 {
         self.ways[block.0 as usize].finest
     }
 
     /// One stroke that stands for a block smaller than the pen. It leads from the start of the block's first stroke to
     /// the end of the last one, so that the strokes of consecutive blocks meet as the blocks do. The stroke of a closed
     /// block leads to the farthest corner. No stroke is longer than the ink that it stands for.
-    pub(super) fn chord(&self, block: BlockId, drawing: &Drawing) -> Line {
+    pub(crate) fn chord(&self, block: BlockId, drawing: &Drawing) -> Line {
         let longest = self.shapes[block.0 as usize].longest;
         let Way { ends: Some([from, end]), ink, .. } = self.ways[block.0 as usize] else { return longest };
         let corners = drawing.corners_of(&drawing.blocks[block.0 as usize]);

@@ -3,8 +3,8 @@
 //! First the nearest points are joined (greedy matching), then two pairs at a time exchange their points as long as the
 //! sum becomes less.
 
-use super::near::Near;
-use super::page::{Point, distance};
+use crate::near::Near;
+use crate::page::{Point, distance};
 use lsystem_base::Meter;
 use lsystem_syntax::{Halt, Work};
 use std::collections::VecDeque;
@@ -19,7 +19,7 @@ const LEAST: f64 = 1e-6;
 const NONE: u32 = u32::MAX;
 
 /// The pairs of an even number of points on a sheet of this size.
-pub(super) fn pairs(
+pub(crate) fn pairs(
     points: &[Point],
     size: [f64; 2],
     work: &mut dyn Work,

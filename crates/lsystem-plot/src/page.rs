@@ -1,14 +1,14 @@
 //! The place of a drawing on its sheet.
 
-use super::options::{PlotOptions, within};
 use crate::Sheet;
+use crate::options::{PlotOptions, within};
 use lsystem_drawing::{Drawing, Frame, StyleChange};
 
 /// A point of the sheet in millimetres from its top left corner, y down.
-pub(super) type Point = [f64; 2];
+pub type Point = [f64; 2];
 
 /// The distance of two points.
-pub(super) fn distance(a: Point, b: Point) -> f64 {
+pub(crate) fn distance(a: Point, b: Point) -> f64 {
     let [x, y] = [b[0] - a[0], b[1] - a[1]];
     (x * x + y * y).sqrt()
 }
@@ -18,18 +18,18 @@ const LEAST: f64 = 1e-9;
 
 /// A sheet with a drawing on it.
 #[derive(Clone, Debug)]
-pub(super) struct Page {
+pub(crate) struct Page {
     /// The width and the height of the sheet.
-    pub(super) size: [f64; 2],
+    pub(crate) size: [f64; 2],
     /// The frame of the drawing's root block in millimetres from the bottom left corner, y up.
-    pub(super) frame: Frame,
+    pub(crate) frame: Frame,
     /// The millimetres of one step of the turtle.
-    pub(super) step: f64,
+    pub(crate) step: f64,
 }
 
 impl Page {
     /// Places a drawing in the middle of the sheet, as large as fits between the margins.
-    pub(super) fn new(drawing: &Drawing, sheet: &Sheet, options: &PlotOptions) -> Self {
+    pub(crate) fn new(drawing: &Drawing, sheet: &Sheet, options: &PlotOptions) -> Self {
         let usual = Sheet::default();
         let [width, height] = [(sheet.width, usual.width), (sheet.height, usual.height)]
             .map(|(side, usual)| within(side, usual, 1.0, 10_000.0));

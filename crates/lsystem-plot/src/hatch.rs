@@ -1,11 +1,11 @@
 //! Lines a pen's width apart, in place of broad strokes and of polygons.
 
-use super::page::{Point, distance};
+use crate::page::{Point, distance};
 use core::f64::consts::FRAC_1_SQRT_2;
 use lsystem_syntax::{Halt, Work};
 
 /// The lines of a stroke of this width, at most `most`: parallel to its axis, joined end to end in turns.
-pub(super) fn broad([from, to]: [Point; 2], width: f64, pen: f64, most: u64) -> impl Iterator<Item = [Point; 2]> {
+pub(crate) fn broad([from, to]: [Point; 2], width: f64, pen: f64, most: u64) -> impl Iterator<Item = [Point; 2]> {
     let length = distance(from, to);
     // The outer lines reach the stroke's sides with half a pen.
     let between = (width - pen).max(0.0);
@@ -29,7 +29,7 @@ type Crossing = (i64, f64, i32);
 
 /// The crossings of a polygon's hatch lines, line by line and along each. The lines are the same for all polygons, at 45
 /// degrees. `None` if there are more than `most` crossings.
-pub(super) fn crossings(
+pub(crate) fn crossings(
     vertices: &[Point],
     pen: f64,
     most: u64,
@@ -56,7 +56,7 @@ pub(super) fn crossings(
 }
 
 /// The hatch lines between crossings, by the nonzero winding rule: `None` for a crossing where no line ends.
-pub(super) fn lines(crossings: Vec<Crossing>, pen: f64) -> impl Iterator<Item = Option<[Point; 2]>> {
+pub(crate) fn lines(crossings: Vec<Crossing>, pen: f64) -> impl Iterator<Item = Option<[Point; 2]>> {
     let (mut winding, mut start) = (0, None);
     crossings.into_iter().map(move |(line, at, way)| {
         winding += way;

@@ -3,18 +3,18 @@
 //! Two ways are made, and the shorter one is improved. Both go to the nearest end; one of them first follows the closed
 //! trails of which the polylines are parts.
 
-use super::improve::improve;
-use super::join::Polylines;
-use super::near::Near;
-use super::page::{Point, distance};
+use crate::improve::improve;
+use crate::join::Polylines;
+use crate::near::Near;
+use crate::page::{Point, distance};
 use lsystem_base::Meter;
 use lsystem_syntax::{Halt, Work};
 
 /// A way along polylines: the number of each, and whether it is drawn from its last point to its first.
-pub(super) type Tour = Vec<(u32, bool)>;
+pub(crate) type Tour = Vec<(u32, bool)>;
 
 /// The order of the polylines of a layer on a sheet of this size. The pen starts and ends at `start`.
-pub(super) fn order(
+pub(crate) fn order(
     polylines: &Polylines,
     numbers: &[u32],
     size: [f64; 2],
@@ -83,7 +83,7 @@ fn next_in_trail(trails: &[u32], is_in: &[bool], last: u32) -> Option<u32> {
 }
 
 /// The point of a closed polyline at which the way from `before` and on to `after` is shortest.
-pub(super) fn best_start(points: &[Point], before: Point, after: Point) -> usize {
+pub(crate) fn best_start(points: &[Point], before: Point, after: Point) -> usize {
     let way = |point: Point| distance(before, point) + distance(point, after);
     let best = points
         .iter()
