@@ -7,7 +7,7 @@ use crate::CommandFailure;
 use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
 use crate::input::{self, InputSystem};
 use lsystem::film::{
-    Film, LIMITS, Script, dive, dive_in_space, growth, middle_segment, turntable, turtle, vantage_of_segment,
+    Film, LIMITS, Script, dive, dive_in_space, grow, middle_segment, turntable, turtle, vantage_of_segment,
 };
 use lsystem::{Figure, Limits, Vantage};
 use pool::Pool;
@@ -61,7 +61,7 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
     let shows_growth = options.film.is_none() && !has_preset && options.track.is_empty();
     let mut tracks = Vec::new();
     if options.growth || shows_growth {
-        tracks.push(growth(&script, input.iterations));
+        tracks.push(grow(&script, input.iterations));
     }
     if options.turtle {
         tracks.push(turtle(&script));

@@ -1,6 +1,6 @@
 //! Whether the graphs of blocks of two drawings prove that both have the same ink, however many segments there are.
 
-use lsystem_drawing::{Block, BlockId, Drawing, Frame, Item, Placed, Space, StyleChange};
+use lsystem_drawing::{Block, BlockFrame, BlockId, Drawing, Item, Placed, Space, StyleChange};
 use std::collections::{BTreeMap, HashSet};
 
 /// Places differ by less than this part of a block's size if they are equal.
@@ -153,7 +153,7 @@ fn cells(values: &[f64]) -> Vec<i64> {
 
 /// The origin of a placed block and the ends of its axes, in the containing block.
 fn corners<S: Space>(drawing: &Drawing<S>, placed: &Placed<S>) -> impl Iterator<Item = S::Point> {
-    let frame = Frame::new(1.0, StyleChange::start(0.0)).place(placed, drawing, &mut S::directions());
+    let frame = BlockFrame::new(1.0, StyleChange::start(0.0)).place(placed, drawing, &mut S::directions());
     let axes = S::Point::default().as_ref().len();
     (0..=axes).map(move |axis| {
         let mut corner = S::Point::default();

@@ -39,7 +39,7 @@ pub(crate) use piece::Piece;
 pub(crate) use pieces::{Pieces, StateWord, StateWords};
 pub use projection::{Outlook, Projection};
 pub use scene::SceneSize;
-pub use segments::Frame;
+pub use segments::BlockFrame;
 pub(crate) use segments::SegmentIter;
 pub use shape::{Line, Shape};
 pub(crate) use solid_reader::{SolidMark, SolidReader};
@@ -295,9 +295,9 @@ impl<S: Space> Drawing<S> {
     }
 
     /// Polygon `number` (0-based, in drawing order), and the frame of its block in the root block's frame.
-    pub fn polygon(&self, number: u128) -> Option<(&Polygon, Frame<S>)> {
+    pub fn polygon(&self, number: u128) -> Option<(&Polygon, BlockFrame<S>)> {
         let (mut block, mut left) = (self.root?, number);
-        let mut frame = Frame::new(1.0, StyleChange::start(self.width));
+        let mut frame = BlockFrame::new(1.0, StyleChange::start(self.width));
         let mut directions = S::directions();
         loop {
             let items = self.items_of(block);

@@ -33,8 +33,8 @@ mod figure;
 
 pub use describe::{describe, kind, legend, why_empty};
 pub use drawing::{
-    Block, BlockId, Drawer, Drawing, Frame, Item, Line, Mark, Outlook, Placed, Polygon, Projection, SceneSize, Segment,
-    SegmentArrays, Shape, Space, Stroke, draw, hull,
+    Block, BlockFrame, BlockId, Drawer, Drawing, Item, Line, Mark, Outlook, Placed, Polygon, Projection, SceneSize,
+    Segment, SegmentArrays, Shape, Space, Stroke, draw, hull,
 };
 pub use drawn::drawn_by_letter;
 pub use figure::{Figure, FigureDrawer};

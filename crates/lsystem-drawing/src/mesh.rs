@@ -7,7 +7,7 @@
 mod tubes;
 
 use crate::drawing::{SolidMark, SolidReader};
-use crate::{BlockId, Drawing, Frame, Mark, Solid};
+use crate::{BlockFrame, BlockId, Drawing, Mark, Solid};
 use lsystem_base::{LimitName, Meter};
 use lsystem_syntax::{Diagnostic, Halt, Style, Work};
 use tubes::Tubes;
@@ -129,7 +129,7 @@ pub struct MeshParts {
     /// The meshes by material, in the order of their first strokes; one mesh if materials are not apart.
     pub meshes: Vec<(Material, Mesh)>,
     /// The blocks that stay whole, in drawing order, and their frames in units of the root block.
-    pub blocks: Vec<(BlockId, Frame<Solid>)>,
+    pub blocks: Vec<(BlockId, BlockFrame<Solid>)>,
     /// The number of segments, vertices of polygons and whole blocks.
     pub count: u64,
     /// The least diameter of a tube, in model units.
@@ -163,7 +163,7 @@ impl MeshParts {
         style: &Style,
         options: &MeshOptions,
         block: BlockId,
-        frame: &Frame<Solid>,
+        frame: &BlockFrame<Solid>,
         work: &mut dyn Work,
     ) -> Result<Self, Halt> {
         Self::read(SolidReader::within(drawing, block, frame), drawing, style, options, work)

@@ -1,7 +1,8 @@
 //! A film, and the definition and view of each of its frames.
 
+use crate::error::FilmError;
 use crate::track::view_of;
-use crate::{FilmError, Script, Subject};
+use crate::{Script, Subject};
 use core::ops::Range;
 use lsystem_base::number::number as written;
 use lsystem_render::{Camera, Vantage};

@@ -1,7 +1,7 @@
 //! Animated GIF (CompuServe, GIF89a, 1990), frame by frame.
 
 use crate::palette::Rgb;
-use crate::{Ending, Palette, Sheet};
+use crate::{Ending, IndexedFrame, Palette};
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 use std::borrow::Cow;
 
@@ -42,13 +42,13 @@ impl GifWriter {
     ///
     /// # Errors
     /// A frame of another size.
-    pub fn add(&mut self, sheet: &Sheet, delay: u16) -> Result<(), EncodingError> {
+    pub fn add(&mut self, frame: &IndexedFrame, delay: u16) -> Result<(), EncodingError> {
         let [width, height] = self.size.map(usize::from);
-        if sheet.places.len() != width * height {
+        if frame.places.len() != width * height {
             return Err(EncodingError::FrameBufferTooSmallForDimensions);
         }
-        let colours = sheet.own.as_deref().unwrap_or(self.palette.colours());
-        let area = self.changed(sheet, colours);
+        let colours = frame.own.as_deref().unwrap_or(self.palette.colours());
+        let area = self.changed(frame, colours);
         // The place behind the last colour stands for pixels that stay.
         let stays = colours.len() as u8;
         let mut buffer = Vec::with_capacity(area.width * area.height);
@@ -58,7 +58,7 @@ impl GifWriter {
         }
         for y in area.top..area.top + area.height {
             let row = y * width + area.left..y * width + area.left + area.width;
-            for (before, &place) in self.before[row.clone()].iter_mut().zip(&sheet.places[row]) {
+            for (before, &place) in self.before[row.clone()].iter_mut().zip(&frame.places[row]) {
                 let colour = colours.get(usize::from(place)).copied().unwrap_or_default();
                 buffer.push(if !is_first && *before == colour { stays } else { place });
                 *before = colour;
@@ -72,21 +72,21 @@ impl GifWriter {
             top: area.top as u16,
             width: area.width as u16,
             height: area.height as u16,
-            palette: sheet.own.as_deref().map(table),
+            palette: frame.own.as_deref().map(table),
             buffer: Cow::Owned(buffer),
             ..Frame::default()
         })
     }
 
     /// The area with all changed pixels; one pixel if none has changed.
-    fn changed(&self, sheet: &Sheet, colours: &[Rgb]) -> Area {
+    fn changed(&self, frame: &IndexedFrame, colours: &[Rgb]) -> Area {
         let [width, height] = self.size.map(usize::from);
         if self.before.is_empty() {
             return Area { left: 0, top: 0, width, height };
         }
         let mut low = [width, height];
         let mut high = [0, 0];
-        for (y, (places, before)) in sheet.places.chunks(width).zip(self.before.chunks(width)).enumerate() {
+        for (y, (places, before)) in frame.places.chunks(width).zip(self.before.chunks(width)).enumerate() {
             let differs = |(place, before): (&u8, &Rgb)| colours.get(usize::from(*place)) != Some(before);
             let Some(first) = places.iter().zip(before).position(differs) else { continue };
             let last = places.iter().zip(before).rposition(differs).unwrap_or(first);
@@ -151,7 +151,7 @@ mod tests {
             let mut writer = GifWriter::new([40, 30], Ending::Repeat, palette.clone()).unwrap();
             let mut file = Vec::new();
             for frame in &frames {
-                writer.add(&palette.sheet(frame), 4).unwrap();
+                writer.add(&palette.index(frame), 4).unwrap();
                 file.extend(writer.take());
             }
             file.extend(writer.finish().unwrap());
@@ -182,6 +182,6 @@ mod tests {
     fn wrong_sizes_are_refused() {
         let palette = PaletteMaker::default().finish();
         let mut writer = GifWriter::new([4, 4], Ending::Once, palette.clone()).unwrap();
-        assert!(writer.add(&palette.sheet(&[0; 16]), 4).is_err());
+        assert!(writer.add(&palette.index(&[0; 16]), 4).is_err());
     }
 }

@@ -44,12 +44,12 @@ mod painter;
 mod palette;
 
 pub use easing::Easing;
-pub use error::{FilmError, ScriptError, ScriptProblem};
+
 pub use film::{Film, Frame};
 pub use gif::GifWriter;
 pub use painter::{LIMITS, Painter};
-pub use palette::{Palette, PaletteMaker, Sheet, palette_samples};
-pub use preset::{Preset, dive, dive_in_space, growth, middle_segment, turntable, turtle, vantage_of_segment};
-pub use script::{Ending, MAX_FRAME_PIXELS, MAX_KEYS, MAX_RATE, MAX_SCRIPT, MAX_SECONDS, MAX_SIDE, MAX_TRACKS, Script};
+pub use palette::{IndexedFrame, Palette, PaletteMaker, palette_samples};
+pub use preset::{Preset, dive, dive_in_space, grow, middle_segment, turntable, turtle, vantage_of_segment};
+pub use script::{Ending, Script};
 pub use subject::Subject;
-pub use track::{Key, Track};
+pub use track::{Keyframe, Track};

@@ -85,7 +85,7 @@ pub struct Palette {
 
 /// A frame as places in a palette.
 #[derive(Clone, Debug)]
-pub struct Sheet {
+pub struct IndexedFrame {
     /// The colours of this frame alone, if they are others than the film's.
     pub(crate) own: Option<Vec<Rgb>>,
     /// For each pixel, from the upper left corner row by row, the place of its colour.
@@ -111,7 +111,7 @@ impl Palette {
 
     /// The frame in this palette, or in a palette of its own where that is exact and this one is not.
     #[must_use]
-    pub fn sheet(&self, pixels: &[u8]) -> Sheet {
+    pub fn index(&self, pixels: &[u8]) -> IndexedFrame {
         let mut places = Vec::with_capacity(pixels.len() / 4);
         let mut is_exact = true;
         let mut cache: Vec<Option<(Rgb, u8)>> = vec![None; CACHE];
@@ -131,9 +131,9 @@ impl Palette {
             places.extend(core::iter::repeat_n(place, count as usize));
         });
         if !is_exact && let Some(own) = Self::exact(pixels) {
-            return Sheet { own: Some(own.colours.clone()), ..own.sheet(pixels) };
+            return IndexedFrame { own: Some(own.colours.clone()), ..own.index(pixels) };
         }
-        Sheet { own: None, places }
+        IndexedFrame { own: None, places }
     }
 
     /// The palette with all colours of a frame, if they fit.
@@ -185,7 +185,7 @@ mod tests {
         colours.flat_map(|[r, g, b]| [r, g, b, 255]).collect()
     }
 
-    fn shown(palette: &Palette, sheet: &Sheet) -> Vec<Rgb> {
+    fn shown(palette: &Palette, sheet: &IndexedFrame) -> Vec<Rgb> {
         let colours = sheet.own.as_deref().unwrap_or(palette.colours());
         sheet.places.iter().map(|&place| colours[usize::from(place)]).collect()
     }
@@ -196,10 +196,10 @@ mod tests {
         let mut maker = PaletteMaker::default();
         maker.add(&pixels(few.iter().copied()));
         let palette = maker.finish();
-        let sheet = palette.sheet(&pixels(few.iter().copied()));
+        let sheet = palette.index(&pixels(few.iter().copied()));
         assert!(sheet.own.is_none() && shown(&palette, &sheet) == few);
         let others: Vec<Rgb> = (0..200).map(|i| [3, i as u8, 77]).collect();
-        let sheet = palette.sheet(&pixels(others.iter().copied()));
+        let sheet = palette.index(&pixels(others.iter().copied()));
         assert!(sheet.own.is_some() && shown(&palette, &sheet) == others);
     }
 
@@ -212,7 +212,7 @@ mod tests {
         maker.add(&pixels(frame.iter().copied()));
         let palette = maker.finish();
         assert!(palette.colours().len() <= MOST);
-        let sheet = palette.sheet(&pixels(frame.iter().copied()));
+        let sheet = palette.index(&pixels(frame.iter().copied()));
         let near = |(a, b): (&Rgb, &Rgb)| (0..3).map(|i| u32::from(a[i].abs_diff(b[i]))).sum::<u32>();
         let found = shown(&palette, &sheet);
         // Flat areas are exact. 191 colours in a cube of colours are about 40 apart each way.

@@ -1,6 +1,6 @@
 //! Tracks for the usual films.
 
-use crate::{Easing, Key, Script, Subject, Track};
+use crate::{Easing, Keyframe, Script, Subject, Track};
 use lsystem_drawing::Figure;
 use lsystem_render::{Camera, Vantage, View, fitted_ends};
 
@@ -33,7 +33,7 @@ impl Preset {
     #[must_use]
     pub fn track(&self, script: &Script) -> Track {
         match self {
-            Self::Growth(n) => growth(script, *n),
+            Self::Growth(n) => grow(script, *n),
             Self::Turtle => turtle(script),
             Self::Turntable(camera) => turntable(script, camera),
             Self::Dive(view) => dive(script, *view),
@@ -58,7 +58,7 @@ impl Script {
 
 /// The growth from the axiom to generation `n`.
 #[must_use]
-pub fn growth(script: &Script, n: u32) -> Track {
+pub fn grow(script: &Script, n: u32) -> Track {
     let end = [(0.0, vec![0.0]), (END, vec![f64::from(n)])];
     track(script, Subject::Generation, &end, script.easing)
 }
@@ -132,7 +132,7 @@ fn zoom_to(length: f64, most: f64) -> f64 {
 fn track(script: &Script, subject: Subject, keys: &[(f64, Vec<f64>)], easing: Easing) -> Track {
     // A thousandth of a second is enough, and makes short texts.
     let time = |part: f64| libm::round(part * script.seconds * 1e3) / 1e3;
-    let key = |(part, value): &(f64, Vec<f64>)| Key { time: time(*part), value: value.clone(), easing };
+    let key = |(part, value): &(f64, Vec<f64>)| Keyframe { time: time(*part), value: value.clone(), easing };
     Track { subject, keys: keys.iter().map(key).collect() }
 }
 
@@ -147,7 +147,7 @@ mod tests {
     fn presets_are_scripts() {
         let usual = Script { seconds: 7.0, ..Script::default() };
         let dived = dive(&usual, View { x: 0.25, y: -0.5, zoom: 1e19, fine: [1e-18, 0.0] });
-        let tracks = [growth(&usual, 40), turtle(&usual), turntable(&usual, &Camera::default()), dived];
+        let tracks = [grow(&usual, 40), turtle(&usual), turntable(&usual, &Camera::default()), dived];
         let script = Script { tracks: tracks.into(), ..usual };
         let text = "1;7s;25fps;1280x720;repeat;n=0:0,6.3:40;drawn=0:0,6.3:1;camera=0:25,7:385;\
                     view=0.35:0/0/1~smooth,6.3:0.25/-0.5/1e19/1e-18/0~smooth";

@@ -3,23 +3,23 @@
 use crate::{Easing, Track};
 
 /// The longest text of a script, in bytes.
-pub const MAX_SCRIPT: usize = 20_000;
+pub(crate) const MAX_SCRIPT: usize = 20_000;
 /// The most tracks of a script.
-pub const MAX_TRACKS: usize = 40;
+pub(crate) const MAX_TRACKS: usize = 40;
 /// The most keys of a script, in all tracks.
-pub const MAX_KEYS: usize = 1_000;
+pub(crate) const MAX_KEYS: usize = 1_000;
 /// The longest film, in seconds.
-pub const MAX_SECONDS: f64 = 3_600.0;
+pub(crate) const MAX_SECONDS: f64 = 3_600.0;
 /// The shortest film, in seconds: one frame of 25 a second.
 pub(crate) const MIN_SECONDS: f64 = 0.04;
 /// The most frames a second.
-pub const MAX_RATE: u32 = 60;
+pub(crate) const MAX_RATE: u32 = 60;
 /// The most pixels of a side of a frame.
-pub const MAX_SIDE: u32 = 4_096;
+pub(crate) const MAX_SIDE: u32 = 4_096;
 /// The fewest pixels of a side of a frame.
 pub(crate) const MIN_SIDE: u32 = 16;
 /// The most pixels of a frame: those of 3840 x 2160, and a little more.
-pub const MAX_FRAME_PIXELS: u32 = 1 << 23;
+pub(crate) const MAX_FRAME_PIXELS: u32 = 1 << 23;
 
 /// What follows the last key.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

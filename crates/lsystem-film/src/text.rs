@@ -4,9 +4,10 @@
 //! any order. A track is a name, `=`, and keys that are separated by `,`: a time in seconds, `:`, and a value, whose
 //! numbers are separated by `/`; then `~` and an easing. Of all these signs, none is escaped in links.
 
+use crate::error::{ScriptError, ScriptProblem};
 use crate::script::{MAX_FRAME_PIXELS, MAX_KEYS, MAX_RATE, MAX_SCRIPT, MAX_SECONDS, MAX_SIDE, MAX_TRACKS};
 use crate::script::{MIN_SECONDS, MIN_SIDE};
-use crate::{Easing, Ending, Key, Script, ScriptError, ScriptProblem, Subject, Track};
+use crate::{Easing, Ending, Keyframe, Script, Subject, Track};
 use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
@@ -175,7 +176,7 @@ fn read_track(piece: Piece<'_>, easing: Easing, keys: &mut usize) -> Result<Trac
     Ok(track)
 }
 
-fn read_key(piece: Piece<'_>, subject: &Subject, easing: Easing) -> Result<Key, ScriptError> {
+fn read_key(piece: Piece<'_>, subject: &Subject, easing: Easing) -> Result<Keyframe, ScriptError> {
     let (time, rest) = piece.split_once(':').ok_or_else(|| piece.error(ScriptProblem::Key))?;
     let (value, easing) = match rest.split_once('~') {
         Some((value, name)) => (value, Easing::named(name.text).ok_or_else(|| name.error(ScriptProblem::Easing))?),
@@ -192,7 +193,7 @@ fn read_key(piece: Piece<'_>, subject: &Subject, easing: Easing) -> Result<Key, 
         number.ok_or_else(|| piece.error(ScriptProblem::Value(subject.range_words(at))))
     };
     let value = numbers.iter().enumerate().map(number).collect::<Result<_, _>>()?;
-    Ok(Key { time: seconds, value, easing })
+    Ok(Keyframe { time: seconds, value, easing })
 }
 
 impl Script {

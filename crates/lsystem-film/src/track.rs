@@ -6,7 +6,7 @@ use lsystem_render::View;
 
 /// A value at a time.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Key {
+pub struct Keyframe {
     /// Seconds from the start of the film.
     pub time: f64,
     /// The value: as many numbers as the subject has.
@@ -22,7 +22,7 @@ pub struct Track {
     pub subject: Subject,
     /// The keys, at ascending times; at least one. The first value holds before the first key, and the last value after
     /// the last key.
-    pub keys: Vec<Key>,
+    pub keys: Vec<Keyframe>,
 }
 
 impl Track {
@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     fn track(name: &str, keys: &[(f64, f64, Easing)]) -> Track {
-        let key = |&(time, value, easing): &(f64, f64, Easing)| Key { time, value: vec![value], easing };
+        let key = |&(time, value, easing): &(f64, f64, Easing)| Keyframe { time, value: vec![value], easing };
         Track { subject: Subject::named(name).unwrap(), keys: keys.iter().map(key).collect() }
     }
 
@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn cameras_zoom_by_factors() {
         let keys = [(0.0, [0.0, 10.0, 1.0]), (2.0, [360.0, 10.0, 100.0])];
-        let key = |&(time, value): &(f64, [f64; 3])| Key { time, value: value.to_vec(), easing: Easing::Linear };
+        let key = |&(time, value): &(f64, [f64; 3])| Keyframe { time, value: value.to_vec(), easing: Easing::Linear };
         let camera = Track { subject: Subject::Camera, keys: keys.iter().map(key).collect() };
         assert_eq!(camera.at(1.0), [180.0, 10.0, 10.0]);
     }

@@ -67,7 +67,7 @@ pub struct Remark {
 }
 
 /// The most systems that are read from one text.
-pub const MAX_ENTRIES: usize = 4096;
+pub(crate) const MAX_ENTRIES: usize = 4096;
 
 /// A reader: the drafts of all systems in a text, or `None` if the text is in another notation.
 type Reader = fn(&str) -> Option<Vec<Draft>>;

@@ -1,7 +1,7 @@
 //! The facts about a drawing's blocks that decide how they are plotted.
 
 use crate::page::{Point, distance};
-use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Shape, StyleChange};
+use lsystem_drawing::{BlockFrame, BlockId, Directions, Drawing, Item, Line, Shape, StyleChange};
 use lsystem_syntax::{Halt, Work};
 
 /// The facts about all blocks.
@@ -31,7 +31,7 @@ impl BlockFacts {
             let shape = Shape::new(block, &shapes, drawing, &mut directions);
             let diameter = if shape.straight.is_some() { f64::INFINITY } else { shape.longest.length() };
             let mut way = Way { ends: None, ink: 0.0, finest: diameter };
-            let home = Frame::new(1.0, StyleChange::NONE);
+            let home = BlockFrame::new(1.0, StyleChange::NONE);
             for item in drawing.contents(block) {
                 let ends = match item {
                     Item::Polygon(_) => None,

@@ -12,7 +12,7 @@ use crate::options::PlotOptions;
 use crate::page::{Page, Point, distance};
 use crate::spots::Spots;
 use lsystem_base::LimitName;
-use lsystem_drawing::{BlockId, Directions, Drawing, Frame, Item, Line, Placed, Polygon, StyleChange};
+use lsystem_drawing::{BlockFrame, BlockId, Directions, Drawing, Item, Line, Placed, Polygon, StyleChange};
 use lsystem_syntax::style::gradient_step;
 use lsystem_syntax::{ColourBy, Diagnostic, Halt, Style, Tint, Work};
 use std::collections::{HashMap, HashSet};
@@ -48,7 +48,7 @@ pub(crate) struct Gather<'a> {
     all: f64,
     directions: Directions,
     /// The open blocks, outermost first: the items that remain, and the frame.
-    open: Vec<(core::slice::Iter<'a, Item>, Frame)>,
+    open: Vec<(core::slice::Iter<'a, Item>, BlockFrame)>,
     /// The layers' colours, in the order of their first strokes.
     pub(crate) colours: Vec<[u8; 3]>,
     layers: HashMap<[u8; 3], u32>,
@@ -136,7 +136,7 @@ impl<'a> Gather<'a> {
     }
 
     /// Draws the outline of a polygon, and its hatch lines if they are asked for.
-    fn polygon(&mut self, polygon: &Polygon, frame: &Frame, work: &mut dyn Work) -> Result<(), Halt> {
+    fn polygon(&mut self, polygon: &Polygon, frame: &BlockFrame, work: &mut dyn Work) -> Result<(), Halt> {
         work.charge(u64::from(polygon.count))?;
         let drawing = self.drawing;
         let vertices: Vec<Point> =
@@ -169,7 +169,7 @@ impl<'a> Gather<'a> {
     }
 
     /// Opens a placed block, or draws it as one stroke, or passes it over.
-    fn enter(&mut self, placed: &Placed, outer: &Frame, work: &mut dyn Work) -> Result<(), Halt> {
+    fn enter(&mut self, placed: &Placed, outer: &BlockFrame, work: &mut dyn Work) -> Result<(), Halt> {
         let (drawing, facts) = (self.drawing, self.facts);
         let frame = outer.place(placed, drawing, &mut self.directions);
         let block = &drawing.blocks[placed.block.0 as usize];
@@ -215,7 +215,7 @@ impl<'a> Gather<'a> {
     }
 
     /// Whether a block is drawn at this place already; from now on it is.
-    fn is_known(&mut self, block: BlockId, frame: &Frame) -> bool {
+    fn is_known(&mut self, block: BlockId, frame: &BlockFrame) -> bool {
         let is_cut = self.is_cut && self.facts.finest(block) * frame.scale.abs() < self.options.pen;
         let width = frame.style.width.of(0.0);
         let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.page.step;
@@ -238,7 +238,7 @@ impl<'a> Gather<'a> {
     }
 
     /// Whether all spots of a box around a block have ink of its colour.
-    fn is_full(&mut self, block: BlockId, frame: &Frame) -> bool {
+    fn is_full(&mut self, block: BlockId, frame: &BlockFrame) -> bool {
         let drawing = self.drawing;
         let layer = self.layer(&frame.style.then(&self.facts.chord(block, drawing).style));
         let corners = drawing.corners_of(&drawing.blocks[block.0 as usize]);
@@ -246,7 +246,7 @@ impl<'a> Gather<'a> {
     }
 
     /// Draws a line of a block, or what is new of it if the drawing has parts smaller than the pen.
-    fn line(&mut self, line: &Line, frame: &Frame, work: &mut dyn Work) -> Result<(), Halt> {
+    fn line(&mut self, line: &Line, frame: &BlockFrame, work: &mut dyn Work) -> Result<(), Halt> {
         let change = frame.style.then(&line.style);
         let layer = self.layer(&change);
         let ends = [line.from, line.to].map(|end| self.down(frame.transform(end)));

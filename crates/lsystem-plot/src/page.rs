@@ -2,7 +2,7 @@
 
 use crate::Sheet;
 use crate::options::{PlotOptions, within};
-use lsystem_drawing::{Drawing, Frame, StyleChange};
+use lsystem_drawing::{BlockFrame, Drawing, StyleChange};
 
 /// A point of the sheet in millimetres from its top left corner, y down.
 pub type Point = [f64; 2];
@@ -22,7 +22,7 @@ pub(crate) struct Page {
     /// The width and the height of the sheet.
     pub(crate) size: [f64; 2],
     /// The frame of the drawing's root block in millimetres from the bottom left corner, y up.
-    pub(crate) frame: Frame,
+    pub(crate) frame: BlockFrame,
     /// The millimetres of one step of the turtle.
     pub(crate) step: f64,
 }
@@ -51,7 +51,7 @@ impl Page {
         let sheet = if options.turns && scale(&turned) > scale(&sheet) { turned } else { sheet };
         // A negative step turns the picture by 180 degrees.
         let scale = scale(&sheet) * if drawing.step < 0.0 { -1.0 } else { 1.0 };
-        let mut frame: Frame = Frame::new(scale, style);
+        let mut frame: BlockFrame = BlockFrame::new(scale, style);
         let centre = frame.transform([f64::midpoint(x0, x1), f64::midpoint(y0, y1)]);
         frame.at = [sheet.width / 2.0 - centre[0], sheet.height / 2.0 - centre[1]];
         Self { size: [sheet.width, sheet.height], frame, step: (step * scale.abs()).min(1e300) }

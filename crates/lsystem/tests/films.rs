@@ -1,6 +1,6 @@
 //! Films of growth: in every frame the drawing fills the picture, so that no frame's scale jumps.
 
-use lsystem::film::{Film, Frame, Script, growth};
+use lsystem::film::{Film, Frame, Script, grow};
 use lsystem::render::{fitted_ends, fitted_polygon, fitted_scale};
 use lsystem::{Camera, Figure, Limits, System, Viewport, read_file};
 
@@ -13,7 +13,7 @@ fn film(file: &str, n: u32) -> Film {
     let mut definition = read_file(&std::fs::read(path).unwrap()).definition.unwrap();
     definition.style.width = 0.0;
     let script = Script { seconds: 4.0, ..Script::default() };
-    let script = Script { tracks: vec![growth(&script, n)], ..script };
+    let script = Script { tracks: vec![grow(&script, n)], ..script };
     let camera = Camera { perspective: false, elevation: 0.0, ..Camera::default() };
     Film::new(script, definition, camera.into()).unwrap()
 }

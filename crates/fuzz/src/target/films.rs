@@ -3,7 +3,7 @@
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::film::{
-    Easing, Ending, Film, Frame, GifWriter, Painter, PaletteMaker, Script, Subject, Track, dive, dive_in_space, growth,
+    Easing, Ending, Film, Frame, GifWriter, Painter, PaletteMaker, Script, Subject, Track, dive, dive_in_space, grow,
     turntable, turtle, vantage_of_segment,
 };
 use lsystem::render::Detail;
@@ -186,7 +186,7 @@ fn gif(film: &Film, painter: &mut Painter, size: [u32; 2], gauge: &mut Gauge) {
     let mut writer = GifWriter::new(size, film.script().ending, palette.clone()).expect("a small size");
     let mut file = vec![];
     for (pixels, number) in frames.iter().zip(0..) {
-        writer.add(&palette.sheet(pixels), film.script().delay_of(number)).expect("frames of the same size");
+        writer.add(&palette.index(pixels), film.script().delay_of(number)).expect("frames of the same size");
         file.append(&mut writer.take());
     }
     file.append(&mut writer.finish().expect("memory"));
@@ -208,7 +208,7 @@ fn presets(source: &mut Source<'_>, film: &Film, painter: &Painter, gauge: &mut 
         _ => u128::from(source.word()),
     };
     let Definition { iterations, .. } = film.frame(0).definition;
-    let mut tracks: Vec<Track> = vec![growth(&script, iterations), turtle(&script)];
+    let mut tracks: Vec<Track> = vec![grow(&script, iterations), turtle(&script)];
     if let Some(figure) = painter.figure() {
         let number = number(source, figure.segment_count());
         let to = gauge.call("vantage_of_segment", || vantage_of_segment(figure, number, &Vantage::default()));

@@ -73,7 +73,7 @@ fn gif(
         &all_frames(pool),
         script.size,
         "frames",
-        |_, pixels| Ok(palette.sheet(pixels)),
+        |_, pixels| Ok(palette.index(pixels)),
         |number, sheet| {
             writer.add(&sheet, script.delay_of(number)).map_err(gif_wrong)?;
             out.write_all(&writer.take()).map_err(wrong)

@@ -413,7 +413,7 @@ impl<P: Quantity> MaximumSearch<P> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::segments::{Frame, Strokes};
+    use super::super::segments::{BlockFrame, Strokes};
     use super::*;
     use crate::{StyleChange, System, draw};
     use lsystem_base::Limits;
@@ -425,7 +425,7 @@ mod tests {
         let drawing = draw::<Solid>(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
         for (id, block) in drawing.blocks.iter().enumerate() {
             let mut strokes = Strokes::new(&drawing);
-            strokes.enter(BlockId(id as u32), &Frame::new(1.0, StyleChange::NONE));
+            strokes.enter(BlockId(id as u32), &BlockFrame::new(1.0, StyleChange::NONE));
             let (body, mut low, mut high, mut radius) = (block.hull, [f64::MAX; 3], [f64::MIN; 3], 0.0_f64);
             for end in strokes.flat_map(|(from, to, _)| [from, to]) {
                 low = [0, 1, 2].map(|i| low[i].min(end[i]));

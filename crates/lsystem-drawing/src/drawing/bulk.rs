@@ -1,6 +1,6 @@
 //! Fast reading of millions of segments: each small block is written out once, then copied, rotated and moved.
 use super::Drawing;
-use super::segments::{Frame, Strokes};
+use super::segments::{BlockFrame, Strokes};
 use crate::drawing::block::{BlockId, Item};
 use crate::plane::Directions;
 use crate::style::{ColourChange, StyleChange};
@@ -157,7 +157,7 @@ impl<'a> Emitter<'a> {
     fn run(&mut self, sink: Sink<'_>) {
         let drawing = self.drawing;
         let Some(root) = drawing.root else { return };
-        let mut base = Frame::new(drawing.unit(), StyleChange::start(drawing.width));
+        let mut base = BlockFrame::new(drawing.unit(), StyleChange::start(drawing.width));
         base.at = drawing.start;
         if self.is_copied(root) {
             return self.copy(root, &base, sink);
@@ -200,7 +200,7 @@ impl<'a> Emitter<'a> {
         self.drawing.memoised && self.drawing.blocks[block.0 as usize].segments <= COPIED
     }
 
-    fn copy(&mut self, block: BlockId, frame: &Frame, sink: Sink<'_>) {
+    fn copy(&mut self, block: BlockId, frame: &BlockFrame, sink: Sink<'_>) {
         let slot = &mut self.copies[block.0 as usize];
         if slot.as_ref().is_none_or(|(scale, _)| *scale != frame.scale) {
             *slot = Some((frame.scale, BlockCopy::new(self.drawing, block, frame.scale)));
@@ -230,7 +230,7 @@ impl<'a> Emitter<'a> {
 impl BlockCopy {
     fn new(drawing: &Drawing, block: BlockId, scale: f64) -> Self {
         let mut strokes = Strokes::new(drawing);
-        strokes.enter(block, &Frame::new(scale, StyleChange::NONE));
+        strokes.enter(block, &BlockFrame::new(scale, StyleChange::NONE));
         let (mut all_ends, mut changes, mut deep) = (vec![], vec![], vec![]);
         for (from, to, style) in strokes {
             all_ends.extend(ends(from, to));

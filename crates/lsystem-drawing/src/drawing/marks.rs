@@ -1,7 +1,7 @@
 //! The marks of a drawing, segments and polygons, one by one.
 
 use super::segments::{Cursor, ItemRef};
-use super::{Drawing, Frame, Segment};
+use super::{BlockFrame, Drawing, Segment};
 use crate::drawing::block::Space;
 use crate::style::{StyleChange, StyleId};
 use lsystem_syntax::Tint;
@@ -32,7 +32,7 @@ impl<S: Space> Drawing<S> {
     pub fn marks(&self) -> impl Iterator<Item = Mark<S>> {
         let mut cursor = Cursor::new();
         if let Some(root) = self.root {
-            cursor.enter(self, root, &Frame::new(1.0, StyleChange::start(self.width)));
+            cursor.enter(self, root, &BlockFrame::new(1.0, StyleChange::start(self.width)));
         }
         let (all, unit) = (self.segment_count() as f64, self.unit());
         let (mut segments, mut marks) = (0_u64, 0);

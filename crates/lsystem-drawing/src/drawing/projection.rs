@@ -4,7 +4,7 @@ use super::Drawing;
 use super::builder::Builder;
 use super::extent::{PlaneSurvey, falling};
 use super::pieces::Pieces;
-use super::segments::{Cursor, Frame, ItemRef};
+use super::segments::{BlockFrame, Cursor, ItemRef};
 use super::tree::Tree;
 use crate::Solid;
 use crate::drawing::block::{BlockId, Space};
@@ -112,7 +112,7 @@ impl Projection {
         drawing.check_size(most)?;
         let mut cursor = Cursor::new();
         if let Some(root) = drawing.root {
-            cursor.enter(drawing, root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+            cursor.enter(drawing, root, &BlockFrame::new(1.0, StyleChange::start(drawing.width)));
         }
         // Coordinates in space are within 1, so those in the picture are within √3.
         let exponent = drawing.root.map_or(0, |root| drawing.blocks[root.0 as usize].exponent);

@@ -31,7 +31,7 @@ impl<'a, S: Space> SegmentIter<'a, S> {
     pub(super) fn new(drawing: &'a Drawing<S>) -> Self {
         let mut strokes = Strokes::new(drawing);
         if let Some(root) = drawing.root {
-            strokes.enter(root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+            strokes.enter(root, &BlockFrame::new(1.0, StyleChange::start(drawing.width)));
         }
         Self { strokes, left: drawing.segment_count(), unit: drawing.unit() }
     }
@@ -79,7 +79,7 @@ impl<S: Space> Drawing<S> {
 
 /// The frame of a block in an outer frame, and the style at the block's entry.
 #[derive(Clone, Copy, Debug)]
-pub struct Frame<S: Space = Plane> {
+pub struct BlockFrame<S: Space = Plane> {
     /// The origin.
     pub at: S::Point,
     /// The rotation.
@@ -92,7 +92,7 @@ pub struct Frame<S: Space = Plane> {
     axes: S::Axes,
 }
 
-impl<S: Space> Frame<S> {
+impl<S: Space> BlockFrame<S> {
     /// A frame at the origin without rotation.
     pub fn new(scale: f64, style: StyleChange) -> Self {
         Self { at: S::Point::default(), heading: S::AHEAD, scale, style, axes: S::scaled(S::AXES, scale) }
@@ -127,7 +127,7 @@ pub(super) enum ItemRef<'a, S: Space> {
 #[derive(Clone, Debug)]
 pub(super) struct Cursor<S: Space> {
     /// The open blocks, outermost first: the first unread item, the end of the items, and the block's frame.
-    open: Vec<(u32, u32, Frame<S>)>,
+    open: Vec<(u32, u32, BlockFrame<S>)>,
     directions: S::Directions,
 }
 
@@ -137,13 +137,13 @@ impl<S: Space> Cursor<S> {
     }
 
     /// Opens `block`, whose items come next.
-    pub(super) fn enter(&mut self, drawing: &Drawing<S>, block: BlockId, frame: &Frame<S>) {
+    pub(super) fn enter(&mut self, drawing: &Drawing<S>, block: BlockId, frame: &BlockFrame<S>) {
         let items = &drawing.blocks[block.0 as usize].items;
         self.open.push((items.start, items.end, *frame));
     }
 
     /// The next stroke or polygon, and the frame of its block.
-    pub(super) fn next_part<'a>(&mut self, drawing: &'a Drawing<S>) -> Option<(ItemRef<'a, S>, Frame<S>)> {
+    pub(super) fn next_part<'a>(&mut self, drawing: &'a Drawing<S>) -> Option<(ItemRef<'a, S>, BlockFrame<S>)> {
         loop {
             let (next, end, frame) = self.open.last_mut()?;
             if next == end {
@@ -177,12 +177,12 @@ impl<'a, S: Space> Strokes<'a, S> {
     }
 
     /// Opens `block`, whose items come next.
-    pub(super) fn enter(&mut self, block: BlockId, frame: &Frame<S>) {
+    pub(super) fn enter(&mut self, block: BlockId, frame: &BlockFrame<S>) {
         self.cursor.enter(self.drawing, block, frame);
     }
 
     /// The next stroke, and the frame of its block.
-    fn next_placed(&mut self) -> Option<(&'a Stroke<S>, Frame<S>)> {
+    fn next_placed(&mut self) -> Option<(&'a Stroke<S>, BlockFrame<S>)> {
         loop {
             if let (ItemRef::Stroke(stroke), frame) = self.next_part()? {
                 return Some((stroke, frame));
@@ -191,7 +191,7 @@ impl<'a, S: Space> Strokes<'a, S> {
     }
 
     /// The next stroke or polygon, and the frame of its block.
-    pub(super) fn next_part(&mut self) -> Option<(ItemRef<'a, S>, Frame<S>)> {
+    pub(super) fn next_part(&mut self) -> Option<(ItemRef<'a, S>, BlockFrame<S>)> {
         self.cursor.next_part(self.drawing)
     }
 

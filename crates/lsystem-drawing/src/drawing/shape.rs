@@ -1,6 +1,6 @@
 //! The main features of blocks, for pictures in which a block is only a few pixels large.
 
-use super::{Drawing, Frame};
+use super::{BlockFrame, Drawing};
 use crate::drawing::block::{Block, Item, Stroke};
 use crate::plane::Directions;
 use crate::style::StyleChange;
@@ -34,7 +34,7 @@ impl Shape {
     /// The shape of a block. `inner` are the shapes of all earlier blocks, in order.
     #[must_use]
     pub fn new(block: &Block, inner: &[Self], drawing: &Drawing, directions: &mut Directions) -> Self {
-        let home = Frame::new(1.0, StyleChange::NONE);
+        let home = BlockFrame::new(1.0, StyleChange::NONE);
         let mut straight: Option<Line> = None;
         let (mut bent, mut filled) = (false, false);
         let mut last = StyleChange::NONE;
@@ -97,7 +97,7 @@ impl Line {
     }
 
     /// The line in the outer frame of `frame`.
-    fn within(&self, frame: &Frame) -> Self {
+    fn within(&self, frame: &BlockFrame) -> Self {
         Self { from: frame.transform(self.from), to: frame.transform(self.to), style: frame.style.then(&self.style) }
     }
 

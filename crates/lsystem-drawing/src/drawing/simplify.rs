@@ -4,7 +4,7 @@
 
 use super::block::{Block, BlockId, Item, Placed, Stroke};
 use super::scene::SceneSize;
-use super::{Drawing, Frame, Pieces};
+use super::{BlockFrame, Drawing, Pieces};
 use crate::Solid;
 use crate::chunks::Chunks;
 use crate::room::bytes_of;
@@ -108,7 +108,7 @@ impl Simplifier {
             Item::Block(placed) => {
                 let (inner, scale) = (&drawing.blocks[placed.block.0 as usize], open.scale * placed.scale);
                 if 2.0 * inner.hull.radius * scale.abs() < self.finest {
-                    let home = Frame::new(1.0, StyleChange::NONE).place(&placed, drawing, &mut ());
+                    let home = BlockFrame::new(1.0, StyleChange::NONE).place(&placed, drawing, &mut ());
                     let [from, to] = span(inner).map(|end| home.transform(end));
                     let look = home.style.then(&StyleChange { width: inner.widest, ..last(drawing, inner) });
                     (Item::Stroke(Stroke { from, to, style: styles.id(&look) }), 1, 0)

@@ -1,7 +1,7 @@
 //! The marks of a drawing in space, for meshes: small blocks may stay whole.
 
 use super::block::{BlockId, Item};
-use super::{Drawing, Frame, Mark, Segment};
+use super::{BlockFrame, Drawing, Mark, Segment};
 use crate::Solid;
 use crate::rotation::Vector;
 use crate::style::StyleChange;
@@ -13,14 +13,14 @@ pub(crate) enum SolidMark {
     /// A segment or a polygon.
     Mark(Mark<Solid>),
     /// A block, and its frame in units of the root block.
-    Whole(BlockId, Frame<Solid>),
+    Whole(BlockId, BlockFrame<Solid>),
 }
 
 /// Reads the marks of a drawing or of a block.
 pub(crate) struct SolidReader<'a> {
     drawing: &'a Drawing<Solid>,
     /// The open blocks, outermost first: the items that remain, and the block's frame.
-    open: Vec<(core::slice::Iter<'a, Item<Solid>>, Frame<Solid>)>,
+    open: Vec<(core::slice::Iter<'a, Item<Solid>>, BlockFrame<Solid>)>,
     /// Blocks with at most this many segments and polygons stay whole.
     whole: u128,
     /// The number of segments passed so far.
@@ -41,19 +41,19 @@ impl<'a> SolidReader<'a> {
         let (all, unit, start) = (drawing.segment_count() as f64, drawing.unit(), drawing.start);
         let mut reader = Self { drawing, open: vec![], whole, segments: 0, marks: 0, all, unit, start };
         if let Some(root) = drawing.root {
-            reader.enter(root, &Frame::new(1.0, StyleChange::start(drawing.width)));
+            reader.enter(root, &BlockFrame::new(1.0, StyleChange::start(drawing.width)));
         }
         reader
     }
 
     /// A reader at the first mark of a block. The block's origin becomes the model's origin.
-    pub(crate) fn within(drawing: &'a Drawing<Solid>, block: BlockId, frame: &Frame<Solid>) -> Self {
+    pub(crate) fn within(drawing: &'a Drawing<Solid>, block: BlockId, frame: &BlockFrame<Solid>) -> Self {
         let mut reader = Self { open: vec![], start: [0.0; 3], ..Self::new(drawing, 0) };
         reader.enter(block, frame);
         reader
     }
 
-    fn enter(&mut self, block: BlockId, frame: &Frame<Solid>) {
+    fn enter(&mut self, block: BlockId, frame: &BlockFrame<Solid>) {
         self.open.push((self.drawing.items_of(block).iter(), *frame));
     }
 

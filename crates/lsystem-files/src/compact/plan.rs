@@ -4,7 +4,7 @@ use super::styled_drawing::StyledDrawing;
 use crate::strokes::{PATH, StrokeLook};
 use core::ops::Range;
 use lsystem_base::LimitName;
-use lsystem_drawing::{BlockId, Directions, Frame, Item, Line, StyleChange};
+use lsystem_drawing::{BlockFrame, BlockId, Directions, Item, Line, StyleChange};
 use lsystem_syntax::{Diagnostic, Halt, Heading, Work};
 use std::collections::{BinaryHeap, HashMap};
 
@@ -38,7 +38,7 @@ pub(super) struct CompactPlan {
 #[derive(Clone, Debug)]
 struct Symbol {
     /// The frame of the symbol, at the origin.
-    frame: Frame,
+    frame: BlockFrame,
     parts: Range<usize>,
     /// The number of places in the file where the symbol is used.
     uses: usize,
@@ -127,11 +127,11 @@ impl CompactPlan {
         &mut self,
         styled: &StyledDrawing<'a>,
         item: &Item,
-        frame: &Frame,
+        frame: &BlockFrame,
         work: &mut dyn Work,
-    ) -> Result<Option<(core::slice::Iter<'a, Item>, Frame)>, Halt> {
+    ) -> Result<Option<(core::slice::Iter<'a, Item>, BlockFrame)>, Halt> {
         let drawing = styled.drawing;
-        let stroke = |line: &Line, frame: &Frame| {
+        let stroke = |line: &Line, frame: &BlockFrame| {
             SymbolPart::Stroke(
                 frame.transform(line.from),
                 frame.transform(line.to),
@@ -185,7 +185,7 @@ impl CompactPlan {
         let next = self.symbols.len();
         let symbol = *self.known.entry(key).or_insert(next);
         if symbol == next {
-            let frame = Frame::new(scale, entry.into());
+            let frame = BlockFrame::new(scale, entry.into());
             self.symbols.push(Symbol { frame, parts: 0..0, uses: 0, copies: 0 });
             self.pending.push((block, symbol));
         }

@@ -12,8 +12,8 @@ use crate::{FileOptions, Sink, collect};
 use core::hash::{Hash, Hasher};
 use lsystem_base::{LimitName, MAX_MESH_COPIES};
 use lsystem_drawing::{
-    BlockId, ColourChange, Drawing, Frame, Mesh, MeshForm, MeshOptions, MeshParts, Solid, StyleChange, WidthChange,
-    times,
+    BlockFrame, BlockId, ColourChange, Drawing, Mesh, MeshForm, MeshOptions, MeshParts, Solid, StyleChange,
+    WidthChange, times,
 };
 use lsystem_syntax::{ColourBy, Diagnostic, Halt, Style, Work};
 use scene::{Node, Scene};
@@ -89,7 +89,7 @@ struct SceneMaker<'a> {
     options: MeshOptions,
     scene: Scene,
     /// The blocks of the parts and their frames. Part 0 of the scene is what lies outside these parts.
-    parts: Vec<(BlockId, Frame<Solid>)>,
+    parts: Vec<(BlockId, BlockFrame<Solid>)>,
     /// The parts of the scene by block, scale, colour index, level and width.
     known: HashMap<(BlockId, u64, i32, u32, u64), usize>,
     /// The indices of meshes by a hash of their corners.
@@ -98,7 +98,7 @@ struct SceneMaker<'a> {
 
 impl SceneMaker<'_> {
     /// Places a part. A new part is made later. Tubes have at least the width `least`, in model units.
-    fn place(&mut self, least: f64, block: BlockId, frame: &Frame<Solid>) -> Result<(), Diagnostic> {
+    fn place(&mut self, least: f64, block: BlockId, frame: &BlockFrame<Solid>) -> Result<(), Diagnostic> {
         self.take_memory(NODE_BYTES)?;
         let (colour, level) = frame.style.seen(self.style);
         let width = frame.style.width.of(0.0);
@@ -111,7 +111,7 @@ impl SceneMaker<'_> {
         if part == next {
             let width = WidthChange { factor: 0.0, offset: width };
             let entry = StyleChange { colour: ColourChange::Set(colour), width, level };
-            self.parts.push((block, Frame::new(frame.scale, entry)));
+            self.parts.push((block, BlockFrame::new(frame.scale, entry)));
         }
         let [x, y, z] = times(frame.at, self.drawing.unit());
         let [x0, y0, z0] = self.drawing.start;

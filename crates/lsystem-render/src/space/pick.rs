@@ -3,7 +3,7 @@
 use super::camera::{Camera, Lens, NEAR};
 use crate::plane::{Aim, Order, Sight, covers, nearest_on, search};
 use crate::{Pick, Pointer, Viewport};
-use lsystem_drawing::Frame;
+use lsystem_drawing::BlockFrame;
 use lsystem_drawing::rotation::{Vector, combine, cross, dot, minus, norm};
 use lsystem_drawing::triangulate::facing;
 use lsystem_drawing::{BlockId, Drawing, Placed, Polygon, Solid, Stroke, StyleChange};
@@ -19,7 +19,7 @@ pub(crate) fn pick(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera
     let towards = [x * lens.nearness, y * lens.nearness, 1.0];
     let ray = [[x, y, 0.0], towards.map(|c| c / norm(towards))];
     let mut sight = SolidSight { drawing, at: pointer.at, lens, unit: norm(lens.axes[0]), ray };
-    let root = Frame::new(1.0, StyleChange::start(drawing.width));
+    let root = BlockFrame::new(1.0, StyleChange::start(drawing.width));
     search(drawing, pointer, &mut sight, root, Order::Likely)
 }
 
@@ -35,17 +35,17 @@ struct SolidSight<'a> {
 }
 
 impl Sight<Solid> for SolidSight<'_> {
-    type Place = Frame<Solid>;
+    type Place = BlockFrame<Solid>;
 
-    fn inside(&mut self, frame: &Frame<Solid>, placed: &Placed<Solid>) -> Frame<Solid> {
+    fn inside(&mut self, frame: &BlockFrame<Solid>, placed: &Placed<Solid>) -> BlockFrame<Solid> {
         frame.place(placed, self.drawing, &mut ())
     }
 
-    fn scale(&self, frame: &Frame<Solid>) -> f64 {
+    fn scale(&self, frame: &BlockFrame<Solid>) -> f64 {
         self.unit * frame.scale
     }
 
-    fn block(&self, id: BlockId, frame: &Frame<Solid>) -> Option<Aim> {
+    fn block(&self, id: BlockId, frame: &BlockFrame<Solid>) -> Option<Aim> {
         let (block, lens) = (&self.drawing.blocks[id.0 as usize], &self.lens);
         let widest = block.widest.of(frame.style.width.of(0.0)).max(0.0) * lens.step / 2.0;
         // A little larger, because rounding may leave an end outside the hull.
@@ -60,7 +60,7 @@ impl Sight<Solid> for SolidSight<'_> {
         Some(Aim { distance: (away - radius) * lens.factor(far), depth: near, off: away / radius })
     }
 
-    fn stroke(&self, frame: &Frame<Solid>, stroke: &Stroke<Solid>) -> Option<Aim> {
+    fn stroke(&self, frame: &BlockFrame<Solid>, stroke: &Stroke<Solid>) -> Option<Aim> {
         let lens = &self.lens;
         let ends = lens.before_eye([stroke.from, stroke.to].map(|end| self.place(frame.transform(end))))?;
         let (axis, depth) = self.beside(ends);
@@ -73,7 +73,7 @@ impl Sight<Solid> for SolidSight<'_> {
         Some(Aim { distance, depth, off })
     }
 
-    fn polygon(&self, frame: &Frame<Solid>, polygon: &Polygon) -> Option<Aim> {
+    fn polygon(&self, frame: &BlockFrame<Solid>, polygon: &Polygon) -> Option<Aim> {
         let lens = &self.lens;
         let vertices = self.drawing.vertices_of(polygon).iter();
         let vertices: Vec<Vector> = vertices.map(|&vertex| self.place(frame.transform(vertex))).collect();

@@ -149,7 +149,7 @@ impl FilmPlayer {
             other => other,
         };
         let Gif::Frames(writer, palette) = &mut self.gif else { return Err("no colours are counted".into()) };
-        writer.add(&palette.sheet(self.painter.pixels()), script.delay_of(number)).map_err(words)?;
+        writer.add(&palette.index(self.painter.pixels()), script.delay_of(number)).map_err(words)?;
         Ok(writer.take())
     }
 
