@@ -16,7 +16,7 @@ const MAX_ZOOM: [f64; 2] = [1e25, 1e4];
 /// A usual film. Each takes the place of the others, so that each shows what it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Preset {
-    /// [`growth`] to this generation.
+    /// [`grow`] to this generation.
     Growth(u32),
     /// [`turtle`].
     Turtle,
