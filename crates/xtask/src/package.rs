@@ -1,7 +1,8 @@
 //! `cargo xtask package`: the npm package, and the check that the crates can be published.
 
+use crate::build::Kind;
 use crate::workspace::Workspace;
-use crate::{bindgen, files, tools};
+use crate::{bindgen, files, tools, wasms};
 use anyhow::Result;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,8 +30,7 @@ const BOUNDARY: (&str, &str) = ("lsystem-wasm", "lsystem_wasm");
 /// Makes and tests the npm package, and packs and documents the crates.
 pub(crate) fn package(workspace: &Workspace) -> Result<()> {
     tools::wasm_target()?;
-    let build = ["build", "--profile=wasm", "--lib", "--target", tools::WASM_TARGET, "--package", BOUNDARY.0];
-    workspace.run(&mut workspace.cargo(build))?;
+    wasms::compile_one(workspace, Kind::Shipped, BOUNDARY.0, None)?;
     npm(workspace)?;
     crates(workspace)?;
     println!("npm package: {}", folder(workspace).display());

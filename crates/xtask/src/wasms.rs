@@ -55,28 +55,23 @@ impl Wasm {
     }
 }
 
-/// Compiles the boundary crates.
+/// Compiles the boundary crates, as wasms alone: Cargo does not optimise across crates what is a Rust library, too.
 pub(crate) fn compile(workspace: &Workspace, kind: Kind) -> Result<()> {
     tools::wasm_target()?;
-    let profile = format!("--profile={}", profile(kind));
-    let build = |words: &[&str]| {
-        let all = ["build", &profile, "--lib", "--target", tools::WASM_TARGET].into_iter().chain(words.iter().copied());
-        workspace.run(&mut workspace.cargo(all))
-    };
-    let keep = |wasm: &Wasm| {
+    for wasm in &WASMS {
+        compile_one(workspace, kind, wasm.package, wasm.feature)?;
         let [written, kept] = wasm.compiled(workspace, kind);
-        fs::copy(written, kept)
-    };
-    build(&PACKAGES.map(|package| ["--package", package]).concat())?;
-    let (whole, parts): (Vec<_>, Vec<_>) = WASMS.iter().partition(|wasm| wasm.feature.is_none());
-    for wasm in whole {
-        keep(wasm)?;
-    }
-    for (wasm, feature) in parts.into_iter().filter_map(|wasm| Some((wasm, wasm.feature?))) {
-        build(&["--package", wasm.package, "--no-default-features", "--features", feature])?;
-        keep(wasm)?;
+        fs::copy(written, kept)?;
     }
     Ok(())
+}
+
+/// Compiles a boundary crate, with one feature or with all.
+pub(crate) fn compile_one(workspace: &Workspace, kind: Kind, package: &str, feature: Option<&str>) -> Result<()> {
+    let profile = format!("--profile={}", profile(kind));
+    let words = ["rustc", &profile, "--lib", "--crate-type=cdylib", "--target", tools::WASM_TARGET];
+    let features = feature.iter().flat_map(|feature| ["--no-default-features", "--features", feature]);
+    workspace.run(&mut workspace.cargo(words.into_iter().chain(["--package", package]).chain(features)))
 }
 
 fn profile(kind: Kind) -> &'static str {
