@@ -36,7 +36,7 @@ pub fn warnings<'a>(
     let idle = |symbol: char| actions(symbol).is_empty() && !has_production(reading, symbol);
     let arrow_is_idle = idle('>');
     for (number, (word, spans)) in words.iter().enumerate() {
-        note_foreign(word, spans, &idle, if number == 0 { &mut axiom_notes } else { &mut notes });
+        note_foreign(word, spans, idle, if number == 0 { &mut axiom_notes } else { &mut notes });
         let outside = opened.len();
         for (at, module) in word.iter().enumerate() {
             for action in actions(module.symbol) {
