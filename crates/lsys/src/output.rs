@@ -3,7 +3,7 @@
 use crate::CommandFailure;
 use lsystem::syntax::visible;
 use std::io::{self, BufWriter, IsTerminal, Write};
-use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Writes the output of `write` to standard output, buffered. A terminal gets visible symbols instead of control
 /// characters; a file or a pipe gets every byte.
@@ -12,7 +12,7 @@ use std::path::Path;
 /// As the writer; [`io::ErrorKind::BrokenPipe`] if the reader has closed the pipe; an error if standard output is
 /// closed.
 pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    if is_closed() {
+    if CLOSED.load(Ordering::Relaxed) {
         return Err(io::Error::other("closed"));
     }
     let stdout = io::stdout();
@@ -77,13 +77,16 @@ pub(crate) fn escape_json(json: &str) -> String {
     out
 }
 
-/// Whether the program was started with standard output closed (`>&-`), where Linux shows it. Rust then opens `/dev/null`
-/// for reading and writing in its place, and writing would seem to succeed; a shell opens it for writing only.
-fn is_closed() -> bool {
-    let is_null = std::fs::read_link("/proc/self/fd/1").is_ok_and(|file| file == Path::new("/dev/null"));
-    let facts = std::fs::read_to_string("/proc/self/fdinfo/1").unwrap_or_default();
-    let flags = facts.lines().find_map(|line| line.strip_prefix("flags:"));
-    is_null && flags.is_some_and(|flags| flags.trim().ends_with('2'))
+/// Whether the program was started with standard output closed (`>&-`).
+static CLOSED: AtomicBool = AtomicBool::new(false);
+
+/// Checks whether standard output is closed, by two system calls. The check runs before `main`, because Rust then opens
+/// `/dev/null` in place of a closed stream, and writing would seem to succeed.
+#[cfg(unix)]
+#[ctor::ctor]
+fn look_at_output() {
+    use std::os::fd::AsFd;
+    CLOSED.store(io::stdout().as_fd().try_clone_to_owned().is_err(), Ordering::Relaxed);
 }
 
 #[cfg(test)]

@@ -263,15 +263,15 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
     }));
 
 test('a search that does not load is told, and tried again', () =>
-    withPage({ expected: /find\.wasm|Failed to load/ }, async (page) => {
-        await page.route(/find\.wasm$/, (route) => route.abort());
+    withPage({ expected: /tools\.wasm|Failed to load/ }, async (page) => {
+        await page.route(/tools\.wasm$/, (route) => route.abort());
         await begin(page);
         await page.setInputFiles('#find-file', { name: 'curve.png', mimeType: 'image/png', buffer: await koch(page) });
         await page.waitForSelector('#find-picture:visible');
         await ask(page, { axiom: 'F', angle: '60', n: '3' });
         await page.click('#find-start');
         await until(async () => (await text(page, '#find-problem')) !== '', 'the reason', PATIENCE);
-        await page.unroute(/find\.wasm$/);
+        await page.unroute(/tools\.wasm$/);
         await page.click('#find-start');
         await found(page);
     }));

@@ -77,11 +77,11 @@ test('a whole system pasted into the rules is offered, and may stay a text', () 
     }));
 
 test('readers that do not load are told, and loaded with the next text', () =>
-    withPage({ expected: /import\.wasm|Failed to load/ }, async (page) => {
-        await page.route(/import\.wasm$/, (route) => route.abort());
+    withPage({ expected: /tools\.wasm|Failed to load/ }, async (page) => {
+        await page.route(/tools\.wasm$/, (route) => route.abort());
         await paste(page, '#drawing', PROSE);
         await until(async () => /did not load/.test(await text(page, '#toast')), 'the reason');
-        await page.unroute(/import\.wasm$/);
+        await page.unroute(/tools\.wasm$/);
         await paste(page, '#drawing', PROSE);
         await page.waitForSelector('#import[open]');
     }));
