@@ -235,8 +235,13 @@ pub(crate) fn short_count(count: &Tally) -> String {
 
 /// A picture's text alternative: the number of lines, the proportions and the number of shared blocks. `blocks` is
 /// `None` if the drawing shares no blocks; `bounds` as [`Drawing::bounds`](crate::Drawing::bounds).
-#[must_use]
-pub fn describe(system: &System, n: u32, segments: &Tally, blocks: Option<usize>, bounds: Option<[f64; 4]>) -> String {
+pub(crate) fn describe(
+    system: &System,
+    n: u32,
+    segments: &Tally,
+    blocks: Option<usize>,
+    bounds: Option<[f64; 4]>,
+) -> String {
     let Some([min_x, min_y, max_x, max_y]) = bounds else {
         return why_empty(system, n).unwrap_or_else(|| "Nothing is drawn.".to_owned());
     };

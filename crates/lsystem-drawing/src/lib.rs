@@ -31,7 +31,7 @@ pub mod triangulate;
 mod describe;
 mod figure;
 
-pub use describe::{describe, kind, legend, why_empty};
+pub use describe::{kind, legend, why_empty};
 pub use drawing::{
     Block, BlockFrame, BlockId, Drawer, Drawing, Item, Line, Mark, Outlook, Placed, Polygon, Projection, SceneSize,
     Segment, SegmentArrays, Shape, Space, Stroke, draw, hull,

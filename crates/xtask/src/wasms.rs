@@ -14,6 +14,7 @@ pub(crate) struct Wasm {
     pub(crate) package: &'static str,
     /// The feature with which it is compiled; `None` for all.
     feature: Option<&'static str>,
+    /// The name of its files on the site and of its generated files.
     pub(crate) name: &'static str,
     /// The name of its worker's script on the site.
     pub(crate) script: &'static str,

@@ -5,7 +5,7 @@ use crate::make;
 use crate::naive::{self, Module};
 use crate::{Gauge, Source};
 use lsystem::derive::{Ancestor, History, Part, Tally};
-use lsystem::drawing::{describe, expand_once, expand_symbol, kind, legend, why_empty};
+use lsystem::drawing::{expand_once, expand_symbol, kind, legend, why_empty};
 use lsystem::syntax::print_module;
 use lsystem::{Definition, Dialect, Limits, System, count_segments, count_symbols, expand};
 
@@ -42,9 +42,6 @@ pub(super) fn derive(source: &mut Source<'_>, gauge: &mut Gauge) {
     let segments = gauge.call("count_segments", || count_segments(&system, n));
     gauge.call("words", || {
         let _ = (legend(&system), kind(&system), why_empty(&system, n));
-        if let Some(segments) = &segments {
-            let _ = describe(&system, n, segments, Some(7), Some([0.0, 0.0, 1.0, 1.0]));
-        }
     });
     if let Ok(text) = &text {
         assert!(text.chars().count() as u64 <= limits.symbols, "longer than the limit");

@@ -6,7 +6,9 @@ use crate::{Gauge, Source, make, naive};
 use lsystem::drawing::{Outlook, Segment, Space, symbol_of_polygon};
 use lsystem::render::{fitted_ends, fitted_outline, fitted_polygon};
 use lsystem::syntax::Heading;
-use lsystem::{Definition, Drawer, Drawing, Figure, Limits, Progress, SegmentArrays, Solid, System, fit};
+use lsystem::{
+    Definition, Drawer, Drawing, Figure, Limits, Progress, SegmentArrays, Solid, System, count_segments, fit,
+};
 use std::sync::Arc;
 
 /// A drawing in the space of its system, made in steps.
@@ -69,6 +71,10 @@ pub(super) fn plane(source: &mut Source<'_>, gauge: &mut Gauge) {
     gauge.call("fit", || fit(&drawing));
     let number = place(source, drawing.segment_count());
     let figure = Figure::Plane(drawing.clone());
+    if let Some(segments) = gauge.call("count_segments", || count_segments(&system, n)) {
+        let words = gauge.call("describe", || figure.describe(&system, n, &segments));
+        assert!(!words.is_empty(), "a picture without words");
+    }
     gauge.call("fitted_ends", || fitted_ends(&figure, number));
     gauge.call("heading_at", || drawing.heading_at(number));
     let end = number.saturating_add(u128::from(source.word()));
