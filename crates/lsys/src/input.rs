@@ -68,7 +68,7 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
 /// [`CommandFailure::Said`] if the system is refused; [`CommandFailure::Words`] if `entry` names no system, or is needed
 /// and missing.
 fn content(bytes: &[u8], name: &str, entry: Option<&str>, say: Say<'_>) -> Result<FileContent, CommandFailure> {
-    let Some(Imported { notation, entries }) = import_file(bytes) else {
+    let Some(Imported { notation, entries, .. }) = import_file(bytes) else {
         return match entry {
             Some(_) => Err(CommandFailure::Words(format!("{name}: --entry is for files with several systems"))),
             None => Ok(read_file(bytes)),
@@ -111,7 +111,7 @@ fn names(entries: &[Entry]) -> String {
 
 /// A remark as a line of text.
 pub(crate) fn remark_line(name: &str, remark: &Remark) -> String {
-    let Remark { line, text, message, refused } = remark;
+    let Remark { line, text, message, refused, .. } = remark;
     let severity = if *refused { "error" } else { "warning" };
     let text = if text.is_empty() { String::new() } else { format!(": `{text}`") };
     format!("{}\n", visible(&format!("{severity}: {name}:{line}: {message}{text}")))

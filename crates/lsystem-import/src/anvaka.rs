@@ -17,6 +17,7 @@
 
 use crate::draft::{Draft, production};
 use crate::rules::split_rule;
+use crate::source::Source;
 use lsystem_base::number::number;
 use lsystem_syntax::{Grammar, Module};
 
@@ -46,7 +47,8 @@ fn key(line: &str) -> Option<(String, &str)> {
     KEYS.contains(&key.as_str()).then_some((key, value.trim()))
 }
 
-pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     let keys: Vec<(String, &str)> = text.lines().filter_map(key).collect();
     let has = |names: &[&str]| keys.iter().any(|(key, _)| names.contains(&key.as_str()));
     let header =
@@ -54,14 +56,14 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     if !has(&["axiom", "start"]) || !header || !(has(&OWN) || text.contains("=>")) {
         return None;
     }
-    let mut draft = Draft::new("", 1);
+    let mut draft = Draft::new(source, "", 1);
     let title = text.lines().find_map(|line| line.trim().strip_prefix("//"));
     draft.definition.name = title.unwrap_or_default().trim().chars().take(200).collect();
     system(text, &mut draft);
     Some(vec![draft])
 }
 
-fn system(text: &str, draft: &mut Draft) {
+fn system(text: &str, draft: &mut Draft<'_>) {
     let mut grammar = Grammar::default();
     let mut section = String::new();
     let word = |text: &str| text.chars().filter(|c| !c.is_whitespace()).collect::<Vec<char>>();
@@ -154,7 +156,7 @@ fn action(text: &str) -> Result<String, bool> {
     }
 }
 
-fn direction(value: &str, line: usize, draft: &mut Draft) {
+fn direction(value: &str, line: usize, draft: &mut Draft<'_>) {
     let numbers = value.trim_matches(['[', ']', ' ']).split(',').map(|part| part.trim().parse::<f64>());
     match numbers.collect::<Result<Vec<f64>, _>>().as_deref() {
         Ok([x, y] | [x, y, 0.0]) if (*x != 0.0 || *y != 0.0) && x.is_finite() && y.is_finite() => {

@@ -18,6 +18,7 @@
 use crate::assignments::inlined;
 use crate::decomposition::Decomposition;
 use crate::draft::{Draft, FreeSymbols};
+use crate::source::Source;
 use lsystem_syntax::{Diagnostic, parse};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,17 +32,19 @@ enum Kind {
     LPy,
 }
 
-pub(super) fn read_cpfg(text: &str) -> Option<Vec<Draft>> {
+pub(super) fn read_cpfg<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     let begins = |line: &str| keyword(line).is_some_and(|(word, _)| word == "lsystem");
-    text.lines().any(begins).then(|| vec![system(text, Kind::Cpfg)])
+    text.lines().any(begins).then(|| vec![system(source, Kind::Cpfg)])
 }
 
-pub(super) fn read_lpy(text: &str) -> Option<Vec<Draft>> {
+pub(super) fn read_lpy<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     let has =
         |names: &[&str]| text.lines().any(|line| keyword(line).is_some_and(|(word, _)| names.contains(&word.as_str())));
     let is_lpy =
         has(&["axiom"]) && has(&["production", "derivation length"]) && text.contains("-->") && !has(&["lsystem"]);
-    (is_lpy || (has(&["axiom"]) && has(&["production"]))).then(|| vec![system(text, Kind::LPy)])
+    (is_lpy || (has(&["axiom"]) && has(&["production"]))).then(|| vec![system(source, Kind::LPy)])
 }
 
 /// The words that begin a statement.
@@ -139,14 +142,14 @@ enum Section {
     Images,
 }
 
-fn system(text: &str, kind: Kind) -> Draft {
-    let mut draft = Draft::new("", 1);
+fn system(source: Source<'_>, kind: Kind) -> Draft<'_> {
+    let mut draft = Draft::new(source, "", 1);
     draft.definition.step = 1.0;
     let mut parts = Parts::default();
     let mut macros: BTreeMap<String, String> = BTreeMap::new();
     let mut section = Section::Productions;
     let mut ended = false;
-    for (at, line) in statements(text, kind) {
+    for (at, line) in statements(source.text, kind) {
         if ended {
             break;
         }
@@ -213,7 +216,7 @@ fn system(text: &str, kind: Kind) -> Draft {
 }
 
 /// Reads a line of the preprocessor.
-fn directive(at: usize, line: &str, parts: &mut Parts, macros: &mut BTreeMap<String, String>, draft: &mut Draft) {
+fn directive(at: usize, line: &str, parts: &mut Parts, macros: &mut BTreeMap<String, String>, draft: &mut Draft<'_>) {
     let Some(rest) = line.strip_prefix("#define").filter(|rest| rest.starts_with([' ', '\t'])) else {
         return draft.refuse(at, line, "Of the preprocessor, only #define is read");
     };
@@ -244,7 +247,7 @@ fn directive(at: usize, line: &str, parts: &mut Parts, macros: &mut BTreeMap<Str
 }
 
 /// Reads a line without a keyword and without an arrow.
-fn other(at: usize, line: &str, kind: Kind, parts: &mut Parts, draft: &mut Draft) {
+fn other(at: usize, line: &str, kind: Kind, parts: &mut Parts, draft: &mut Draft<'_>) {
     if kind == Kind::Cpfg {
         return draft.refuse(at, line, "This line cannot be read");
     }
@@ -271,7 +274,7 @@ fn other(at: usize, line: &str, kind: Kind, parts: &mut Parts, draft: &mut Draft
     }
 }
 
-fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft: &mut Draft) {
+fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft: &mut Draft<'_>) {
     let mut free = FreeSymbols::default();
     let all = [&parts.rules[..], &parts.decompositions, &parts.images].concat();
     free.add_used(&parts.axiom.1);
@@ -348,7 +351,7 @@ fn translate(parts: &Parts, macros: &BTreeMap<String, String>, kind: Kind, draft
 }
 
 /// Writes the decompositions, whose keyword stands in this line, into the axiom and the successors.
-fn decompose(parts: &Parts, at: usize, decompositions: &str, draft: &mut Draft) {
+fn decompose(parts: &Parts, at: usize, decompositions: &str, draft: &mut Draft<'_>) {
     let (mut grammar, wrong) = parse(&draft.definition.axiom, &draft.definition.rules);
     let (own, own_wrong) = parse("", decompositions);
     if wrong.iter().chain(&own_wrong).any(Diagnostic::is_error) {
@@ -366,7 +369,7 @@ fn decompose(parts: &Parts, at: usize, decompositions: &str, draft: &mut Draft) 
 }
 
 /// Takes over the derivation length: a number or a constant.
-fn length(parts: &Parts, macros: &BTreeMap<String, String>, draft: &mut Draft) {
+fn length(parts: &Parts, macros: &BTreeMap<String, String>, draft: &mut Draft<'_>) {
     let Some((at, text)) = &parts.length else { return };
     let text = macros.get(text).unwrap_or(text);
     let lines: Vec<String> = parts.constants.iter().map(|(name, value)| format!("{name} = {value}")).collect();
@@ -410,7 +413,7 @@ struct Words<'a> {
 
 impl Words<'_> {
     /// Replaces names and symbols of several characters. Arguments stay as they are.
-    fn translate(&mut self, text: &str, line: usize, word: bool, draft: &mut Draft) -> String {
+    fn translate(&mut self, text: &str, line: usize, word: bool, draft: &mut Draft<'_>) -> String {
         let chars: Vec<char> = text.chars().collect();
         let mut out = String::new();
         let (mut at, mut depth) = (0, 0_usize);
@@ -466,7 +469,7 @@ impl Words<'_> {
     }
 
     /// The length of the longest known name at the start, and its replacement.
-    fn name(&mut self, chars: &[char], line: usize, draft: &mut Draft) -> Option<(usize, String)> {
+    fn name(&mut self, chars: &[char], line: usize, draft: &mut Draft<'_>) -> Option<(usize, String)> {
         if self.names.is_empty() && self.macros.is_empty() {
             return None;
         }

@@ -1,6 +1,9 @@
 //! A system while a reader translates it.
 
+use crate::account::{Fate, Mark};
+use crate::source::Source;
 use crate::{Entry, Remark};
+use core::ops::Range;
 use lsystem_base::sorted::set;
 use lsystem_base::{MAX_ITERATIONS, decimal};
 use lsystem_drawing::System;
@@ -11,8 +14,10 @@ use lsystem_syntax::{
 use std::collections::HashMap;
 
 /// A system while it is read: texts in our notation, and what was not carried over.
-#[derive(Debug, Default)]
-pub(super) struct Draft {
+#[derive(Debug)]
+pub(super) struct Draft<'a> {
+    /// The text that is read.
+    pub(super) source: Source<'a>,
     /// The result so far.
     pub(super) definition: Definition,
     /// The actions of symbols in the words of custom symbols, such as `turn left 90`; empty for no action. Only symbols
@@ -27,30 +32,88 @@ pub(super) struct Draft {
     /// The first line of the system in the text, from 1.
     pub(super) line: usize,
     remarks: Vec<Remark>,
+    marks: Vec<Mark>,
+    /// The parts of the text that belong to the system. What stands there without a mark is noted as not understood.
+    extents: Vec<Range<usize>>,
 }
 
+/// Characters between statements without a meaning of their own.
+const SEPARATORS: &str = ",;:.=(){}[]'\"`“”‘’*_|•·-–";
 /// The most remarks of a system.
 const MOST_REMARKS: usize = 100;
 
-impl Draft {
+impl<'a> Draft<'a> {
     /// An empty draft of a system that begins in this line of the text.
-    pub(super) fn new(name: &str, line: usize) -> Self {
+    pub(super) fn new(source: Source<'a>, name: &str, line: usize) -> Self {
         let name = name.trim().chars().take(200).collect();
-        Self { definition: Definition { name, ..Definition::default() }, line, ..Self::default() }
+        Self {
+            source,
+            definition: Definition { name, ..Definition::default() },
+            meanings: Vec::new(),
+            others: None,
+            has_iterations: false,
+            keeps_overrides: false,
+            line,
+            remarks: Vec::new(),
+            marks: Vec::new(),
+            extents: Vec::new(),
+        }
     }
 
-    /// Adds a remark: the system is read without this part, or with a part that the text does not give.
+    /// The place of a slice of the text; empty at its start for any other text.
+    pub(super) fn place(&self, part: &str) -> Range<usize> {
+        self.source.place(part).unwrap_or_default()
+    }
+
+    /// These bytes belong to the system.
+    pub(super) fn covers(&mut self, span: Range<usize>) {
+        self.extents.push(span);
+    }
+
+    /// This part is read; `became` says what it is in the definition, such as `angle 60`.
+    pub(super) fn read(&mut self, span: Range<usize>, became: impl Into<String>) {
+        self.marks.push(Mark { span, fate: Fate::Read, words: became.into() });
+    }
+
+    /// This part has no meaning for the system: a comment, markup, punctuation.
+    pub(super) fn pass(&mut self, span: Range<usize>) {
+        self.marks.push(Mark { span, fate: Fate::Passed, words: String::new() });
+    }
+
+    /// Adds a remark on a part of a line: the system is read without it, or with a part that the text does not give.
     pub(super) fn note(&mut self, line: usize, text: &str, message: impl Into<String>) {
-        self.remark(line, text, message.into(), false);
+        let span = self.source.place_in_line(line, text);
+        self.remark(line, span, text, message.into(), false);
     }
 
     /// Refuses the system for this reason.
     pub(super) fn refuse(&mut self, line: usize, text: &str, message: impl Into<String>) {
-        self.remark(line, text, message.into(), true);
+        let span = self.source.place_in_line(line, text);
+        self.remark(line, span, text, message.into(), true);
     }
 
-    fn remark(&mut self, line: usize, text: &str, message: String, refused: bool) {
-        let remark = Remark { line, text: excerpt(text), message, refused };
+    /// As [`Draft::note`], on any bytes of the text.
+    pub(super) fn note_at(&mut self, span: Range<usize>, message: impl Into<String>) {
+        self.remark_at(span, message.into(), false);
+    }
+
+    /// As [`Draft::refuse`], for any bytes of the text.
+    pub(super) fn refuse_at(&mut self, span: Range<usize>, message: impl Into<String>) {
+        self.remark_at(span, message.into(), true);
+    }
+
+    fn remark_at(&mut self, span: Range<usize>, message: String, refused: bool) {
+        let line = self.source.line_of(span.start);
+        let text = self.source.text.get(span.clone()).unwrap_or_default();
+        self.remark(line, span, text, message, refused);
+    }
+
+    fn remark(&mut self, line: usize, span: Range<usize>, text: &str, message: String, refused: bool) {
+        if !text.trim().is_empty() {
+            let fate = if refused { Fate::Refused } else { Fate::Noted };
+            self.marks.push(Mark { span: span.clone(), fate, words: message.clone() });
+        }
+        let remark = Remark { line, text: excerpt(text), message, refused, span };
         if self.remarks.len() < MOST_REMARKS && !self.remarks.contains(&remark) {
             self.remarks.push(remark);
         } else if refused && !self.is_refused() {
@@ -93,14 +156,42 @@ impl Draft {
         }
     }
 
-    /// The finished system. It is refused if it does not compile.
-    pub(super) fn finish(mut self) -> Entry {
+    /// The finished system, and the marks on the text. It is refused if it does not compile.
+    pub(super) fn finish(mut self) -> (Entry, Vec<Mark>) {
+        self.account();
         if !self.is_refused() {
             self.check();
         }
-        let Self { definition, remarks, .. } = self;
+        let Self { definition, remarks, marks, .. } = self;
         let refused = remarks.iter().any(|remark| remark.refused);
-        Entry { name: definition.name.clone(), definition: (!refused).then_some(definition), remarks }
+        (Entry { name: definition.name.clone(), definition: (!refused).then_some(definition), remarks }, marks)
+    }
+
+    /// Notes what stands inside the system and has no mark.
+    fn account(&mut self) {
+        let mut marked: Vec<Range<usize>> = self.marks.iter().map(|mark| mark.span.clone()).collect();
+        marked.sort_unstable_by_key(|span| span.start);
+        let mut extents = core::mem::take(&mut self.extents);
+        extents.sort_unstable_by_key(|span| span.start);
+        let mut gaps = Vec::new();
+        let (mut next, mut at) = (0, 0);
+        for extent in extents {
+            at = at.max(extent.start);
+            while let Some(span) = marked.get(next).filter(|span| span.start < extent.end) {
+                gaps.push(at..span.start);
+                at = at.max(span.end);
+                next += 1;
+            }
+            gaps.push(at..extent.end);
+            at = at.max(extent.end);
+        }
+        for gap in gaps {
+            for line in self.source.text.get(gap).unwrap_or_default().lines() {
+                if line.contains(|c: char| !c.is_whitespace() && !SEPARATORS.contains(c)) {
+                    self.note_at(self.place(line.trim()), "This is not understood");
+                }
+            }
+        }
     }
 
     /// Completes the definition and checks that it compiles.

@@ -14,6 +14,7 @@
 //! both headings alike.
 
 use crate::draft::{Draft, FreeSymbols, production};
+use crate::source::Source;
 use lsystem_base::decimal;
 use lsystem_base::number::number;
 use lsystem_syntax::{Colour, Grammar, Module};
@@ -29,16 +30,17 @@ enum Token {
 
 /// An entry of a file, as text.
 #[derive(Debug, Default)]
-struct Source {
+struct Block {
     name: String,
     line: usize,
     /// The lines without comments, with their numbers.
     lines: Vec<(usize, String)>,
 }
 
-pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
-    let sources = entries(text).or_else(|| bare(text))?;
-    Some(sources.iter().map(entry).collect())
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
+    let blocks = entries(text).or_else(|| bare(text))?;
+    Some(blocks.iter().map(|block| entry(source, block)).collect())
 }
 
 /// The text of a line before its comment.
@@ -75,9 +77,9 @@ fn is_rule(line: &str) -> bool {
 }
 
 /// The entries of a file that give an axiom or an angle; `None` if no entry gives an axiom.
-fn entries(text: &str) -> Option<Vec<Source>> {
-    let mut found: Vec<Source> = Vec::new();
-    let mut open: Option<Source> = None;
+fn entries(text: &str) -> Option<Vec<Block>> {
+    let mut found: Vec<Block> = Vec::new();
+    let mut open: Option<Block> = None;
     let mut title = String::new();
     for (at, line) in text.lines().enumerate() {
         let mut line = without_comment(line);
@@ -90,7 +92,7 @@ fn entries(text: &str) -> Option<Vec<Source>> {
             };
             let name = line[..brace].trim();
             let name = if name.is_empty() { core::mem::take(&mut title) } else { name.to_owned() };
-            open = Some(Source { name: name.trim_end_matches('=').trim().to_owned(), line: at + 1, lines: Vec::new() });
+            open = Some(Block { name: name.trim_end_matches('=').trim().to_owned(), line: at + 1, lines: Vec::new() });
             line = line[brace + 1..].trim();
         }
         let end = line.find('}');
@@ -106,7 +108,7 @@ fn entries(text: &str) -> Option<Vec<Source>> {
         }
     }
     found.extend(open.take());
-    let sure = |source: &Source| {
+    let sure = |source: &Block| {
         let has = |is: fn(&str) -> bool| source.lines.iter().any(|(_, line)| is(line));
         has(is_axiom) && (has(is_angle) || has(is_rule))
     };
@@ -118,13 +120,13 @@ fn entries(text: &str) -> Option<Vec<Source>> {
 }
 
 /// The inside of an entry alone: an angle, an axiom, and otherwise only rules.
-fn bare(text: &str) -> Option<Vec<Source>> {
+fn bare(text: &str) -> Option<Vec<Block>> {
     let lines = text.lines().enumerate().map(|(at, line)| (at + 1, without_comment(line).to_owned()));
     let lines: Vec<(usize, String)> = lines.filter(|(_, line)| !line.is_empty()).collect();
     let has = |is: fn(&str) -> bool| lines.iter().any(|(_, line)| is(line));
     let all = lines.iter().all(|(_, line)| is_axiom(line) || is_angle(line) || is_rule(line));
     let line = lines.first()?.0;
-    (all && has(is_axiom) && has(is_angle)).then(|| vec![Source { name: String::new(), line, lines }])
+    (all && has(is_axiom) && has(is_angle)).then(|| vec![Block { name: String::new(), line, lines }])
 }
 
 /// Splits a word into symbols.
@@ -226,9 +228,9 @@ enum Turns {
 }
 
 /// Reads an entry.
-fn entry(source: &Source) -> Draft {
-    let mut draft = Draft::new(&source.name, source.line);
-    let parts = statements(source, &mut draft);
+fn entry<'a>(source: Source<'a>, block: &Block) -> Draft<'a> {
+    let mut draft = Draft::new(source, &block.name, block.line);
+    let parts = statements(block, &mut draft);
     if !draft.is_refused() {
         translate(parts, &mut draft);
     }
@@ -236,10 +238,10 @@ fn entry(source: &Source) -> Draft {
 }
 
 /// Reads the lines of an entry.
-fn statements(source: &Source, draft: &mut Draft) -> Parts {
+fn statements(block: &Block, draft: &mut Draft<'_>) -> Parts {
     let mut parts = Parts::default();
     let (mut has_axiom, mut has_angle) = (false, false);
-    for (at, line) in &source.lines {
+    for (at, line) in &block.lines {
         let (word, rest) = first_word(line);
         let mut rest = rest.split_whitespace();
         match word.as_str() {
@@ -291,16 +293,16 @@ fn statements(source: &Source, draft: &mut Draft) -> Parts {
         }
     }
     if !has_axiom {
-        draft.refuse(source.line, "", "There is no Axiom");
+        draft.refuse(block.line, "", "There is no Axiom");
     }
     if !has_angle || parts.angle == 0 {
-        draft.refuse(source.line, "", "There is no Angle from 3 to 50");
+        draft.refuse(block.line, "", "There is no Angle from 3 to 50");
     }
     parts
 }
 
 /// Reads a word. Brackets must match within it.
-fn word_of(text: &str, line: usize, draft: &mut Draft) -> Vec<Token> {
+fn word_of(text: &str, line: usize, draft: &mut Draft<'_>) -> Vec<Token> {
     let mut word = tokens(text);
     let mut depth = 0_usize;
     for at in 0..word.len() {
@@ -321,7 +323,7 @@ fn word_of(text: &str, line: usize, draft: &mut Draft) -> Vec<Token> {
     word
 }
 
-fn translate(mut parts: Parts, draft: &mut Draft) {
+fn translate(mut parts: Parts, draft: &mut Draft<'_>) {
     let symbols = parts.reachable();
     let has = |list: &str| list.chars().any(|c| symbols.contains(&c));
     draft.definition.heading = 0.0;
@@ -385,7 +387,7 @@ fn upper(ch: char) -> char {
 }
 
 /// The symbol for a token. Tokens with numbers become custom symbols.
-fn symbol(token: Token, free: &mut FreeSymbols, draft: &mut Draft) -> char {
+fn symbol(token: Token, free: &mut FreeSymbols, draft: &mut Draft<'_>) -> char {
     let (ch, value) = match token {
         Token::Plain(ch) => return upper(ch),
         Token::Number(ch, value) => (ch, value),
@@ -408,7 +410,7 @@ fn symbol(token: Token, free: &mut FreeSymbols, draft: &mut Draft) -> char {
 }
 
 /// Sets the meaning of `|`: half a circle, or the nearest smaller angle to the right for an odd number of directions.
-fn turn_round(parts: &Parts, turns: Turns, swaps: bool, draft: &mut Draft) {
+fn turn_round(parts: &Parts, turns: Turns, swaps: bool, draft: &mut Draft<'_>) {
     let half = f64::from(parts.angle / 2) * 360.0 / f64::from(parts.angle);
     if parts.angle.is_multiple_of(2) {
         draft.meaning('|', "turn round");
@@ -484,7 +486,7 @@ const PALETTE: [[u8; 3]; 16] = [
 ];
 
 /// Takes over colours: Fractint's first 16 colours, starting with number 15 on black.
-fn colours(parts: &Parts, grammar: &mut Grammar, free: &mut FreeSymbols, draft: &mut Draft) {
+fn colours(parts: &Parts, grammar: &mut Grammar, free: &mut FreeSymbols, draft: &mut Draft<'_>) {
     let style = &mut draft.definition.style;
     style.palette = PALETTE.iter().map(|&rgb| Colour { rgb }).collect();
     style.background = Colour { rgb: PALETTE[0] };

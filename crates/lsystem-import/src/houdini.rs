@@ -13,6 +13,7 @@
 //! the place of the turtle in rules.
 
 use crate::draft::Draft;
+use crate::source::Source;
 use lsystem_syntax::parse;
 
 /// The actions of Houdini's symbols.
@@ -56,14 +57,15 @@ fn labelled(line: &str) -> Option<(&'static str, &str)> {
     Some((label, value))
 }
 
-pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     let lines = text.lines().enumerate().filter_map(|(at, line)| Some((at + 1, labelled(line.trim())?)));
     let lines: Vec<(usize, (&str, &str))> = lines.collect();
     let has = |name: &str| lines.iter().any(|(_, (label, _))| *label == name);
     if !has("premise") || !has("rule") {
         return None;
     }
-    let mut draft = Draft::new("", lines.first().map_or(1, |line| line.0));
+    let mut draft = Draft::new(source, "", lines.first().map_or(1, |line| line.0));
     draft.definition.angle = 90.0;
     let mut rules = Vec::new();
     for (at, (label, value)) in &lines {
@@ -107,7 +109,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
 }
 
 /// A rule in our notation: the first `=` that is no comparison is the arrow.
-fn rule(text: &str, line: usize, draft: &mut Draft) -> Option<String> {
+fn rule(text: &str, line: usize, draft: &mut Draft<'_>) -> Option<String> {
     let chars: Vec<char> = text.chars().collect();
     let mut depth = 0_usize;
     let arrow = (0..chars.len()).find(|&at| {

@@ -8,6 +8,7 @@
 //! Each notation has one file. Work and memory grow in proportion to the text, and a text has at most [`MAX_TEXT`]
 //! bytes. `docs/imports.md` lists what each reader reads, notes and refuses.
 
+mod account;
 mod anvaka;
 mod assignments;
 mod cpfg;
@@ -21,6 +22,7 @@ mod plain;
 mod prose;
 mod racket;
 mod rules;
+mod source;
 mod tikz;
 mod value;
 mod words;
@@ -28,10 +30,16 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+pub use account::{Fate, Part};
+
+use account::account;
+use core::ops::Range;
 use draft::Draft;
 use lsystem_base::MAX_TEXT;
 use lsystem_files::text_of;
 use lsystem_syntax::Definition;
+use source::{Lines, Source};
+use std::borrow::Cow;
 
 /// All systems of a text in another notation.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,6 +48,8 @@ pub struct Imported {
     pub notation: &'static str,
     /// The systems in the order of the text; at least one.
     pub entries: Vec<Entry>,
+    /// What became of every byte of the text, in order.
+    pub account: Vec<Part>,
 }
 
 /// One system of a text.
@@ -64,13 +74,15 @@ pub struct Remark {
     pub message: String,
     /// Whether the system is refused for this reason.
     pub refused: bool,
+    /// The place in the text, in bytes; empty if the remark is about no part of it.
+    pub span: Range<usize>,
 }
 
 /// The most systems that are read from one text.
 pub(crate) const MAX_ENTRIES: usize = 4096;
 
 /// A reader: the drafts of all systems in a text, or `None` if the text is in another notation.
-type Reader = fn(&str) -> Option<Vec<Draft>>;
+type Reader = for<'a> fn(Source<'a>) -> Option<Vec<Draft<'a>>>;
 
 /// All readers by the name of the notation. The first reader that recognises a text reads it.
 const READERS: &[(&str, Reader)] = &[
@@ -93,20 +105,34 @@ pub fn import(text: &str) -> Option<Imported> {
     if text.len() > MAX_TEXT {
         return None;
     }
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let text = &*text.replace("\r\n", "\n").replace('\r', "\n");
+    // Old line ends of one byte become new ones of one byte, so that places stay.
+    let text: &str = &if text.contains('\r') { with_line_ends(text) } else { Cow::Borrowed(text) };
+    let lines = Lines::new(text);
+    let source = Source::new(text, &lines);
     READERS.iter().find_map(|&(notation, read)| {
-        let drafts = read(text).filter(|drafts| !drafts.is_empty())?;
+        let drafts = read(source).filter(|drafts| !drafts.is_empty())?;
         let left_out = drafts.len().saturating_sub(MAX_ENTRIES);
-        let mut entries: Vec<Entry> = drafts.into_iter().take(MAX_ENTRIES).map(Draft::finish).collect();
+        let (mut entries, mut marks) = (Vec::new(), Vec::new());
+        for (at, draft) in drafts.into_iter().take(MAX_ENTRIES).enumerate() {
+            let (entry, own) = draft.finish();
+            entries.push(entry);
+            marks.extend(own.into_iter().map(|mark| (at, mark)));
+        }
         if left_out > 0
             && let Some(last) = entries.last_mut()
         {
             let message = format!("{left_out} more systems are not read: a text may have {MAX_ENTRIES}");
-            last.remarks.push(Remark { line: 1, text: String::new(), message, refused: false });
+            last.remarks.push(Remark { line: 1, text: String::new(), message, refused: false, span: 0..0 });
         }
-        Some(Imported { notation, entries })
+        Some(Imported { notation, entries, account: account(text.len(), marks) })
     })
+}
+
+/// The text with `\n` for every `\r` that no `\n` follows.
+fn with_line_ends(text: &str) -> Cow<'_, str> {
+    let mut before_end = text.chars().skip(1).chain([' ']).map(|next| next == '\n');
+    let ends = |ch: char, before: bool| if ch == '\r' && !before { '\n' } else { ch };
+    text.chars().map(|ch| ends(ch, before_end.next().unwrap_or_default())).collect()
 }
 
 /// Reads all systems of a file, as [`import`] does. Characters that are not UTF-8, as in old comments, are replaced.

@@ -2,9 +2,11 @@
 //! form.
 
 use crate::draft::Draft;
+use crate::source::Source;
 use lsystem_files::link::{fields_of, read_fields};
 
-pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     let text = text.trim();
     if text.contains(char::is_whitespace) {
         return None;
@@ -16,7 +18,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
         return None;
     }
     let link = read_fields(fields_of(hash));
-    let mut draft = Draft::new("", 1);
+    let mut draft = Draft::new(source, "", 1);
     draft.definition = link.definition;
     draft.has_iterations = true;
     draft.keeps_overrides = true;

@@ -12,7 +12,8 @@
 //! vanishes.
 
 use crate::draft::{Draft, production};
-use crate::rules::{Lines, split_rule};
+use crate::rules::split_rule;
+use crate::source::Source;
 use crate::value::{Node, Scanner, Unit, Value};
 use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern};
 
@@ -35,7 +36,8 @@ const ITERATIONS: &[&str] = &[
 ];
 const NAME: &[&str] = &["name", "title", "label", "id"];
 
-pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     let first = text.trim_start();
     let mentions = |keys: &[&str]| keys.iter().any(|key| contains_word(text, key));
     if !mentions(AXIOM) || !mentions(RULES) {
@@ -66,8 +68,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
         systems.extend(assignments(text).map(|node| (String::new(), node)));
     }
     let single = systems.len() == 1;
-    let lines = Lines::new(text);
-    let drafts: Vec<Draft> = systems.iter().map(|(name, node)| system(text, &lines, name, node, single)).collect();
+    let drafts: Vec<Draft<'_>> = systems.iter().map(|(name, node)| system(source, name, node, single)).collect();
     (!drafts.is_empty()).then_some(drafts)
 }
 
@@ -154,15 +155,14 @@ fn assignments(text: &str) -> Option<Node> {
 
 struct Reader<'a> {
     text: &'a str,
-    lines: &'a Lines,
-    draft: Draft,
+    draft: Draft<'a>,
     grammar: Grammar,
 }
 
-fn system(text: &str, lines: &Lines, name: &str, node: &Node, single: bool) -> Draft {
+fn system<'a>(source: Source<'a>, name: &str, node: &Node, single: bool) -> Draft<'a> {
     let title = node.get(NAME).and_then(Node::text).unwrap_or(name);
-    let draft = Draft::new(title, lines.of(node.start));
-    let mut reader = Reader { text, lines, draft, grammar: Grammar::default() };
+    let draft = Draft::new(source, title, source.line_of(node.start));
+    let mut reader = Reader { text: source.text, draft, grammar: Grammar::default() };
     reader.read(node, single);
     reader.draft
 }
@@ -213,7 +213,7 @@ const FROM: &[&str] = &[
 
 impl Reader<'_> {
     fn line(&self, node: &Node) -> usize {
-        self.lines.of(node.start)
+        self.draft.source.line_of(node.start)
     }
 
     fn source(&self, node: &Node) -> String {

@@ -1,19 +1,20 @@
 //! A system of plain symbols while a reader translates it.
 
 use crate::draft::Draft;
+use crate::source::Source;
 use lsystem_base::MAX_ITERATIONS;
 use lsystem_syntax::{Definition, Grammar, Module, Production, look_alike};
 
 /// A system of plain symbols: no contexts, no parameters.
-pub(super) struct Plain {
-    pub(super) draft: Draft,
+pub(super) struct Plain<'a> {
+    pub(super) draft: Draft<'a>,
     pub(super) grammar: Grammar,
 }
 
-impl Plain {
+impl<'a> Plain<'a> {
     /// An empty system that begins in this line of the text.
-    pub(super) fn new(name: &str, line: usize) -> Self {
-        Self { draft: Draft::new(name, line), grammar: Grammar::default() }
+    pub(super) fn new(source: Source<'a>, name: &str, line: usize) -> Self {
+        Self { draft: Draft::new(source, name, line), grammar: Grammar::default() }
     }
 
     pub(super) fn definition(&mut self) -> &mut Definition {
@@ -64,7 +65,7 @@ impl Plain {
     }
 
     /// The draft with the axiom and the rules.
-    pub(super) fn into_draft(mut self) -> Draft {
+    pub(super) fn into_draft(mut self) -> Draft<'a> {
         if self.draft.definition.rules.is_empty() {
             self.draft.grammar(&self.grammar);
         }

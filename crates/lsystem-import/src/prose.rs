@@ -6,6 +6,7 @@
 
 use crate::draft::Draft;
 use crate::plain::Plain;
+use crate::source::Source;
 use crate::words::{behind, number, original_line, plain};
 use lsystem_base::decimal;
 
@@ -20,7 +21,8 @@ const MOST_RULES: usize = 1000;
 const LONGEST_START: usize = 1000;
 
 /// Reads one system: an axiom, and at least one rule with an arrow.
-pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     // Objects and markup have readers of their own.
     if text.trim_start().starts_with(['{', '<']) {
         return None;
@@ -34,7 +36,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
         return None;
     }
     let title = text.lines().next().map(str::trim).filter(|line| is_title(line)).unwrap_or("");
-    let mut draft = Plain::new(title.trim_end_matches([':', '.']), 1);
+    let mut draft = Plain::new(source, title.trim_end_matches([':', '.']), 1);
     draft.start(&axiom);
     let is_plain = rules.iter().all(|(_, predecessor, _)| predecessor.chars().count() == 1);
     if !is_plain {

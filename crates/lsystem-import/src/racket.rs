@@ -18,9 +18,11 @@
 
 use crate::draft::Draft;
 use crate::rules::split_rule;
+use crate::source::Source;
 use std::collections::BTreeSet;
 
-pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     let first = text.lines().find(|line| !line.trim().is_empty())?;
     let has = |name: &str| text.lines().any(|line| heading(line).is_some_and(|found| found == name));
     if !(first.trim().starts_with("#lang lindenmayer") || has("axiom") && has("rules")) {
@@ -50,7 +52,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     parts.retain(|part| !part.1.is_empty());
     // One more than the limit, which is then told.
     parts.truncate(super::MAX_ENTRIES + 1);
-    Some(parts.iter().map(|(line, lines)| system(*line, lines, &code)).collect())
+    Some(parts.iter().map(|(line, lines)| system(source, *line, lines, &code)).collect())
 }
 
 /// The facts about the Racket code behind the systems.
@@ -81,8 +83,8 @@ fn heading(line: &str) -> Option<&str> {
     (!name.is_empty()).then_some(name)
 }
 
-fn system(line: usize, lines: &[(usize, &str)], code: &Code<'_>) -> Draft {
-    let mut draft = Draft::new("", line);
+fn system<'a>(source: Source<'a>, line: usize, lines: &[(usize, &str)], code: &Code<'_>) -> Draft<'a> {
+    let mut draft = Draft::new(source, "", line);
     let library = code.library;
     let (mut section, mut axiom) = ("", String::new());
     let mut rules: Vec<String> = Vec::new();
@@ -161,7 +163,7 @@ fn names(body: &str) -> BTreeSet<String> {
 }
 
 /// Sets the angle from the variables or the code.
-fn angle(draft: &mut Draft, variables: &[(String, String)], code: &Code<'_>) {
+fn angle(draft: &mut Draft<'_>, variables: &[(String, String)], code: &Code<'_>) {
     let library = code.library;
     let variable = |names: &[&str]| {
         let found = names.iter().find_map(|name| variables.iter().find(|(own, _)| own == name))?;

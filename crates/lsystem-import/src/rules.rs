@@ -1,19 +1,5 @@
 //! Rules as people write them, and the lines of a text.
 
-/// The places of a text's line ends, to find lines fast.
-pub(super) struct Lines(Vec<usize>);
-
-impl Lines {
-    pub(super) fn new(text: &str) -> Self {
-        Self(text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n').map(|(at, _)| at).collect())
-    }
-
-    /// The line of a place in the text, from 1.
-    pub(super) fn of(&self, at: usize) -> usize {
-        self.0.partition_point(|end| *end < at) + 1
-    }
-}
-
 /// The arrows, longer ones first.
 const ARROWS: [&str; 17] = [
     "\\longrightarrow",

@@ -6,7 +6,7 @@ use lsystem_base::number::number;
 
 /// A result as text: one block for each entry.
 pub(super) fn summary(text: &str) -> String {
-    let Some(Imported { notation, entries }) = import(text) else { return "not recognised".to_owned() };
+    let Some(Imported { notation, entries, .. }) = import(text) else { return "not recognised".to_owned() };
     let entries: Vec<String> = entries.iter().map(entry).collect();
     format!("{notation}\n{}", entries.join("\n"))
 }

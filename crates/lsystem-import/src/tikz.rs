@@ -10,7 +10,8 @@
 //! `+ - [ ]` turn and branch; `\symbol` gives other symbols one of these actions.
 
 use crate::draft::{Draft, production};
-use crate::rules::{Lines, split_rule};
+use crate::rules::split_rule;
+use crate::source::Source;
 use lsystem_syntax::{Grammar, Module};
 
 /// A declared system.
@@ -22,8 +23,8 @@ struct Declared<'a> {
 /// The most declarations and the most uses that are read.
 const MOST: usize = 500;
 
-pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
-    let lines = Lines::new(text);
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
     let mut declared = Vec::new();
     for (at, mark) in text.match_indices("\\pgfdeclarelindenmayersystem").take(MOST) {
         let rest = &text[at + mark.len()..];
@@ -37,8 +38,8 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
         for (at, mark) in text.match_indices(key).take(MOST) {
             let rest = text[at + mark.len()..].trim_start();
             let Some((options, _)) = rest.strip_prefix('=').and_then(group) else { continue };
-            let line = lines.of(at);
-            let (draft, name) = system(options, &declared, line);
+            let line = source.line_of(at);
+            let (draft, name) = system(source, options, &declared, line);
             used.extend(name);
             drafts.push((at, draft));
         }
@@ -46,8 +47,8 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     // A name in a style or in a path may stand without options.
     for one in declared.iter().filter(|one| !used.iter().any(|name: &String| name == one.name)).take(100) {
         let at = one.body.as_ptr() as usize - text.as_ptr() as usize;
-        let mut draft = Draft::new(one.name, lines.of(at));
-        draft.refuse(lines.of(at), one.name, "The text gives no axiom for this system");
+        let mut draft = Draft::new(source, one.name, source.line_of(at));
+        draft.refuse(source.line_of(at), one.name, "The text gives no axiom for this system");
         drafts.push((at, draft));
     }
     drafts.sort_by_key(|(at, _)| *at);
@@ -87,8 +88,8 @@ fn options(text: &str) -> Vec<&str> {
     split.map(str::trim).filter(|part| !part.is_empty()).collect()
 }
 
-fn system(text: &str, declared: &[Declared<'_>], line: usize) -> (Draft, Option<String>) {
-    let mut draft = Draft::new("", line);
+fn system<'a>(source: Source<'a>, text: &str, declared: &[Declared<'_>], line: usize) -> (Draft<'a>, Option<String>) {
+    let mut draft = Draft::new(source, "", line);
     let mut grammar = Grammar::default();
     let mut name = None;
     let definition = &mut draft.definition;
@@ -148,7 +149,7 @@ fn system(text: &str, declared: &[Declared<'_>], line: usize) -> (Draft, Option<
 }
 
 /// Reads the body of a declaration.
-fn body(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft) {
+fn body(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft<'_>) {
     for (at, mark) in text.match_indices("\\rule") {
         match group(&text[at + mark.len()..]) {
             Some((rule, _)) => add_rule(rule, line, grammar, draft),
@@ -178,7 +179,7 @@ fn body(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft) {
     }
 }
 
-fn add_rule(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft) {
+fn add_rule(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft<'_>) {
     let (from, to) = split_rule(text).unwrap_or_default();
     let mut letters = from.chars();
     match (letters.next(), letters.next()) {
