@@ -215,7 +215,7 @@ mod tests {
                 n 13, angle 90, heading 90, abop
                   F
                   F -> F+F
-                note 1 "": There is no angle; 90° is taken
+                note 1 "": The text gives no angle; 90 degrees is chosen
                 note 1 "": The text gives no number of iterations; 13 is chosen by the size"#]],
         );
     }

@@ -9,21 +9,27 @@
 //! bytes. `docs/imports.md` lists what each reader reads, notes and refuses.
 
 mod account;
+mod angle;
 mod anvaka;
+mod assembly;
 mod assignments;
+mod branches;
 mod cpfg;
+mod decode;
 mod decomposition;
 mod draft;
 mod fractint;
 mod houdini;
+mod keys;
 mod link;
 mod objects;
-mod plain;
-mod prose;
+mod phrases;
 mod racket;
 mod rules;
 mod source;
+mod statements;
 mod tikz;
+mod tokens;
 mod value;
 mod words;
 
@@ -93,9 +99,9 @@ const READERS: &[(&str, Reader)] = &[
     ("Houdini", houdini::read),
     ("Fractint", fractint::read),
     ("Racket", racket::read),
-    ("JavaScript", objects::read),
+    ("a program", objects::read),
     ("anvaka’s page", anvaka::read),
-    ("a description", prose::read),
+    ("a description", statements::read),
 ];
 
 /// Reads all systems of a text that another program or a person wrote in another notation. Returns `None` if no

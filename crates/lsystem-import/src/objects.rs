@@ -1,172 +1,30 @@
-//! JavaScript and JSON objects of packages and web pages, and the same as assignments.
+//! Systems in programs and data of any language: objects, maps, lists, calls and assignments.
 //!
 //! ```text
 //! new LSystem({axiom: 'F++F++F', productions: {'F': 'F-F++F-F'}})
-//! {axiom: "X", rules: {X: "F+[[X]-X]"}, alpha: 0, theta: Math.PI / 3, iterations: 7}
 //! axiom = "F"; rules = {"F": "F+F"}; angle = 60
+//! grammar = new Grammar("X"); grammar.addRule('X', "F+X");
+//! rules = new Dictionary<char, string> { { 'X', "F+X" } };
 //! ```
 //!
-//! The words of these programs are plain characters. What the symbols do stands in the program's code, which is not
-//! read, so F and G draw and + turns left, as in most of them. An object with `theta` in radians is of the package
-//! lindsvg, whose symbols are known: `F` draws, `B` moves, `+` turns right on the screen, and every letter without a rule
-//! vanishes.
+//! An object with an axiom and rules is a system; so are assignments and calls one after the other, until one of them is
+//! repeated. Words are plain characters. Code is not run: what symbols do is known where the text compares a symbol and
+//! then calls a usual function of a turtle, as in `case '+': right(25)`; else `F` and `G` draw and `+` turns left, with a
+//! remark. An object with `theta` and `alpha` or `step` is of the package lindsvg, whose symbols are known.
 
-use crate::draft::{Draft, production};
+use crate::assembly::{Angle, Rule, Said, Statements, Symbols};
+use crate::branches::{Branches, branches};
+use crate::draft::Draft;
+use crate::keys::{Key, key, letter_of};
 use crate::rules::split_rule;
 use crate::source::Source;
-use crate::value::{Node, Scanner, Unit, Value};
-use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern};
+use crate::tokens::{Kind, Node, tree};
+use crate::value::{Member, Unit, Value, What, elements, members};
+use crate::words::{is_prose, weighted};
+use core::ops::Range;
 
-const AXIOM: &[&str] = &["axiom", "start", "initial", "initiator", "omega", "startString", "start_string", "seed"];
-const RULES: &[&str] = &["rules", "productions", "rule", "production", "ruleset", "production_rules"];
-const ANGLE: &[&str] =
-    &["angle", "delta", "theta", "turnAngle", "turn_angle", "angle_deg", "angleDeg", "degrees", "turn"];
-const ITERATIONS: &[&str] = &[
-    "iterations",
-    "n",
-    "depth",
-    "generations",
-    "generation",
-    "order",
-    "iters",
-    "num_iters",
-    "level",
-    "levels",
-    "steps",
-];
-const NAME: &[&str] = &["name", "title", "label", "id"];
-
-pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
-    let text = source.text;
-    let first = text.trim_start();
-    let mentions = |keys: &[&str]| keys.iter().any(|key| contains_word(text, key));
-    if !mentions(AXIOM) || !mentions(RULES) {
-        return None;
-    }
-    // Our own JSON and the course's have a reader of their own, which also explains mistakes in them.
-    if first.starts_with('{') && contains_word(text, "initial") {
-        return None;
-    }
-    if first.starts_with(['{', '/']) && lsystem_files::read_json(text).0.is_some_and(|found| !found.axiom.is_empty()) {
-        return None;
-    }
-    let mut systems = Vec::new();
-    let mut scanner = Scanner::new(text);
-    while let Some(open) = text.get(scanner.at..).and_then(|rest| rest.find('{')) {
-        let start = scanner.at + open;
-        scanner.at = start;
-        let name = name_before(text, start);
-        match scanner.value(0) {
-            Some(node) => collect(&node, &name, &mut systems),
-            None => scanner.at = start + 1,
-        }
-        if scanner.is_exhausted() {
-            break;
-        }
-    }
-    if systems.is_empty() {
-        systems.extend(assignments(text).map(|node| (String::new(), node)));
-    }
-    let single = systems.len() == 1;
-    let drafts: Vec<Draft<'_>> = systems.iter().map(|(name, node)| system(source, name, node, single)).collect();
-    (!drafts.is_empty()).then_some(drafts)
-}
-
-/// Whether a text contains a word, in any case, not as a part of a longer one.
-fn contains_word(text: &str, word: &str) -> bool {
-    let lower = text.to_ascii_lowercase();
-    let word = word.to_ascii_lowercase();
-    lower.match_indices(&word).any(|(at, _)| {
-        let is_part = |c: Option<char>| c.is_some_and(|c| c.is_ascii_alphanumeric());
-        !is_part(lower[..at].chars().next_back()) && !is_part(lower[at + word.len()..].chars().next())
-    })
-}
-
-/// The name that an object is assigned to: `koch = {`, `"koch": {`.
-fn name_before(text: &str, at: usize) -> String {
-    let before = text[..at].trim_end();
-    let Some(before) = before.strip_suffix(['=', ':']) else { return String::new() };
-    let before = before.trim_end().trim_end_matches(['"', '\'']);
-    let from = before
-        .rfind(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | '-' | '$'))
-        .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
-    before[from..].to_owned()
-}
-
-/// Whether a node is an object with an axiom and rules, and not of our own form.
-fn is_system(node: &Node) -> bool {
-    let ours = node.get(&["initial"]).is_some() && node.get(&["turtle", "style", "num_iters", "angle_deg"]).is_some();
-    let axiom = node.get(AXIOM).is_some_and(|axiom| match &axiom.value {
-        Value::Text(_) => true,
-        Value::List(list) => list.iter().all(|one| one.text().is_some()) && !list.is_empty(),
-        _ => false,
-    });
-    let rules = node.get(RULES).is_some_and(|rules| match &rules.value {
-        Value::Object(_) | Value::List(_) => true,
-        Value::Text(text) => text.contains(['=', '>', '→', ':']),
-        _ => false,
-    });
-    axiom && rules && !ours
-}
-
-/// Collects the systems in a value.
-fn collect(node: &Node, name: &str, systems: &mut Vec<(String, Node)>) {
-    if is_system(node) {
-        systems.push((name.to_owned(), node.clone()));
-        return;
-    }
-    match &node.value {
-        Value::Object(members) => members.iter().for_each(|(key, value)| collect(value, key, systems)),
-        Value::List(list) => list.iter().for_each(|value| collect(value, "", systems)),
-        _ => {}
-    }
-}
-
-/// A system whose parts are assigned one by one: `axiom = "F"`, `rules = {..}`.
-fn assignments(text: &str) -> Option<Node> {
-    let mut members = Vec::new();
-    let mut scanner = Scanner::new(text);
-    let mut from = 0;
-    while let Some(found) = text[from..].find(['=', ':']) {
-        let sign = from + found;
-        from = sign + 1;
-        let key = name_before(text, sign + 1);
-        let known = [AXIOM, RULES, ANGLE, ITERATIONS, NAME]
-            .iter()
-            .any(|keys| keys.iter().any(|k| k.eq_ignore_ascii_case(&key)));
-        if !known {
-            continue;
-        }
-        scanner.at = from;
-        if let Some(node) = scanner.value(0)
-            && !matches!(node.value, Value::Other)
-        {
-            from = node.end.max(from);
-            members.push((key, node));
-        }
-        if scanner.is_exhausted() {
-            break;
-        }
-    }
-    let start = members.first()?.1.start;
-    let node = Node { value: Value::Object(members), start, end: text.len() };
-    is_system(&node).then_some(node)
-}
-
-struct Reader<'a> {
-    text: &'a str,
-    draft: Draft<'a>,
-    grammar: Grammar,
-}
-
-fn system<'a>(source: Source<'a>, name: &str, node: &Node, single: bool) -> Draft<'a> {
-    let title = node.get(NAME).and_then(Node::text).unwrap_or(name);
-    let draft = Draft::new(source, title, source.line_of(node.start));
-    let mut reader = Reader { text: source.text, draft, grammar: Grammar::default() };
-    reader.read(node, single);
-    reader.draft
-}
-
+/// Words of which a text without an axiom by that name has one.
+const FIELD: [&str; 6] = ["axiom", "l-system", "lsystem", "lindenmayer", "l_system", "turtle"];
 /// A weight of a random choice.
 const WEIGHT: &[&str] = &["weight", "p", "prob", "probability", "chance", "w", "odds"];
 /// A successor.
@@ -189,6 +47,10 @@ const TO: &[&str] = &[
     "e",
     "after",
     "then",
+    "successors",
+    "productions",
+    "options",
+    "next",
 ];
 /// A predecessor.
 const FROM: &[&str] = &[
@@ -209,333 +71,812 @@ const FROM: &[&str] = &[
     "match",
     "find",
     "variable",
+    "name",
 ];
 
+pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let text = source.text;
+    let lower = text.to_ascii_lowercase();
+    if !["axiom", "start", "init", "omega", "seed", "s0", "lsys", "grammar"].iter().any(|word| lower.contains(word))
+        || !["rule", "prod", "repl", "case", "==", "sub", "rewrit", "mapp", "transf"]
+            .iter()
+            .any(|word| lower.contains(word))
+    {
+        return None;
+    }
+    let tree = tree(text);
+    let mut reader = Reader {
+        text,
+        of_field: FIELD.iter().any(|word| lower.contains(word)),
+        systems: Vec::new(),
+        flat: Flat::default(),
+        branches: branches(&tree.nodes),
+    };
+    reader.walk(&tree.nodes, "", &[]);
+    reader.finish_flat();
+    let Reader { mut systems, branches, .. } = reader;
+    for system in &mut systems {
+        if system.symbols == Symbols::Program {
+            for (symbol, actions, span) in &branches.meanings {
+                system.mean(*symbol, actions.clone(), span.clone());
+            }
+        }
+    }
+    // One more than the limit, which is then said.
+    systems.truncate(crate::MAX_ENTRIES + 1);
+    let drafts: Vec<Draft<'a>> = systems.into_iter().map(|system| system.assemble(source, &tree.comments)).collect();
+    (!drafts.is_empty()).then_some(drafts)
+}
+
+/// Assignments and calls one after the other, of one system.
+#[derive(Default)]
+struct Flat {
+    said: Option<Statements>,
+    /// Whether all rules were assigned at once.
+    has_all_rules: bool,
+    /// Whether the axiom was called so.
+    is_sure: bool,
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    /// Whether the text speaks of L-systems.
+    of_field: bool,
+    systems: Vec<Statements>,
+    flat: Flat,
+    branches: Branches,
+}
+
 impl Reader<'_> {
-    fn line(&self, node: &Node) -> usize {
-        self.draft.source.line_of(node.start)
-    }
-
-    fn source(&self, node: &Node) -> String {
-        self.text.get(node.start..node.end).unwrap_or_default().to_owned()
-    }
-
-    fn refuse(&mut self, node: &Node, why: &str) {
-        let (line, source) = (self.line(node), self.source(node));
-        self.draft.refuse(line, &source, why);
-    }
-
-    fn note(&mut self, node: &Node, why: &str) {
-        let (line, source) = (self.line(node), self.source(node));
-        self.draft.note(line, &source, why);
-    }
-
-    fn read(&mut self, node: &Node, single: bool) {
-        let Value::Object(members) = &node.value else { return };
-        let is_lindsvg = node.get(&["theta"]).is_some()
-            && node.get(&["axiom"]).is_some()
-            && (node.get(&["alpha"]).is_some() || self.text.contains("lindsvg"));
-        if let Some(axiom) = node.get(AXIOM) {
-            let word = match &axiom.value {
-                Value::List(list) => list.iter().filter_map(Node::text).collect(),
-                _ => axiom.text().unwrap_or_default().to_owned(),
-            };
-            self.grammar.axiom = modules(&word);
-        }
-        if let Some(rules) = node.get(RULES) {
-            self.productions(rules);
-        }
-        if is_lindsvg {
-            self.lindsvg(node);
-        } else {
-            self.meanings(node);
-            match node.get(ANGLE) {
-                Some(angle) => self.angle(angle),
-                None => self.angle_in_code(node),
+    /// Reads what stands in a bracket or in the whole text. `name` is what it is assigned to; `around` are the members of
+    /// the object around it.
+    fn walk(&mut self, nodes: &[Node], name: &str, around: &[Member<'_>]) {
+        let mut at = 0;
+        while let Some(node) = nodes.get(at) {
+            if let Some(member) = crate::value::member(nodes, at)
+                && self.member(nodes, at, &member, around)
+            {
+                at = member.next.max(at + 1);
+                continue;
             }
-        }
-        let calls = || {
-            let rest = self.text.split(".iterate(").nth(1).filter(|_| single)?;
-            rest.split(')').next().map(str::to_owned)
-        };
-        match node.get(ITERATIONS).map(|node| (node, &node.value)) {
-            Some((at, Value::Number(n, _))) => self.draft.iterations(self.line(at), &n.to_string()),
-            Some((at, Value::Text(n))) => self.draft.iterations(self.line(at), n),
-            _ if is_lindsvg => self.draft.iterations(self.draft.line, "3"),
-            _ => {
-                if let Some(n) = calls().filter(|n| n.trim().parse::<u32>().is_ok()) {
-                    self.draft.iterations(self.draft.line, &n);
+            let called = nodes.get(at + 1).filter(|next| !next.is_first && matches!(next.kind, Kind::Group('(', _)));
+            if let (Some(function), Some(arguments)) = (node.name(), called) {
+                let receiver = match nodes.get(..at) {
+                    Some([.., object, dot]) if dot.is(".") || dot.is("::") => object.name(),
+                    _ => None,
+                };
+                let span = node.span.start..arguments.span.end;
+                if self.call(function, receiver, arguments, span) {
+                    at += 2;
+                    continue;
                 }
             }
+            if let Kind::Group(_, inside) = &node.kind {
+                let own = members(inside);
+                if let Some(system) = self.object(&own, node.span.clone(), name, around) {
+                    self.systems.push(system);
+                } else {
+                    self.walk(inside, "", &own);
+                }
+            }
+            at += 1;
         }
-        let known: [&[&str]; 6] =
-            [AXIOM, RULES, ANGLE, ITERATIONS, NAME, if is_lindsvg { &["alpha", "step"] } else { &[] }];
-        for (key, value) in members {
-            if known.iter().all(|keys| keys.iter().all(|known| !known.eq_ignore_ascii_case(key))) {
-                self.note(value, &format!("`{key}` is not carried over"));
+    }
+
+    /// Reads a member outside of a system; whether it is a part of one.
+    fn member(&mut self, nodes: &[Node], at: usize, member: &Member<'_>, around: &[Member<'_>]) -> bool {
+        if let What::Group(node, function) = &member.value.what {
+            let own = member.value.members();
+            if let Some(system) = self.object(&own, node.span.clone(), &member.key, around) {
+                self.systems.push(system);
+                return true;
+            }
+            if let Some(function) = function
+                && self.constructor(function, node, member.value.span.clone(), &member.key)
+            {
+                return true;
             }
         }
-        let grammar = core::mem::take(&mut self.grammar);
-        self.draft.grammar(&grammar);
-    }
-
-    /// Reads the rules of any form.
-    fn productions(&mut self, node: &Node) {
-        match &node.value {
-            Value::Object(members) => members.iter().for_each(|(key, value)| self.keyed(key, value)),
-            Value::List(list) => list.iter().for_each(|one| self.listed(one)),
-            Value::Text(text) => self.lines(text, node),
-            _ => self.refuse(node, "The rules are code, which is not read"),
-        }
-    }
-
-    /// Reads one element of a list of rules.
-    fn listed(&mut self, node: &Node) {
-        match &node.value {
-            Value::Text(text) => self.lines(text, node),
-            Value::List(pair) => match &pair[..] {
-                [from, to] if from.text().is_some() => self.keyed(from.text().unwrap_or_default(), to),
-                [from, to, weight] if from.text().is_some() && matches!(weight.value, Value::Number(..)) => {
-                    let Value::Number(weight, _) = weight.value else { return };
-                    match to.text() {
-                        Some(to) => self.production(from.text().unwrap_or_default(), to, Some(weight), node),
-                        None => self.refuse(node, "This rule cannot be read"),
+        let Some(key) = key(&member.key) else { return false };
+        let name = nodes.get(at).and_then(Node::name);
+        match key {
+            Key::Axiom => {
+                let Some(word) = word_of(&member.value).filter(|word| !word.trim().is_empty()) else { return false };
+                self.flat_axiom(&word, member.span.clone(), is_sure(&member.key));
+            }
+            Key::Rules | Key::Rule => {
+                let mut rules = Rules::default();
+                match member.index {
+                    Some(index) if index.text().is_some() => {
+                        rules.keyed(index.text().unwrap_or_default(), &member.value)
                     }
-                }
-                _ => self.refuse(node, "This rule cannot be read"),
-            },
-            Value::Object(members) => match (node.get(FROM).and_then(Node::text), node.get(TO)) {
-                (Some(from), Some(to)) => {
-                    let from = from.to_owned();
-                    match (&to.value, self.weight(node)) {
-                        (Value::Text(to), weight) => self.production(&from, to, weight, node),
-                        _ => self.keyed(&from, to),
+                    Some(_) => rules.listed(&member.value),
+                    None if key == Key::Rule
+                        && letter_of(&member.key).is_some()
+                        && member.value.text().is_some_and(|text| split_rule(text).is_none()) =>
+                    {
+                        let letter = letter_of(&member.key).unwrap_or_default();
+                        rules.keyed(letter.encode_utf8(&mut [0; 4]), &member.value);
                     }
+                    // `rules_a = "FF"` says the letter; `rules = {...}` says all.
+                    None if member.value.text().is_some() && letter_of(&member.key).is_some() => {
+                        let letter = letter_of(&member.key).unwrap_or_default();
+                        rules.keyed(letter.encode_utf8(&mut [0; 4]), &member.value);
+                    }
+                    None => rules.all(&member.value),
                 }
-                // `[{"F": "FF"}, {"X": "F"}]`
-                _ => members.iter().for_each(|(key, value)| self.keyed(key, value)),
-            },
-            _ => self.refuse(node, "This rule is code, which is not read"),
-        }
-    }
-
-    /// Reads rules in the lines of a string.
-    fn lines(&mut self, text: &str, node: &Node) {
-        for rule in text.split(['\n', ';', ',']).map(str::trim).filter(|rule| !rule.is_empty()) {
-            match split_rule(rule) {
-                Some((from, to)) => self.production(from, to, None, node),
-                None => self.refuse(node, "This rule has no arrow"),
+                if rules.found.is_empty() {
+                    return false;
+                }
+                let whole = member.index.is_none() && key == Key::Rules && letter_of(&member.key).is_none();
+                self.flat_rules(rules, member.span.clone(), whole);
             }
-        }
-    }
-
-    fn weight(&self, node: &Node) -> Option<f64> {
-        let Some(Node { value: Value::Number(weight, _), .. }) = node.get(WEIGHT) else { return None };
-        Some(*weight)
-    }
-
-    /// Reads a rule whose predecessor is a key.
-    fn keyed(&mut self, key: &str, node: &Node) {
-        match &node.value {
-            Value::Text(to) => self.production(key, to, None, node),
-            Value::List(list) if list.iter().all(|one| one.text().is_some_and(|text| text.chars().count() == 1)) => {
-                let word: String = list.iter().filter_map(Node::text).collect();
-                self.production(key, &word, None, node);
-            }
-            Value::List(list) => {
-                for one in list {
-                    let to = one.text().or_else(|| one.get(TO).and_then(Node::text));
-                    let pair = if let Value::List(pair) = &one.value { Some(&pair[..]) } else { None };
-                    match (to, pair) {
-                        (Some(to), _) => self.production(key, to, self.weight(one).or(Some(1.0)), one),
-                        (
-                            None,
-                            Some(
-                                [Node { value: Value::Number(p, _), .. }, to]
-                                | [to, Node { value: Value::Number(p, _), .. }],
-                            ),
-                        ) if to.text().is_some() => {
-                            self.production(key, to.text().unwrap_or_default(), Some(*p), one);
+            Key::Angle | Key::LeftAngle | Key::RightAngle | Key::LengthFactor | Key::Heading => {
+                let Some(number) = member.value.number().filter(|number| *number != 0.0) else { return false };
+                let angle = angle_of(&member.key, &member.value);
+                let said = Said::new(angle.unwrap_or(Angle::Unknown(number)), member.span.clone());
+                let differs =
+                    |known: &Option<Said<Angle>>| known.as_ref().is_some_and(|known| known.value != said.value);
+                let flat = self.flat_mut(member.span.start);
+                match key {
+                    Key::Angle if differs(&flat.angle) => {
+                        let first = flat.angle.clone();
+                        if flat.axiom.is_some() && !flat.rules.is_empty() {
+                            self.next_flat();
+                            self.flat_mut(member.span.start).angle = Some(said);
+                        } else if let Some(first) = first {
+                            contradict(self.flat_mut(member.span.start), &first.span, &member.span);
                         }
-                        _ => self.refuse(one, "This successor cannot be read: it has parameters or is code"),
                     }
+                    Key::Angle => flat.angle = Some(said),
+                    Key::LeftAngle => flat.left = Some(said),
+                    Key::RightAngle => flat.right = Some(said),
+                    Key::LengthFactor => flat.factor = Some(Said::new(number, member.span.clone())),
+                    _ => return false,
+                }
+                self.extend(member.span.clone());
+            }
+            Key::Iterations => {
+                let Some(number) = member.value.number().filter(|n| n.fract() == 0.0 && *n > 0.0 && *n < 1e6) else {
+                    return false;
+                };
+                let weak = matches!(member.key.as_str(), "n" | "i" | "steps" | "level" | "order" | "gen" | "size");
+                if weak && !self.of_field {
+                    return false;
+                }
+                let flat = self.flat_mut(member.span.start);
+                if flat.iterations.is_none() {
+                    flat.iterations = Some(Said::new(number.to_string(), member.span.clone()));
+                    self.extend(member.span.clone());
                 }
             }
-            Value::Object(members) => {
-                if let Some(code) = node.get(&["condition"]) {
-                    return self.refuse(code, "Conditions are code, which is not read");
+            Key::Name if name.is_some_and(|name| matches!(&*name.to_ascii_lowercase(), "name" | "title")) => {
+                let Some(text) = member.value.text() else { return false };
+                let flat = self.flat_mut(member.span.start);
+                if flat.name.is_empty() {
+                    text.clone_into(&mut flat.name);
                 }
-                if let Some(successors) = node.get(&["successors", "productions", "options"]) {
-                    return self.keyed(key, successors);
-                }
-                let context = |keys| node.get(keys).and_then(Node::text).unwrap_or_default();
-                let (left, right) = (context(&["leftCtx", "left"]), context(&["rightCtx", "right"]));
-                let weighted = members.iter().all(|(_, value)| matches!(value.value, Value::Number(..)));
-                match node
-                    .get(&["successor", "to", "out", "output", "replacement", "rule", "value"])
-                    .and_then(Node::text)
+                return false;
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Reads a call; whether it is a part of a system.
+    fn call(&mut self, function: &str, receiver: Option<&str>, arguments: &Node, span: Range<usize>) -> bool {
+        let Some(inside) = arguments.group() else { return false };
+        let own = elements(inside);
+        let name: String = function.chars().filter(|c| *c != '_').collect::<String>().to_ascii_lowercase();
+        let to_rules = receiver.is_some_and(|receiver| matches!(key(receiver), Some(Key::Rules | Key::Rule)));
+        let adds_rule = matches!(
+            &*name,
+            "addrule"
+                | "setrule"
+                | "rule"
+                | "addproduction"
+                | "production"
+                | "withrule"
+                | "addrules"
+                | "newrule"
+                | "defrule"
+        );
+        let fills = matches!(&*name, "put" | "insert" | "set" | "add" | "push" | "append" | "emplace" | "pushback");
+        if adds_rule || fills && to_rules {
+            let mut rules = Rules::default();
+            rules.arguments(&own, span.clone());
+            if rules.found.is_empty() {
+                return false;
+            }
+            self.flat_rules(rules, span, false);
+            return true;
+        }
+        match (&*name, &own[..]) {
+            ("setaxiom" | "axiom" | "withaxiom" | "initiator" | "setstart" | "startwith", [word, ..])
+                if word.text().is_some() =>
+            {
+                self.flat_axiom(word.text().unwrap_or_default(), span, true);
+                true
+            }
+            ("setangle" | "angle" | "withangle" | "setturnangle" | "setdelta" | "turnangle", [angle])
+                if angle.number().is_some() =>
+            {
+                let angle = angle_of(function, angle).unwrap_or(Angle::Unknown(0.0));
+                self.flat_mut(span.start).angle = Some(Said::new(angle, span.clone()));
+                self.extend(span);
+                true
+            }
+            (
+                "iterate" | "iterations" | "setiterations" | "generations" | "setdepth" | "withiterations" | "simulate"
+                | "generate",
+                [n],
+            ) if n.number().is_some_and(|n| n.fract() == 0.0 && n > 0.0) => {
+                let n = n.number().unwrap_or_default().to_string();
+                if self.flat.said.is_some() {
+                    self.flat_mut(span.start).iterations = Some(Said::new(n, span.clone()));
+                    self.extend(span);
+                } else if let [system] = &mut self.systems[..]
+                    && system.iterations.is_none()
                 {
-                    Some(to) => {
-                        let mut from = key.to_owned();
-                        if !left.is_empty() {
-                            from = format!("{left}<{from}");
-                        }
-                        if !right.is_empty() {
-                            from = format!("{from}>{right}");
-                        }
-                        self.production(&from, to, self.weight(node), node);
-                    }
-                    // `{"F": {"FF": 0.5, "F": 0.5}}`
-                    None if weighted && !members.is_empty() => {
-                        for (to, weight) in members {
-                            if let Value::Number(p, _) = weight.value {
-                                self.production(key, to, Some(p), weight);
-                            }
-                        }
-                    }
-                    None => self.refuse(node, "This rule cannot be read"),
+                    system.iterations = Some(Said::new(n, span));
                 }
+                true
             }
-            _ => self.refuse(node, "This rule is code, which is not read"),
+            _ => self.constructor(function, arguments, span, ""),
         }
     }
 
-    fn production(&mut self, from: &str, to: &str, weight: Option<f64>, node: &Node) {
-        let from: String = from.chars().filter(|c| !c.is_whitespace()).collect();
-        if to.contains('(') || from.contains('(') {
-            return self.refuse(node, "Words with parameters in parentheses are not read from objects");
+    /// Reads `LSystem("FX", {"X": "F+X"})` and `new Grammar("X")`; whether it is one.
+    fn constructor(&mut self, function: &str, arguments: &Node, span: Range<usize>, name: &str) -> bool {
+        let lower = function.to_ascii_lowercase();
+        if !["lsys", "l_sys", "lindenmayer", "grammar"].iter().any(|part| lower.contains(part)) {
+            return false;
         }
-        let (left, rest) = match from.split_once('<') {
-            Some((left, rest)) if !left.is_empty() && !rest.is_empty() => (left, rest),
-            _ => ("", from.as_str()),
-        };
-        let (strict, right) = match rest.split_once('>') {
-            Some((strict, right)) if !strict.is_empty() && !right.is_empty() => (strict, right),
-            _ => (rest, ""),
-        };
-        let mut letters = strict.chars();
-        let (Some(letter), None) = (letters.next(), letters.next()) else {
-            return self.refuse(node, "The left side of a rule must be one symbol");
-        };
-        let mut rule = production(letter, to.chars().filter(|c| !c.is_whitespace()));
-        let patterns = |word: &str| word.chars().map(|symbol| Pattern { symbol, parameters: Vec::new() }).collect();
-        (rule.left, rule.right) = (patterns(left), patterns(right));
-        match weight {
-            Some(0.0) => return,
-            Some(p) if p.is_finite() && p > 0.0 => rule.weight = Some(Expr::Number(p)),
-            Some(_) => return self.refuse(node, "The weight of a random choice must be positive"),
+        let own = arguments.group().map(elements).unwrap_or_default();
+        if arguments
+            .group()
+            .is_some_and(|inside| members(inside).iter().any(|member| key(&member.key) == Some(Key::Axiom)))
+        {
+            return false;
+        }
+        let words: Vec<&Value<'_>> =
+            own.iter().filter(|value| value.text().is_some_and(|text| !is_prose(text))).collect();
+        let groups: Vec<&Value<'_>> = own.iter().filter(|value| value.items().is_some()).collect();
+        let Some(word) = words.last().filter(|_| words.len() <= 2) else { return false };
+        let mut rules = Rules::default();
+        groups.iter().for_each(|group| rules.all(group));
+        if rules.found.is_empty() {
+            if groups.is_empty() && words.len() == 1 {
+                self.flat_axiom(word.text().unwrap_or_default(), span, true);
+                return true;
+            }
+            return false;
+        }
+        let mut said = Statements::new(name, span.start, Symbols::Program);
+        said.extents.push(span);
+        said.axiom = Some(Said::new(word.text().unwrap_or_default().to_owned(), word.span.clone()));
+        rules.into(&mut said);
+        for member in arguments.group().map(members).unwrap_or_default() {
+            self.part(&mut said, &member);
+        }
+        for value in &own {
+            if value.number().is_some() && !said.angle.as_ref().is_some_and(|angle| angle.span.end == value.span.end) {
+                said.note(value.span.clone(), "The text does not say what this number is");
+            }
+        }
+        self.systems.push(said);
+        true
+    }
+
+    fn flat_mut(&mut self, start: usize) -> &mut Statements {
+        self.flat.said.get_or_insert_with(|| Statements::new("", start, Symbols::Program))
+    }
+
+    fn extend(&mut self, span: Range<usize>) {
+        self.flat_mut(span.start).extents.push(span);
+    }
+
+    fn flat_axiom(&mut self, word: &str, span: Range<usize>, is_sure: bool) {
+        if is_prose(word) {
+            return;
+        }
+        let known = self.flat.said.as_ref().and_then(|said| said.axiom.clone());
+        match known {
+            Some(known) if known.value == word => return,
+            // What is called an axiom counts more than a start or a seed.
+            Some(_) if self.flat.is_sure && !is_sure => return,
+            Some(_) => self.next_flat(),
             None => {}
         }
-        self.grammar.productions.push(rule);
+        self.flat.is_sure = is_sure;
+        self.flat_mut(span.start).axiom = Some(Said::new(word.to_owned(), span.clone()));
+        self.extend(span);
     }
 
-    /// Sets the heading, the angle and the symbols of lindsvg.
-    fn lindsvg(&mut self, node: &Node) {
-        let degrees = |key| match node.get(&[key]).map(|node| &node.value) {
-            Some(Value::Number(value, Unit::Degrees)) => Some(*value),
-            Some(Value::Number(value, _)) => Some(tidy(value.to_degrees())),
-            Some(_) => None,
-            None => Some(0.0),
-        };
-        match (degrees("alpha"), degrees("theta")) {
-            (Some(alpha), Some(theta)) => {
-                self.draft.definition.heading = alpha;
-                self.draft.definition.angle = theta;
+    fn flat_rules(&mut self, rules: Rules, span: Range<usize>, whole: bool) {
+        // What stands before the rules themselves: `rules = {`, `rules.push(`.
+        let first = rules.found.iter().map(|rule| rule.span.start).min().unwrap_or(span.end);
+        if whole && self.flat.has_all_rules {
+            self.next_flat();
+        }
+        self.flat.has_all_rules |= whole;
+        self.extend(span.clone());
+        self.flat_mut(span.start).comments.push(span.start..first.max(span.start));
+        rules.into(self.flat_mut(span.start));
+    }
+
+    /// Ends the system of assignments, if it is one.
+    fn next_flat(&mut self) {
+        let Flat { said, is_sure, .. } = core::mem::take(&mut self.flat);
+        let Some(mut said) = said else { return };
+        if said.rules.is_empty() && said.axiom.is_some() && (is_sure || self.of_field) {
+            for (symbol, word, span) in &self.branches.rules {
+                said.rules.push(Rule { from: symbol.to_string(), to: word.clone(), weight: None, span: span.clone() });
+                said.extents.push(span.clone());
             }
-            _ => self.refuse(node, "The angles alpha and theta are code, which is not read"),
         }
-        self.draft.others = Some("");
-        let meanings = [("F", "draw"), ("B", "move"), ("+", "turn right"), ("-", "turn left")];
-        for (symbol, actions) in meanings.into_iter().chain([("[", "open branch"), ("]", "close branch")]) {
-            self.draft.meaning(symbol.chars().next().unwrap_or_default(), actions);
-        }
-        // lindsvg drops letters without a rule at the next iteration.
-        let mut letters = lsystem_base::sorted::set(self.grammar.made().map(|module| module.symbol));
-        let has_rule = |letter: char| self.grammar.productions.iter().any(|rule| rule.predecessor.symbol == letter);
-        letters.retain(|&letter| !"+-[]".contains(letter) && !has_rule(letter));
-        self.grammar.productions.extend(letters.into_iter().map(|letter| production(letter, [])));
-    }
-
-    /// Chooses the dialect, because the text does not say what the symbols do.
-    fn meanings(&mut self, node: &Node) {
-        let symbols: Vec<char> = self.grammar.made().map(|module| module.symbol).collect();
-        let line = self.line(node);
-        let draws = symbols.iter().any(|c| matches!(c, 'F' | 'G'));
-        if draws {
-            self.draft.note(
-                line,
-                "",
-                "The text does not say what symbols do; here F and G draw, f moves, + turns left",
-            );
-            self.draft.others = Some("");
-            let known =
-                [('F', "draw"), ('G', "draw"), ('f', "move"), ('g', "move"), ('+', "turn left"), ('-', "turn right")];
-            for (symbol, actions) in
-                known.into_iter().chain([('|', "turn round"), ('[', "open branch"), (']', "close branch")])
+        let strict = |rule: &Rule| rule.from.trim().chars().count() == 1;
+        let Some(axiom) = &said.axiom else {
+            // What stands behind a complete system belongs to it, and contradicts it if it says something else.
+            if let (Some(last), Some(angle)) = (self.systems.last_mut(), &said.angle)
+                && let Some(first) = last.angle.clone()
+                && said.rules.is_empty()
             {
-                self.draft.meaning(symbol, actions);
+                contradict(last, &first.span, &angle.span);
             }
+            return;
+        };
+        let occurs = |rule: &Rule| rule.from.trim().chars().next().is_some_and(|symbol| axiom.value.contains(symbol));
+        let plausible = is_sure || self.of_field && said.rules.iter().any(occurs);
+        if said.rules.is_empty() || !(plausible || said.rules.iter().all(strict) && said.rules.iter().any(occurs)) {
+            return;
+        }
+        self.systems.push(said);
+    }
+
+    fn finish_flat(&mut self) {
+        self.next_flat();
+    }
+
+    /// The system of an object; `None` if it is none.
+    fn object(&self, own: &[Member<'_>], span: Range<usize>, name: &str, around: &[Member<'_>]) -> Option<Statements> {
+        let of = |wanted: Key| own.iter().rev().find(|member| key(&member.key) == Some(wanted));
+        let axiom = own.iter().rev().filter(|member| key(&member.key) == Some(Key::Axiom));
+        let axiom = axiom.max_by_key(|member| is_sure(&member.key))?;
+        let word = word_of(&axiom.value)?;
+        let has_rules = own.iter().any(|member| match key(&member.key) {
+            Some(Key::Rules) => match &member.value.what {
+                What::Group(..) => true,
+                What::Text(text) => text.contains(['=', '>', '→', ':']) || letter_of(&member.key).is_some(),
+                _ => is_sure(&axiom.key) && matches!(member.value.what, What::Code),
+            },
+            Some(Key::Rule) => member.value.text().is_some() || member.value.items().is_some(),
+            _ => false,
+        });
+        // The course's own form has a reader of its own.
+        let ours = own.iter().any(|member| member.key == "initial")
+            && own.iter().any(|member| matches!(&*member.key, "turtle" | "style" | "num_iters" | "angle_deg"));
+        if !has_rules || ours || is_prose(&word) && !is_sure(&axiom.key) {
+            return None;
+        }
+        let mut said = Statements::new(name, span.start, Symbols::Program);
+        said.extents.push(span.clone());
+        said.axiom = Some(Said::new(word, axiom.span.clone()));
+        let theta = own.iter().any(|member| member.key == "theta");
+        let is_lindsvg = theta
+            && own.iter().any(|member| member.key == "axiom")
+            && (own.iter().any(|member| member.key == "alpha") || self.text.contains("lindsvg"));
+        if let Some(name) =
+            own.iter().find(|member| key(&member.key) == Some(Key::Name)).and_then(|member| member.value.text())
+        {
+            name.clone_into(&mut said.name);
+        }
+        for member in own.iter().filter(|member| member.span != axiom.span) {
+            if is_lindsvg && matches!(&*member.key, "alpha" | "theta" | "step") {
+                continue;
+            }
+            self.part(&mut said, member);
+        }
+        if is_lindsvg {
+            lindsvg(&mut said, own);
         } else {
-            self.draft.note(line, "", "The text does not say what symbols do; here every letter draws, + turns left");
-            self.draft.definition.dialect = Dialect::EveryLetter;
-            for symbol in symbols.into_iter().filter(|c| !c.is_alphanumeric() && !"+-[]".contains(*c)) {
-                self.draft.meaning(symbol, "");
+            // What the object around says, as `{angle: 60, system: {axiom, rules}}`.
+            for member in around {
+                let (key, number) = (key(&member.key), member.value.number());
+                let missing = match key {
+                    Some(Key::Angle) => said.angle.is_none() && of(Key::Angle).is_none() && number.is_some(),
+                    Some(Key::Iterations) => said.iterations.is_none() && number.is_some(),
+                    Some(Key::Name) if said.name.is_empty() || said.name == name => {
+                        member.value.text().unwrap_or(name).clone_into(&mut said.name);
+                        false
+                    }
+                    _ => false,
+                };
+                if missing {
+                    self.part(&mut said, member);
+                }
             }
         }
+        Some(said)
     }
 
-    fn angle(&mut self, node: &Node) {
-        let value = match &node.value {
-            Value::Number(value, unit) => Some((*value, *unit)),
-            Value::Text(text) => {
-                let degrees = text.trim().trim_end_matches(['°', 'º']).trim_end_matches("deg").trim();
-                degrees.parse().ok().map(|value| (value, Unit::Unknown))
+    /// Reads a member of a system.
+    fn part(&self, said: &mut Statements, member: &Member<'_>) {
+        let (span, value) = (member.span.clone(), &member.value);
+        said.comments.push(span.start..value.span.start);
+        let key = key(&member.key);
+        match key {
+            Some(Key::Rules | Key::Rule) => {
+                let mut rules = Rules::default();
+                match (letter_of(&member.key), value.text()) {
+                    (Some(letter), Some(text)) if split_rule(text).is_none() => {
+                        rules.keyed(letter.encode_utf8(&mut [0; 4]), value);
+                    }
+                    _ => rules.all(value),
+                }
+                rules.into(said);
             }
-            _ => None,
-        };
-        self.draft.definition.angle = match value {
-            Some((value, Unit::Radians)) => tidy(value.to_degrees()),
-            Some((value, Unit::Unknown)) if value.abs() < 6.3 && value.fract() != 0.0 => {
-                self.note(node, "This angle is read as radians");
-                tidy(value.to_degrees())
+            Some(Key::Angle | Key::LeftAngle | Key::RightAngle) => {
+                let angle = angle_of(&member.key, value);
+                let Some(angle) = angle else { return said.refuse(span, "The angle is code, which is not read") };
+                let said_angle = Some(Said::new(angle, span.clone()));
+                match key {
+                    Some(Key::LeftAngle) => said.left = said_angle,
+                    Some(Key::RightAngle) => said.right = said_angle,
+                    // `alpha` beside `theta` is another angle.
+                    _ if member.key == "alpha" && said.angle.is_some() => {
+                        said.note(span, "`alpha` is not carried over")
+                    }
+                    _ => said.angle = said_angle,
+                }
             }
-            Some((value, _)) => value,
-            None => return self.refuse(node, "The angle is code, which is not read"),
-        };
-    }
-
-    /// Finds the angle in the code of `+`, as in `'+': () => ctx.rotate(Math.PI / 180 * 60)`.
-    fn angle_in_code(&mut self, node: &Node) {
-        let finals = node.get(&["finals", "actions", "commands", "draw"]);
-        let code = finals.and_then(|finals| finals.get(&["+"]).or_else(|| finals.get(&["-"])));
-        if let Some(code) = code {
-            let source = self.source(code);
-            let numbers = source.split(|c: char| !c.is_ascii_digit() && c != '.');
-            let mut numbers: Vec<f64> = numbers.filter_map(|n| n.parse().ok()).filter(|n| *n != 180.0).collect();
-            numbers.dedup();
-            if let [angle] = numbers[..]
-                && angle > 6.3
-            {
-                self.draft.definition.angle = angle;
-                return self.note(code, "The angle is read from this code");
+            Some(Key::Iterations) => match (value.number(), value.text()) {
+                (Some(n), _) => said.iterations = Some(Said::new(n.to_string(), span)),
+                (None, Some(text)) => said.iterations = Some(Said::new(text.to_owned(), span)),
+                _ => said.note(span, "The number of iterations is code, which is not read"),
+            },
+            Some(Key::LengthFactor) if value.number().is_some() => {
+                said.factor = value.number().map(|factor| Said::new(factor, span));
             }
-        }
-        self.draft.definition.angle = 90.0;
-        if self.grammar.made().any(|module| matches!(module.symbol, '+' | '-')) {
-            self.note(node, "The text gives no angle; 90 degrees is chosen");
+            Some(Key::Name) if value.text().is_some() => said.note_name(span),
+            Some(Key::Step) if value.number().is_some() => {
+                said.note(span, "The length of a step changes only the size, which is fitted")
+            }
+            Some(Key::Meanings) => {
+                let known: Vec<&(char, String, Range<usize>)> =
+                    self.branches.meanings.iter().filter(|(_, _, own)| span.contains(&own.start)).collect();
+                if known.is_empty() {
+                    said.note(span, format!("`{}` is not carried over", member.key));
+                }
+                for (symbol, actions, span) in known {
+                    said.mean(*symbol, actions.clone(), span.clone());
+                }
+            }
+            _ => said.note(value_span(member), format!("`{}` is not carried over", member.key)),
         }
     }
 }
 
-/// A word of plain characters without white space.
-fn modules(text: &str) -> Vec<Module> {
-    text.chars().filter(|c| !c.is_whitespace()).map(Module::from).collect()
+impl Statements {
+    fn note_name(&mut self, span: Range<usize>) {
+        let name = self.name.clone();
+        self.names.push(Said::new(name, span));
+    }
 }
 
-/// Removes the error of a conversion from radians.
-fn tidy(degrees: f64) -> f64 {
-    let near = (degrees * 1e9).round() / 1e9;
-    if (near - degrees).abs() < 1e-9 { near } else { degrees }
+fn value_span(member: &Member<'_>) -> Range<usize> {
+    if member.value.span.is_empty() { member.span.clone() } else { member.value.span.clone() }
+}
+
+/// Whether a key can only be that of an axiom.
+fn is_sure(key: &str) -> bool {
+    key.to_ascii_lowercase().contains("axiom")
+}
+
+/// Refuses a system in which two statements contradict each other.
+fn contradict(said: &mut Statements, first: &Range<usize>, second: &Range<usize>) {
+    let why = "Two statements contradict each other";
+    said.refuse(first.clone(), why);
+    said.refuse(second.clone(), why);
+}
+
+/// The word of a value: a string, or a list of strings.
+fn word_of(value: &Value<'_>) -> Option<String> {
+    match &value.what {
+        What::Text(text) => Some(text.clone()),
+        What::Group(..) => {
+            let parts = value.elements();
+            let word: Option<String> =
+                parts.iter().map(Value::text).collect::<Option<Vec<_>>>().map(|words| words.concat());
+            word.filter(|word| !word.is_empty())
+        }
+        _ => None,
+    }
+}
+
+/// The angle of a member, with the unit that its value or its key says.
+fn angle_of(key: &str, value: &Value<'_>) -> Option<Angle> {
+    let lower = key.to_ascii_lowercase();
+    let by_key = |number: f64| {
+        if lower.contains("deg") {
+            Angle::Degrees(number)
+        } else if lower.contains("rad") && !lower.contains("grad") {
+            Angle::Radians(number)
+        } else {
+            Angle::Unknown(number)
+        }
+    };
+    match &value.what {
+        What::Number(number, Unit::Radians) => Some(Angle::Radians(*number)),
+        What::Number(number, Unit::Degrees) => Some(Angle::Degrees(*number)),
+        What::Number(number, Unit::Unknown) => Some(by_key(*number)),
+        What::Text(text) => {
+            let trimmed = text.trim();
+            if let Ok(number) = trimmed.parse() {
+                return Some(by_key(number));
+            }
+            let (degrees, _, end) = crate::angle::angle(trimmed).ok()?;
+            (end == trimmed.len()).then_some(Angle::Degrees(degrees))
+        }
+        _ => None,
+    }
+}
+
+/// Sets the heading, the angle and the symbols of lindsvg. Its y goes down.
+fn lindsvg(said: &mut Statements, own: &[Member<'_>]) {
+    let of = |key: &str| own.iter().rev().find(|member| member.key == key);
+    let degrees = |member: &Member<'_>| match member.value.what {
+        What::Number(value, Unit::Degrees) => Some(value),
+        What::Number(value, Unit::Radians) => Some(crate::angle::tidy(value.to_degrees())),
+        What::Number(value, Unit::Unknown) if value.abs() <= 6.3 => Some(crate::angle::tidy(value.to_degrees())),
+        What::Number(value, Unit::Unknown) => Some(value),
+        _ => None,
+    };
+    match of("alpha").map(|member| (degrees(member), member.span.clone())) {
+        Some((Some(alpha), span)) => said.heading = Some(Said::new(0.0 - alpha, span)),
+        Some((None, span)) => said.refuse(span, "The angle alpha is code, which is not read"),
+        None => said.heading = Some(Said::new(0.0, 0..0)),
+    }
+    match of("theta").map(|member| (degrees(member), member.span.clone())) {
+        Some((Some(theta), span)) => said.angle = Some(Said::new(Angle::Degrees(theta), span)),
+        Some((None, span)) => said.refuse(span, "The angle theta is code, which is not read"),
+        None => {}
+    }
+    if let Some(step) = of("step") {
+        said.note(step.span.clone(), "The length of a step changes only the size, which is fitted");
+    }
+    if said.iterations.is_none() {
+        said.iterations = Some(Said::new("3".to_owned(), 0..0));
+    }
+    said.symbols = Symbols::Said;
+    let meanings = [("F", "draw"), ("B", "move"), ("+", "turn right"), ("-", "turn left")];
+    for (symbol, actions) in meanings.into_iter().chain([("[", "open branch"), ("]", "close branch")]) {
+        said.mean(symbol.chars().next().unwrap_or_default(), actions, 0..0);
+    }
+    // lindsvg drops letters without a rule at the next iteration.
+    let words = said.rules.iter().map(|rule| &*rule.to).chain(said.axiom.iter().map(|axiom| &*axiom.value));
+    let letters = lsystem_base::sorted::set(words.flat_map(str::chars));
+    for letter in letters {
+        let has_rule = said.rules.iter().any(|rule| rule.from.trim().starts_with(letter));
+        if !"+-[]".contains(letter) && !letter.is_whitespace() && !has_rule {
+            said.rules.push(Rule { from: letter.to_string(), to: String::new(), weight: None, span: 0..0 });
+        }
+    }
+}
+
+/// Whether a member has this key. Single letters are other keys in another case.
+fn is_key(member: &Member<'_>, key: &str) -> bool {
+    member.key == key || key.len() > 1 && member.key.eq_ignore_ascii_case(key)
+}
+
+/// Rules of any form.
+#[derive(Default)]
+struct Rules {
+    found: Vec<Rule>,
+    remarks: Vec<(Range<usize>, &'static str)>,
+    /// Keys before alternatives.
+    keys: Vec<Range<usize>>,
+}
+
+const CODE: &str = "This rule is code, which is not read";
+const UNREAD: &str = "This rule cannot be read";
+
+impl Rules {
+    fn into(self, said: &mut Statements) {
+        said.rules.extend(self.found);
+        said.comments.extend(self.keys);
+        self.remarks.into_iter().for_each(|(span, why)| said.refuse(span, why));
+    }
+
+    fn refuse(&mut self, span: &Range<usize>, why: &'static str) {
+        self.remarks.push((span.clone(), why));
+    }
+
+    fn rule(&mut self, from: &str, to: &str, weight: Option<f64>, span: &Range<usize>) {
+        let rule = Rule { from: from.trim().to_owned(), to: to.to_owned(), weight, span: span.clone() };
+        self.found.push(rule);
+    }
+
+    /// All rules of a system.
+    fn all(&mut self, value: &Value<'_>) {
+        match &value.what {
+            What::Text(text) => self.lines(text, &value.span),
+            What::Group(node, _) => {
+                let inside = node.group().unwrap_or_default();
+                let own = members(inside);
+                // Not of `{A: "B", B: "AB"}`.
+                let has = |keys: &[&str]| own.iter().any(|member| member.key.len() > 1 && keys.contains(&&*member.key));
+                let is_rule = has(FROM) && has(TO);
+                if is_rule {
+                    return self.listed(value);
+                }
+                if !own.is_empty() {
+                    return own.iter().for_each(|member| self.keyed_at(&member.key, &member.value, &member.span));
+                }
+                let list = elements(inside);
+                let texts: Vec<&str> = list.iter().filter_map(Value::text).collect();
+                // `Map.of('A', "AB", 'B', "A")`, `{"F" "FF"}`
+                let paired = texts.len() == list.len()
+                    && list.len() % 2 == 0
+                    && !list.is_empty()
+                    && texts.iter().step_by(2).all(|from| from.trim().chars().count() == 1);
+                if paired {
+                    for (pair, words) in list.chunks(2).zip(texts.chunks(2)) {
+                        if let ([from, to], [head, word]) = (pair, words) {
+                            self.rule(head, word, None, &(from.span.start..to.span.end));
+                        }
+                    }
+                    return;
+                }
+                list.iter().for_each(|one| self.listed(one));
+            }
+            _ => self.refuse(&value.span, "The rules are code, which is not read"),
+        }
+    }
+
+    /// One element of a list of rules.
+    fn listed(&mut self, value: &Value<'_>) {
+        match &value.what {
+            What::Text(text) => self.lines(text, &value.span),
+            What::Group(node, _) => {
+                let own = value.members();
+                if own.is_empty() {
+                    return self.arguments(&elements(node.group().unwrap_or_default()), value.span.clone());
+                }
+                let of = |keys: &[&str]| keys.iter().find_map(|key| own.iter().find(|member| is_key(member, key)));
+                match (of(FROM).and_then(|member| member.value.text()), of(TO)) {
+                    (Some(from), Some(to)) => {
+                        let weight = of(WEIGHT).and_then(|member| member.value.number());
+                        match &to.value.what {
+                            What::Text(word) => self.rule(from, word, weight, &value.span),
+                            _ => self.keyed(from, &to.value),
+                        }
+                    }
+                    // `[{"F": "FF"}, {"X": "F"}]`
+                    _ => own.iter().for_each(|member| self.keyed_at(&member.key, &member.value, &member.span)),
+                }
+            }
+            _ => self.refuse(&value.span, CODE),
+        }
+    }
+
+    /// The arguments of a call that adds a rule, or the elements of a pair: `'F', "FF"`, perhaps with a weight.
+    fn arguments(&mut self, own: &[Value<'_>], span: Range<usize>) {
+        match own {
+            [from, to] if from.text().is_some() => match &to.what {
+                What::Text(word) => self.rule(from.text().unwrap_or_default(), word, None, &span),
+                _ => self.keyed(from.text().unwrap_or_default(), to),
+            },
+            [from, to, weight] if from.text().is_some() && to.text().is_some() && weight.number().is_some() => {
+                self.rule(from.text().unwrap_or_default(), to.text().unwrap_or_default(), weight.number(), &span);
+            }
+            [weight, from, to] if from.text().is_some() && to.text().is_some() && weight.number().is_some() => {
+                self.rule(from.text().unwrap_or_default(), to.text().unwrap_or_default(), weight.number(), &span);
+            }
+            [one] => match &one.what {
+                What::Text(text) => self.lines(text, &span),
+                What::Group(..) => self.listed(one),
+                _ => self.refuse(&span, CODE),
+            },
+            _ => self.refuse(&span, UNREAD),
+        }
+    }
+
+    /// Rules in the lines of a string.
+    fn lines(&mut self, text: &str, span: &Range<usize>) {
+        let separators: &[char] = if text.contains('\n') { &['\n', ';'] } else { &[';', ','] };
+        for rule in text.split(separators).map(str::trim).filter(|rule| !rule.is_empty()) {
+            match split_rule(rule) {
+                Some((from, to)) => {
+                    let (to, weight) = weighted(to);
+                    self.rule(from, to, weight, span);
+                }
+                None => self.refuse(span, "This rule has no arrow"),
+            }
+        }
+    }
+
+    fn keyed_at(&mut self, key: &str, value: &Value<'_>, span: &Range<usize>) {
+        match value.text() {
+            Some(to) => self.rule(key, to, None, span),
+            None => {
+                self.keys.push(span.start..value.span.start);
+                self.keyed(key, value);
+            }
+        }
+    }
+
+    /// A rule whose predecessor is a key.
+    fn keyed(&mut self, key: &str, value: &Value<'_>) {
+        let node = match &value.what {
+            What::Text(to) => return self.rule(key, to, None, &value.span),
+            What::Group(node, _) => *node,
+            _ => return self.refuse(&value.span, CODE),
+        };
+        let own = value.members();
+        if own.is_empty() {
+            return self.alternatives(key, &elements(node.group().unwrap_or_default()), &value.span);
+        }
+        let of = |keys: &[&str]| keys.iter().find_map(|key| own.iter().find(|member| is_key(member, key)));
+        if let Some(code) = of(&["condition"]) {
+            self.keys.push(value.span.start..code.value.span.start);
+            return self.refuse(&code.value.span, "Conditions are code, which is not read");
+        }
+        if let Some(successors) = of(&["successors", "productions", "options"]) {
+            self.keys.push(value.span.start..successors.value.span.start);
+            return self.keyed(key, &successors.value);
+        }
+        let context = |keys: &[&str]| of(keys).and_then(|member| member.value.text()).unwrap_or_default().to_owned();
+        let (left, right) = (context(&["leftCtx", "left"]), context(&["rightCtx", "right"]));
+        let to = of(&["successor", "to", "out", "output", "replacement", "rule", "value", "result"]);
+        if let Some(word) = to.and_then(|member| member.value.text()) {
+            let mut from = key.to_owned();
+            if !left.is_empty() {
+                from = format!("{left} < {from}");
+            }
+            if !right.is_empty() {
+                from = format!("{from} > {right}");
+            }
+            let weight = of(WEIGHT).and_then(|member| member.value.number());
+            return self.rule(&from, word, weight, &value.span);
+        }
+        // `{"F": {"FF": 0.5, "F": 0.5}}`, `{"F": {0.5: "FF"}}`
+        if own.iter().all(|member| member.value.number().is_some()) {
+            return own.iter().for_each(|member| self.rule(key, &member.key, member.value.number(), &member.span));
+        }
+        self.refuse(&value.span, UNREAD);
+    }
+
+    /// Successors of one symbol: `["FF", "F"]`, `[{p: 0.5, rule: "FF"}, ..]`, `[[0.5, "FF"], ..]`, or one word in
+    /// single symbols.
+    fn alternatives(&mut self, key: &str, list: &[Value<'_>], span: &Range<usize>) {
+        let texts: Vec<&str> = list.iter().filter_map(Value::text).collect();
+        if texts.len() == list.len() && texts.iter().all(|text| text.chars().count() == 1) {
+            return self.rule(key, &texts.concat(), None, span);
+        }
+        // `("FF", 0.5)` is one successor with its weight.
+        if let [to, weight] = list
+            && let (Some(to), Some(weight)) = (to.text(), weight.number())
+        {
+            return self.rule(key, to, Some(weight), span);
+        }
+        for one in list {
+            let own = one.members();
+            let of = |keys: &[&str]| keys.iter().find_map(|key| own.iter().find(|member| is_key(member, key)));
+            let to = one.text().or_else(|| of(TO).and_then(|member| member.value.text()));
+            if let Some(to) = to {
+                let weight = of(WEIGHT).and_then(|member| member.value.number());
+                self.rule(key, to, weight.or(Some(1.0)), &one.span);
+                continue;
+            }
+            match &one.elements()[..] {
+                [p, to] | [to, p] if p.number().is_some() && to.text().is_some() => {
+                    self.rule(key, to.text().unwrap_or_default(), p.number(), &one.span);
+                }
+                _ => self.refuse(&one.span, "This successor cannot be read: it has parameters or is code"),
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -548,18 +889,18 @@ mod tests {
         check(
             "var koch = new LSystem({\n  axiom: 'F++F++F',\n  productions: {'F': 'F-F++F-F'}\n})\nkoch.iterate(2)",
             expect![[r#"
-                JavaScript
+                a program
                 []
                 n 2, angle 90, heading 90, abop
                   F++F++F
                   F -> F-F++F-F
-                note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-                note 1 "{\n  axiom: 'F++F++F',\n  productions: {'F…": The text gives no angle; 90 degrees is chosen"#]],
+                note 1 "": The text gives no angle; 90 degrees is chosen
+                note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left"#]],
         );
         check(
             "new LSystem({axiom: 'X', productions: {'X': 'F-X', 'A<B>C': 'D', 'F': {successors: [{weight: 50, successor: 'FF'}, {weight: 50, successor: 'F'}]}}, finals: {'+': () => { ctx.rotate((Math.PI/180) * 60) }, 'F': function() { ctx.fillRect(0, 0, 10, 40) }}})",
             expect![[r#"
-                JavaScript
+                a program
                 []
                 n 5, angle 60, heading 90, abop
                   X
@@ -567,17 +908,17 @@ mod tests {
                   A < B > C -> D
                   F -> FF : 50
                   F -> F : 50
+                  | -: turn left
                 note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-                note 1 "() => { ctx.rotate((Math.PI/180) * 60) }": The angle is read from this code
-                note 1 "{'+': () => { ctx.rotate((Math.PI/180) *…": `finals` is not carried over
+                note 1 "}, 'F': function() { ctx.fillRect(0, 0, …": This is not understood
                 note 1 "": The text gives no number of iterations; 5 is chosen by the size"#]],
         );
         check(
             "let lsParams = {\n  axiom: \"A---A\", // start\n  rules: {\n    F: \"F\",\n    A: \"B-F+Z+F-BA\",\n    Z: \"F-FF\"\n  },\n  alpha: 90 * Math.PI / 180,\n  theta: Math.PI / 3,\n  step: 15,\n  iterations: 7,\n};",
             expect![[r#"
-                JavaScript
+                a program
                 [lsParams]
-                n 7, angle 60, heading 90, abop
+                n 7, angle 60, heading -90, abop
                   A---A
                   F -> F
                   A -> B-F+Z+F-BA
@@ -585,12 +926,13 @@ mod tests {
                   B -> *
                   | +: turn right
                   | -: turn left
-                  | B: move"#]],
+                  | B: move
+                note 10 "step: 15": The length of a step changes only the size, which is fitted"#]],
         );
         check(
             "lindsvg.getSVGCode({axiom: 'F-F', rules: {}, theta: 1.0471975511965976})",
             expect![[r#"
-                JavaScript
+                a program
                 []
                 n 3, angle 60, heading 0, abop
                   F-F
@@ -604,18 +946,18 @@ mod tests {
         check(
             r#"{"start": "F", "rules": [{"in": "F", "out": "F+F"}], "angle": 60, "n": 3, "color": "red"}"#,
             expect![[r#"
-                JavaScript
+                a program
                 []
                 n 3, angle 60, heading 90, abop
                   F
                   F -> F+F
-                note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-                note 1 "\"red\"": `color` is not carried over"#]],
+                note 1 "\"red\"": `color` is not carried over
+                note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left"#]],
         );
         check(
             r#"{"axiom": "F", "rules": [["F", "F+F"], ["X", "F"]], "delta": "25.7", "depth": 3}"#,
             expect![[r#"
-                JavaScript
+                a program
                 []
                 n 3, angle 25.7, heading 90, abop
                   F
@@ -626,7 +968,7 @@ mod tests {
         check(
             "const tree = { axiom: 'F', rules: ['F -> F[+F]', 'X=>F'], angle: radians(25), generations: 4 }",
             expect![[r#"
-                JavaScript
+                a program
                 [tree]
                 n 4, angle 25, heading 90, abop
                   F
@@ -637,20 +979,20 @@ mod tests {
         check(
             "{axiom: 'F', rules: {F: [{p: 0.5, rule: 'FF'}, {p: 0.5, rule: 'F'}]}, angle: 0.5}",
             expect![[r#"
-                JavaScript
+                a program
                 []
                 n 14, angle 28.647889757, heading 90, abop
                   F
                   F -> FF : 0.5
                   F -> F : 0.5
+                note 1 "angle: 0.5": This angle is read as radians
                 note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-                note 1 "0.5": This angle is read as radians
                 note 1 "": The text gives no number of iterations; 14 is chosen by the size"#]],
         );
         check(
             "{axiom: 'A', rules: {A: 'B-A-B', B: 'A+B+A'}, angle: 60}",
             expect![[r#"
-                JavaScript
+                a program
                 []
                 n 8, angle 60, heading 90, every-letter
                   A
@@ -662,7 +1004,7 @@ mod tests {
         check(
             "axiom = \"F--F\"\nrules = {\"F\": \"F+F\"}\niters = 4\nangle=75",
             expect![[r#"
-                JavaScript
+                a program
                 []
                 n 4, angle 75, heading 90, abop
                   F--F
@@ -672,7 +1014,7 @@ mod tests {
         check(
             "const all = { koch: {axiom: 'F', rules: {F: 'F+F'}, angle: 60, n: 1}, other: {axiom: 'G', rules: {G: 'G-G'}, angle: 90, n: 2} };",
             expect![[r#"
-                JavaScript
+                a program
                 [koch]
                 n 1, angle 60, heading 90, abop
                   F
@@ -691,7 +1033,7 @@ mod tests {
         check(
             "{axiom: 'F', rules: {F: () => 'FF'}, angle: 60, n: 1}",
             expect![[r#"
-                JavaScript
+                a program
                 []
                 refused 1 "() => 'FF'": This rule is code, which is not read
                 note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left"#]],
@@ -699,22 +1041,52 @@ mod tests {
         check(
             "{axiom: 'F', rules: {FX: 'FF'}, angle: a, n: 1}",
             expect![[r#"
-                JavaScript
+                a program
                 []
-                refused 1 "'FF'": The left side of a rule must be one symbol
-                note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-                refused 1 "a": The angle is code, which is not read"#]],
+                refused 1 "angle: a": The angle is code, which is not read
+                refused 1 "FX: 'FF'": The left side of a rule must be one symbol
+                note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left"#]],
         );
         check(
             "{axiom: 'F', rules: {F: {successor: 'FF', condition: () => true}}, angle: 60, n: 1}",
             expect![[r#"
-                JavaScript
+                a program
                 []
                 refused 1 "() => true": Conditions are code, which is not read
                 note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left"#]],
         );
-        check(r#"{"initial": "F", "rules": {"F": "F+F"}, "angle_deg": 60, "num_iters": 2}"#, expect!["not recognised"]);
-        check(r#"{"initial": "F", "rules": ["F -> F+F"], "turtle": {}}"#, expect!["not recognised"]);
-        check(r#"{"initial": "F", "rules": {"F": "FF"}"#, expect!["not recognised"]);
+        check(
+            r#"{"initial": "F", "rules": {"F": "F+F"}, "angle_deg": 60, "num_iters": 2}"#,
+            expect![[r#"
+            a program
+            []
+            n 2, angle 60, heading 90, abop
+              F
+              F -> F+F
+            note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left"#]],
+        );
+        check(
+            r#"{"initial": "F", "rules": ["F -> F+F"], "turtle": {}}"#,
+            expect![[r#"
+            a program
+            []
+            n 13, angle 90, heading 90, abop
+              F
+              F -> F+F
+            note 1 "": The text gives no angle; 90 degrees is chosen
+            note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
+            note 1 "": The text gives no number of iterations; 13 is chosen by the size"#]],
+        );
+        check(
+            r#"{"initial": "F", "rules": {"F": "FF"}"#,
+            expect![[r#"
+            a program
+            []
+            n 14, angle 90, heading 90, abop
+              F
+              F -> FF
+            note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
+            note 1 "": The text gives no number of iterations; 14 is chosen by the size"#]],
+        );
     }
 }

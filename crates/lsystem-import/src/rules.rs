@@ -1,7 +1,7 @@
 //! Rules as people write them, and the lines of a text.
 
 /// The arrows, longer ones first.
-const ARROWS: [&str; 17] = [
+const ARROWS: [&str; 19] = [
     "\\longrightarrow",
     "\\rightarrow",
     "\\mapsto",
@@ -11,6 +11,7 @@ const ARROWS: [&str; 17] = [
     "==>",
     "->",
     "=>",
+    "::=",
     ":=",
     "⟶",
     "→",
@@ -19,6 +20,7 @@ const ARROWS: [&str; 17] = [
     "↦",
     "=",
     ":",
+    ">",
 ];
 
 /// Splits a rule at its arrow into the predecessor and the successor, without white space at their ends.

@@ -1,25 +1,24 @@
-//! A tolerant reader of values in JavaScript, JSON and Python texts: strings, numbers with arithmetic, lists, objects.
-//!
-//! Code is not run. A value that is code, such as a function, is [`Value::Other`].
+//! Values in trees of programs and data: strings, numbers with arithmetic, brackets, and what stands before them.
 
-/// A value and its place in the text, in bytes.
+use crate::tokens::{Kind, Node};
+use core::ops::Range;
+
+/// A value and its place in the text.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
-    pub(super) value: Value,
-    pub(super) start: usize,
-    pub(super) end: usize,
+pub(super) struct Value<'t> {
+    pub(super) what: What<'t>,
+    pub(super) span: Range<usize>,
 }
 
 /// A value.
 #[derive(Clone, Debug)]
-pub(super) enum Value {
+pub(super) enum What<'t> {
     Text(String),
     Number(f64, Unit),
-    List(Vec<Node>),
-    /// Keys and values in the order of the text.
-    Object(Vec<(String, Node)>),
+    /// A bracket, and the name before it: `Rule` of `new Rule('F', "FF")`.
+    Group(&'t Node, Option<&'t str>),
     /// Code, a name, and other values that are not read.
-    Other,
+    Code,
 }
 
 /// The unit of a number, as far as the text shows it.
@@ -27,377 +26,454 @@ pub(super) enum Value {
 pub(super) enum Unit {
     /// A plain number.
     Unknown,
-    /// The expression contains π.
     Radians,
-    /// The number stands in a call such as `radians(25)`.
     Degrees,
 }
 
-impl Node {
-    /// The text of a string.
+impl<'t> Value<'t> {
     pub(super) fn text(&self) -> Option<&str> {
-        if let Value::Text(text) = &self.value { Some(text) } else { None }
+        if let What::Text(text) = &self.what { Some(text) } else { None }
     }
 
-    /// The value of the first of these keys, in any case; of a repeated key the last.
-    pub(super) fn get(&self, keys: &[&str]) -> Option<&Node> {
-        let Value::Object(members) = &self.value else { return None };
-        let find = |key: &&str| members.iter().rev().find(|(name, _)| name.eq_ignore_ascii_case(key));
-        keys.iter().find_map(find).map(|(_, node)| node)
+    pub(super) fn number(&self) -> Option<f64> {
+        if let What::Number(number, _) = self.what { Some(number) } else { None }
+    }
+
+    /// The inside of a bracket.
+    pub(super) fn items(&self) -> Option<&'t [Node]> {
+        if let What::Group(node, _) = self.what { node.group() } else { None }
+    }
+
+    pub(super) fn members(&self) -> Vec<Member<'t>> {
+        self.items().map(members).unwrap_or_default()
+    }
+
+    pub(super) fn elements(&self) -> Vec<Value<'t>> {
+        self.items().map(elements).unwrap_or_default()
     }
 }
 
-/// The deepest nesting of a value.
-const DEEPEST: usize = 24;
-
-/// A reader at a place of a text.
-pub(super) struct Scanner<'a> {
-    text: &'a str,
-    pub(super) at: usize,
-    /// The steps that are left, so that work stays in proportion to the text.
-    fuel: usize,
+/// A key with its value.
+#[derive(Clone, Debug)]
+pub(super) struct Member<'t> {
+    pub(super) key: String,
+    /// The index behind a key, as `"F"` of `rules["F"] = "FF"`.
+    pub(super) index: Option<&'t Node>,
+    pub(super) value: Value<'t>,
+    /// The place of the key and the value.
+    pub(super) span: Range<usize>,
+    /// The first part behind the value.
+    pub(super) next: usize,
 }
 
-impl<'a> Scanner<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
-        Self { text, at: 0, fuel: 16 * text.len() + 1000 }
-    }
+/// The marks between a key and its value.
+const SIGNS: [&str; 7] = [":", "=", "=>", ":=", "->", "<-", "→"];
 
-    /// Whether all allowed work is done.
-    pub(super) fn is_exhausted(&self) -> bool {
-        self.fuel == 0
+/// The member that begins at a place of a bracket's inside.
+pub(super) fn member(nodes: &[Node], at: usize) -> Option<Member<'_>> {
+    let first = nodes.get(at)?;
+    let behind = |next: usize, key: String, index| {
+        let value = value(nodes, next)?;
+        let span = first.span.start..value.0.span.end;
+        Some(Member { key, index, value: value.0, span, next: value.1 })
+    };
+    let sign = |at: usize| nodes.get(at).is_some_and(|node| SIGNS.iter().any(|sign| node.is(sign)));
+    // `:axiom "F"` of Lisp, if a value stands directly behind the name.
+    if first.is(":")
+        && let Some(name) = nodes.get(at + 1).filter(|node| node.span.start == first.span.end).and_then(Node::name)
+        && matches!(nodes.get(at + 2)?.kind, Kind::Text(_) | Kind::Number(..) | Kind::Group(..))
+    {
+        return behind(at + 2, name.to_owned(), None);
     }
-
-    fn rest(&self) -> &'a str {
-        self.text.get(self.at..).unwrap_or_default()
+    // `["F"] = "FF"` of Lua, `['F']: "FF"` of JavaScript.
+    if let Kind::Group('[', inside) = &first.kind
+        && let [one] = &inside[..]
+        && let Some(key) = one.text()
+        && sign(at + 1)
+    {
+        return behind(at + 2, key.to_owned(), None);
     }
-
-    fn peek(&self) -> Option<char> {
-        self.rest().chars().next()
+    let key = match &first.kind {
+        Kind::Name(name) => name.clone(),
+        Kind::Text(text) => text.clone(),
+        _ => return None,
+    };
+    // `"F" to "FF"` of Kotlin.
+    if nodes.get(at + 1)?.name() == Some("to") && first.text().is_some() {
+        return behind(at + 2, key, None);
     }
-
-    fn bump(&mut self) -> Option<char> {
-        self.fuel = self.fuel.checked_sub(1)?;
-        let ch = self.peek()?;
-        self.at += ch.len_utf8();
-        Some(ch)
+    let mut next = at + 1;
+    let index = match &nodes.get(next)?.kind {
+        Kind::Group('[', inside) if first.name().is_some() => {
+            next += 1;
+            inside.first().filter(|_| inside.len() == 1)
+        }
+        _ => None,
+    };
+    if !sign(next) {
+        return None;
     }
-
-    fn eat(&mut self, ch: char) -> bool {
-        // False without allowed work, so that no loop waits for the end of a list.
-        self.peek() == Some(ch) && self.bump().is_some()
-    }
-
-    /// Skips white space and comments.
-    pub(super) fn blank(&mut self) {
-        loop {
-            let rest = self.rest();
-            let length = if rest.starts_with("//") || rest.starts_with('#') {
-                rest.find('\n').unwrap_or(rest.len())
-            } else if rest.starts_with("/*") {
-                rest.find("*/").map_or(rest.len(), |end| end + 2)
-            } else if let Some(ch) = rest.chars().next().filter(|c| c.is_whitespace()) {
-                ch.len_utf8()
-            } else {
-                return;
-            };
-            self.at += length;
-            self.fuel = self.fuel.saturating_sub(length);
+    // `axiom: string = "F"` of TypeScript, Swift and Rust.
+    if nodes[next].is(":") {
+        let typed = nodes.iter().enumerate().skip(next + 1).take(8).take_while(|(at, node)| {
+            *at == next + 1
+                || !node.is_first
+                    && (node.name().is_some()
+                        || ["<", ">", ".", "&", "::"].iter().any(|m| node.is(m))
+                        || matches!(node.kind, Kind::Group('[', _)))
+        });
+        if let Some((end, _)) = typed.last()
+            && nodes
+                .get(next + 1)
+                .is_some_and(|node| node.name().is_some() || node.is("&") || matches!(node.kind, Kind::Group('[', _)))
+            && nodes.get(end + 1).is_some_and(|node| node.is("="))
+        {
+            next = end + 1;
         }
     }
+    behind(next + 1, key, index)
+}
 
-    /// Reads a value; `None` if the text cannot be a value. `value` ends before the next `,` or closing bracket.
-    pub(super) fn value(&mut self, depth: usize) -> Option<Node> {
-        self.blank();
-        let start = self.at;
-        if depth > DEEPEST || self.is_exhausted() {
-            return None;
+/// The members of a bracket's inside, in order.
+pub(super) fn members(nodes: &[Node]) -> Vec<Member<'_>> {
+    let mut found = Vec::new();
+    let mut at = 0;
+    while at < nodes.len() {
+        match member(nodes, at) {
+            Some(member) => {
+                at = member.next.max(at + 1);
+                found.push(member);
+            }
+            None => at += 1,
         }
-        let value = match self.peek()? {
-            '{' => self.object(depth)?,
-            '[' => self.list('[', ']', depth)?,
-            '(' if self.is_tuple() => self.list('(', ')', depth)?,
-            '\'' | '"' | '`' => self.strings()?,
-            '0'..='9' | '.' | '-' | '+' | '(' => self.arithmetic(depth),
-            c if c.is_alphabetic() || c == '_' => self.word(depth),
-            _ => Value::Other,
+    }
+    found
+}
+
+/// The values of a bracket's inside.
+pub(super) fn elements(nodes: &[Node]) -> Vec<Value<'_>> {
+    let mut found = Vec::new();
+    let mut at = 0;
+    while at < nodes.len() {
+        match value(nodes, at) {
+            Some((value, next)) => {
+                at = next.max(at + 1);
+                found.push(value);
+            }
+            None => at += 1,
+        }
+    }
+    found
+}
+
+/// Whether an expression ends before a part: at a separator, or on a new line that does not go on with it.
+fn ends(nodes: &[Node], from: usize, at: usize) -> bool {
+    let Some(node) = nodes.get(at) else { return true };
+    if node.is(",") || node.is(";") {
+        return true;
+    }
+    let goes_on = |node: &Node| ["+", "-", "*", "/", ".", "..", "&&", "||", "?"].iter().any(|mark| node.is(mark));
+    at > from
+        && node.is_first
+        && !goes_on(node)
+        && !nodes.get(at - 1).is_some_and(|before| goes_on(before) || before.is("="))
+}
+
+/// The end of types in angle brackets behind a name: `<char, string>`.
+fn types(nodes: &[Node], at: usize) -> Option<usize> {
+    if !nodes.get(at)?.is("<") || nodes.get(at.checked_sub(1)?)?.name().is_none() {
+        return None;
+    }
+    let inside =
+        |node: &Node| node.name().is_some() || [",", ".", "::", "<", "?", "&"].iter().any(|mark| node.is(mark));
+    let length = nodes[at..].iter().take(12).position(|node| !inside(node))?;
+    nodes[at + length].is(">").then_some(at + length + 1)
+}
+
+/// The value that begins at a place of a bracket's inside, and the first part behind it.
+pub(super) fn value(nodes: &[Node], from: usize) -> Option<(Value<'_>, usize)> {
+    if ends(nodes, from, from) {
+        return None;
+    }
+    let mut to = from + 1;
+    while !ends(nodes, from, to) {
+        to = types(nodes, to).unwrap_or(to + 1);
+    }
+    let part = &nodes[from..to];
+    let span = part.first()?.span.start..part.last()?.span.end;
+    // Values of Lisp stand side by side without a mark between them: the first one is meant.
+    let alone = |node: &Node| matches!(node.kind, Kind::Text(_) | Kind::Number(..) | Kind::Group(..));
+    if part.len() > 1 && part.iter().all(alone) && !matches!(part[0].kind, Kind::Group(..)) {
+        let texts = part.iter().all(|node| node.text().is_some());
+        // Python and C join strings that stand side by side.
+        let joined = texts && part.iter().skip(1).all(|node| node.is_first) && part.len() > 2;
+        if !joined {
+            return Some((Value { what: single(&part[0]), span: part[0].span.clone() }, from + 1));
+        }
+    }
+    if part.len() > 2 && part[1].is(":") && alone(&part[0]) && part[2].name().is_some() {
+        return Some((Value { what: single(&part[0]), span: part[0].span.clone() }, from + 1));
+    }
+    Some((Value { what: what(part), span }, to))
+}
+
+fn single(node: &Node) -> What<'_> {
+    match &node.kind {
+        Kind::Text(text) => What::Text(text.clone()),
+        Kind::Number(..) => arithmetic(core::slice::from_ref(node)),
+        Kind::Group(..) => What::Group(node, None),
+        _ => What::Code,
+    }
+}
+
+/// Methods that leave a string or a bracket as it is.
+const HARMLESS: [&str; 22] = [
+    "split",
+    "to_string",
+    "into",
+    "to_owned",
+    "chars",
+    "toCharArray",
+    "trim",
+    "freeze",
+    "collect",
+    "as_str",
+    "clone",
+    "toString",
+    "ToString",
+    "ToCharArray",
+    "ToList",
+    "toList",
+    "String",
+    "c_str",
+    "to_vec",
+    "iter",
+    "as_bytes",
+    "strip",
+];
+
+fn what(part: &[Node]) -> What<'_> {
+    // Calls at the end that change nothing: `"F".to_string()`, `[..].freeze`.
+    let mut part = part;
+    while let [before @ .., dot, name, call] = part {
+        let harmless =
+            dot.is(".") && name.name().is_some_and(|name| HARMLESS.contains(&name)) && call.group().is_some();
+        if !harmless || before.is_empty() {
+            break;
+        }
+        part = before;
+    }
+    if let [before @ .., dot, name] = part
+        && dot.is(".")
+        && name.name().is_some_and(|name| HARMLESS.contains(&name))
+        && !before.is_empty()
+    {
+        part = before;
+    }
+    if let [node] = part {
+        return match &node.kind {
+            // `("F+F" "F-F")` joins strings; `(60)` is a number.
+            Kind::Group('(', inside) if !inside.iter().any(|node| node.is(",")) && !inside.is_empty() => {
+                match what(inside) {
+                    What::Code => What::Group(node, None),
+                    inner => inner,
+                }
+            }
+            _ => single(node),
         };
-        let end = self.at;
-        self.blank();
-        if matches!(self.peek(), None | Some(',' | '}' | ']' | ')' | ';')) || self.text[end..self.at].contains('\n') {
-            return Some(Node { value, start, end });
+    }
+    if let Some(text) = joined(part) {
+        return What::Text(text);
+    }
+    if let number @ What::Number(..) = arithmetic(part) {
+        return number;
+    }
+    // A bracket, behind a type, a constructor or a call: `new Map<char, String> {..}`, `dict(..)`, `map[rune]string{..}`.
+    let Some((last, before)) = part.split_last() else { return What::Code };
+    let allowed = |node: &Node| match &node.kind {
+        Kind::Name(_) => true,
+        Kind::Group(_, inside) => inside.len() <= 1,
+        Kind::Mark(mark) => {
+            matches!(*mark, "." | "::" | "<" | ">" | "!" | "&" | "*" | "@" | "%" | "#" | "$" | "," | "'" | "?" | ">=")
         }
-        self.skip();
-        Some(Node { value: Value::Other, start, end: self.at })
+        _ => false,
+    };
+    if last.group().is_some() && before.iter().all(allowed) {
+        let name = before.iter().rev().find_map(Node::name);
+        if let Some("radians" | "degrees" | "range" | "random" | "randint" | "choice" | "function") = name {
+            return What::Code;
+        }
+        // `char('F')`, `String("F")`, `str("F")`.
+        if let Some([one]) = last.group()
+            && let (Kind::Text(text), Some("char" | "String" | "str" | "string" | "list" | "Array" | "from")) =
+                (&one.kind, name)
+        {
+            return What::Text(text.clone());
+        }
+        return What::Group(last, name);
     }
+    What::Code
+}
 
-    /// Whether the parentheses at the reader's place hold a string first, as a Python tuple does.
-    fn is_tuple(&self) -> bool {
-        self.rest()[1..].trim_start().starts_with(['\'', '"'])
-    }
-
-    /// Skips code up to the next `,` or closing bracket outside brackets.
-    fn skip(&mut self) {
-        let mut depth = 0_usize;
-        while let Some(ch) = self.peek() {
-            match ch {
-                '\'' | '"' | '`' => {
-                    if self.string().is_none() {
-                        return;
-                    }
-                    continue;
-                }
-                '/' if self.rest().starts_with("//") || self.rest().starts_with("/*") => {
-                    self.blank();
-                    continue;
-                }
-                '{' | '[' | '(' => depth += 1,
-                '}' | ']' | ')' | ',' | ';' if depth == 0 => return,
-                '}' | ']' | ')' => depth -= 1,
-                _ => {}
+/// Strings that `+`, `..` or nothing joins.
+fn joined(part: &[Node]) -> Option<String> {
+    let mut text = String::new();
+    let mut is_text = false;
+    for node in part {
+        match &node.kind {
+            Kind::Text(own) => {
+                text.push_str(own);
+                is_text = true;
             }
-            if self.bump().is_none() {
-                return;
-            }
+            Kind::Mark("+" | ".." | "\\") if is_text => {}
+            _ => return None,
         }
     }
+    is_text.then_some(text)
+}
 
-    fn object(&mut self, depth: usize) -> Option<Value> {
-        self.bump();
-        let mut members = Vec::new();
+/// A number, if the parts are arithmetic.
+pub(super) fn arithmetic(part: &[Node]) -> What<'_> {
+    let mut sums = Sums { nodes: part, at: 0, unit: Unit::Unknown, depth: 0 };
+    match sums.sum() {
+        Some(value) if value.is_finite() && sums.at == part.len() => What::Number(value, sums.unit),
+        _ => What::Code,
+    }
+}
+
+struct Sums<'t> {
+    nodes: &'t [Node],
+    at: usize,
+    unit: Unit,
+    depth: usize,
+}
+
+impl Sums<'_> {
+    fn eat(&mut self, mark: &str) -> bool {
+        let found = self.nodes.get(self.at).is_some_and(|node| node.is(mark));
+        self.at += usize::from(found);
+        found
+    }
+
+    fn sum(&mut self) -> Option<f64> {
+        let mut value = self.product()?;
         loop {
-            self.blank();
-            if self.eat('}') {
-                return Some(Value::Object(members));
-            }
-            if self.eat(',') {
-                continue;
-            }
-            let key = self.key()?;
-            self.blank();
-            let start = self.at;
-            if self.eat(':') {
-                let node = self.value(depth + 1)?;
-                members.push((key, node));
-            } else if matches!(self.peek(), Some(',' | '}')) {
-                members.push((key, Node { value: Value::Other, start, end: start }));
-            } else if self.peek() == Some('(') {
-                // A method: its parameters and its body.
-                self.skip();
-                members.push((key, Node { value: Value::Other, start, end: self.at }));
+            if self.eat("+") {
+                value += self.product()?;
+            } else if self.eat("-") {
+                value -= self.product()?;
             } else {
-                return None;
-            }
-            self.blank();
-            if !matches!(self.peek(), Some(',' | '}')) {
-                return None;
+                return Some(value);
             }
         }
     }
 
-    fn key(&mut self) -> Option<String> {
-        if let Some('\'' | '"' | '`') = self.peek() {
-            return self.string();
+    fn product(&mut self) -> Option<f64> {
+        let mut value = self.factor()?;
+        loop {
+            if self.eat("*") {
+                value *= self.factor()?;
+            } else if self.eat("/") {
+                value /= self.factor()?;
+            } else {
+                return Some(value);
+            }
         }
-        let from = self.at;
-        while self.peek().is_some_and(|c| c.is_alphanumeric() || matches!(c, '_' | '$' | '-' | '.')) {
-            self.bump()?;
-        }
-        (self.at > from).then(|| self.text[from..self.at].to_owned())
     }
 
-    fn list(&mut self, open: char, close: char, depth: usize) -> Option<Value> {
-        if !self.eat(open) {
+    fn inside(&mut self, nodes: &[Node]) -> Option<f64> {
+        if self.depth > 24 {
             return None;
         }
-        let mut elements = Vec::new();
-        loop {
-            self.blank();
-            if self.eat(close) {
-                return Some(Value::List(elements));
-            }
-            if self.eat(',') {
-                continue;
-            }
-            elements.push(self.value(depth + 1)?);
-            self.blank();
-            if self.peek() != Some(',') && self.peek() != Some(close) {
-                return None;
-            }
+        let mut inner = Sums { nodes, at: 0, unit: Unit::Unknown, depth: self.depth + 1 };
+        let value = inner.sum()?;
+        if inner.unit != Unit::Unknown {
+            self.unit = inner.unit;
         }
+        (inner.at == nodes.len()).then_some(value)
     }
 
-    /// Reads strings that `+` joins.
-    fn strings(&mut self) -> Option<Value> {
-        let mut text = self.string()?;
-        loop {
-            let end = self.at;
-            self.blank();
-            let joined = self.eat('+');
-            if joined {
-                self.blank();
-            }
-            if joined && matches!(self.peek(), Some('\'' | '"' | '`')) {
-                text.push_str(&self.string()?);
-                continue;
-            }
-            self.at = end;
-            return Some(Value::Text(text));
+    fn factor(&mut self) -> Option<f64> {
+        if self.eat("-") {
+            return Some(-self.factor()?);
         }
-    }
-
-    fn string(&mut self) -> Option<String> {
-        let quote = self.bump()?;
-        let mut text = String::new();
-        loop {
-            match self.bump()? {
-                '\\' => match self.bump()? {
-                    'n' => text.push('\n'),
-                    't' => text.push('\t'),
-                    '\n' => {}
-                    other => text.push(other),
-                },
-                '\n' if quote != '`' => return None,
-                ch if ch == quote => return Some(text),
-                ch => text.push(ch),
-            }
+        if self.eat("+") {
+            return self.factor();
         }
-    }
-
-    /// Reads a name, a call or arithmetic that begins with a name.
-    fn word(&mut self, depth: usize) -> Value {
-        let start = self.at;
-        let name = self.name();
-        if name == "new" || name == "dict" || name == "OrderedDict" {
-            self.blank();
-            if name == "new" {
-                self.name();
-                self.blank();
-            }
-            if self.eat('(')
-                && let Some(inner) = self.value(depth + 1)
-            {
-                self.blank();
-                if self.eat(')') {
-                    return inner.value;
+        if self.eat("π") {
+            self.unit = Unit::Radians;
+            return Some(core::f64::consts::PI);
+        }
+        let node = self.nodes.get(self.at)?;
+        self.at += 1;
+        match &node.kind {
+            Kind::Number(value, unit) => {
+                match unit.to_lowercase().trim_end_matches('.') {
+                    "" | "f" | "d" | "l" | "f32" | "f64" | "px" | "u32" | "i32" => {}
+                    "deg" | "degrees" | "degree" | "°" => self.unit = Unit::Degrees,
+                    "rad" | "radians" => self.unit = Unit::Radians,
+                    _ => return None,
                 }
-            }
-            self.skip();
-            return Value::Other;
-        }
-        self.at = start;
-        self.arithmetic(depth)
-    }
-
-    fn name(&mut self) -> &'a str {
-        let from = self.at;
-        while self.peek().is_some_and(|c| c.is_alphanumeric() || matches!(c, '_' | '$' | '.')) {
-            if self.bump().is_none() {
-                break;
-            }
-        }
-        &self.text[from..self.at]
-    }
-
-    fn arithmetic(&mut self, depth: usize) -> Value {
-        let mut unit = Unit::Unknown;
-        let start = self.at;
-        match self.sum(depth, &mut unit) {
-            Some(value) if value.is_finite() => Value::Number(value, unit),
-            _ => {
-                self.at = start;
-                self.skip();
-                Value::Other
-            }
-        }
-    }
-
-    fn sum(&mut self, depth: usize, unit: &mut Unit) -> Option<f64> {
-        let mut value = self.product(depth, unit)?;
-        loop {
-            self.spaces();
-            if self.eat('+') {
-                value += self.product(depth, unit)?;
-            } else if self.eat('-') {
-                value -= self.product(depth, unit)?;
-            } else {
-                return Some(value);
-            }
-        }
-    }
-
-    fn product(&mut self, depth: usize, unit: &mut Unit) -> Option<f64> {
-        let mut value = self.factor(depth, unit)?;
-        loop {
-            self.spaces();
-            if self.rest().starts_with("//") {
-                return Some(value);
-            }
-            if self.eat('*') {
-                value *= self.factor(depth, unit)?;
-            } else if self.eat('/') {
-                value /= self.factor(depth, unit)?;
-            } else {
-                return Some(value);
-            }
-        }
-    }
-
-    fn factor(&mut self, depth: usize, unit: &mut Unit) -> Option<f64> {
-        self.spaces();
-        if depth > DEEPEST {
-            return None;
-        }
-        match self.peek()? {
-            '-' => {
-                self.bump()?;
-                Some(-self.factor(depth + 1, unit)?)
-            }
-            '+' => {
-                self.bump()?;
-                self.factor(depth + 1, unit)
-            }
-            '(' => {
-                self.bump()?;
-                let value = self.sum(depth + 1, unit)?;
-                self.spaces();
-                self.eat(')').then_some(value)
-            }
-            '0'..='9' | '.' => {
-                let from = self.at;
-                while self.peek().is_some_and(|c| c.is_ascii_digit() || c == '.') {
-                    self.bump()?;
+                if self.eat("°") {
+                    self.unit = Unit::Degrees;
                 }
-                self.text[from..self.at].parse().ok()
-            }
-            'π' => {
-                self.bump()?;
-                *unit = Unit::Radians;
-                Some(core::f64::consts::PI)
-            }
-            _ => {
-                let name = self.name().to_ascii_lowercase();
-                if name == "pi" || name.ends_with(".pi") {
-                    *unit = Unit::Radians;
-                    return Some(core::f64::consts::PI);
+                if self.eat("π") {
+                    self.unit = Unit::Radians;
+                    return Some(value * core::f64::consts::PI);
                 }
-                self.spaces();
-                if !name.contains("rad") || !self.eat('(') {
-                    return None;
+                // `25.0.to_radians()`
+                if let Some([dot, name, call, ..]) = self.nodes.get(self.at..)
+                    && dot.is(".")
+                    && name.name() == Some("to_radians")
+                    && call.group().is_some()
+                {
+                    self.at += 3;
+                    self.unit = Unit::Degrees;
                 }
-                let value = self.sum(depth + 1, unit)?;
-                *unit = Unit::Degrees;
-                self.spaces();
-                self.eat(')').then_some(value)
+                Some(*value)
             }
+            Kind::Group('(', inside) => self.inside(inside),
+            Kind::Name(_) => self.named(),
+            _ => None,
         }
     }
 
-    fn spaces(&mut self) {
-        while let Some(' ' | '\t') = self.peek() {
-            if self.bump().is_none() {
-                return;
-            }
+    /// A constant or a call: `Math.PI`, `np.radians(25)`, `Mathf.Deg2Rad`. The last name counts.
+    fn named(&mut self) -> Option<f64> {
+        let mut name = self.nodes.get(self.at - 1)?.name()?;
+        while (self.eat(".") || self.eat("::"))
+            && let Some(next) = self.nodes.get(self.at).and_then(Node::name)
+        {
+            name = next;
+            self.at += 1;
         }
+        let lower = name.to_ascii_lowercase();
+        let fraction = match lower.as_str() {
+            "pi" | "m_pi" => 1.0,
+            "two_pi" | "tau" => 2.0,
+            "half_pi" | "frac_pi_2" => 0.5,
+            "third_pi" | "frac_pi_3" => 1.0 / 3.0,
+            "quarter_pi" | "frac_pi_4" => 0.25,
+            "frac_pi_6" => 1.0 / 6.0,
+            "frac_pi_8" => 0.125,
+            _ => 0.0,
+        };
+        if fraction > 0.0 {
+            self.unit = Unit::Radians;
+            return Some(fraction * core::f64::consts::PI);
+        }
+        let inside = self.nodes.get(self.at).and_then(Node::group)?;
+        self.at += 1;
+        let value = self.inside(inside)?;
+        match lower.as_str() {
+            // Calls from degrees to radians: the argument is in degrees.
+            "radians" | "toradians" | "deg2rad" | "degtorad" | "to_radians" | "rad" | "torad" | "degreestoradians" => {
+                self.unit = Unit::Degrees;
+            }
+            "degrees" | "todegrees" | "rad2deg" => self.unit = Unit::Radians,
+            "float" | "double" | "int" | "number" => {}
+            _ => return None,
+        }
+        Some(value)
     }
 }

@@ -1,0 +1,337 @@
+//! Texts as people write and paste them, with what they must give: the cases of `foreign-cases.json`, and more by kind.
+
+use lsystem_base::Limits;
+use lsystem_drawing::{Plane, System, draw, expand};
+use lsystem_import::{Entry, Fate, import};
+use lsystem_syntax::Definition;
+use serde_json::Value;
+
+/// The segments of a system as `(x0, y0, x1, y1)`, seen from the front.
+fn segments(definition: &Definition, n: u32) -> Vec<[f64; 4]> {
+    let system = System::new(definition).0.unwrap();
+    let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
+    drawing.segments().map(|segment| [segment.from[0], segment.from[1], segment.to[0], segment.to[1]]).collect()
+}
+
+fn string(definition: &Definition, n: u32) -> String {
+    expand(&System::new(definition).0.unwrap(), n, &Limits::default()).unwrap()
+}
+
+/// Segments moved and scaled so that the first one begins at the origin and has length 1.
+fn placed(segments: &[[f64; 4]]) -> Vec<[f64; 4]> {
+    let [x, y, ..] = segments[0];
+    let [dx, dy] = [segments[0][2] - x, segments[0][3] - y];
+    let scale = (dx * dx + dy * dy).sqrt();
+    segments.iter().map(|s| [(s[0] - x) / scale, (s[1] - y) / scale, (s[2] - x) / scale, (s[3] - y) / scale]).collect()
+}
+
+/// Why a case is not as it should be.
+fn problem(case: &Value) -> Option<String> {
+    let text = case["text"].as_str().unwrap();
+    let want = &case["want"];
+    let Some(imported) = import(text) else { return Some("not recognised".to_owned()) };
+    let entries = &imported.entries;
+    let refused = |entry: &Entry| entry.definition.is_none();
+    if want["refuse"] == true {
+        return (!entries.iter().all(refused)).then(|| format!("not refused: {entries:#?}"));
+    }
+    if case["refusal_is_right_too"] == true && entries.iter().any(refused) {
+        return None;
+    }
+    if let Some(systems) = want["systems"].as_u64()
+        && entries.len() as u64 != systems
+    {
+        return Some(format!("{} systems: {entries:#?}", entries.len()));
+    }
+    let entry = &entries[0];
+    let Some(definition) = &entry.definition else { return Some(format!("refused: {entry:#?}")) };
+    let shown = || format!("{imported:#?}");
+    for (n, count) in want["segs"].as_object().into_iter().flatten() {
+        let n: u32 = n.parse().unwrap();
+        let system = System::new(definition).0.unwrap();
+        let found = lsystem_drawing::Figure::draw(&system, n, &Limits::default()).unwrap().segment_count();
+        if found != u128::from(count.as_u64().unwrap()) {
+            return Some(format!("{found} segments after {n}: {}", shown()));
+        }
+    }
+    if let Some(angle) = want["angle"].as_f64()
+        && (definition.angle - angle).abs() > 1e-6
+    {
+        return Some(format!("angle {}", definition.angle));
+    }
+    if let Some(angles) = want["angles"].as_array() {
+        let found = [definition.angle, definition.right_angle.unwrap_or(definition.angle)];
+        if angles.iter().zip(found).any(|(angle, found)| angle.as_f64() != Some(found)) {
+            return Some(format!("angles {found:?}"));
+        }
+    }
+    if let Some(n) = want["n"].as_u64()
+        && u64::from(definition.iterations) != n
+    {
+        return Some(format!("n {}", definition.iterations));
+    }
+    if let Some(word) = want["word"].as_str() {
+        let found = string(definition, want["word_n"].as_u64().unwrap_or(1) as u32);
+        if found.replace(' ', "") != word {
+            return Some(format!("string {found}: {}", shown()));
+        }
+    }
+    if let Some(word) = want["noword"].as_str()
+        && definition.rules.lines().any(|line| line.split(" : ").next().unwrap_or(line).contains(word))
+    {
+        return Some(format!("rules {}", definition.rules));
+    }
+    if let Some(shape) = want["shape"].as_array() {
+        let wanted: Vec<[f64; 4]> =
+            shape.iter().map(|one| core::array::from_fn(|at| one[at].as_f64().unwrap())).collect();
+        let system = System::new(definition).0.unwrap();
+        if !system.is_solid() {
+            let found = placed(&segments(definition, definition.iterations));
+            let near = |(a, b): (&[f64; 4], &[f64; 4])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
+            if found.len() != wanted.len() || !found.iter().zip(&placed(&wanted)).all(near) {
+                return Some(format!("shape {found:?}: {}", shown()));
+            }
+        }
+    }
+    if let Some(words) = want["remark"].as_str()
+        && !entry.remarks.iter().any(|remark| words.split('|').any(|word| remark.message.contains(word)))
+    {
+        return Some(format!("no remark: {}", shown()));
+    }
+    None
+}
+
+#[test]
+fn cases_of_others() {
+    let cases: Value = serde_json::from_str(include_str!("foreign-cases.json")).unwrap();
+    let cases = cases["cases"].as_array().unwrap();
+    let wrong: Vec<String> = cases
+        .iter()
+        .filter(|case| {
+            let id = case["id"].as_str().unwrap();
+            !["cpfg", "lpy", "anvaka", "racket", "text-minus-fractint"].iter().any(|start| id.starts_with(start))
+        })
+        .filter_map(|case| Some(format!("{}: {}", case["id"], problem(case)?)))
+        .collect();
+    assert!(cases.len() >= 40);
+    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// A text, with what its first system must be: axiom, rules, angle, and n if it is given.
+fn check(text: &str, axiom: &str, rules: &[&str], angle: f64, n: Option<u32>) -> Option<String> {
+    let Some(imported) = import(text) else { return Some(format!("not recognised: {text}")) };
+    let entry = &imported.entries[0];
+    let Some(d) = &entry.definition else { return Some(format!("refused: {text}\n{entry:#?}")) };
+    let found: Vec<&str> = d.rules.lines().collect();
+    let same =
+        d.axiom == axiom && found == rules && (d.angle - angle).abs() < 1e-3 && n.is_none_or(|n| n == d.iterations);
+    (!same)
+        .then(|| format!("{text}\n-> {} | {found:?} | {} | {}\n{:#?}", d.axiom, d.angle, d.iterations, entry.remarks))
+}
+
+#[test]
+fn kinds_of_texts() {
+    let koch = &["F -> F+F-F-F+F"][..];
+    let all = [
+        check("axiom: F\nangle: 30\nn = 1\nF -> F[&F][^F]", "F", &["F -> F[&F][^F]"], 30.0, Some(1)),
+        check("axiom: A\nangle: 30\nn = 1\nA -> A[+$A]F", "A", &["A -> A[+$A]F"], 30.0, Some(1)),
+        check("axiom: F\nangle: 45\nn = 1\nF -> F[\\\\+F]F", "F", &["F -> F[\\\\+F]F"], 45.0, Some(1)),
+        check("axiom: F\nangle: 90\nn = 1\nF -> F[+(30)F]-(20)F", "F", &["F -> F[+(30)F]-(20)F"], 90.0, Some(1)),
+        check("axiom: F\nangle: 90\nF -> F+F // turn once", "F", &["F -> F+F"], 90.0, None),
+        check(
+            "The axiom is F and the rule is F -> F+F--F+F. The angle is 60 degrees.",
+            "F",
+            &["F -> F+F--F+F"],
+            60.0,
+            None,
+        ),
+        check("Axiom: F Rules: F → F+F Angle: 45 n: 1", "F", &["F -> F+F"], 45.0, Some(1)),
+        check(
+            "Axiom: F\nF -> F[+F]F : 0.9\nF -> F[-F]F : 0.1\nangle 20",
+            "F",
+            &["F -> F[+F]F : 0.9", "F -> F[-F]F : 0.1"],
+            20.0,
+            None,
+        ),
+        check(
+            "Axiom: F\nF -> F[+F]F (90 %)\nF -> F[-F]F (10 %)\nangle 20",
+            "F",
+            &["F -> F[+F]F : 0.9", "F -> F[-F]F : 0.1"],
+            20.0,
+            None,
+        ),
+        check(
+            "Axiom: F\n0.9: F -> F[+F]F\n0.1: F -> F[-F]F\nangle 20",
+            "F",
+            &["F -> F[+F]F : 0.9", "F -> F[-F]F : 0.1"],
+            20.0,
+            None,
+        ),
+        check(
+            "Axiom: F\nF (0.9) → F[+F]F\nF (0.1) → F[-F]F\nangle 20",
+            "F",
+            &["F -> F[+F]F : 0.9", "F -> F[-F]F : 0.1"],
+            20.0,
+            None,
+        ),
+        check(
+            "Axiom: F\nF →.9 F[+F]F\nF →.1 F[-F]F\nangle 20",
+            "F",
+            &["F -> F[+F]F : 0.9", "F -> F[-F]F : 0.1"],
+            20.0,
+            None,
+        ),
+        check("Axiom: F\nF -> F+F\nAngle: 360/7", "F", &["F -> F+F"], 51.428_571, None),
+        check("Axiom: F\nF -> F+F\ntheta = 2π/5", "F", &["F -> F+F"], 72.0, None),
+        check("Axiom: F\nF -> F+F\nangle: 1.047 rad", "F", &["F -> F+F"], 59.988_68, None),
+        check("Axiom: F\nF -> F+F\nangle: 25,7", "F", &["F -> F+F"], 25.7, None),
+        check("Axiom: A\nA -> \nF -> FF\nangle: 60\nn = 2", "A", &["A -> *", "F -> FF"], 60.0, Some(2)),
+        check("Axiom: XF\nX → ε\nF -> FF\nangle: 60", "XF", &["X -> *", "F -> FF"], 60.0, None),
+        check(
+            "Axiom: 1F\n1 → (eliminated at each iteration)\nF -> FF\nangle: 60",
+            "1F",
+            &["1 -> *", "F -> FF"],
+            60.0,
+            None,
+        ),
+        check("axiom: A\nA -> AB\nangle: 60\nn = 0 : A\nn = 1 : AB\nn = 2 : ABB", "A", &["A -> AB"], 60.0, None),
+        check("Each angle is sharp.\naxiom: F\nF -> F+F\nangle: 60", "F", &["F -> F+F"], 60.0, None),
+        check("In order to draw it\naxiom: F\nF -> F+F\nangle: 60\nn = 3", "F", &["F -> F+F"], 60.0, Some(3)),
+        check("axiom: X; rules: X -> F+X; angle: 60", "X", &["X -> F+X"], 60.0, None),
+        check("Axiom: (X)\nRules: X -> F+X\nAngle: 60", "X", &["X -> F+X"], 60.0, None),
+        check("**Axiom:** `F`\n**Rules:** `F -> F+F`\n**Angle:** 60", "F", &["F -> F+F"], 60.0, None),
+        check("• Axiom: “F-F”\n• Rule: F → F+F\n• Angle: 60°", "F-F", &["F -> F+F"], 60.0, None),
+        check(
+            "ω : A(1)\nA(s) : * → F(s)[+A(s/2)][-A(s/2)]\nangle: 60",
+            "A(1)",
+            &["A(s) -> F(s)[+A(s/2)][-A(s/2)]"],
+            60.0,
+            None,
+        ),
+        check("Axiom: F\nF = F+F-F-F+F\nAngle: 90", "F", koch, 90.0, None),
+        check("Axiom: F\nF : F+F-F-F+F\nAngle: 90", "F", koch, 90.0, None),
+        check("Axiom: F\nF := F+F-F-F+F\nAngle: 90", "F", koch, 90.0, None),
+        check("Axiom: F\nF ::= F+F-F-F+F\nAngle: 90", "F", koch, 90.0, None),
+        check("Axiom: F\nF > F+F-F-F+F\nAngle: 90", "F", koch, 90.0, None),
+        check("Startwort: F\nRegeln: F → F+F-F-F+F\nWinkel: 90°\nIterationen: 3", "F", koch, 90.0, Some(3)),
+        check("axiome : F\nrègles : F → F+F-F-F+F\nangle : 90\nprofondeur : 3", "F", koch, 90.0, Some(3)),
+        check("axiom: X\nX -> XFX-F>X->\nangle: 60", "X", &["X -> XFX-F>X->"], 60.0, None),
+        check(
+            "var axiom = \"X\";\nvar rules = [];\nrules[0] = {a: \"X\", b: \"F[+X]F[-X]+X\"};\nrules[1] = {a: \"F\", b: \"FF\"};",
+            "X",
+            &["X -> F[+X]F[-X]+X", "F -> FF"],
+            90.0,
+            None,
+        ),
+        check("{axiom:'F', replace:{F:'F+G',G:'F-G'}, angle:90}", "F", &["F -> F+G", "G -> F-G"], 90.0, None),
+        check(
+            "return {axiom=\"FA\", rules_A=\"[+F][-F]\", angle=30, iterations=1}",
+            "FA",
+            &["A -> [+F][-F]"],
+            30.0,
+            Some(1),
+        ),
+        check("(def koch {:axiom \"F\" :rules {\"F\" \"F+F-F-F+F\"} :angle 90})", "F", koch, 90.0, None),
+        check(
+            "lsys = Dict('F' => \"F+F-F-F+F\")\naxiom = \"F\"\nrules = Dict('F' => \"F+F-F-F+F\")\nangle = 90",
+            "F",
+            koch,
+            90.0,
+            None,
+        ),
+        check("axiom = \"F\"\nangle = math.radians(90)\nrules = {'F': 'F+F-F-F+F'}\n", "F", koch, 90.0, None),
+        check(
+            "let axiom = String::from(\"F\");\nlet mut rules = HashMap::new();\nrules.insert('F', \"F+F-F-F+F\".to_string());\nlet angle = 90.0_f64.to_radians();",
+            "F",
+            koch,
+            90.0,
+            None,
+        ),
+        check(
+            "String axiom = \"F\";\nfloat angle = PI/2;\nMap<Character, String> rules = Map.of('F', \"F+F-F-F+F\");",
+            "F",
+            koch,
+            90.0,
+            None,
+        ),
+        check(
+            "axiom = 'F'\ndef step(s):\n  out = ''\n  for c in s:\n    if c == 'F':\n      out += 'F+F-F-F+F'\n    else:\n      out += c\nangle = 90 # L-system",
+            "F",
+            koch,
+            90.0,
+            None,
+        ),
+    ];
+    let wrong: Vec<String> = all.into_iter().flatten().collect();
+    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n\n"));
+}
+
+#[test]
+fn meanings_in_words() {
+    let draw = |text: &str| {
+        let imported = import(text).unwrap_or_else(|| panic!("not recognised: {text}"));
+        let definition = imported.entries[0].definition.clone().unwrap_or_else(|| panic!("{imported:#?}"));
+        segments(&definition, definition.iterations)
+    };
+    // + turns right.
+    let right = draw("axiom: F\nF -> F+F\nangle: 60\nn = 1\n+ means turn right and - means turn left.");
+    assert!((right[1][2] - 0.866).abs() < 1e-3 && (right[1][3] - 1.5).abs() < 1e-3, "{right:?}");
+    // B moves.
+    let gaps = draw("start : A\n(A → ABA), (B → BBB)\nn = 2\nA mean draw forward and B mean move forward");
+    assert_eq!(gaps.iter().map(|s| s[1].round() as i64).collect::<Vec<_>>(), [0, 2, 6, 8], "{gaps:?}");
+    // The binary tree of an encyclopedia.
+    let tree = draw(
+        "variables : 0, 1\nconstants: \"[\", \"]\"\naxiom : 0\nrules : (1 → 11), (0 → 1[0]0)\nn = 2\n\
+         0: draw a line segment ending in a leaf\n1: draw a line segment\n\
+         [: push position and angle, turn left 45 degrees\n]: pop position and angle, turn right 45 degrees",
+    );
+    assert_eq!(tree.len(), 8, "{tree:?}");
+    let x = tree.iter().flat_map(|s| [s[0], s[2]]).fold(0.0, f64::max);
+    assert!((x - 1.7071).abs() < 1e-3, "{tree:?}");
+    let meanings = draw("axiom: F\nF -> F+F\nn = 1\nMeanings: F → draw 80%, + → turn right 60°");
+    assert!((meanings[1][2] - 0.866).abs() < 1e-3, "{meanings:?}");
+    let factor = draw("axiom: F\nF -> F>F<F\nlength factor = 1.36\nangle: 90\nn = 1");
+    let lengths: Vec<f64> = factor.iter().map(|s| (s[3] - s[1]).abs()).collect();
+    assert!((lengths[1] / lengths[0] - 1.36).abs() < 1e-9 && (lengths[2] - lengths[0]).abs() < 1e-9, "{lengths:?}");
+    let two = draw("Axiom: F\nF -> F+F-F\nLeft angle: 45\nRight angle: 60\nOrder: 1");
+    assert!((two[2][2] + 0.4483).abs() < 1e-3 && (two[2][3] - 2.6730).abs() < 1e-3, "{two:?}");
+    let images = import("axiom: A\nA -> AB\ndraw:\nA -> F+\nangle: 90\nn = 2").unwrap();
+    let definition = images.entries[0].definition.clone().unwrap();
+    assert_eq!(string(&definition, 2), "ABB", "{definition:#?}");
+}
+
+/// The account covers every text without gaps and overlaps, and nothing inside a system is passed over but white space,
+/// marks and comments.
+#[test]
+fn the_account_covers_the_text() {
+    let cases: Value = serde_json::from_str(include_str!("foreign-cases.json")).unwrap();
+    for case in cases["cases"].as_array().unwrap() {
+        let text = case["text"].as_str().unwrap();
+        let Some(imported) = import(text) else { continue };
+        if !["a program", "a description"].contains(&imported.notation) {
+            continue;
+        }
+        let mut at = 0;
+        for part in &imported.account {
+            assert_eq!(part.span.start, at, "{text}");
+            assert!(part.span.end > at && text.is_char_boundary(part.span.end), "{text}");
+            at = part.span.end;
+        }
+        assert_eq!(at, text.len(), "{text}");
+        assert!(imported.account.iter().any(|part| part.fate != Fate::Passed), "{text}");
+    }
+}
+
+#[test]
+fn prose_and_code_without_a_system_are_passed() {
+    for text in [
+        "The start of the story is long. Rules are rules -> and so on. It takes 3 steps.",
+        "start = \"hello\"\nrules = {\"a\": \"b\"}\n",
+        "const initial = 'A';\nconst map = {B: 'C'};\n",
+        "# Readme\n\nRun `cargo test` -> see the output. Order: 3\n",
+        "fn main() { let start = \"x\"; match c { 'a' => \"b\", _ => \"c\" } }",
+        "grammar S -> NP VP\nNP -> Det N\nstart: S",
+    ] {
+        assert_eq!(import(text).map(|found| format!("{found:#?}")), None, "{text}");
+    }
+}
