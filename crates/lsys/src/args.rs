@@ -29,6 +29,8 @@ pub(crate) enum Command {
     Animate { file: PathBuf, to: PathBuf, film: Box<FilmOptions>, changes: Changes },
     /// Convert files of other programs to JSON files in a folder.
     Import { files: Vec<PathBuf>, to: PathBuf },
+    /// Print what is read from a file, part by part.
+    Account { files: Vec<PathBuf> },
     /// Compare the output of a program with a system.
     Check { file: PathBuf, output: PathBuf, changes: Changes },
     /// Find the rules of a string.
@@ -92,7 +94,8 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         }
         Verb::Tiles { file, dir, options, changes } => Ok(Command::Tiles { file, dir, options, changes }),
         Verb::Animate { file, to, film, changes } => Ok(Command::Animate { file, to, film: Box::new(film), changes }),
-        Verb::Import { files, to } => Ok(Command::Import { files, to }),
+        Verb::Import { files, to: Some(to), .. } => Ok(Command::Import { files, to }),
+        Verb::Import { files, .. } => Ok(Command::Account { files }),
         Verb::Check { file, output, changes } => match file == output && file.as_os_str() == "-" {
             false => Ok(Command::Check { file, output, changes }),
             true => Err(explain("check", "standard input (-) can be read only once".to_owned())),
@@ -256,6 +259,7 @@ mod tests {
                 format!("animate {file:?} to {to:?} dive {:?} track {:?}", film.dive, film.track)
             }
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
+            Ok(Command::Account { files }) => format!("account of {files:?}"),
             Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
             Ok(Command::Find { text, known, json }) => format!("find {text} {known:?} json {json}"),
@@ -354,6 +358,7 @@ mod tests {
             "draw old.l out --entry Bush",
             &expect![[r#"draw "old.l" to Write("out", [txt, svg]) n None seed None entry Bush"#]],
         );
+        check("import a.l --account", &expect![[r#"account of ["a.l"]"#]]);
         check("import a.l folder --to out", &expect![[r#"import ["a.l", "folder"] to "out""#]]);
         check("check a.json out.txt -n 3", &expect![[r#"check "a.json" "out.txt" n Some(3) seed None"#]]);
         check("help draw", &expect!["print Write or print pictures, meshes, segments and strings"]);

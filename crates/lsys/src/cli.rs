@@ -113,15 +113,22 @@ pub(crate) enum Verb {
     },
     /// Convert files in the notations of other programs to JSON
     ///
-    /// Reads Fractint, cpfg, L-Py, TikZ, Racket, Houdini, JavaScript objects, and lists as in papers.
-    /// Every system becomes a file of its own in DIR. What is not carried over is told with its line.
+    /// Reads Fractint, cpfg, L-Py, TikZ, Racket, Houdini, programs and data of any language, settings, and
+    /// texts as in papers. Every system becomes a file of its own in DIR. What is not carried over is a
+    /// remark with its line.
     #[command(verbatim_doc_comment)]
     Import {
         #[arg(help = "File, or folder with files", value_name = "FILE", value_hint = ValueHint::AnyPath, required = true)]
         files: Vec<PathBuf>,
         /// Folder for the JSON files; made if it is missing
-        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true)]
-        to: PathBuf,
+        #[arg(
+            long, value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true,
+            required_unless_present = "account"
+        )]
+        to: Option<PathBuf>,
+        /// Print instead what became of every part of the text: read, noted, or the reason of a refusal
+        #[arg(long, conflicts_with = "to")]
+        account: bool,
     },
     /// Compare what a program printed with a system
     ///

@@ -1,6 +1,7 @@
 //! `lsys`: derives, draws, compares and inspects L-systems from JSON files and from files of other programs. The library
 //! `lsystem` does the work; this program reads arguments and files and writes results and messages.
 
+mod account;
 mod animate;
 mod answers;
 mod args;
@@ -95,6 +96,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Tiles { file, dir, options, changes } => tiles::tiles(&file, &dir, &options, &changes),
         Command::Animate { file, to, film, changes } => animate::animate(&file, &to, &film, &changes),
         Command::Import { files, to } => import::import(&files, &to),
+        Command::Account { files } => account::account(&files),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Find { text, known, json } => find::find(&text, &known, json),
         Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),

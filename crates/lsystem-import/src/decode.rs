@@ -10,6 +10,8 @@ pub(super) struct Decoded {
     pub(super) text: String,
     /// By byte of the text: the place in the source; and the end of the source.
     places: Vec<usize>,
+    /// The places in the source of markup that stands for nothing or for a blank, in order.
+    pub(super) markup: Vec<Range<usize>>,
 }
 
 /// Commands of LaTeX that stand for a character or for nothing, longer ones first.
@@ -85,8 +87,11 @@ impl Decoded {
         ];
         let is_latex = commands.iter().any(|command| source.contains(command));
         let is_html = ["</", "<br", "<p>", "<li>", "/>"].iter().any(|tag| source.contains(tag));
-        let mut decoded =
-            Self { text: String::with_capacity(source.len()), places: Vec::with_capacity(source.len() + 1) };
+        let mut decoded = Self {
+            text: String::with_capacity(source.len()),
+            places: Vec::with_capacity(source.len() + 1),
+            markup: Vec::new(),
+        };
         let mut aligned = 0_usize;
         let mut at = 0;
         while let Some(ch) = source[at..].chars().next() {
@@ -122,6 +127,9 @@ impl Decoded {
                 '\r' => ("", 1),
                 _ => (&rest[..ch.len_utf8()], ch.len_utf8()),
             };
+            if read.trim().is_empty() && !ch.is_whitespace() {
+                decoded.markup.push(at..at + length);
+            }
             decoded.text.push_str(read);
             decoded.places.extend(core::iter::repeat_n(at, read.len()));
             at += length;

@@ -39,6 +39,12 @@ pub(super) struct Draft<'a> {
 
 /// Characters between statements without a meaning of their own.
 const SEPARATORS: &str = ",;:.=(){}[]'\"`“”‘’*_|•·-–";
+/// Words between statements without a meaning of their own.
+const CONNECTIVES: [&str; 34] = [
+    "a", "an", "and", "are", "as", "at", "axiom", "by", "for", "from", "has", "have", "here", "in", "is", "it", "its",
+    "of", "or", "rule", "rules", "so", "that", "the", "then", "this", "to", "we", "where", "with", "und", "et", "mit",
+    "y",
+];
 /// The most remarks of a system.
 const MOST_REMARKS: usize = 100;
 
@@ -187,7 +193,8 @@ impl<'a> Draft<'a> {
         }
         for gap in gaps {
             for line in self.source.text.get(gap).unwrap_or_default().lines() {
-                if line.contains(|c: char| !c.is_whitespace() && !SEPARATORS.contains(c)) {
+                let words = line.split(|c: char| c.is_whitespace() || SEPARATORS.contains(c));
+                if words.filter(|word| !word.is_empty()).any(|word| !CONNECTIVES.contains(&&*word.to_lowercase())) {
                     self.note_at(self.place(line.trim()), "This is not understood");
                 }
             }

@@ -52,7 +52,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     }
     reader.finish();
     let systems = reader.systems;
-    let drafts: Vec<Draft<'a>> = systems.into_iter().map(|said| said.assemble(source, &[])).collect();
+    let drafts: Vec<Draft<'a>> = systems.into_iter().map(|said| said.assemble(source, &decoded.markup)).collect();
     (!drafts.is_empty()).then_some(drafts)
 }
 
@@ -137,7 +137,9 @@ impl Reader<'_> {
             return;
         }
         self.last = None;
-        let line = self.without_bullet(&line);
+        let whole = line;
+        let line = self.without_bullet(&whole);
+        self.cover(&(whole.start..line.start));
         let text = self.text(&line).to_owned();
         if text.is_empty() {
             return;
@@ -161,9 +163,8 @@ impl Reader<'_> {
                 return self.said.note(span, "This lists a generation");
             }
         }
-        if self.said.axiom.is_none() && self.said.rules.is_empty() && labels.is_empty() && is_title(&text) {
-            self.title = Some(line.clone());
-        } else if labels.is_empty() && is_title(&text) && !self.said.rules.is_empty() {
+        // The first title since the last system ended; a further one stands behind the rules of a system.
+        if labels.is_empty() && is_title(&text) && (self.title.is_none() || !self.said.rules.is_empty()) {
             self.title = Some(line.clone());
         }
         let first = labels.first().map_or(line.end, |label| label.start);
@@ -603,6 +604,12 @@ impl Reader<'_> {
                 arrow.end + predecessor(between).0.start
             });
             let after = &text[arrow.end..limit];
+            // Marks and numbers between rules: `, p_2 :`.
+            let between = before[..head.start].trim_matches(|c: char| c.is_whitespace() || ",;:({.".contains(c));
+            let is_number = between.trim_start_matches(['p', 'r', 'P', 'R', '_']).chars().all(|c| c.is_ascii_digit());
+            if is_number && from + head.start > from {
+                self.cover(&(range.start + from..range.start + from + head.start));
+            }
             let opened = before[..head.start].trim_end().ends_with(['(', '{']);
             let (to, end, said) = successor(after, opened, index + 1 < arrows.len());
             let place = range.start + start..range.start + arrow.end + end;

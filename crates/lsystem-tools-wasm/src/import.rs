@@ -1,7 +1,7 @@
 //! The readers of other notations.
 
 use crate::to_js;
-use lsystem_import::Remark;
+use lsystem_import::{Fate, Part, Remark};
 use lsystem_syntax::Definition;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -11,6 +11,21 @@ use wasm_bindgen::prelude::*;
 struct ImportReport {
     notation: &'static str,
     entries: Vec<ImportEntry>,
+    /// The parts of the text in order, without gaps.
+    account: Vec<ImportPart>,
+}
+
+/// A part of the text, and what became of it.
+#[derive(Serialize)]
+struct ImportPart {
+    /// In UTF-16 units.
+    length: usize,
+    /// `passed`, `read`, `noted` or `refused`.
+    fate: &'static str,
+    /// The index of its system; null outside of all systems.
+    entry: Option<usize>,
+    /// What it became, or why it did not.
+    words: String,
 }
 
 /// One of these systems.
@@ -31,7 +46,7 @@ struct ImportRemark {
 }
 
 /// Reads systems in the notation of another program or of a paper: `{notation, entries: [{name, definition, remarks:
-/// [{line, text, message}]}]}`; null if no notation is recognised.
+/// [{line, text, message}]}], account: [{length, fate, entry, words}]}`; null if no notation is recognised.
 ///
 /// # Errors
 /// Throws only if the result cannot be translated.
@@ -48,6 +63,19 @@ pub fn import_systems(text: &str) -> Result<JsValue, JsValue> {
                     .collect(),
             })
             .collect(),
+        account: imported.account.into_iter().map(|part| import_part(text, part)).collect(),
     });
     to_js(&report)
+}
+
+fn import_part(text: &str, Part { span, fate, entry, words }: Part) -> ImportPart {
+    let fate = match fate {
+        Fate::Passed => "passed",
+        Fate::Read => "read",
+        Fate::Noted => "noted",
+        Fate::Refused => "refused",
+    };
+    // The parts follow each other, so their lengths say their places.
+    let length = text.get(span).unwrap_or_default().encode_utf16().count();
+    ImportPart { length, fate, entry, words }
 }

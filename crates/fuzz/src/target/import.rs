@@ -13,6 +13,12 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
     let Some(imported) = found else { return };
     assert!(!imported.entries.is_empty());
     gauge.reach(imported.notation);
+    let mut at = 0;
+    for part in &imported.account {
+        assert!(part.span.start == at && part.span.end > at && text.is_char_boundary(part.span.end), "{part:?}");
+        at = part.span.end;
+    }
+    assert_eq!(at, text.len(), "the account covers the text");
     let lines = text.matches(['\n', '\r']).count() + 1;
     for entry in &imported.entries {
         let refused = entry.remarks.iter().any(|remark| remark.refused);
@@ -26,7 +32,13 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
 }
 
 /// A system in each notation.
-const WHOLE: [&str; 13] = [
+const WHOLE: [&str; 19] = [
+    "g = new Grammar(\"X\");\ng.addRule('X', \"F+X\"); // x\nangle = radians(25);\n",
+    "rules = new Dictionary<char, string> { {'X', \"F+X\"} };\naxiom = \"X\";\ncase '+': right(25); case 'F': forward(1);\n",
+    "<lsystem angle=\"25\"><axiom>X</axiom><rule char=\"X\">F+X</rule></lsystem>",
+    "| Axiom | Rules | Angle |\n|---|---|---|\n| F | F -> F+F | 60 |\n",
+    "axiom : 0\nrules : (1 → 11), (0 → 1[0]0)\n0: draw a line\n[: push position, turn left 45 degrees\n",
+    "\\begin{align} \\omega &: X \\\\ p_1 &: X \\rightarrow F[+X] \\end{align} $\\delta = 2\\pi/5$",
     "Koch {\n  Angle 6 ; six\n  Axiom F--F--F\n  F=F+F--F+F\n  X=@.5C1\\30D/30[!|M]\n}\n",
     "new LSystem({axiom: 'F++F', productions: {'F': 'F-F', 'A<B>C': [{weight: 2, successor: 'X'}]}})",
     "{axiom: \"A\", rules: [[\"A\", \"B-F\"], {in: 'F', out: 'FF'}], alpha: 0, theta: Math.PI / 3, iterations: 3}",
