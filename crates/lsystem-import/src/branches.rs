@@ -14,6 +14,8 @@ pub(super) struct Branches {
     pub(super) rules: Vec<(char, String, Range<usize>)>,
 }
 
+/// The most symbols for which one thing is done.
+const MOST: usize = 64;
 /// The most parts behind a comparison that belong to it.
 const LONGEST: usize = 60;
 
@@ -31,6 +33,9 @@ pub(super) fn branches(nodes: &[Node]) -> Branches {
             start = flat[at].span.start;
         }
         symbols.extend(compared);
+        symbols.sort_unstable();
+        symbols.dedup();
+        symbols.truncate(MOST);
         let end = (at + 1..flat.len().min(at + LONGEST)).find(|next| self::compared(&flat, *next).is_some());
         let body = &flat[at + 1..end.unwrap_or(flat.len().min(at + LONGEST))];
         // `case 'F': case 'G':`, `c == 'F' || c == 'G'`: what follows is for all of them.
@@ -40,7 +45,6 @@ pub(super) fn branches(nodes: &[Node]) -> Branches {
         {
             continue;
         }
-        let span = start..body.last().map_or(flat[at].span.end, |node| node.span.end);
         if let Some((actions, end)) = action(body) {
             for symbol in &symbols {
                 if !found.meanings.iter().any(|(known, ..)| known == symbol) {
@@ -54,7 +58,6 @@ pub(super) fn branches(nodes: &[Node]) -> Branches {
                 }
             }
         }
-        let _ = span;
         symbols.clear();
     }
     found

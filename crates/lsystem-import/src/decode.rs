@@ -187,12 +187,14 @@ const TO: [&str; 9] = ["to", "successor", "value", "replacement", "right", "outp
 /// What a tag of HTML or XML at the start of a text says, in pieces with their places in it, and its length. The name of a
 /// part of a system becomes a label: `<axiom>X</axiom>`, `<rule from="F" to="FF"/>`.
 fn tag(text: &str) -> Option<(Vec<(usize, String)>, usize)> {
-    const LONGEST: usize = 20_000;
     let name = text[1..].strip_prefix('/').unwrap_or(&text[1..]);
     if !name.starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '!' | '?')) {
         return None;
     }
-    let end = text.char_indices().take(LONGEST).find(|(_, c)| *c == '>')?.0;
+    let end = text[1..].find(['<', '>'])? + 1;
+    if !text[end..].starts_with('>') {
+        return None;
+    }
     let letters = name.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(name.len());
     let word = name[..letters].to_ascii_lowercase();
     let behind = &name[letters..];

@@ -382,7 +382,7 @@ impl Reader<'_> {
         }
         let known = self.flat.said.as_ref().and_then(|said| said.axiom.clone());
         match known {
-            Some(known) if known.value == word => return,
+            Some(known) if known.value == word && self.flat_mut(span.start).rules.is_empty() => return,
             // What is called an axiom counts more than a start or a seed.
             Some(_) if self.flat.is_sure && !is_sure => return,
             Some(_) => self.next_flat(),

@@ -174,7 +174,8 @@ pub(super) fn symbols(sentence: &str) -> Option<(Vec<char>, usize)> {
         let rest_at = at + rest.len() - rest.trim_start().len();
         let rest = rest.trim_start();
         let end = rest.find(char::is_whitespace).unwrap_or(rest.len());
-        if end == 0 {
+        // A longer list is no sentence.
+        if end == 0 || found.len() > 64 {
             return None;
         }
         let token = &rest[..end];

@@ -34,6 +34,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         systems: Vec::new(),
         section: Section::None,
         title: None,
+        next_title: None,
         semicolons,
         constants: Vec::new(),
         columns: Vec::new(),
@@ -47,7 +48,10 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         reader.line(at..at + line.len());
         at += line.len() + 1;
         if reader.arrows > MOST_RULES {
-            return None;
+            let why = format!("A text with more than {MOST_RULES} rules is not read");
+            let end = source.text.len();
+            reader.said.refuse(end..end, why);
+            break;
         }
     }
     reader.finish();
@@ -72,6 +76,7 @@ struct Reader<'t> {
     systems: Vec<Statements>,
     section: Section,
     title: Option<Range<usize>>,
+    next_title: Option<Range<usize>>,
     /// Whether a semicolon ends the statements.
     semicolons: bool,
     /// Names with numbers, which rules with parameters may use.
@@ -163,9 +168,10 @@ impl Reader<'_> {
                 return self.said.note(span, "This lists a generation");
             }
         }
-        // The first title since the last system ended; a further one stands behind the rules of a system.
-        if labels.is_empty() && is_title(&text) && (self.title.is_none() || !self.said.rules.is_empty()) {
-            self.title = Some(line.clone());
+        // The first title since the last system; behind rules the title of the next one.
+        if labels.is_empty() && is_title(&text) {
+            let title = if self.said.rules.is_empty() { &mut self.title } else { &mut self.next_title };
+            title.get_or_insert(line.clone());
         }
         let first = labels.first().map_or(line.end, |label| label.start);
         let before = line.start..first;
@@ -443,7 +449,7 @@ impl Reader<'_> {
             return;
         }
         match &self.said.axiom {
-            Some(known) if squeezed(&known.value) == squeezed(&text) => return,
+            Some(known) if squeezed(&known.value) == squeezed(&text) && self.said.rules.is_empty() => return,
             Some(_) => self.next_system(),
             None => {}
         }
@@ -717,13 +723,23 @@ impl Reader<'_> {
     fn next_system(&mut self) {
         let next = Statements::new("", 0, Symbols::Usual);
         let mut said = core::mem::replace(&mut self.said, next);
-        let title = self.title.take();
+        let title = core::mem::replace(&mut self.title, self.next_title.take());
         let constants = core::mem::take(&mut self.constants);
         let degrees = self.degrees.take();
         self.section = Section::None;
         // A caption: the axiom alone on the line before the first rule.
         if said.axiom.is_none() && (said.angle.is_some() || degrees.is_some()) && !self.is_named {
             said.axiom = said.rules.first().and_then(|rule| self.caption(rule.span.start));
+        }
+        // The axiom said again, without rules: what else is said there belongs to the system before.
+        if said.rules.is_empty()
+            && let (Some(again), Some(last)) = (&said.axiom, self.systems.last_mut())
+            && last.axiom.as_ref().is_some_and(|axiom| squeezed(&axiom.value) == squeezed(&again.value))
+        {
+            last.angle = last.angle.take().or(said.angle);
+            last.iterations = last.iterations.take().or(said.iterations);
+            last.extents.extend(said.extents);
+            return;
         }
         let (Some(axiom), true) = (&said.axiom, !said.rules.is_empty()) else { return };
         let strict = |rule: &Rule| rule.from.chars().next();
@@ -924,6 +940,7 @@ fn tokens(text: &str) -> Vec<Range<usize>> {
     let mut found = Vec::new();
     let mut start = None;
     let mut depth = 0_usize;
+    let last = text.rfind(')').unwrap_or_default();
     for (at, ch) in text.char_indices() {
         match ch {
             '(' => depth += 1,
@@ -931,7 +948,7 @@ fn tokens(text: &str) -> Vec<Range<usize>> {
             _ => {}
         }
         // Parentheses that nothing closes join nothing.
-        if ch.is_whitespace() && (depth == 0 || !text[at..].contains(')')) {
+        if ch.is_whitespace() && (depth == 0 || last < at) {
             if let Some(start) = start.take() {
                 found.push(start..at);
             }

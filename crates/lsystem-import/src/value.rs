@@ -179,6 +179,9 @@ fn ends(nodes: &[Node], from: usize, at: usize) -> bool {
         && !nodes.get(at - 1).is_some_and(|before| goes_on(before) || before.is("="))
 }
 
+/// The most parts of an expression; a longer one is code that ends there.
+const LONGEST: usize = 400;
+
 /// The end of types in angle brackets behind a name: `<char, string>`.
 fn types(nodes: &[Node], at: usize) -> Option<usize> {
     if !nodes.get(at)?.is("<") || nodes.get(at.checked_sub(1)?)?.name().is_none() {
@@ -196,7 +199,7 @@ pub(super) fn value(nodes: &[Node], from: usize) -> Option<(Value<'_>, usize)> {
         return None;
     }
     let mut to = from + 1;
-    while !ends(nodes, from, to) {
+    while !ends(nodes, from, to) && to - from < LONGEST {
         to = types(nodes, to).unwrap_or(to + 1);
     }
     let part = &nodes[from..to];

@@ -323,6 +323,32 @@ fn the_account_covers_the_text() {
 }
 
 #[test]
+fn systems_one_after_the_other() {
+    for (text, names, angles) in [
+        (
+            "Koch\naxiom: F\nF -> F+F\nangle: 60\n\nDragon\naxiom: F\nF -> F-F\nangle: 90",
+            ["Koch", "Dragon"],
+            [60.0, 90.0],
+        ),
+        ("axiom='F'\nrules={'F':'F+F'}\nangle=60\naxiom='F'\nrules={'F':'F-F'}\nangle=90", ["", ""], [60.0, 90.0]),
+        (
+            "| Name | Axiom | Rules | Angle |\n|---|---|---|---|\n| A | F | F -> F+F | 60 |\n| B | F | F -> F-F | 90 |",
+            ["A", "B"],
+            [60.0, 90.0],
+        ),
+    ] {
+        let imported = import(text).unwrap();
+        let found: Vec<(&str, f64)> =
+            imported.entries.iter().map(|entry| (&*entry.name, entry.definition.as_ref().unwrap().angle)).collect();
+        assert_eq!(found, names.into_iter().zip(angles).collect::<Vec<_>>(), "{text}");
+    }
+    // Two angles of one system contradict each other.
+    let imported = import("axiom: F\nF -> F+F\nangle: 60\nangle: 90").unwrap();
+    assert_eq!(imported.entries[0].definition, None);
+    assert_eq!(imported.entries[0].remarks.iter().filter(|remark| remark.refused).count(), 2);
+}
+
+#[test]
 fn prose_and_code_without_a_system_are_passed() {
     for text in [
         "The start of the story is long. Rules are rules -> and so on. It takes 3 steps.",
