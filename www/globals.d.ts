@@ -2,3 +2,13 @@
 declare const BUILD: string;
 /** The SHA-256 of each file, by its path. */
 declare const FILES: Record<string, string>;
+
+/** Files that esbuild bundles as texts. */
+declare module '*.html' {
+    const text: string;
+    export default text;
+}
+declare module '*.css' {
+    const text: string;
+    export default text;
+}

@@ -44,8 +44,9 @@ const NOTHING = 'The address of this frame contains no drawing.';
 let options = readOptions(location.hash);
 showTheme();
 const isExercise = exerciseIn(location.hash) !== null;
-// Only one page has a place for exercises and steps.
-if ((isExercise || options.controls.includes('steps')) && !document.getElementById('exercise')) {
+/** Whether this is the page for exercises and steps. */
+const hasSteps = document.getElementById('exercise') !== null;
+if ((isExercise || options.controls.includes('steps')) && !hasSteps) {
     location.replace(new URL(`exercise.html${location.hash}`, location.href));
     await new Promise(() => {});
 }
@@ -81,7 +82,7 @@ const host = connectHost(store, { host: options.host, offer, theme: setTheme, pl
 offer(controls);
 store.subscribe(show);
 show(store.state, null);
-if (document.getElementById('steps')) createSteps(exercise?.tool ?? createTool('course'), () => drawnOf(store.state));
+if (hasSteps) button('open-steps').addEventListener('click', createSteps(exercise?.tool ?? createTool('course'), () => drawnOf(store.state)).open);
 if (exercise) createExercise(store, exercise, { marked: (mark, link) => host.marked(mark, link), needs: (height) => host.needs(height) });
 if (!link || refusal !== '') {
     showProblem(refusal || NOTHING);
@@ -203,7 +204,7 @@ function offer(asked) {
     html('panel').hidden = !(has('n') || has('angle') || has('rules'));
     button('open-reader').hidden = !has('string');
     button('open-playback').hidden = !has('play');
-    button('open-steps').hidden = !has('steps') || !document.getElementById('steps');
+    button('open-steps').hidden = !has('steps') || !hasSteps;
     if (!has('string')) parts?.reader.close();
     if (!has('play')) parts?.playback.close();
     button('reset').hidden = html('panel').hidden;

@@ -3,18 +3,20 @@
  * A dialog shows each system as a small picture, and what could not be carried over.
  */
 
+import gallery from '../css/gallery.css';
+import styles from '../css/importing.css';
 import { toast } from './announce.js';
 import { button, byId, closes, html, input, make, setText, withCode } from './dom.js';
+import markup from './importing.html';
+import { addElements } from './late.js';
 import { setLayer } from './layers.js';
+import { mayBeSystem } from './pasting.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 import { createTool } from './tool.js';
 
 /** @typedef {import('./protocol.js').Imported} Imported */
 /** @typedef {Imported['entries'][number]} Entry */
 
-/** Shorter pasted text is no whole system, and longer text is not read, in characters. */
-const SHORTEST = 8;
-const LONGEST = 1 << 20;
 /** The side of a picture, in CSS pixels. */
 const SIDE = 168;
 /** The most remarks shown for one system. */
@@ -23,15 +25,14 @@ const MOST_REMARKS = 40;
 /** @param {Entry} entry */
 const nameOf = ({ name }) => name || 'Untitled system';
 
-/**
- * @param {import('./engine.js').Engine} engine
- * @param {{open: (definition: import('./state.js').Definition) => void, restyle: (definition: import('./state.js').Definition) => import('./state.js').Definition}} page
- */
-export function createImporting(engine, { open, restyle }) {
+/** @param {import('./dialogs.js').Page} page */
+export function createImporting({ store, engine, restyle }) {
+    addElements(markup, [gallery, styles]);
     /** @type {ReturnType<typeof createTool<import('./protocol.js').ImportCalls>>} */
     const tool = createTool('import');
     const dialog = byId('import', HTMLDialogElement);
     const note = html('import-offer');
+    html('stage').append(note);
     const search = input('import-search');
     /** @type {{entry: Entry, card: HTMLButtonElement, item: HTMLElement, picture: HTMLCanvasElement, painted: boolean}[]} */
     let cards = [];
@@ -102,7 +103,7 @@ export function createImporting(engine, { open, restyle }) {
     function accept() {
         if (!chosen?.definition) return;
         dialog.close();
-        open(restyle({ ...chosen.definition, title: chosen.definition.title || chosen.name }));
+        store.open(restyle({ ...chosen.definition, title: chosen.definition.title || chosen.name }));
         toast(`Opened ${nameOf(chosen)}. Undo to go back.`);
     }
 
@@ -114,7 +115,7 @@ export function createImporting(engine, { open, restyle }) {
 
     /** @param {string} text @returns {Promise<Imported | null>} */
     async function read(text) {
-        if (text.length < SHORTEST || text.length > LONGEST) return null;
+        if (!mayBeSystem(text)) return null;
         try {
             return await tool.call('import', { text });
         } catch {
@@ -133,26 +134,24 @@ export function createImporting(engine, { open, restyle }) {
     button('import-accept').addEventListener('click', () => offered && show(offered));
     button('import-dismiss').addEventListener('click', hideOffer);
 
-    document.addEventListener('paste', async (event) => {
-        if (document.querySelector('dialog[open]')) return;
-        const field = event.target instanceof HTMLTextAreaElement || event.target instanceof HTMLInputElement;
-        if (field && !['axiom', 'rules'].includes(/** @type {HTMLElement} */ (event.target).id)) return;
-        const found = await read(event.clipboardData?.getData('text/plain') ?? '');
-        if (!found) return;
-        if (!field) return show(found);
-        // The text is in the field, and stays there if the reader wants it there.
-        offered = found;
-        setText(html('import-what'), `This looks like ${found.notation}${found.entries.length > 1 ? ` (${found.entries.length} systems)` : ''}.`);
-        note.hidden = false;
-        setLayer(hideOffer, true);
-    });
-
     return {
+        open: show,
+
         /** Offers the systems of a text; returns whether there are any. @param {string} text */
         async offer(text) {
             const found = await read(text);
             if (found) show(found);
             return found !== null;
+        },
+
+        /** Offers the systems of a text that was pasted into a field, where it stays if the reader wants it there. @param {string} text */
+        async offerPasted(text) {
+            const found = await read(text);
+            if (!found) return;
+            offered = found;
+            setText(html('import-what'), `This looks like ${found.notation}${found.entries.length > 1 ? ` (${found.entries.length} systems)` : ''}.`);
+            note.hidden = false;
+            setLayer(hideOffer, true);
         },
     };
 }

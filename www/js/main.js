@@ -3,14 +3,12 @@
 import { followAddress } from './address.js';
 import { announce, toast } from './announce.js';
 import { dialRows } from './controls/dial-rows.js';
+import { createDialogs } from './dialogs.js';
 import { button, html, setText, setWords } from './dom.js';
 import { createEngine, isWrong } from './engine.js';
-import { createLater } from './course/later.js';
-import { createFind } from './find/later.js';
-import { createFilms } from './film/later.js';
-import { createGallery } from './gallery.js';
+import { createStored } from './favourites/stored.js';
+import { filmIn } from './film/embed-code.js';
 import { createGrowing } from './growing.js';
-import { createImporting } from './importing.js';
 import { createHover } from './hover.js';
 import { withThemeScheme, hasScheme, themeScheme, isDark } from './colour-schemes.js';
 import { createMarks } from './marks.js';
@@ -18,12 +16,12 @@ import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
 import { blank, opening } from './opening.js';
 import { createMates, matesOn } from './engine/mates.js';
-import { bestLink, openLink } from './packed.js';
+import { openLink } from './packed.js';
+import { followPasting } from './pasting.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
 import { captionOf, growthPanel } from './panels/growth-panel.js';
 import { savePanel } from './panels/save-panel.js';
-import { createSave } from './save/later.js';
 import { lookPanel } from './panels/look-panel.js';
 import { createRefusal } from './refusal.js';
 import { symbolKeys } from './controls/symbol-keys.js';
@@ -35,12 +33,9 @@ import { turtlePanel } from './panels/turtle-panel.js';
 import { createOrbit } from './orbit.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
-import { createSeeds } from './seeds.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
-import { createShare } from './share.js';
 import { showPrintText } from './print-text.js';
-import { createShortcuts } from './shortcuts.js';
 import { createStage } from './stage.js';
 import { clean, definitionOf, same, sameDrawing, sameSystem } from './state.js';
 import { createStorage } from './storage.js';
@@ -83,27 +78,14 @@ const refusal = createRefusal(store, tabs());
 const trouble = createTrouble({ back: goBack, again: drawAgain });
 const showAddress = followAddress(store, { open: opened });
 
-const share = createShare(store, engine);
-const favourites = favouritesPanel(store, engine, { storage, session });
-const course = createLater(store, engine, reader.readAt);
-const openFilm = createFilms(store, stage);
-const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
-const find = createFind(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
-savePanel(store, engine, {
-    offer: importing.offer,
-    find,
-    address: async () => new URL(await bestLink(store.state), location.href).href,
-    select: share.select,
-    favourites: favourites.take,
-    save: createSave(store, engine, {
-        storage,
-        canvas: stage.resolution,
-        custom: [{ name: 'film', purposes: ['film'], label: 'Film', help: 'Growth, the turtle\'s way, a turn, or any numbers that change: as GIF or video', action: 'Make a film…', open: () => openFilm() }],
-    }),
-});
-createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme, tool: course });
-createSeeds(store, engine);
-createShortcuts();
+const favourites = createStored(storage);
+favouritesPanel(store, favourites);
+const dialogs = createDialogs({ store, engine, storage, session, favourites, stage, readAt: reader.readAt, theme, restyle: (definition) => withThemeScheme(definition, theme()) });
+savePanel(store, engine, dialogs);
+followPasting(dialogs);
+html('mathematics').addEventListener('toggle', () => void dialogs.open('mathematics'));
+const film = filmIn(location.hash);
+if (film) void dialogs.open('film', film);
 engine.share(createMates(matesOn(navigator)));
 themeButton((next) => {
     // A system in the theme's default colours, and the opening plant, take the new theme's colours.

@@ -1,7 +1,10 @@
 /** The dialog that compares nine seeds. */
 
+import styles from '../css/gallery.css';
 import { button, byId, closes, html, make } from './dom.js';
 import { Stopped } from './engine/questions.js';
+import { addElements } from './late.js';
+import markup from './seeds.html';
 import { definitionOf } from './state.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 
@@ -10,11 +13,9 @@ const COUNT = 9;
 /** The side of a picture, in CSS pixels. */
 const SIDE = 200;
 
-/**
- * @param {import('./store.js').Store} store
- * @param {import('./engine.js').Engine} engine
- */
-export function createSeeds(store, engine) {
+/** @param {import('./dialogs.js').Page} page */
+export function createSeeds({ store, engine }) {
+    addElements(markup, [styles]);
     const dialog = byId('seeds', HTMLDialogElement);
     const cards = Array.from({ length: COUNT }, () => {
         const picture = emptyThumb();
@@ -70,11 +71,6 @@ export function createSeeds(store, engine) {
         }
     }
 
-    button('seed-sheet').addEventListener('click', () => {
-        dialog.showModal();
-        cards[4]?.card.focus();
-        fill();
-    });
     button('more-seeds').addEventListener('click', fill);
     closes(dialog, 'close-seeds');
     html('seed-cards').addEventListener('keydown', (event) => {
@@ -84,4 +80,12 @@ export function createSeeds(store, engine) {
         event.preventDefault();
         cards[at + by]?.card.focus();
     });
+
+    return {
+        open() {
+            dialog.showModal();
+            cards[4]?.card.focus();
+            void fill();
+        },
+    };
 }

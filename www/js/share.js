@@ -1,21 +1,22 @@
 /** The share dialog: the link, its QR code, and embed code for other pages. */
 
+import styles from '../css/share.css';
 import { copies, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
 import { button, byId, closes, html, input, setChoice, setText, setValue } from './dom.js';
+import { addElements } from './late.js';
 import { bestLink, shortestLink } from './packed.js';
 import { qrFile, showQrPicture } from './qr.js';
 import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from './share-code.js';
+import markup from './share.html';
 import { createPreview } from './share-preview.js';
 
 /** Some programs cut longer links, in characters. */
 const LONG = 2000;
 
-/**
- * @param {import('./store.js').Store} store
- * @param {{qr: (text: string) => Promise<Uint8Array | null>}} engine
- */
-export function createShare(store, engine) {
+/** @param {import('./dialogs.js').Page} page */
+export function createShare({ store, engine }) {
+    addElements(markup, [styles]);
     const dialog = byId('share-dialog', HTMLDialogElement);
     const link = input('share-link');
     const code = byId('embed-code', HTMLTextAreaElement);
@@ -170,10 +171,11 @@ export function createShare(store, engine) {
         button('copy-share').focus();
         return refresh();
     }
-    for (const id of ['share', 'share-more']) button(id).addEventListener('click', open);
     closes(dialog, 'close-share');
 
     return {
+        open,
+
         /** Opens the dialog with the link selected, for the reader to copy. */
         async select() {
             await open();

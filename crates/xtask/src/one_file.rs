@@ -112,7 +112,7 @@ impl Assembly<'_> {
                         page.push_str(&self.carry(name.as_ref())?);
                     }
                     for module in &modules {
-                        let script = self.maker.bundler.module(module, &[])?;
+                        let script = self.maker.bundler.module(module)?;
                         page.push_str(&self.script(" type=\"module\"", &script)?);
                     }
                     writeln!(page, "{line}")?;
@@ -196,8 +196,12 @@ mod tests {
     struct Plain<'a>(&'a Path);
 
     impl Bundler for Plain<'_> {
-        fn module(&self, entry: &str, _: &[&str]) -> Result<String> {
+        fn module(&self, entry: &str) -> Result<String> {
             files::read_text(&self.0.join(entry))
+        }
+
+        fn split(&self, _: &str) -> Result<Vec<(String, String)>> {
+            unreachable!("a single file is not split")
         }
 
         fn styles(&self, names: &[&str]) -> Result<String> {

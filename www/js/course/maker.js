@@ -1,15 +1,20 @@
 /** The dialog that makes an exercise of the shown system: what is given, what counts, and its link. */
 
+import styles from '../../css/course.css';
+import find from '../../css/find.css';
+import gallery from '../../css/gallery.css';
 import { copies } from '../copy.js';
 import { button, byId, closes, html, input, make, setText, setValue } from '../dom.js';
+import { addElements } from '../late.js';
 import { showQrPicture } from '../qr.js';
 import { frameCode } from '../share-code.js';
 import { definitionOf } from '../state.js';
+import markup from './maker.html';
 import { createOthers } from './others.js';
+import { courseTool as tool } from './tool.js';
 
 /** @typedef {import('../protocol.js').Exercise} Exercise */
 /** @typedef {import('../protocol.js').Given} Given */
-/** @typedef {{call: ReturnType<typeof import('../tool.js').createTool<import('../protocol.js').CourseCalls>>['call']}} CourseTool */
 
 /** A change waits for a pause of this length before the link is made anew, in milliseconds. */
 const PAUSE = 200;
@@ -25,12 +30,9 @@ const CHOICES = [
     ['hidden', 'hidden'],
 ];
 
-/**
- * @param {import('../store.js').Store} store
- * @param {import('../engine.js').Engine} engine
- * @param {CourseTool} tool
- */
-export function createMaker(store, engine, tool) {
+/** @param {import('../dialogs.js').Page} page */
+export function createMaker({ store, engine }) {
+    addElements(markup, [gallery, find, styles]);
     const dialog = byId('exercise-maker', HTMLDialogElement);
     const rows = html('maker-given');
     const link = input('maker-link');
@@ -125,12 +127,14 @@ export function createMaker(store, engine, tool) {
     });
     dialog.querySelector('form')?.addEventListener('submit', (event) => event.preventDefault());
     closes(dialog, 'close-maker');
-    button('make-exercise').addEventListener('click', () => {
-        byId('share-dialog', HTMLDialogElement).close();
-        begin();
-        others.forget();
-        setText(html('maker-status'), '');
-        dialog.showModal();
-        void refresh();
-    });
+
+    return {
+        open() {
+            begin();
+            others.forget();
+            setText(html('maker-status'), '');
+            dialog.showModal();
+            void refresh();
+        },
+    };
 }

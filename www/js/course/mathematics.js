@@ -1,10 +1,14 @@
 /** What the mathematics says: how the generations grow, in words, as a plot, a matrix and a table. */
 
+import styles from '../../css/course.css';
 import { button, html, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { copyText } from '../copy.js';
+import { addElements } from '../late.js';
 import { raised, shortText } from '../numerals.js';
 import { definitionOf, sameSystem } from '../state.js';
+import markup from './mathematics.html';
+import { courseTool as tool } from './tool.js';
 
 /** @typedef {import('../protocol.js').Growth} Growth */
 
@@ -14,12 +18,10 @@ const [WIDTH, HEIGHT, LEFT, BOTTOM, TOP] = [320, 150, 34, 20, 8];
 const MOST_SHOWN = 40;
 const SVG = 'http://www.w3.org/2000/svg';
 
-/**
- * @param {import('../store.js').Store} store
- * @param {import('./maker.js').CourseTool} tool
- */
-export function createMathematics(store, tool) {
+/** @param {import('../dialogs.js').Page} page */
+export function createMathematics({ store }) {
     const part = html('mathematics');
+    addElements(markup, [styles], part);
     /** The last answer, for the files. @type {{csv: string, latex: string} | null} */
     let made = null;
     /** The state that is shown. @type {Readonly<import('../state.js').State> | null} */
@@ -96,18 +98,21 @@ export function createMathematics(store, tool) {
         html('math-table').replaceChildren(make('caption', { class: 'unseen' }, 'Generations'), make('tr', {}, ...['n', 'Symbols', 'Segments', growth.isRandom ? 'Spread' : 'Size'].map((words) => make('th', { scope: 'col' }, words))), ...rows);
     }
 
-    part.addEventListener('toggle', () => {
-        shown = null;
-        void show();
-    });
     store.subscribe(() => void show());
-    void show();
     button('math-csv').addEventListener('click', () => made && download(new Blob([made.csv], { type: 'text/csv' }), `${fileName(store.state)}_growth.csv`));
     button('math-latex').addEventListener('click', async () => {
         if (!made) return;
         if (await copyText(made.latex)) setText(html('math-status'), 'LaTeX copied');
         else download(new Blob([made.latex], { type: 'text/x-tex' }), `${fileName(store.state)}_growth.tex`);
     });
+
+    return {
+        /** Shows the growth of the present system, if this part of the page is open. */
+        open() {
+            shown = null;
+            return show();
+        },
+    };
 }
 
 /** @param {string} digits */

@@ -58,7 +58,7 @@ const keyOf = ({ axiom, rules, angle, iterations }) => JSON.stringify([axiom.rep
 
 /**
  * @param {import('../engine.js').Engine} engine
- * @param {import('./maker.js').CourseTool} tool
+ * @param {import('./tool.js').CourseTool} tool
  * @param {() => Exercise} exercise
  */
 export function createOthers(engine, tool, exercise) {

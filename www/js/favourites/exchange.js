@@ -3,9 +3,7 @@
 import { button, input } from '../dom.js';
 import { download } from '../download.js';
 import { LARGEST_FILE, readFile, writeFile } from '../favourites.js';
-
-/** The message when the storage is full. */
-export const FULL = 'The browser’s storage for this page is full. Export the favourites to a file, then delete some.';
+import { FULL } from './stored.js';
 
 /**
  * @param {ReturnType<typeof import('./stored.js').createStored>} stored

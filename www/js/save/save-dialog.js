@@ -6,15 +6,18 @@
  * opens them. So the dialog for films appears under Film.
  */
 
+import styles from '../../css/saving.css';
 import { announce, toast } from '../announce.js';
 import { listProblems } from '../controls/editor.js';
 import { button, byId, closes, html, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
+import { addElements } from '../late.js';
 import { FORMATS } from '../tables.js';
 import { pixelSize, rowOf, savedName, sizeWords, valuesFor } from './choices.js';
 import { optionFields } from './fields.js';
 import { createMaking } from './making.js';
 import { createPreview } from './preview.js';
+import markup from './save-dialog.html';
 
 /** @typedef {import('./choices.js').Purpose} Purpose */
 /** @typedef {import('./making.js').Made} Made */
@@ -37,6 +40,7 @@ const notMade = (reason) => ({ field: 'file', severity: 'error', message: `Not m
  * @param {readonly import('./choices.js').CustomRow[]} page.custom
  */
 export function createSaveDialog({ store, remembered, exports, files, canvas, custom }) {
+    addElements(markup, [styles]);
     const dialog = byId('save-dialog', HTMLDialogElement);
     const save = button('save-now');
     const stop = button('save-stop');

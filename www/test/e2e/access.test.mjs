@@ -79,12 +79,12 @@ const STATES = {
     },
     'rules to be found': async (page) => {
         await tab('rules')(page);
-        await page.click('#section-rules [data-find]');
+        await page.click('#section-rules [data-opens=find]');
         await until(async () => (await page.locator('#find-examples .thumb.inked').count()) === 4, 'four pictures');
     },
     'rules found': async (page) => {
         await tab('rules')(page);
-        await page.click('#section-rules [data-find]');
+        await page.click('#section-rules [data-opens=find]');
         await page.click('[data-example=hexerode]');
         await page.waitForSelector('#find-verdict.found', { timeout: 90_000 });
         await page.waitForSelector('.find-card .thumb.inked');

@@ -71,7 +71,7 @@ async function ask(page, known) {
 
 /** Opens the dialog. @param {Page} page */
 async function begin(page) {
-    await page.click('#section-rules [data-find]');
+    await page.click('#section-rules [data-opens=find]');
     await page.waitForSelector('#find[open]');
 }
 
@@ -96,7 +96,7 @@ test('a dropped picture without a system is offered, its rules are found and ope
         await page.click('#undo');
         assert.notEqual(await text(page, '#specimen-title'), 'Rules of curve');
         // The dialog keeps what it had.
-        await page.click('#section-rules [data-find]');
+        await page.click('#section-rules [data-opens=find]');
         await page.waitForSelector('.find-card:visible');
     }));
 
@@ -137,7 +137,7 @@ test('a frame is cropped away by keys and by dragging', () =>
 for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['phone', PHONE]])) {
     test(`the pictures of the assignment are tried with one click: ${device}`, () =>
         withPage({ options }, async (page) => {
-            await page.click('#section-rules [data-find]');
+            await page.click('#section-rules [data-opens=find]');
             await until(async () => (await page.locator('#find-examples .thumb.inked').count()) === 4, 'four pictures');
             await page.click('[data-example=hexerode]');
             await found(page);
@@ -187,7 +187,7 @@ test('the page answers while the search runs, and the search stops at once', () 
 test('a string is searched for the shortest rules', () =>
     withPage({}, async (page) => {
         await page.click('#tab-save');
-        await page.click('#section-save [data-find]');
+        await page.click('#section-save [data-opens=find]');
         await page.waitForSelector('#find[open]');
         await page.check('#find-of-string', { force: true });
         await page.fill('#find-string', 'ABAABABA\nABAAB');
