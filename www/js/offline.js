@@ -34,6 +34,7 @@ async function keep() {
         await new Promise((resolve) => setTimeout(resolve, TAKE_OVER_DELAY));
         if (takeOver(registration)) return;
     }
+    html('open-offline').hidden = false;
     let asked = Date.now();
     const watch = () => {
         const fresh = registration.installing;
@@ -43,8 +44,12 @@ async function keep() {
     };
     watch();
     registration.addEventListener('updatefound', watch);
-    // Another tab has let the new version take over.
-    serviceWorker.addEventListener('controllerchange', tell);
+    let isFirst = !serviceWorker.controller;
+    serviceWorker.addEventListener('controllerchange', () => {
+        // At the first visit there is no older version. Later, another tab has let the new version take over.
+        if (!isFirst) tell();
+        isFirst = false;
+    });
     button('renew').addEventListener('click', () => {
         button('renew').disabled = true;
         if (!takeOver(registration)) location.reload();
@@ -67,6 +72,18 @@ function takeOver({ waiting }) {
     navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
     waiting.postMessage('take over');
     return true;
+}
+
+/**
+ * Asks the version in use, which may answer several times.
+ * @param {'missing' | 'keep all'} question
+ * @param {(answer: unknown) => void} hear
+ */
+export async function askVersion(question, hear) {
+    const { active } = await navigator.serviceWorker.ready;
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = ({ data }) => hear(data);
+    active?.postMessage(question, [port2]);
 }
 
 async function forget() {

@@ -11,6 +11,7 @@ import { createFilms } from './film/films.js';
 import { createFinding } from './find/finding.js';
 import { createGallery } from './gallery.js';
 import { createImporting } from './importing.js';
+import { createKeeping } from './keeping.js';
 import { createSave } from './save/save.js';
 import { createSeeds } from './seeds.js';
 import { createShare } from './share.js';
@@ -31,4 +32,5 @@ export const PARTS = {
     maker: createMaker,
     check: createCheck,
     shortcuts: createShortcuts,
+    offline: createKeeping,
 };

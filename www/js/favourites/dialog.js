@@ -1,6 +1,7 @@
 /** The dialog of favourites and earlier visits, with thumbnails. */
 
-import styles from '../../css/gallery.css';
+import styles from '../../css/favourites.css';
+import gallery from '../../css/gallery.css';
 import { toast } from '../announce.js';
 import { button, byId, closes, html, setText } from '../dom.js';
 import { rename } from '../favourites.js';
@@ -18,7 +19,7 @@ import { FULL } from './stored.js';
 
 /** @param {import('../dialogs.js').Page} page */
 export function createFavourites({ engine, favourites: stored, session }) {
-    addElements(markup, [styles]);
+    addElements(markup, [gallery, styles]);
     const dialog = byId('favourites', HTMLDialogElement);
     const shelf = html('favourite-cards');
     const undo = button('favourites-undo');
