@@ -6,6 +6,7 @@ import gallery from '../../css/gallery.css';
 import { copies } from '../copy.js';
 import { button, byId, closes, html, input, make, setText, setValue } from '../dom.js';
 import { addElements } from '../late.js';
+import { ASKS } from '../late-tables.js';
 import { showQrPicture } from '../qr.js';
 import { frameCode } from '../share-code.js';
 import { definitionOf } from '../state.js';
@@ -38,6 +39,7 @@ export function createMaker({ store, engine }) {
     const link = input('maker-link');
     const code = byId('maker-code', HTMLTextAreaElement);
     const qr = byId('maker-qr', SVGSVGElement);
+    byId('maker-asks', HTMLSelectElement).append(...Object.entries(ASKS).map(([value, { label }]) => make('option', { value }, label)));
     let turn = 0;
     let timer = 0;
 

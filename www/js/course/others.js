@@ -9,6 +9,7 @@ import { inked, levelOf } from '../find/ink.js';
 import { systems } from '../find/merge.js';
 import { candidateCard, workWords } from '../find/results.js';
 import { createSearch } from '../find/search.js';
+import { ASKS } from '../late-tables.js';
 import { Cancelled } from '../tool.js';
 
 /** @typedef {import('../state.js').Definition} Definition */
@@ -86,7 +87,7 @@ export function createOthers(engine, tool, exercise) {
     /** @param {Exercise} made @param {AbortSignal} signal */
     async function look(made, signal) {
         const { target } = made;
-        if (made.asks !== 'picture') return tell('Only exercises that ask for the picture are searched.');
+        if (!ASKS[made.asks].isSearched) return tell('Only exercises that ask for the picture are searched.');
         if (!DRAWS[target.dialect] || (target.rightAngle !== null && target.rightAngle !== target.angle)) return tell('Systems in space and with two angles are not searched.');
         const x = await tool.call('write', { exercise: made });
         const about = await tool.call('open', { text: x });

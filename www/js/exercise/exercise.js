@@ -5,6 +5,7 @@ import { isDark } from '../colour-schemes.js';
 import { copyKeys, copyText } from '../copy.js';
 import { button, byId, html, input, make, setText } from '../dom.js';
 import { DEFAULTS, clean, definitionOf, sameSystem } from '../state.js';
+import { ASKS } from '../late-tables.js';
 import { DIALECTS } from '../tables.js';
 import { Cancelled, createTool } from '../tool.js';
 import { answerLink, exerciseIn, startOf, studentIn, wholeOf } from './open.js';
@@ -63,7 +64,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     }
     for (const id of ['exercise', 'target', 'mark']) html(id).hidden = false;
     setText(html('exercise-title'), about.title || 'Exercise');
-    html('exercise-task').replaceChildren(...paragraphs(about.task || DEFAULT_TASKS[about.asks]));
+    html('exercise-task').replaceChildren(...paragraphs(about.task || ASKS[about.asks].task));
     showGiven();
     showHints();
     html('texts').hidden = about.text === null;
@@ -188,11 +189,3 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
 
 /** What stands in the empty field for rules. */
 const EXAMPLE = 'F -> …';
-
-/** The task where none is given. @type {Record<import('../protocol.js').Asks, string>} */
-const DEFAULT_TASKS = {
-    picture: 'Find rules that draw the target.',
-    text: 'Find rules that derive the same string.',
-    segments: 'Find rules that draw as many segments as the target.',
-    statistics: 'Find rules of chance whose drawings have the same statistics.',
-};

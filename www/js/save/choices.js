@@ -1,10 +1,10 @@
 /** The choices of the save dialog as values: what a file is for, its format, and the format's options. */
 
-import { FILE_OPTIONS, FORMATS, PURPOSES } from '../tables.js';
+import { FILE_OPTIONS, FORMATS, PURPOSES } from '../late-tables.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
 /** @typedef {keyof typeof PURPOSES} Purpose */
-/** @typedef {import('../tables.js').FileOption} FileOption */
+/** @typedef {import('../late-tables.js').FileOption} FileOption */
 /** The value of an option. A size is `WIDTHxHEIGHT`, or the longer side of a picture in the drawing's proportions, or empty for the drawing's size on the page. @typedef {boolean | number | string} Value */
 /** @typedef {{purpose: Purpose, formats: Partial<Record<Purpose, string>>, values: Record<string, Value>}} Choices */
 

@@ -4,7 +4,7 @@
  */
 
 import { make, setText } from '../dom.js';
-import { FORMATS, SHEETS } from '../tables.js';
+import { FORMATS, SHEETS } from '../late-tables.js';
 import { sidesOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */

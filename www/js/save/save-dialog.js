@@ -12,7 +12,7 @@ import { listProblems } from '../controls/editor.js';
 import { button, byId, closes, html, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { addElements } from '../late.js';
-import { FORMATS } from '../tables.js';
+import { FORMATS } from '../late-tables.js';
 import { pixelSize, rowOf, savedName, sizeWords, valuesFor } from './choices.js';
 import { optionFields } from './fields.js';
 import { createMaking } from './making.js';

@@ -2,7 +2,7 @@
 
 import { byId, make } from '../dom.js';
 import { definitionOf } from '../state.js';
-import { FORMATS } from '../tables.js';
+import { FORMATS } from '../late-tables.js';
 import { pixelSize, sizeOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */

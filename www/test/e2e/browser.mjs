@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { FORMATS } from '../../js/tables.js';
+import { FORMATS } from '../../js/late-tables.js';
 
 export const ADDRESS = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
 

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { admits, choicesFrom, defaultOf, groupsOf, optionOf, pixelSize, rowOf, savedName, sizeOf, sizeWords, valuesFor } from '../../js/save/choices.js';
 import { createMaking } from '../../js/save/making.js';
 import { firstLines, sheetOf } from '../../js/save/preview.js';
-import { FILE_OPTIONS, FORMATS, PURPOSES } from '../../js/tables.js';
+import { FILE_OPTIONS, FORMATS, PURPOSES } from '../../js/late-tables.js';
 import { Cancelled } from '../../js/tool.js';
 
 /** @typedef {import('../../js/save/making.js').Made} Made */
