@@ -3,7 +3,8 @@
  * address, on a page that has a place for it.
  */
 
-import { announce, toast } from './announce.js';
+import { toast } from './announce.js';
+import { createReporter, showLast } from './caption.js';
 import { button, html, input, setText, setWords } from './dom.js';
 import { createLegend } from './controls/legend.js';
 import { createDials } from './embed/dials.js';
@@ -11,17 +12,17 @@ import { connectHost } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
 import { surroundingTheme, systemIsDark } from './embed/scheme.js';
 import { watchVisibility } from './embed/visibility.js';
-import { createEngine, isWrong } from './engine.js';
+import { createEngine } from './engine.js';
 import { createHover } from './hover.js';
 import { isDark } from './colour-schemes.js';
 import { createExercise, openExercise } from './exercise/exercise.js';
 import { exerciseIn } from './exercise/open.js';
+import { ASKS } from './late-tables.js';
 import { writeLink } from './link.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { bestLink, openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
-import { captionOf } from './panels/growth-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { symbolsFields } from './panels/symbols-fields.js';
 import { createPlayback } from './playback.js';
@@ -134,7 +135,7 @@ function begin() {
     const marks = createMarks();
     let ready = false;
     const engine = createEngine({
-        report: reported,
+        report: (next, past) => report(next, past),
         drawn(picture) {
             stage.drawn(picture);
             playback.drawn(picture);
@@ -178,6 +179,7 @@ function begin() {
     // Symbols under the pointer are shown only with the string view, which explains them.
     const reads = () => controls.includes('string');
     const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, read: reader.read, reading: () => reader.open, upto: () => playback.upto, offered: reads });
+    const report = createReporter({ store, untitled: 'L-system', stage, drawn: [stage, reader, playback], edited: [legend, { report: listProblems }, dials, ...(symbols ? [symbols] : [])], mistaken, valid });
     stage.show(store.state, null);
     reader.show(store.state, null);
     return { engine, stage, playback, reader, legend, hover, drawn: () => ready };
@@ -239,44 +241,30 @@ function show(state, before) {
     address();
 }
 
-/** @param {Report} report @param {boolean} past whether the report is about the last good state */
-function reported(report, past) {
-    parts?.stage.setBusy(!isWrong(report) && report.memoised === null);
-    parts?.stage.report(report);
-    if (!past) {
-        parts?.legend.report(report);
-        // Places behind the student's rules are in those that are given.
-        const own = (/** @type {Diagnostic} */ { field, end }) => field !== 'rules' || end <= store.state.rules.length;
-        rules.report(exercise ? { ...report, diagnostics: report.diagnostics.filter(own) } : report);
-        dials.report(report);
-        symbols?.report(report);
-    }
-    parts?.reader.report(report);
-    parts?.playback.report(report);
-    if (past) return setText(html('caption-text'), 'Showing the last valid drawing.');
-    const mistakes = report.diagnostics.filter(({ severity }) => severity === 'error');
-    const [first, ...more] = mistakes;
-    if (first) {
-        const listed = controls.includes('rules') && ['axiom', 'rules'].includes(first.field);
-        const where = first.field === 'numbers' ? '' : ` (in the ${first.field})`;
-        const words = [`${first.message}${where}${more.length > 0 ? `, and ${more.length} more` : ''}.`, first.hint].filter(Boolean).join(' ');
-        // If the rules are shown, their problems are listed below them.
-        showProblem(listed ? '' : words);
-        if (parts?.drawn()) setText(html('caption-text'), 'Showing the last valid drawing.');
-        announce(words);
-        host.error(first.message, mistakes);
-        return;
-    }
+/** Lists the problems of the student's own rules below them; places behind these rules are in those that are given. @param {Report} report */
+function listProblems(report) {
+    const own = (/** @type {Diagnostic} */ { field, end }) => field !== 'rules' || end <= store.state.rules.length;
+    rules.report(exercise ? { ...report, diagnostics: report.diagnostics.filter(own) } : report);
+}
+
+/** @param {Diagnostic} first @param {Diagnostic[]} all */
+function mistaken(first, all) {
+    const listed = controls.includes('rules') && ['axiom', 'rules'].includes(first.field);
+    const where = first.field === 'numbers' ? '' : ` (in the ${first.field})`;
+    const words = [`${first.message}${where}${all.length > 1 ? `, and ${all.length - 1} more` : ''}.`, first.hint].filter(Boolean).join(' ');
+    // If the rules are shown, their problems are listed below them.
+    showProblem(listed ? '' : words);
+    if (parts?.drawn()) showLast();
+    host.error(first.message, all);
+    return words;
+}
+
+/** @param {Report} report */
+function valid({ description, symbols, segments, empty }) {
     showProblem('');
-    facts = { description: report.description, symbols: report.symbols, segments: report.segments };
+    facts = { description, symbols, segments };
     // Where an exercise asks for the string, it need not draw.
-    const empty = report.empty !== null && exercise?.about.asks === 'text' ? 'Nothing is drawn. Here the string counts.' : report.empty;
-    setWords(html('empty'), empty ?? '');
-    html('empty').hidden = empty === null;
-    setText(html('description'), report.description);
-    setText(html('caption-text'), captionOf(store.state, report));
-    html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'L-system'}`);
-    announce(empty ?? report.description);
+    return empty !== null && exercise && ASKS[exercise.about.asks].isText ? 'Nothing is drawn. Here the string counts.' : empty;
 }
 
 function showTheme() {

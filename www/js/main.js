@@ -1,11 +1,12 @@
 /** The page: connects state, worker, drawing and controls. */
 
 import { followAddress } from './address.js';
-import { announce, toast } from './announce.js';
+import { toast } from './announce.js';
+import { createReporter, showLast } from './caption.js';
 import { dialRows } from './controls/dial-rows.js';
 import { createDialogs } from './dialogs.js';
-import { button, html, setText, setWords } from './dom.js';
-import { createEngine, isWrong } from './engine.js';
+import { button, html, setText } from './dom.js';
+import { createEngine } from './engine.js';
 import { createStored } from './favourites/stored.js';
 import { filmIn } from './film/embed-code.js';
 import { createGrowing } from './growing.js';
@@ -20,7 +21,7 @@ import { openLink } from './packed.js';
 import { followPasting } from './pasting.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
-import { captionOf, growthPanel } from './panels/growth-panel.js';
+import { growthPanel } from './panels/growth-panel.js';
 import { savePanel } from './panels/save-panel.js';
 import { lookPanel } from './panels/look-panel.js';
 import { createRefusal } from './refusal.js';
@@ -76,6 +77,17 @@ const look = lookPanel(store);
 const dials = dialRows(store);
 const refusal = createRefusal(store, tabs());
 const trouble = createTrouble({ back: goBack, again: drawAgain });
+const report = createReporter({
+    store,
+    untitled: 'untitled system',
+    stage,
+    drawn: [reader, playback, stage, orbit],
+    edited: [rules, legend, growth, look, turtle, refusal],
+    mistaken({ message }, { length }) {
+        showLast();
+        return `${message}${length > 1 ? `, and ${length - 1} more` : ''}. Showing the last valid drawing.`;
+    },
+});
 const showAddress = followAddress(store, { open: opened });
 
 const favourites = createStored(storage);
@@ -183,34 +195,7 @@ function showNames(state) {
 /** @param {Report} next @param {boolean} past whether the report is about the last good state */
 function reported(next, past) {
     // Do not report the intermediate states of growth.
-    if (growing.running) return;
-    stage.setBusy(!isWrong(next) && next.memoised === null);
-    if (!past) {
-        rules.report(next);
-        legend.report(next);
-        growth.report(next, store.state);
-        look.report(next, store.state);
-        turtle.report(next);
-    }
-    reader.report(next);
-    playback.report(next);
-    stage.report(next);
-    orbit.report(next);
-    if (past) return setText(html('caption-text'), 'Showing the last valid drawing.');
-    refusal.report(next);
-    const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
-    if (mistake) {
-        const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
-        setText(html('caption-text'), 'Showing the last valid drawing.');
-        announce(`${words}. Showing the last valid drawing.`);
-        return;
-    }
-    setWords(html('empty'), next.empty ?? '');
-    html('empty').hidden = next.empty === null;
-    setText(html('description'), next.description);
-    setText(html('caption-text'), captionOf(store.state, next));
-    html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
-    announce(next.empty ?? next.description);
+    if (!growing.running) report(next, past);
 }
 
 /** @param {import('./engine.js').Drawn} picture */
@@ -232,7 +217,7 @@ function troubled({ how, question }) {
     if (question) return toast(QUESTION);
     growing.forget();
     stage.setBusy(false);
-    if (engine.good.definition) setText(html('caption-text'), 'Showing the last valid drawing.');
+    if (engine.good.definition) showLast();
     trouble.show(how, engine.good.definition !== null);
 }
 

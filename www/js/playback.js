@@ -1,13 +1,13 @@
 /** The playback bar: draws the picture segment by segment. */
 
 import { button, html, input, reducedMotion, setText } from './dom.js';
-import { setLayer } from './layers.js';
 import { grouped, shortText } from './numerals.js';
 import { createClock } from './playback/clock.js';
 import { createPace } from './playback/pace.js';
 import { createSegmentField } from './playback/segment-field.js';
 import { REACH, portion, ratio, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
+import { createToggled } from './toggled.js';
 
 /** What the bar plays in place of the segments. @typedef {{readonly playing: boolean, readonly part: number, readonly words: string, toggle: () => void, seek: (part: number) => void, stop: () => void}} Show */
 
@@ -151,48 +151,26 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 }
 
 /**
- * The bar itself: opening and closing, the play button, and the slider over the whole drawing.
+ * The bar itself: the play button, and the slider over the whole drawing.
  * @param {{play: () => void, changed: (open: boolean) => void, seek: (part: number) => void}} playback
  */
 function createBar({ play, changed, seek }) {
-    const bar = html('playback');
-    const toggle = button('open-playback');
+    const bar = createToggled('playback', 'playing', changed);
     const player = button('play');
     const slider = input('play-slider');
-    let open = false;
-
-    /** @param {boolean} next */
-    function set(next) {
-        if (open === next) return;
-        open = next;
-        document.body.classList.toggle('playing', open);
-        toggle.setAttribute('aria-expanded', String(open));
-        bar.hidden = !open;
-        setLayer(close, open);
-        changed(open);
-    }
-
-    function close() {
-        set(false);
-        toggle.focus();
-    }
-
-    toggle.addEventListener('click', () => {
-        set(!open);
-        if (!open) return;
+    bar.onOpener(() => {
         // With reduced motion the reader starts.
         if (!reducedMotion()) play();
         player.focus({ preventScroll: true });
     });
-    button('close-playback').addEventListener('click', close);
     player.addEventListener('click', play);
     slider.addEventListener('input', () => seek(Number(slider.value) / SLIDER_POSITIONS));
 
     return {
         get open() {
-            return open;
+            return bar.open;
         },
-        set,
+        set: bar.set,
 
         /** `part` is null while there is nothing to play; `words` tell the position. @param {{part: number | null, playing: boolean, words: string, total: string, title: string}} state */
         show({ part: known, playing, words, total, title }) {

@@ -1,8 +1,8 @@
 /** The string view: scrolls through a generation of any length and shows the origin of a symbol. */
 
-import { button, html } from '../dom.js';
+import { html } from '../dom.js';
 import { latest } from '../latest.js';
-import { setLayer } from '../layers.js';
+import { createToggled } from '../toggled.js';
 import { createGenerations } from './generations.js';
 import { createOriginCard } from './origin-card.js';
 import { outlineOf } from '../controls/trace.js';
@@ -22,9 +22,10 @@ const WRITTEN_BY = ['axiom', 'rules', 'seed', 'dialect', 'overrides'];
  */
 export function createReader(engine, { mark, legend, opened }) {
     const area = html('reader-text');
-    const frame = createFrame((open) => {
+    const frame = createToggled('reader', 'reading', (open) => {
         if (open) {
             text.pages.markStale();
+    frame.onOpener(() => html('reader-text').focus({ preventScroll: true }));
             opened();
             generations.show();
             text.measure();
@@ -244,42 +245,6 @@ function createMarked(generation) {
             chain = [];
             relight();
         },
-    };
-}
-
-/** The panel of the string view, which opens and closes. @param {(open: boolean) => void} changed */
-function createFrame(changed) {
-    const frame = html('reader');
-    const toggle = button('open-reader');
-    let open = false;
-
-    /** @param {boolean} next */
-    function set(next) {
-        if (open === next) return;
-        open = next;
-        frame.hidden = !open;
-        toggle.setAttribute('aria-expanded', String(open));
-        document.body.classList.toggle('reading', open);
-        setLayer(close, open);
-        changed(open);
-    }
-
-    function close() {
-        set(false);
-        toggle.focus();
-    }
-
-    toggle.addEventListener('click', () => {
-        set(!open);
-        if (open) html('reader-text').focus({ preventScroll: true });
-    });
-    button('close-reader').addEventListener('click', close);
-
-    return {
-        get open() {
-            return open;
-        },
-        set,
     };
 }
 
