@@ -25,7 +25,6 @@ export function createReader(engine, { mark, legend, opened }) {
     const frame = createToggled('reader', 'reading', (open) => {
         if (open) {
             text.pages.markStale();
-    frame.onOpener(() => html('reader-text').focus({ preventScroll: true }));
             opened();
             generations.show();
             text.measure();
@@ -34,6 +33,7 @@ export function createReader(engine, { mark, legend, opened }) {
             forget();
         }
     });
+    frame.onOpener(() => html('reader-text').focus({ preventScroll: true }));
     const generations = createGenerations(goTo);
     const card = createOriginCard(goTo);
     const marked = createMarked(generations.now);
