@@ -39,14 +39,14 @@ test('every control has a name', () =>
         assert.deepEqual(nameless, []);
     }));
 
-test('a first picture needs at most 480 KB of compressed files', async () => {
+test('a first picture needs at most 420 KB of compressed files', async () => {
     /** @type {string[]} */
     const asked = [];
     await withPage({ before: async (page) => void page.on('request', (request) => asked.push(request.url())) }, async () => {
         assert.ok(asked.some((url) => url.endsWith('lsystem.wasm')), asked.join('\n'));
         const bodies = await Promise.all(asked.map(async (url) => Buffer.from(await (await fetch(url)).arrayBuffer())));
         const sent = bodies.map((body) => brotliCompressSync(body).length).reduce((a, b) => a + b, 0);
-        assert.ok(sent <= 480_000, `${sent} bytes by brotli`);
+        assert.ok(sent <= 420_000, `${sent} bytes by brotli`);
     });
 });
 
