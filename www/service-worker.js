@@ -18,7 +18,8 @@
     worker.addEventListener('message', (event) => {
         const [port] = event.ports;
         if (event.data === 'take over') worker.skipWaiting();
-        if (event.data === 'missing' && port) event.waitUntil(missing().then((paths) => port.postMessage(sizeOf(paths))));
+        if (event.data === 'missing' && port)
+            event.waitUntil(missing().then((paths) => port.postMessage(sizeOf(paths))));
         if (event.data === 'keep all' && port) event.waitUntil(keepAll(port));
     });
     worker.addEventListener('fetch', (event) => {
@@ -55,7 +56,11 @@
 
     async function keepFirst() {
         const others = (await caches.keys()).filter((other) => other.startsWith(prefix) && other !== name);
-        const had = await Promise.all(others.map(async (other) => (await caches.open(other).then((cache) => cache.keys())).map((request) => pathOf(request))));
+        const had = await Promise.all(
+            others.map(async (other) =>
+                (await caches.open(other).then((cache) => cache.keys())).map((request) => pathOf(request)),
+            ),
+        );
         const wanted = new Set([...FIRST, ...had.flat().filter((path) => path !== null)]);
         try {
             await keep([...wanted], others);
@@ -115,6 +120,7 @@
     }
 
     async function forgetOthers() {
-        for (const other of await caches.keys()) if (other.startsWith(prefix) && other !== name) await caches.delete(other);
+        for (const other of await caches.keys())
+            if (other.startsWith(prefix) && other !== name) await caches.delete(other);
     }
 })();

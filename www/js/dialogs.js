@@ -31,7 +31,8 @@ function partOfKey(event) {
 
 /** Whether an element accepts typed text. @param {EventTarget | null} target */
 function isTypedInto(target) {
-    if (target instanceof HTMLInputElement) return !['range', 'checkbox', 'color', 'button', 'file'].includes(target.type);
+    if (target instanceof HTMLInputElement)
+        return !['range', 'checkbox', 'color', 'button', 'file'].includes(target.type);
     return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
 }
 
@@ -61,7 +62,11 @@ export function createDialogs(own) {
     }
 
     // A pointer on the way to an opener loads the parts, so that they open at once.
-    document.addEventListener('pointerover', ({ target }) => openerOf(target) && void import('./parts.js').catch(() => {}), { passive: true });
+    document.addEventListener(
+        'pointerover',
+        ({ target }) => openerOf(target) && void import('./parts.js').catch(() => {}),
+        { passive: true },
+    );
     document.addEventListener('click', (event) => {
         const opener = openerOf(event.target);
         if (!(opener instanceof HTMLElement)) return;

@@ -64,7 +64,11 @@ const drawnOf = (state) => (exercise ? exercise.whole(state) : definitionOf(stat
 /** @type {Control[]} */
 let controls = controlsNow();
 /** The last facts about the drawing, for the host page. */
-let facts = { description: '', symbols: /** @type {string | null} */ (null), segments: /** @type {string | null} */ (null) };
+let facts = {
+    description: '',
+    symbols: /** @type {string | null} */ (null),
+    segments: /** @type {string | null} */ (null),
+};
 /** The parts that draw, created when the drawing first becomes visible. @type {ReturnType<typeof begin> | null} */
 let parts = null;
 let seen = false;
@@ -78,13 +82,27 @@ const constants = constantsPanel(store, rules);
 const dials = createDials(store);
 /** What the symbols mean, where an exercise asks for that. */
 const symbols = exercise?.about.free.includes('dialect') ? symbolsFields(store) : null;
-const host = connectHost(store, { host: options.host, offer, theme: setTheme, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
+const host = connectHost(store, {
+    host: options.host,
+    offer,
+    theme: setTheme,
+    play: (on) => parts?.playback.setPlaying(on),
+    facts: () => facts,
+});
 
 offer(controls);
 store.subscribe(show);
 show(store.state, null);
-if (hasSteps) button('open-steps').addEventListener('click', createSteps(exercise?.tool ?? createTool('course'), () => drawnOf(store.state)).open);
-if (exercise) createExercise(store, exercise, { marked: (mark, link) => host.marked(mark, link), needs: (height) => host.needs(height) });
+if (hasSteps)
+    button('open-steps').addEventListener(
+        'click',
+        createSteps(exercise?.tool ?? createTool('course'), () => drawnOf(store.state)).open,
+    );
+if (exercise)
+    createExercise(store, exercise, {
+        marked: (mark, link) => host.marked(mark, link),
+        needs: (height) => host.needs(height),
+    });
 if (!link || refusal !== '') {
     showProblem(refusal || NOTHING);
     host.error(refusal || NOTHING);
@@ -157,7 +175,8 @@ function begin() {
         back() {
             if (exercise) return void (store.undo() || store.reset());
             const { definition } = engine.good;
-            if (definition && !sameSystem(clean(definition), store.state)) store.change({ ...definition, view: null }, '');
+            if (definition && !sameSystem(clean(definition), store.state))
+                store.change({ ...definition, view: null }, '');
             else store.setView(null);
         },
         again() {
@@ -170,16 +189,38 @@ function begin() {
     const canvas = html('drawing');
     const stage = createStage(store, engine, marks, {
         // Until the drawing has the focus, wheel and touch scroll the host page.
-        takes: (event) => (event instanceof PointerEvent && event.pointerType === 'mouse') || (document.hasFocus() && document.activeElement === canvas),
-        keys: () => [...(controls.includes('angle') ? /** @type {const} */ (['angle']) : []), ...(controls.includes('n') ? /** @type {const} */ (['iterations']) : [])],
+        takes: (event) =>
+            (event instanceof PointerEvent && event.pointerType === 'mouse') ||
+            (document.hasFocus() && document.activeElement === canvas),
+        keys: () => [
+            ...(controls.includes('angle') ? /** @type {const} */ (['angle']) : []),
+            ...(controls.includes('n') ? /** @type {const} */ (['iterations']) : []),
+        ],
     });
     const playback = createPlayback(engine, { turtle: marks.turtle, offered: () => controls.includes('play') });
     const legend = createLegend();
     const reader = createReader(engine, { mark: marks.part('string'), legend, opened: () => hover.forget() });
     // Symbols under the pointer are shown only with the string view, which explains them.
     const reads = () => controls.includes('string');
-    const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, read: reader.read, reading: () => reader.open, upto: () => playback.upto, offered: reads });
-    const report = createReporter({ store, untitled: 'L-system', stage, drawn: [stage, reader, playback], edited: [legend, { report: listProblems }, dials, ...(symbols ? [symbols] : [])], mistaken, valid });
+    const hover = createHover(engine, {
+        ratio: () => stage.resolution().ratio,
+        mark: marks.found,
+        light: reader.light,
+        choose: reader.choose,
+        read: reader.read,
+        reading: () => reader.open,
+        upto: () => playback.upto,
+        offered: reads,
+    });
+    const report = createReporter({
+        store,
+        untitled: 'L-system',
+        stage,
+        drawn: [stage, reader, playback],
+        edited: [legend, { report: listProblems }, dials, ...(symbols ? [symbols] : [])],
+        mistaken,
+        valid,
+    });
     stage.show(store.state, null);
     reader.show(store.state, null);
     return { engine, stage, playback, reader, legend, hover, drawn: () => ready };
@@ -192,7 +233,13 @@ function controlsNow() {
     const writes = asksForRules || free.includes('axiom');
     // The string and its origins would tell what is hidden.
     const reads = !hidesRules && exercise.about.axiom !== 'hidden';
-    return [...(writes ? ['rules'] : []), ...(free.includes('iterations') ? ['n'] : []), ...(free.includes('angle') ? ['angle'] : []), ...(reads ? ['string', 'steps'] : []), 'play'].map((control) => /** @type {Control} */ (control));
+    return [
+        ...(writes ? ['rules'] : []),
+        ...(free.includes('iterations') ? ['n'] : []),
+        ...(free.includes('angle') ? ['angle'] : []),
+        ...(reads ? ['string', 'steps'] : []),
+        'play',
+    ].map((control) => /** @type {Control} */ (control));
 }
 
 /** Shows only these controls. @param {Control[]} asked */
@@ -211,7 +258,18 @@ function offer(asked) {
     if (!has('play')) parts?.playback.close();
     button('reset').hidden = html('panel').hidden;
     document.body.classList.toggle('with-rules', has('rules'));
-    setText(html('keys'), [has('angle') && 'Left and right arrows change the angle.', has('n') && 'Up and down arrows change the iterations.', 'Shift and arrows move the picture, plus and minus zoom, zero fits the picture.', has('play') && 'Space plays the drawing.', 'Escape leaves the drawing.'].filter(Boolean).join(' '));
+    setText(
+        html('keys'),
+        [
+            has('angle') && 'Left and right arrows change the angle.',
+            has('n') && 'Up and down arrows change the iterations.',
+            'Shift and arrows move the picture, plus and minus zoom, zero fits the picture.',
+            has('play') && 'Space plays the drawing.',
+            'Escape leaves the drawing.',
+        ]
+            .filter(Boolean)
+            .join(' '),
+    );
 }
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
@@ -251,7 +309,9 @@ function listProblems(report) {
 function mistaken(first, all) {
     const listed = controls.includes('rules') && ['axiom', 'rules'].includes(first.field);
     const where = first.field === 'numbers' ? '' : ` (in the ${first.field})`;
-    const words = [`${first.message}${where}${all.length > 1 ? `, and ${all.length - 1} more` : ''}.`, first.hint].filter(Boolean).join(' ');
+    const words = [`${first.message}${where}${all.length > 1 ? `, and ${all.length - 1} more` : ''}.`, first.hint]
+        .filter(Boolean)
+        .join(' ');
     // If the rules are shown, their problems are listed below them.
     showProblem(listed ? '' : words);
     if (parts?.drawn()) showLast();
@@ -264,7 +324,9 @@ function valid({ description, symbols, segments, empty }) {
     showProblem('');
     facts = { description, symbols, segments };
     // Where an exercise asks for the string, it need not draw.
-    return empty !== null && exercise && ASKS[exercise.about.asks].isText ? 'Nothing is drawn. Here the string counts.' : empty;
+    return empty !== null && exercise && ASKS[exercise.about.asks].isText
+        ? 'Nothing is drawn. Here the string counts.'
+        : empty;
 }
 
 function showTheme() {

@@ -85,7 +85,15 @@ export function createGallery({ store, engine, restyle, theme }) {
             dialog.close();
             store.open(restyle(definition));
         });
-        cards.set(card, { definition, card, picture, missing, painted: '', text: searchText(definition), filters: filtersOf(entry) });
+        cards.set(card, {
+            definition,
+            card,
+            picture,
+            missing,
+            painted: '',
+            text: searchText(definition),
+            filters: filtersOf(entry),
+        });
         seen.observe(card);
         return card;
     }
@@ -93,7 +101,13 @@ export function createGallery({ store, engine, restyle, theme }) {
     /** @param {import('./course/shelf.js').Entry} entry */
     function newExercise(entry) {
         const made = exerciseCard(entry);
-        cards.set(made.card, { ...made, exercise: entry.x, painted: '', text: `${EXERCISES} ${entry.title}`.toLowerCase(), filters: [EXERCISES] });
+        cards.set(made.card, {
+            ...made,
+            exercise: entry.x,
+            painted: '',
+            text: `${EXERCISES} ${entry.title}`.toLowerCase(),
+            filters: [EXERCISES],
+        });
         seen.observe(made.card);
         return made.card;
     }
@@ -144,9 +158,14 @@ export function createGallery({ store, engine, restyle, theme }) {
             chip.classList.toggle('no-match', number === 0);
             setText(many, String(number));
         }
-        const shown = new Set(searched().filter(({ filters }) => [...chosen].every((filter) => filters.includes(filter))));
+        const shown = new Set(
+            searched().filter(({ filters }) => [...chosen].every((filter) => filters.includes(filter))),
+        );
         for (const card of cards.values()) card.card.hidden = !shown.has(card);
-        setText(html('found'), shown.size === cards.size ? `${shown.size} systems` : `${shown.size} of ${cards.size} systems`);
+        setText(
+            html('found'),
+            shown.size === cards.size ? `${shown.size} systems` : `${shown.size} of ${cards.size} systems`,
+        );
         for (const shelf of shelves.children) {
             if (shelf instanceof HTMLElement) shelf.hidden = !shelf.querySelector('.card:not([hidden])');
         }

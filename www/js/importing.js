@@ -41,7 +41,10 @@ export function createImporting({ store, engine, restyle }) {
     /** What is offered after text was pasted into a field. @type {Imported | null} */
     let offered = null;
 
-    const seen = new IntersectionObserver((entries) => entries.forEach(({ isIntersecting, target }) => isIntersecting && paint(target)), { root: html('import-shelf'), rootMargin: '120px' });
+    const seen = new IntersectionObserver(
+        (entries) => entries.forEach(({ isIntersecting, target }) => isIntersecting && paint(target)),
+        { root: html('import-shelf'), rootMargin: '120px' },
+    );
 
     /** @param {Element} target */
     async function paint(target) {
@@ -49,7 +52,13 @@ export function createImporting({ store, engine, restyle }) {
         if (!card || card.painted || !card.entry.definition) return;
         card.painted = true;
         try {
-            const missing = await paintThumb(card.picture, engine, restyle(card.entry.definition), SIDE, () => dialog.open);
+            const missing = await paintThumb(
+                card.picture,
+                engine,
+                restyle(card.entry.definition),
+                SIDE,
+                () => dialog.open,
+            );
             if (missing) card.picture.replaceWith(make('span', { class: 'card-missing' }, missing));
         } catch {
             // The worker was replaced; the card stays without a picture.
@@ -62,13 +71,29 @@ export function createImporting({ store, engine, restyle }) {
         for (const { entry: own, card } of cards) card.setAttribute('aria-pressed', String(own === entry));
         setText(html('import-name'), nameOf(entry));
         html('import-remarks').replaceChildren(
-            ...entry.remarks.slice(0, MOST_REMARKS).map(({ line, text, message }) =>
-                make('li', {}, make('span', { class: 'place' }, `Line ${line}`), ' ', ...(text ? [make('code', {}, text), ' '] : []), ...withCode(message)),
-            ),
+            ...entry.remarks
+                .slice(0, MOST_REMARKS)
+                .map(({ line, text, message }) =>
+                    make(
+                        'li',
+                        {},
+                        make('span', { class: 'place' }, `Line ${line}`),
+                        ' ',
+                        ...(text ? [make('code', {}, text), ' '] : []),
+                        ...withCode(message),
+                    ),
+                ),
         );
         const more = entry.remarks.length - MOST_REMARKS;
         if (more > 0) html('import-remarks').append(make('li', {}, `And ${more} more.`));
-        setText(html('import-note'), entry.definition === null ? 'This system cannot be opened:' : entry.remarks.length > 0 ? 'Not carried over, or changed:' : 'Everything was carried over.');
+        setText(
+            html('import-note'),
+            entry.definition === null
+                ? 'This system cannot be opened:'
+                : entry.remarks.length > 0
+                  ? 'Not carried over, or changed:'
+                  : 'Everything was carried over.',
+        );
         button('import-open').disabled = entry.definition === null;
     }
 
@@ -77,12 +102,26 @@ export function createImporting({ store, engine, restyle }) {
         hideOffer();
         seen.disconnect();
         const readable = entries.filter(({ definition }) => definition !== null);
-        setText(html('h-import'), entries.length === 1 ? `Open from ${notation}` : `${entries.length} systems from ${notation}`);
+        setText(
+            html('h-import'),
+            entries.length === 1 ? `Open from ${notation}` : `${entries.length} systems from ${notation}`,
+        );
         cards = entries.map((entry) => {
             const picture = emptyThumb();
             if (entry.definition) picture.style.background = restyle(entry.definition).background;
-            const kind = entry.definition === null ? 'cannot be opened' : entry.remarks.length > 0 ? `${entry.remarks.length} ${entry.remarks.length === 1 ? 'remark' : 'remarks'}` : '';
-            const card = make('button', { type: 'button', class: 'card', 'aria-pressed': 'false' }, make('span', { class: 'card-picture' }, picture), make('span', { class: 'card-title' }, nameOf(entry)), make('span', { class: 'card-kind' }, kind));
+            const kind =
+                entry.definition === null
+                    ? 'cannot be opened'
+                    : entry.remarks.length > 0
+                      ? `${entry.remarks.length} ${entry.remarks.length === 1 ? 'remark' : 'remarks'}`
+                      : '';
+            const card = make(
+                'button',
+                { type: 'button', class: 'card', 'aria-pressed': 'false' },
+                make('span', { class: 'card-picture' }, picture),
+                make('span', { class: 'card-title' }, nameOf(entry)),
+                make('span', { class: 'card-kind' }, kind),
+            );
             card.addEventListener('click', () => choose(entry));
             card.addEventListener('dblclick', accept);
             return { entry, card, item: make('li', {}, card), picture, painted: false };
@@ -149,7 +188,10 @@ export function createImporting({ store, engine, restyle }) {
             const found = await read(text);
             if (!found) return;
             offered = found;
-            setText(html('import-what'), `This looks like ${found.notation}${found.entries.length > 1 ? ` (${found.entries.length} systems)` : ''}.`);
+            setText(
+                html('import-what'),
+                `This looks like ${found.notation}${found.entries.length > 1 ? ` (${found.entries.length} systems)` : ''}.`,
+            );
             note.hidden = false;
             setLayer(hideOffer, true);
         },

@@ -23,14 +23,19 @@ export function createKeeping() {
     /** @param {unknown} left the bytes that are not kept */
     function showLeft(left) {
         keep.hidden = left === 0;
-        tell(left === 0 ? 'Everything is kept in this browser and works without a network.' : `Everything else takes ${megabytes(Number(left))} of this browser’s storage.`);
+        tell(
+            left === 0
+                ? 'Everything is kept in this browser and works without a network.'
+                : `Everything else takes ${megabytes(Number(left))} of this browser’s storage.`,
+        );
     }
 
     keep.addEventListener('click', () => {
         keep.disabled = true;
         void askVersion('keep all', (left) => {
             keep.disabled = typeof left === 'number' && left > 0;
-            if (typeof left !== 'number') tell(`Not everything could be kept (${left}). Try again with a network.`, true);
+            if (typeof left !== 'number')
+                tell(`Not everything could be kept (${left}). Try again with a network.`, true);
             else if (left > 0) tell(`Downloading, ${megabytes(left)} left…`);
             else showLeft(0);
         });

@@ -52,8 +52,11 @@ const MOST_PROBLEMS = 3;
 
 const link = await openLink(location.hash);
 const storage = createStorage(() => localStorage);
-const session = createSession(storage, createStorage(() => sessionStorage));
-const restored = session.start(location.hash, link && link.state);
+const session = createSession(
+    storage,
+    createStorage(() => sessionStorage),
+);
+const restored = session.start(location.hash, link?.state ?? null);
 const store = createStore(restored?.state ?? link?.state ?? opening(theme()), restored?.origin);
 const engine = createEngine({ report: reported, drawn, busy, troubled, recovered, doubted });
 /** Whether the first state stopped the drawing on an earlier visit, and so is not drawn before the reader acts. */
@@ -66,7 +69,15 @@ const playback = createPlayback(engine, { turtle: marks.turtle });
 const growing = createGrowing(store, engine, { begins: () => playback.forget(), present: playback.present });
 const legend = createLegend();
 const reader = createReader(engine, { mark: marks.part('string'), legend, opened: () => hover.forget() });
-const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, read: reader.read, reading: () => reader.open, upto: () => playback.upto });
+const hover = createHover(engine, {
+    ratio: () => stage.resolution().ratio,
+    mark: marks.found,
+    light: reader.light,
+    choose: reader.choose,
+    read: reader.read,
+    reading: () => reader.open,
+    upto: () => playback.upto,
+});
 const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
@@ -92,7 +103,17 @@ const showAddress = followAddress(store, { open: opened });
 
 const favourites = createStored(storage);
 favouritesPanel(store, favourites);
-const dialogs = createDialogs({ store, engine, storage, session, favourites, stage, readAt: reader.readAt, theme, restyle: (definition) => withThemeScheme(definition, theme()) });
+const dialogs = createDialogs({
+    store,
+    engine,
+    storage,
+    session,
+    favourites,
+    stage,
+    readAt: reader.readAt,
+    theme,
+    restyle: (definition) => withThemeScheme(definition, theme()),
+});
 savePanel(store, engine, dialogs);
 followPasting(dialogs);
 html('mathematics').addEventListener('toggle', () => void dialogs.open('mathematics'));
@@ -103,7 +124,8 @@ themeButton((next) => {
     // A system in the theme's default colours, and the opening plant, take the new theme's colours.
     const former = next === 'dark' ? 'light' : 'dark';
     const { palette, background } = hasScheme(store.state, opening(former)) ? opening(next) : themeScheme(next);
-    if ([themeScheme(former), opening(former)].some((scheme) => hasScheme(store.state, scheme))) store.changeOrigin({ palette: [...palette], background });
+    if ([themeScheme(former), opening(former)].some((scheme) => hasScheme(store.state, scheme)))
+        store.changeOrigin({ palette: [...palette], background });
 });
 
 html('skip').addEventListener('click', (event) => {
@@ -227,7 +249,12 @@ function recovered() {
 
 /** @param {import('./engine.js').Shown} state @param {boolean} doubtful */
 function doubted({ definition, look }, doubtful) {
-    if (definition) session.suspect(clean({ ...definition, view: look && store.state.view, camera: look && store.state.camera }), doubtful, look !== null);
+    if (definition)
+        session.suspect(
+            clean({ ...definition, view: look && store.state.view, camera: look && store.state.camera }),
+            doubtful,
+            look !== null,
+        );
 }
 
 /** Offers to draw a system that stopped the drawing before. */
@@ -256,7 +283,9 @@ function greet() {
     const [last] = session.others();
     const offered = link && !restored && last ? openSession(last) : null;
     if (last && offered && !sameSystem(offered.state, store.state)) {
-        toast(problems || 'This is the link you opened.', { action: { label: 'Continue where you left off', act: () => session.resume(last) } });
+        toast(problems || 'This is the link you opened.', {
+            action: { label: 'Continue where you left off', act: () => session.resume(last) },
+        });
     } else if (problems) {
         toast(problems);
     } else if (restored && !restored.again) {

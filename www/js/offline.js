@@ -19,7 +19,8 @@ export async function keepOffline() {
     if (!('serviceWorker' in navigator) || isWhole() || parent !== window) return;
     try {
         if (isLocal()) return await forget();
-        if (document.readyState !== 'complete') await new Promise((resolve) => addEventListener('load', resolve, { once: true }));
+        if (document.readyState !== 'complete')
+            await new Promise((resolve) => addEventListener('load', resolve, { once: true }));
         await keep();
     } catch {
         // Refused, for example in some private windows: the page works only with a network.

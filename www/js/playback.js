@@ -38,14 +38,29 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         html('playback').classList.toggle('other', other !== null);
         if (other) {
             setText(html('play-pose'), '');
-            return bar.show({ part: other.part, playing: other.playing, words: other.words, total: other.words, title: '' });
+            return bar.show({
+                part: other.part,
+                playing: other.playing,
+                words: other.words,
+                total: other.words,
+                title: '',
+            });
         }
-        const title = digits ? `${grouped(digits)} segments${total === REACH ? ', of which the first 3.4 × 10³⁸ can be played' : ''}` : '';
+        const title = digits
+            ? `${grouped(digits)} segments${total === REACH ? ', of which the first 3.4 × 10³⁸ can be played' : ''}`
+            : '';
         const words = `${shortText(String(shown()))} of ${digits ? shortText(digits) : '…'} segments`;
-        bar.show({ part: total ? ratio(shown(), total) : null, playing: clock.running, words, total: digits ? `of ${shortText(digits)}` : '', title });
+        bar.show({
+            part: total ? ratio(shown(), total) : null,
+            playing: clock.running,
+            words,
+            total: digits ? `of ${shortText(digits)}` : '',
+            title,
+        });
         field.show();
         pace.show();
-        if (upto === null) setText(html('play-pose'), total === null ? '' : total === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
+        if (upto === null)
+            setText(html('play-pose'), total === null ? '' : total === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
     }
 
     /** @param {number} part of the whole, from 0 to 1 */
@@ -177,14 +192,18 @@ function createBar({ play, changed, seek }) {
             slider.disabled = known === null;
             player.disabled = slider.disabled;
             const part = known ?? 1;
-            if (Number(slider.value) !== Math.floor(part * SLIDER_POSITIONS)) slider.value = String(Math.floor(part * SLIDER_POSITIONS));
+            if (Number(slider.value) !== Math.floor(part * SLIDER_POSITIONS))
+                slider.value = String(Math.floor(part * SLIDER_POSITIONS));
             slider.style.setProperty('--at', String(part));
             slider.setAttribute('aria-valuetext', words);
             setText(html('play-total'), total);
             html('play-total').title = title;
             player.setAttribute('aria-label', playing ? 'Pause' : 'Play');
             player.classList.toggle('playing', playing);
-            /** @type {SVGUseElement} */ (player.querySelector('use')).setAttribute('href', playing ? '#i-pause' : '#i-play');
+            /** @type {SVGUseElement} */ (player.querySelector('use')).setAttribute(
+                'href',
+                playing ? '#i-pause' : '#i-play',
+            );
         },
     };
 }

@@ -64,7 +64,9 @@ export function createSeeds({ store, engine }) {
         try {
             const fresh = await engine.seed();
             // Consecutive seeds from a random start, which all differ, without the current one.
-            const others = Array.from({ length: COUNT }, (_, index) => (fresh + index) >>> 0).filter((seed) => seed !== store.state.seed);
+            const others = Array.from({ length: COUNT }, (_, index) => (fresh + index) >>> 0).filter(
+                (seed) => seed !== store.state.seed,
+            );
             await show([...others.slice(0, 4), store.state.seed, ...others.slice(4, 8)]);
         } catch {
             // The stage reports the failure.

@@ -33,7 +33,13 @@ export function createCheck({ store, readAt }) {
         if (text.trim() === '') return setText(told, '');
         if (text.length > LONGEST) return setText(told, 'The output has more than 16 MiB.');
         setText(told, 'Comparing…');
-        const result = await tool.call('check', { definition: definitionOf(store.state), output: text }).catch((error) => ({ isRight: false, words: `The comparison failed (${error instanceof Error ? error.message : error}).`, symbol: null }));
+        const result = await tool
+            .call('check', { definition: definitionOf(store.state), output: text })
+            .catch((error) => ({
+                isRight: false,
+                words: `The comparison failed (${error instanceof Error ? error.message : error}).`,
+                symbol: null,
+            }));
         if (own !== turn) return;
         told.classList.add(result.isRight ? 'agrees' : 'differs');
         setText(told, result.words);
@@ -78,7 +84,10 @@ export function createCheck({ store, readAt }) {
     return {
         open() {
             const { title, name, iterations } = store.state;
-            setText(html('check-system'), `What it printed for “${title || name || 'this system'}” after ${iterations} iteration${iterations === 1 ? '' : 's'}:`);
+            setText(
+                html('check-system'),
+                `What it printed for “${title || name || 'this system'}” after ${iterations} iteration${iterations === 1 ? '' : 's'}:`,
+            );
             dialog.showModal();
             void compare(output.value);
         },

@@ -39,13 +39,21 @@ export function createMaker({ store, engine }) {
     const link = input('maker-link');
     const code = byId('maker-code', HTMLTextAreaElement);
     const qr = byId('maker-qr', SVGSVGElement);
-    byId('maker-asks', HTMLSelectElement).append(...Object.entries(ASKS).map(([value, { label }]) => make('option', { value }, label)));
+    byId('maker-asks', HTMLSelectElement).append(
+        ...Object.entries(ASKS).map(([value, { label }]) => make('option', { value }, label)),
+    );
     let turn = 0;
     let timer = 0;
 
     /** @param {string} name @param {Node | string} label @param {Given} chosen */
     function row(name, label, chosen) {
-        const select = make('select', { name }, ...CHOICES.map(([value, words]) => make('option', value === chosen ? { value, selected: '' } : { value }, words)));
+        const select = make(
+            'select',
+            { name },
+            ...CHOICES.map(([value, words]) =>
+                make('option', value === chosen ? { value, selected: '' } : { value }, words),
+            ),
+        );
         return make('label', { class: 'maker-row' }, make('span', {}, label), select);
     }
 
@@ -64,7 +72,9 @@ export function createMaker({ store, engine }) {
             row('n', `Iterations: ${iterations}`, 'shown'),
             row('angle', `Angle: ${angle}°`, 'shown'),
             row('turtle', 'Meaning of the symbols', 'shown'),
-            ...lines.flatMap((line, at) => (line.trim() === '' ? [] : [row(`line-${at}`, make('code', {}, line.slice(0, 80)), 'free')])),
+            ...lines.flatMap((line, at) =>
+                line.trim() === '' ? [] : [row(`line-${at}`, make('code', {}, line.slice(0, 80)), 'free')],
+            ),
         );
     }
 
@@ -83,14 +93,25 @@ export function createMaker({ store, engine }) {
         return {
             title: input('maker-title').value.trim(),
             task: text('maker-task').trim(),
-            hints: text('maker-hints').split('\n').map((hint) => hint.trim()).filter(Boolean),
+            hints: text('maker-hints')
+                .split('\n')
+                .map((hint) => hint.trim())
+                .filter(Boolean),
             target: { ...definitionOf(state), notes: '' },
             axiom: given('axiom'),
             angle: given('angle'),
             n: given('n'),
             turtle: given('turtle'),
-            rules: state.rules.split('\n').slice(0, MOST_LINES).map((line, at) => (line.trim() === '' ? 'shown' : given(`line-${at}`))),
-            first: { axiom: state.axiom.slice(0, 1), rules: text('maker-first').trim(), angle: 90, n: Math.min(state.iterations, 1) },
+            rules: state.rules
+                .split('\n')
+                .slice(0, MOST_LINES)
+                .map((line, at) => (line.trim() === '' ? 'shown' : given(`line-${at}`))),
+            first: {
+                axiom: state.axiom.slice(0, 1),
+                rules: text('maker-first').trim(),
+                angle: 90,
+                n: Math.min(state.iterations, 1),
+            },
             asks: /** @type {import('../protocol.js').Asks} */ (byId('maker-asks', HTMLSelectElement).value),
             mostSymbols: symbols === null ? null : Math.max(0, Math.round(symbols)),
             tolerance: percent === null || percent <= 0 || percent >= 100 ? null : percent / 100,
@@ -109,7 +130,12 @@ export function createMaker({ store, engine }) {
         const address = new URL(`exercise.html#v=1&x=${made}`, location.href).href;
         link.value = address;
         html('maker-try').setAttribute('href', address);
-        code.value = frameCode({ ...store.state, title: input('maker-title').value.trim() || 'Exercise' }, `#v=1&x=${made}`, new URL('exercise.html', location.href).href, { controls: [], theme: '', ...SIZE });
+        code.value = frameCode(
+            { ...store.state, title: input('maker-title').value.trim() || 'Exercise' },
+            `#v=1&x=${made}`,
+            new URL('exercise.html', location.href).href,
+            { controls: [], theme: '', ...SIZE },
+        );
         const modules = await engine.qr(address).catch(() => null);
         if (own !== turn) return;
         qr.toggleAttribute('hidden', modules === null);

@@ -40,7 +40,16 @@ export function createFavourites({ engine, favourites: stored, session }) {
         shelf.replaceChildren(...favourites.map(cardOf));
         const visits = session.others().flatMap((one) => {
             const state = openSession(one)?.state;
-            return state ? [visitCard(one.time, state, thumbs.of(state), closeAndThen(() => session.resume(one)))] : [];
+            return state
+                ? [
+                      visitCard(
+                          one.time,
+                          state,
+                          thumbs.of(state),
+                          closeAndThen(() => session.resume(one)),
+                      ),
+                  ]
+                : [];
         });
         html('visit-cards').replaceChildren(...visits);
         html('no-favourites').hidden = favourites.length > 0;
@@ -57,11 +66,18 @@ export function createFavourites({ engine, favourites: stored, session }) {
     /** @param {Favourite} one */
     function cardOf(one) {
         const state = readLink(one.link)?.state;
-        return favouriteCard(one, state ? thumbs.of(state) : null, { open: closeAndThen(() => state && session.visit(state)), rename: () => startRenaming(one.id), remove: () => remove(one.id) });
+        return favouriteCard(one, state ? thumbs.of(state) : null, {
+            open: closeAndThen(() => state && session.visit(state)),
+            rename: () => startRenaming(one.id),
+            remove: () => remove(one.id),
+        });
     }
 
     /** A part of a favourite's card. @param {string} id @param {string} selector */
-    const partOf = (id, selector) => /** @type {HTMLElement | null | undefined} */ (shelf.querySelector(`[data-favourite="${CSS.escape(id)}"]`)?.querySelector(selector));
+    const partOf = (id, selector) =>
+        /** @type {HTMLElement | null | undefined} */ (
+            shelf.querySelector(`[data-favourite="${CSS.escape(id)}"]`)?.querySelector(selector)
+        );
 
     /** @param {string} id */
     function startRenaming(id) {

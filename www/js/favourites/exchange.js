@@ -22,7 +22,11 @@ export function createExchange(stored, { tell, changed }) {
         chooser.value = '';
         if (!file) return;
         try {
-            tell(file.size > LARGEST_FILE ? 'This file is too large. Files of favourites have at most 2 MB.' : await take(await file.text()));
+            tell(
+                file.size > LARGEST_FILE
+                    ? 'This file is too large. Files of favourites have at most 2 MB.'
+                    : await take(await file.text()),
+            );
         } catch (error) {
             tell(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
         }

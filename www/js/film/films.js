@@ -47,7 +47,10 @@ export function createFilms({ store, stage }) {
         },
     });
     const options = createOptions({ change: (values) => change(values) });
-    const presets = createPresets(store, stage, { middle, use: (preset) => usePreset(preset, script ? written(script) : FIRST) });
+    const presets = createPresets(store, stage, {
+        middle,
+        use: (preset) => usePreset(preset, script ? written(script) : FIRST),
+    });
     const adder = createAdder(store, stage, {
         add: (subject, value) => {
             if (!script) return;
@@ -55,7 +58,10 @@ export function createFilms({ store, stage }) {
             change(withTrack(script, { subject, keys: [0, seconds].map((time) => ({ time, value, easing })) }));
         },
     });
-    const timeline = createTimeline({ change: (tracks) => change({ tracks }), label: (subject) => subjects.find(({ name }) => name === subject)?.label ?? subject });
+    const timeline = createTimeline({
+        change: (tracks) => change({ tracks }),
+        label: (subject) => subjects.find(({ name }) => name === subject)?.label ?? subject,
+    });
     html('film-options').prepend(presets.element, options.element);
     html('film-acts').prepend(...saving.buttons);
     html('film-options').append(saving.progress, saving.credit);
@@ -83,7 +89,10 @@ export function createFilms({ store, stage }) {
             slider.value = String(frame);
             slider.style.setProperty('--at', String(script.frames > 1 ? frame / (script.frames - 1) : 0));
             timeline.at(script.frames > 1 ? timeOf(frame) / script.seconds : 0);
-            setText(html('film-clock'), `${(frame / script.rate).toFixed(1)} of ${(script.frames / script.rate).toFixed(1)} s`);
+            setText(
+                html('film-clock'),
+                `${(frame / script.rate).toFixed(1)} of ${(script.frames / script.rate).toFixed(1)} s`,
+            );
             showPlay();
         },
         failed: (words) => {
@@ -186,12 +195,22 @@ export function createFilms({ store, stage }) {
 
     button('film-embed').addEventListener('click', async () => {
         if (!script) return;
-        if (location.protocol === 'file:' || isWhole()) return toast('This page was opened from a disk. Put it on a web server to get code that works in other pages.');
+        if (location.protocol === 'file:' || isWhole())
+            return toast(
+                'This page was opened from a disk. Put it on a web server to get code that works in other pages.',
+            );
         const { width, height } = script;
         const [most = width] = FRAMES.large ?? [];
         const scale = Math.min(1, most / width);
         const page = new URL('film.html', location.href).href;
-        const code = filmCode(store.state, await bestLink(store.state), film.text, page, Math.round(width * scale), Math.round(height * scale));
+        const code = filmCode(
+            store.state,
+            await bestLink(store.state),
+            film.text,
+            page,
+            Math.round(width * scale),
+            Math.round(height * scale),
+        );
         toast((await copyText(code)) ? 'Embed code copied' : 'The browser refused to copy.');
     });
 

@@ -138,7 +138,8 @@ export function createFinding({ store, engine, restyle }) {
                 return void run((signal) => search.begin({ text: text.value }, question, signal, progress));
             }
             if (!shown) throw new Error('Open a picture first.');
-            if (inkShare(shown.picture, shown.choice) === 0) throw new Error('Nothing is ink here. Move the threshold.');
+            if (inkShare(shown.picture, shown.choice) === 0)
+                throw new Error('Nothing is ink here. Move the threshold.');
             const source = inked(shown.picture, shown.choice);
             void run((signal) => search.begin(source, question, signal, progress));
         } catch (error) {

@@ -15,7 +15,8 @@ export function favouritesPanel(store, stored) {
         event.preventDefault();
         const added = favourite(name.value, store.state);
         const former = stored.list();
-        if (former.some((one) => one.name === added.name && one.link === added.link)) return toast(`“${added.name}” is already in favourites.`);
+        if (former.some((one) => one.name === added.name && one.link === added.link))
+            return toast(`“${added.name}” is already in favourites.`);
         if (former.length >= MOST_FAVOURITES) return toast(`At most ${MOST_FAVOURITES} favourites: delete some first.`);
         if (!stored.put([added, ...former])) return toast(FULL);
         name.value = '';

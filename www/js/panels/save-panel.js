@@ -50,7 +50,10 @@ export function savePanel(store, engine, dialogs) {
         const problems = html('file-problems');
         problems.replaceChildren();
         const json = /\.json$/i.test(file.name);
-        if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE)) return toast(`This file is too large. ${json ? 'JSON files have at most 4 MB' : 'Pictures have at most 64 MB'}.`);
+        if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE))
+            return toast(
+                `This file is too large. ${json ? 'JSON files have at most 4 MB' : 'Pictures have at most 64 MB'}.`,
+            );
         try {
             if (json && file.size <= LARGEST_FILE) {
                 const text = await file.text();
@@ -61,9 +64,15 @@ export function savePanel(store, engine, dialogs) {
             if (text !== null && (await (await dialogs.part('import'))?.offer(text))) return;
             listProblems(problems, diagnostics, text ?? undefined);
             if (!definition) {
-                if (isPicture(file)) return toast(`${file.name} has no system inside.`, { action: { label: 'Find its rules', act: () => void dialogs.open('find', file) } });
+                if (isPicture(file))
+                    return toast(`${file.name} has no system inside.`, {
+                        action: { label: 'Find its rules', act: () => void dialogs.open('find', file) },
+                    });
                 const mistake = diagnostics.find(({ severity }) => severity === 'error');
-                const words = [text !== null && mistake && `${placesIn(text)(mistake.start)}: `, mistake?.message ?? 'The file contains no system'];
+                const words = [
+                    text !== null && mistake && `${placesIn(text)(mistake.start)}: `,
+                    mistake?.message ?? 'The file contains no system',
+                ];
                 return toast(`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
             }
             const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');

@@ -37,7 +37,14 @@ export function createReader(engine, { mark, legend, opened }) {
     const generations = createGenerations(goTo);
     const card = createOriginCard(goTo);
     const marked = createMarked(generations.now);
-    const text = createTextWindow(area, { read: engine.string, open: () => frame.open, generation: generations.now, marks: () => marked, arrived: () => field.update(), choose });
+    const text = createTextWindow(area, {
+        read: engine.string,
+        open: () => frame.open,
+        generation: generations.now,
+        marks: () => marked,
+        arrived: () => field.update(),
+        choose,
+    });
     const field = createPlaceField({ length: () => text.pages.length, choose });
 
     /** The symbol under the mouse, shown while no symbol is selected. @type {bigint | null} */

@@ -12,7 +12,16 @@ import { createSaveFile } from './save-file.js';
 /** @param {import('../dialogs.js').Page} page */
 export function createSave({ store, engine, storage, stage, open }) {
     /** Dialogs of their own, which appear among the formats. @type {import('./choices.js').CustomRow[]} */
-    const custom = [{ name: 'film', purposes: ['film'], label: 'Film', help: 'Growth, the turtle\'s way, a turn, or any numbers that change: as GIF or video', action: 'Make a film…', open: () => void open('film') }];
+    const custom = [
+        {
+            name: 'film',
+            purposes: ['film'],
+            label: 'Film',
+            help: "Growth, the turtle's way, a turn, or any numbers that change: as GIF or video",
+            action: 'Make a film…',
+            open: () => void open('film'),
+        },
+    ];
     const canvas = stage.resolution;
     const remembered = rememberedChoices(storage, custom);
     const exports = createExports();
@@ -26,7 +35,10 @@ export function createSave({ store, engine, storage, stage, open }) {
         async save(format) {
             const name = savedName(fileName(store.state), format);
             try {
-                const { blob, diagnostics } = await files.make({ format, values: valuesFor(format, remembered.choices) });
+                const { blob, diagnostics } = await files.make({
+                    format,
+                    values: valuesFor(format, remembered.choices),
+                });
                 const [first] = diagnostics;
                 const words = [first?.message, first?.hint].filter(Boolean).join(' ');
                 if (!blob) return toast(`Not saved: ${words || 'the file could not be made.'}`);

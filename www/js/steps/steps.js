@@ -71,7 +71,10 @@ export function createSteps(tool, definition) {
         setText(html('steps-words'), part().words());
         button('steps-back').disabled = at <= 0;
         button('steps-on').disabled = at >= Number(slider.max);
-        for (const [id, way] of /** @type {const} */ ([['steps-back', 'Previous'], ['steps-on', 'Next']])) {
+        for (const [id, way] of /** @type {const} */ ([
+            ['steps-back', 'Previous'],
+            ['steps-on', 'Next'],
+        ])) {
             button(id).setAttribute('aria-label', `${way} ${chosen() === 'turtle' ? 'symbol' : 'generation'}`);
         }
     }

@@ -23,7 +23,9 @@ function contrast(a, b) {
 /** The colours of a style sheet: those of the light theme, and those of the dark one. @param {string} sheet */
 function themes(sheet) {
     const pairs = [...sheet.matchAll(/(--[\w-]+): light-dark\((#[0-9a-f]{3,6}), (#[0-9a-f]{3,6})\);/g)];
-    return [2, 3].map((at) => /** @type {Record<string, string>} */ (Object.fromEntries(pairs.map((pair) => [pair[1], pair[at]]))));
+    return [2, 3].map(
+        (at) => /** @type {Record<string, string>} */ (Object.fromEntries(pairs.map((pair) => [pair[1], pair[at]]))),
+    );
 }
 
 // Accessibility checkers skip the layers with coloured text, because these are hidden from assistive technology.
@@ -44,7 +46,10 @@ test('coloured text has enough contrast in both themes, and more with high contr
                 const ratio = contrast(String(colours[tint]), String(colours[ground]));
                 // Marked places are underlined as well, and pass by.
                 const wanted = ground === '--paper-raised' ? least : 4;
-                assert.ok(ratio >= wanted, `${tint} ${colours[tint]} on ${ground} ${colours[ground]}: ${ratio.toFixed(2)}`);
+                assert.ok(
+                    ratio >= wanted,
+                    `${tint} ${colours[tint]} on ${ground} ${colours[ground]}: ${ratio.toFixed(2)}`,
+                );
             }
         }
         assert.ok(contrast(String(colours['--tint-name']), String(colours['--tint-context-wash'])) >= 4.5);

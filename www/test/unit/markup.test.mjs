@@ -7,7 +7,9 @@ const root = new URL('../../', import.meta.url);
 const read = (name) => readFileSync(new URL(name, root), 'utf8');
 const files = readdirSync(new URL('js', root), { recursive: true, encoding: 'utf8' }).map((name) => `js/${name}`);
 /** The first screen, and the elements of parts that load late. */
-const markup = ['index.html', ...files.filter((name) => name.endsWith('.html'))].map((name) => /** @type {const} */ ([name, read(name)]));
+const markup = ['index.html', ...files.filter((name) => name.endsWith('.html'))].map(
+    (name) => /** @type {const} */ ([name, read(name)]),
+);
 const whole = markup.map(([, text]) => text).join('');
 
 test('the page loads nothing from other sites and has no inline script or style', () => {
@@ -36,7 +38,8 @@ test('every opener names a part, and every icon exists', () => {
     const named = [...whole.matchAll(/ data-opens="([^"]+)"/g)].map((match) => match[1]);
     assert.ok(parts.length > 10 && named.length > 10);
     for (const name of named) assert.ok(parts.includes(name), name);
-    for (const [, icon] of whole.matchAll(/<use href="#([^"]+)"/g)) assert.ok(whole.includes(`<symbol id="${icon}"`), icon);
+    for (const [, icon] of whole.matchAll(/<use href="#([^"]+)"/g))
+        assert.ok(whole.includes(`<symbol id="${icon}"`), icon);
 });
 
 test('the page sets HTML from its own files, never from data', () => {
@@ -46,6 +49,7 @@ test('the page sets HTML from its own files, never from data', () => {
         assert.doesNotMatch(text, /innerHTML|outerHTML|insertAdjacentHTML|document\.write|eval\(|new Function/, name);
         // One function parses, and it gets imported files only.
         if (name !== 'js/late.js') assert.doesNotMatch(text, /DOMParser|parseHTML|createContextualFragment/, name);
-        for (const [, first] of text.matchAll(/(?<!function )addElements\((\w*)/g)) assert.match(text, new RegExp(`^import ${first} from '\\./[\\w-]+\\.html';`, 'm'), name);
+        for (const [, first] of text.matchAll(/(?<!function )addElements\((\w*)/g))
+            assert.match(text, new RegExp(`^import ${first} from '\\./[\\w-]+\\.html';`, 'm'), name);
     }
 });
