@@ -169,8 +169,11 @@ fn late_tables() -> String {
     for asks in Asks::ALL {
         let [name, label, task] = [asks.name(), asks.label(), asks.task()].map(quoted);
         let (searched, text) = (asks.is_searched(), asks.is_text());
-        writeln!(script_text, "    {name}: {{ label: {label}, task: {task}, isSearched: {searched}, isText: {text} }},")
-            .unwrap();
+        writeln!(
+            script_text,
+            "    {name}: {{ label: {label}, task: {task}, isSearched: {searched}, isText: {text} }},"
+        )
+        .unwrap();
     }
     script_text += "});\n\n/** Formats of exported files by name: ending and media type of the file, what the page calls it, and what it is. */\n\
         export const FORMATS = /* @__PURE__ */ Object.freeze({\n";

@@ -41,7 +41,8 @@ pub(crate) fn join(site: &Path, page: &str, bundler: &(dyn Bundler + Sync)) -> R
     scripts.iter().try_for_each(|(name, text)| files::write(&site.join(name), text))?;
     let first = scripts.iter().find(|(name, _)| name == SCRIPT).context("no script is the page's")?;
     let imported = imports(&first.1);
-    let preloads: String = imported.iter().map(|name| format!("<link rel=\"modulepreload\" href=\"{name}\">\n")).collect();
+    let preloads: String =
+        imported.iter().map(|name| format!("<link rel=\"modulepreload\" href=\"{name}\">\n")).collect();
     files::write(&site.join("page.css"), bundler.styles(&styles)?)?;
     files::write(&file, text.replace(HEAD, &format!("{preloads}{HEAD}")))?;
     Ok([vec![SCRIPT.to_owned()], imported].concat())

@@ -1,9 +1,9 @@
 //! Formatting, clippy, documentation, and biome for scripts and styles: warnings are errors.
 
 use crate::report::Report;
-use crate::{page, tools};
 use crate::wasms::PACKAGES;
 use crate::workspace::Workspace;
+use crate::{page, tools};
 use anyhow::Result;
 use std::process::Command;
 

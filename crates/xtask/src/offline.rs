@@ -38,7 +38,8 @@ pub(crate) fn list_files(site: &Path, scripts: &[String]) -> Result<()> {
     let text = files::read_text(&worker)?;
     // A change of the worker itself makes a new version, too.
     let build = &hex(&Sha256::digest(format!("{list}{text}")))[..16];
-    let head = format!("const BUILD = \"{build}\";\nconst FILES = {list};\nconst SIZES = {sizes};\nconst FIRST = {first};\n");
+    let head =
+        format!("const BUILD = \"{build}\";\nconst FILES = {list};\nconst SIZES = {sizes};\nconst FIRST = {first};\n");
     files::write(&worker, head + &text)
 }
 
