@@ -2,3 +2,17 @@
 declare const BUILD: string;
 /** The SHA-256 of each file, by its path. */
 declare const FILES: Record<string, string>;
+/** The size of each file in bytes, by its path. */
+declare const SIZES: Record<string, number>;
+/** The paths of the files that the first screen needs. */
+declare const FIRST: string[];
+
+/** Files that esbuild bundles as texts. */
+declare module '*.html' {
+    const text: string;
+    export default text;
+}
+declare module '*.css' {
+    const text: string;
+    export default text;
+}

@@ -11,7 +11,11 @@ import { ATTRIBUTES } from './js/tables.js';
 (() => {
     const script = document.currentScript;
     /** The page of the drawing, or the one that also has exercises and steps. @param {string} [link] */
-    const home = (link = '') => new URL(/(^|[#&])x=|&controls=[^&]*steps/.test(link) ? 'exercise.html' : 'embed.html', script instanceof HTMLScriptElement && script.src ? script.src : location.href);
+    const home = (link = '') =>
+        new URL(
+            /(^|[#&])x=|&controls=[^&]*steps/.test(link) ? 'exercise.html' : 'embed.html',
+            script instanceof HTMLScriptElement && script.src ? script.src : location.href,
+        );
     const HOME = home();
     /** Pages from a disk have no distinct origin. */
     const ORIGIN = HOME.protocol === 'file:' ? null : HOME.origin;
@@ -56,10 +60,12 @@ import { ATTRIBUTES } from './js/tables.js';
         connectedCallback() {
             addEventListener('message', this.#hear);
             this.#observer.observe(this, { childList: true, characterData: true, subtree: true });
-            for (const element of [document.documentElement, document.body]) this.#schemes.observe(element, { attributes: true });
+            for (const element of [document.documentElement, document.body])
+                this.#schemes.observe(element, { attributes: true });
             system.addEventListener('change', this.#recolour);
             // While the page loads, the element's text is not parsed yet.
-            if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', this.#build, { once: true });
+            if (document.readyState === 'loading')
+                document.addEventListener('DOMContentLoaded', this.#build, { once: true });
             else queueMicrotask(this.#build);
         }
 
@@ -176,8 +182,15 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#frame.title = name ? `L-system: ${name}` : 'L-system';
             const link = hashOf(this.getAttribute('link') ?? '').replace(/^#/, '');
             this.#theme = this.#themeNow();
-            const fields = { ...this.#sent, controls: this.getAttribute('controls') ?? '', theme: this.#theme, host: location.origin === 'null' ? '' : location.origin };
-            const own = Object.entries(fields).flatMap(([key, value]) => (value === '' ? [] : [`${key}=${encodeURIComponent(value)}`]));
+            const fields = {
+                ...this.#sent,
+                controls: this.getAttribute('controls') ?? '',
+                theme: this.#theme,
+                host: location.origin === 'null' ? '' : location.origin,
+            };
+            const own = Object.entries(fields).flatMap(([key, value]) =>
+                value === '' ? [] : [`${key}=${encodeURIComponent(value)}`],
+            );
             const hash = [link || 'v=1', ...own].join('&');
             const address = home(hash);
             address.hash = hash;
@@ -188,13 +201,18 @@ import { ATTRIBUTES } from './js/tables.js';
 
         /** The values of attributes and text, as strings. @returns {Record<string, string>} */
         #attributeValues() {
-            const values = Object.fromEntries([...KEYS].flatMap(([name, key]) => (this.hasAttribute(name) ? [[key, this.getAttribute(name) ?? '']] : [])));
+            const values = Object.fromEntries(
+                [...KEYS].flatMap(([name, key]) =>
+                    this.hasAttribute(name) ? [[key, this.getAttribute(name) ?? '']] : [],
+                ),
+            );
             if (values.rules === undefined) {
                 const text = rulesIn(this);
                 if (text !== '') values.rules = text;
             }
             // Links write colours without `#`.
-            for (const key of ['bg', 'palette']) if (values[key] !== undefined) values[key] = values[key].replace(/[#\s]/g, '');
+            for (const key of ['bg', 'palette'])
+                if (values[key] !== undefined) values[key] = values[key].replace(/[#\s]/g, '');
             return values;
         }
 
@@ -206,7 +224,9 @@ import { ATTRIBUTES } from './js/tables.js';
                 const given = this.#attributeValues();
                 // A removed attribute returns to its default, which needs a new address.
                 if (Object.keys(this.#sent).some((key) => !(key in given))) return this.#load();
-                const values = Object.fromEntries(Object.entries(given).filter(([key, value]) => this.#sent[key] !== value));
+                const values = Object.fromEntries(
+                    Object.entries(given).filter(([key, value]) => this.#sent[key] !== value),
+                );
                 this.#sent = given;
                 if (Object.keys(values).length > 0) this.#say({ lsystem: 'set', values });
             }, PAUSE);
@@ -214,7 +234,8 @@ import { ATTRIBUTES } from './js/tables.js';
 
         /** @param {object} message */
         #say(message) {
-            if (this.#connected && this.#frame?.contentWindow) this.#frame.contentWindow.postMessage(message, ORIGIN ?? '*');
+            if (this.#connected && this.#frame?.contentWindow)
+                this.#frame.contentWindow.postMessage(message, ORIGIN ?? '*');
             else this.#queue.push(message);
         }
 
@@ -236,7 +257,8 @@ import { ATTRIBUTES } from './js/tables.js';
             if (detail.values) this.#state = { values: detail.values, link: detail.link };
             if (kind === 'height') {
                 // An exercise is as high as it needs, unless the page says otherwise.
-                if (typeof detail.height === 'number' && !this.style.height) this.#frame.style.height = this.style.minHeight = `${Math.ceil(detail.height)}px`;
+                if (typeof detail.height === 'number' && !this.style.height)
+                    this.#frame.style.height = this.style.minHeight = `${Math.ceil(detail.height)}px`;
                 return;
             }
             if (kind === 'state') {
@@ -256,7 +278,9 @@ import { ATTRIBUTES } from './js/tables.js';
 
     /** The rules in the element: the text of a `pre`, which is also shown without JavaScript, or else the element's own text. @param {HTMLElement} element */
     function rulesIn(element) {
-        const own = [...element.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE).map((node) => node.textContent ?? '');
+        const own = [...element.childNodes]
+            .filter((node) => node.nodeType === Node.TEXT_NODE)
+            .map((node) => node.textContent ?? '');
         const text = element.querySelector('pre')?.textContent ?? own.join('\n');
         return text
             .split('\n')

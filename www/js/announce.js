@@ -36,7 +36,11 @@ export function toast(words, { stay = false, action } = {}) {
     clearTimeout(toastTimer);
     if (action) {
         const act = make('button', { type: 'button', class: 'toast-act' }, action.label);
-        const dismiss = make('button', { type: 'button', class: 'toast-close', 'aria-label': 'Close this message' }, '×');
+        const dismiss = make(
+            'button',
+            { type: 'button', class: 'toast-close', 'aria-label': 'Close this message' },
+            '×',
+        );
         act.addEventListener('click', () => {
             close();
             action.act();

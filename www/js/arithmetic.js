@@ -24,7 +24,8 @@ export function valueOf(text) {
     /** @returns {number} */
     function product() {
         let value = signed();
-        for (let sign = take('*', '/'); sign; sign = take('*', '/')) value = sign === '*' ? value * signed() : value / signed();
+        for (let sign = take('*', '/'); sign; sign = take('*', '/'))
+            value = sign === '*' ? value * signed() : value / signed();
         return value;
     }
 

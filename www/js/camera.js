@@ -8,7 +8,16 @@ import { rangeOf } from './state.js';
 const ZOOM = rangeOf('camera', 'zoom');
 
 /** The camera until the reader moves it; equal to the core's default. @type {Readonly<Camera>} */
-export const FRONT = Object.freeze({ azimuth: 25, elevation: 12, zoom: 1, x: 0, y: 0, z: 0, perspective: true, fade: 0 });
+export const FRONT = Object.freeze({
+    azimuth: 25,
+    elevation: 12,
+    zoom: 1,
+    x: 0,
+    y: 0,
+    z: 0,
+    perspective: true,
+    fade: 0,
+});
 
 /** Degrees per CSS pixel of dragging. */
 const SPEED = 0.4;
@@ -49,7 +58,11 @@ export function turned(camera, azimuth, elevation) {
 export function axes({ azimuth, elevation }) {
     const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
     const [sa, ca, se, ce] = [Math.sin(a), Math.cos(a), Math.sin(e), Math.cos(e)];
-    return [[ca, 0, -sa], [-se * sa, ce, -se * ca], [ce * sa, se, ce * ca]];
+    return [
+        [ca, 0, -sa],
+        [-se * sa, ce, -se * ca],
+        [ce * sa, se, ce * ca],
+    ];
 }
 
 /**
@@ -89,7 +102,12 @@ export function zoomed(camera, factor, px, py, scale) {
  */
 function shifted(camera, right, up) {
     const [r, u] = axes(camera);
-    return { ...camera, x: camera.x + right * r[0] + up * u[0], y: camera.y + right * r[1] + up * u[1], z: camera.z + right * r[2] + up * u[2] };
+    return {
+        ...camera,
+        x: camera.x + right * r[0] + up * u[0],
+        y: camera.y + right * r[1] + up * u[1],
+        z: camera.z + right * r[2] + up * u[2],
+    };
 }
 
 /** The eye's distance from the target, in fitted extents. */
@@ -106,7 +124,8 @@ const NEAR = 0.05;
  */
 export function seen(camera, place, scale) {
     const [right, up, back] = axes(camera);
-    const pixels = (scale * camera.zoom) / (camera.perspective ? Math.max(NEAR, 1 - towards(camera, back, place) / DISTANCE) : 1);
+    const pixels =
+        (scale * camera.zoom) / (camera.perspective ? Math.max(NEAR, 1 - towards(camera, back, place) / DISTANCE) : 1);
     return [towards(camera, right, place) * pixels, -towards(camera, up, place) * pixels];
 }
 

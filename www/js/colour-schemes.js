@@ -13,9 +13,24 @@ export const SCHEMES = [
     { name: 'Cyanotype', palette: ['#eef4f5', '#cfe2ea', '#a5c8dc', '#dfeaf0', '#8fb6d0'], background: '#163a5f' },
     { name: 'Autumn', palette: ['#4a3328', '#8a3b21', '#c4622d', '#dd9a33', '#a8a13b'], background: '#fbf6ea' },
     { name: 'Blossom', palette: ['#4a3b3f', '#7d4a5a', '#b9577a', '#dc86a2', '#eab6c4'], background: '#fdf6f4' },
-    { name: 'Night sky', palette: ['#2e3a6e', '#4a5aa8', '#7f8fdc', '#b9a8f0', '#f3d9f7', '#fff6d8'], background: '#0a0d1f', holds: true },
-    { name: 'Practical', palette: ['#462100', '#3e4100', '#366000', '#2e8000', '#26a000', '#1ea000', '#16a000', '#0ea000', '#06a000'], background: '#ffffff', holds: true },
-    { name: 'Embers', palette: ['#2a0a0a', '#6b1414', '#b3311c', '#ea6a2b', '#ffb347', '#ffe9a8'], background: '#120707', holds: true },
+    {
+        name: 'Night sky',
+        palette: ['#2e3a6e', '#4a5aa8', '#7f8fdc', '#b9a8f0', '#f3d9f7', '#fff6d8'],
+        background: '#0a0d1f',
+        holds: true,
+    },
+    {
+        name: 'Practical',
+        palette: ['#462100', '#3e4100', '#366000', '#2e8000', '#26a000', '#1ea000', '#16a000', '#0ea000', '#06a000'],
+        background: '#ffffff',
+        holds: true,
+    },
+    {
+        name: 'Embers',
+        palette: ['#2a0a0a', '#6b1414', '#b3311c', '#ea6a2b', '#ffb347', '#ffe9a8'],
+        background: '#120707',
+        holds: true,
+    },
     { name: 'Ink', palette: ['#16181a'], background: '#ffffff' },
     { name: 'Chalk', palette: ['#f1efe6'], background: '#25302b' },
 ];
@@ -50,5 +65,8 @@ export function withThemeScheme(definition, theme) {
  */
 export function isDark(colour) {
     const [r, g, b] = [1, 3, 5].map((at) => (parseInt(colour.slice(at, at + 2), 16) / 255) ** 2.2);
-    return 0.2126 * /** @type {number} */ (r) + 0.7152 * /** @type {number} */ (g) + 0.0722 * /** @type {number} */ (b) < 0.3;
+    return (
+        0.2126 * /** @type {number} */ (r) + 0.7152 * /** @type {number} */ (g) + 0.0722 * /** @type {number} */ (b) <
+        0.3
+    );
 }

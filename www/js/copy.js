@@ -48,7 +48,12 @@ export function copies(copier, field, what, tell) {
     let timer = 0;
     copier.addEventListener('click', async () => {
         const copied = await copyField(field);
-        tell(copied ? `${what} copied` : `The browser refuses clipboard access. The text is selected: press ${copyKeys()} to copy.`, !copied);
+        tell(
+            copied
+                ? `${what} copied`
+                : `The browser refuses clipboard access. The text is selected: press ${copyKeys()} to copy.`,
+            !copied,
+        );
         if (!copied) return;
         copier.focus();
         setText(label, 'Copied');

@@ -49,7 +49,9 @@ export function setWords(element, words) {
 
 /** Text as nodes, with the parts between backquotes as code. @param {string} words */
 export function withCode(words) {
-    return words.split(/(`[^`]+`)/).map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part.slice(1, -1)) : part));
+    return words
+        .split(/(`[^`]+`)/)
+        .map((part) => (part.length > 2 && part.startsWith('`') ? make('code', {}, part.slice(1, -1)) : part));
 }
 
 /** An icon from the page's sprite. @param {string} id */

@@ -15,6 +15,11 @@ export function download(blob, name) {
 
 /** A file name for a state, without the ending. @param {import('./state.js').State} state */
 export function fileName({ name, title, iterations }) {
-    const base = (name || title).normalize('NFKD').replace(/[^\w.-]+/g, '_').replace(/^[_.]+|_+$/g, '').slice(0, 60) || 'l-system';
+    const base =
+        (name || title)
+            .normalize('NFKD')
+            .replace(/[^\w.-]+/g, '_')
+            .replace(/^[_.]+|_+$/g, '')
+            .slice(0, 60) || 'l-system';
     return `${base}_n${iterations}`;
 }

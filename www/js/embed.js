@@ -3,7 +3,8 @@
  * address, on a page that has a place for it.
  */
 
-import { announce, toast } from './announce.js';
+import { toast } from './announce.js';
+import { createReporter, showLast } from './caption.js';
 import { button, html, input, setText, setWords } from './dom.js';
 import { createLegend } from './controls/legend.js';
 import { createDials } from './embed/dials.js';
@@ -11,17 +12,17 @@ import { connectHost } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
 import { surroundingTheme, systemIsDark } from './embed/scheme.js';
 import { watchVisibility } from './embed/visibility.js';
-import { createEngine, isWrong } from './engine.js';
+import { createEngine } from './engine.js';
 import { createHover } from './hover.js';
 import { isDark } from './colour-schemes.js';
 import { createExercise, openExercise } from './exercise/exercise.js';
 import { exerciseIn } from './exercise/open.js';
+import { ASKS } from './late-tables.js';
 import { writeLink } from './link.js';
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { bestLink, openLink } from './packed.js';
 import { constantsPanel } from './panels/constants-panel.js';
-import { captionOf } from './panels/growth-panel.js';
 import { rulesPanel } from './panels/rules-panel.js';
 import { symbolsFields } from './panels/symbols-fields.js';
 import { createPlayback } from './playback.js';
@@ -44,8 +45,9 @@ const NOTHING = 'The address of this frame contains no drawing.';
 let options = readOptions(location.hash);
 showTheme();
 const isExercise = exerciseIn(location.hash) !== null;
-// Only one page has a place for exercises and steps.
-if ((isExercise || options.controls.includes('steps')) && !document.getElementById('exercise')) {
+/** Whether this is the page for exercises and steps. */
+const hasSteps = document.getElementById('exercise') !== null;
+if ((isExercise || options.controls.includes('steps')) && !hasSteps) {
     location.replace(new URL(`exercise.html${location.hash}`, location.href));
     await new Promise(() => {});
 }
@@ -62,7 +64,11 @@ const drawnOf = (state) => (exercise ? exercise.whole(state) : definitionOf(stat
 /** @type {Control[]} */
 let controls = controlsNow();
 /** The last facts about the drawing, for the host page. */
-let facts = { description: '', symbols: /** @type {string | null} */ (null), segments: /** @type {string | null} */ (null) };
+let facts = {
+    description: '',
+    symbols: /** @type {string | null} */ (null),
+    segments: /** @type {string | null} */ (null),
+};
 /** The parts that draw, created when the drawing first becomes visible. @type {ReturnType<typeof begin> | null} */
 let parts = null;
 let seen = false;
@@ -76,13 +82,27 @@ const constants = constantsPanel(store, rules);
 const dials = createDials(store);
 /** What the symbols mean, where an exercise asks for that. */
 const symbols = exercise?.about.free.includes('dialect') ? symbolsFields(store) : null;
-const host = connectHost(store, { host: options.host, offer, theme: setTheme, play: (on) => parts?.playback.setPlaying(on), facts: () => facts });
+const host = connectHost(store, {
+    host: options.host,
+    offer,
+    theme: setTheme,
+    play: (on) => parts?.playback.setPlaying(on),
+    facts: () => facts,
+});
 
 offer(controls);
 store.subscribe(show);
 show(store.state, null);
-if (document.getElementById('steps')) createSteps(exercise?.tool ?? createTool('course'), () => drawnOf(store.state));
-if (exercise) createExercise(store, exercise, { marked: (mark, link) => host.marked(mark, link), needs: (height) => host.needs(height) });
+if (hasSteps)
+    button('open-steps').addEventListener(
+        'click',
+        createSteps(exercise?.tool ?? createTool('course'), () => drawnOf(store.state)).open,
+    );
+if (exercise)
+    createExercise(store, exercise, {
+        marked: (mark, link) => host.marked(mark, link),
+        needs: (height) => host.needs(height),
+    });
 if (!link || refusal !== '') {
     showProblem(refusal || NOTHING);
     host.error(refusal || NOTHING);
@@ -133,7 +153,7 @@ function begin() {
     const marks = createMarks();
     let ready = false;
     const engine = createEngine({
-        report: reported,
+        report: (next, past) => report(next, past),
         drawn(picture) {
             stage.drawn(picture);
             playback.drawn(picture);
@@ -155,7 +175,8 @@ function begin() {
         back() {
             if (exercise) return void (store.undo() || store.reset());
             const { definition } = engine.good;
-            if (definition && !sameSystem(clean(definition), store.state)) store.change({ ...definition, view: null }, '');
+            if (definition && !sameSystem(clean(definition), store.state))
+                store.change({ ...definition, view: null }, '');
             else store.setView(null);
         },
         again() {
@@ -168,15 +189,38 @@ function begin() {
     const canvas = html('drawing');
     const stage = createStage(store, engine, marks, {
         // Until the drawing has the focus, wheel and touch scroll the host page.
-        takes: (event) => (event instanceof PointerEvent && event.pointerType === 'mouse') || (document.hasFocus() && document.activeElement === canvas),
-        keys: () => [...(controls.includes('angle') ? /** @type {const} */ (['angle']) : []), ...(controls.includes('n') ? /** @type {const} */ (['iterations']) : [])],
+        takes: (event) =>
+            (event instanceof PointerEvent && event.pointerType === 'mouse') ||
+            (document.hasFocus() && document.activeElement === canvas),
+        keys: () => [
+            ...(controls.includes('angle') ? /** @type {const} */ (['angle']) : []),
+            ...(controls.includes('n') ? /** @type {const} */ (['iterations']) : []),
+        ],
     });
     const playback = createPlayback(engine, { turtle: marks.turtle, offered: () => controls.includes('play') });
     const legend = createLegend();
     const reader = createReader(engine, { mark: marks.part('string'), legend, opened: () => hover.forget() });
     // Symbols under the pointer are shown only with the string view, which explains them.
     const reads = () => controls.includes('string');
-    const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, read: reader.read, reading: () => reader.open, upto: () => playback.upto, offered: reads });
+    const hover = createHover(engine, {
+        ratio: () => stage.resolution().ratio,
+        mark: marks.found,
+        light: reader.light,
+        choose: reader.choose,
+        read: reader.read,
+        reading: () => reader.open,
+        upto: () => playback.upto,
+        offered: reads,
+    });
+    const report = createReporter({
+        store,
+        untitled: 'L-system',
+        stage,
+        drawn: [stage, reader, playback],
+        edited: [legend, { report: listProblems }, dials, ...(symbols ? [symbols] : [])],
+        mistaken,
+        valid,
+    });
     stage.show(store.state, null);
     reader.show(store.state, null);
     return { engine, stage, playback, reader, legend, hover, drawn: () => ready };
@@ -189,7 +233,13 @@ function controlsNow() {
     const writes = asksForRules || free.includes('axiom');
     // The string and its origins would tell what is hidden.
     const reads = !hidesRules && exercise.about.axiom !== 'hidden';
-    return [...(writes ? ['rules'] : []), ...(free.includes('iterations') ? ['n'] : []), ...(free.includes('angle') ? ['angle'] : []), ...(reads ? ['string', 'steps'] : []), 'play'].map((control) => /** @type {Control} */ (control));
+    return [
+        ...(writes ? ['rules'] : []),
+        ...(free.includes('iterations') ? ['n'] : []),
+        ...(free.includes('angle') ? ['angle'] : []),
+        ...(reads ? ['string', 'steps'] : []),
+        'play',
+    ].map((control) => /** @type {Control} */ (control));
 }
 
 /** Shows only these controls. @param {Control[]} asked */
@@ -203,12 +253,23 @@ function offer(asked) {
     html('panel').hidden = !(has('n') || has('angle') || has('rules'));
     button('open-reader').hidden = !has('string');
     button('open-playback').hidden = !has('play');
-    button('open-steps').hidden = !has('steps') || !document.getElementById('steps');
+    button('open-steps').hidden = !has('steps') || !hasSteps;
     if (!has('string')) parts?.reader.close();
     if (!has('play')) parts?.playback.close();
     button('reset').hidden = html('panel').hidden;
     document.body.classList.toggle('with-rules', has('rules'));
-    setText(html('keys'), [has('angle') && 'Left and right arrows change the angle.', has('n') && 'Up and down arrows change the iterations.', 'Shift and arrows move the picture, plus and minus zoom, zero fits the picture.', has('play') && 'Space plays the drawing.', 'Escape leaves the drawing.'].filter(Boolean).join(' '));
+    setText(
+        html('keys'),
+        [
+            has('angle') && 'Left and right arrows change the angle.',
+            has('n') && 'Up and down arrows change the iterations.',
+            'Shift and arrows move the picture, plus and minus zoom, zero fits the picture.',
+            has('play') && 'Space plays the drawing.',
+            'Escape leaves the drawing.',
+        ]
+            .filter(Boolean)
+            .join(' '),
+    );
 }
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
@@ -238,44 +299,34 @@ function show(state, before) {
     address();
 }
 
-/** @param {Report} report @param {boolean} past whether the report is about the last good state */
-function reported(report, past) {
-    parts?.stage.setBusy(!isWrong(report) && report.memoised === null);
-    parts?.stage.report(report);
-    if (!past) {
-        parts?.legend.report(report);
-        // Places behind the student's rules are in those that are given.
-        const own = (/** @type {Diagnostic} */ { field, end }) => field !== 'rules' || end <= store.state.rules.length;
-        rules.report(exercise ? { ...report, diagnostics: report.diagnostics.filter(own) } : report);
-        dials.report(report);
-        symbols?.report(report);
-    }
-    parts?.reader.report(report);
-    parts?.playback.report(report);
-    if (past) return setText(html('caption-text'), 'Showing the last valid drawing.');
-    const mistakes = report.diagnostics.filter(({ severity }) => severity === 'error');
-    const [first, ...more] = mistakes;
-    if (first) {
-        const listed = controls.includes('rules') && ['axiom', 'rules'].includes(first.field);
-        const where = first.field === 'numbers' ? '' : ` (in the ${first.field})`;
-        const words = [`${first.message}${where}${more.length > 0 ? `, and ${more.length} more` : ''}.`, first.hint].filter(Boolean).join(' ');
-        // If the rules are shown, their problems are listed below them.
-        showProblem(listed ? '' : words);
-        if (parts?.drawn()) setText(html('caption-text'), 'Showing the last valid drawing.');
-        announce(words);
-        host.error(first.message, mistakes);
-        return;
-    }
+/** Lists the problems of the student's own rules below them; places behind these rules are in those that are given. @param {Report} report */
+function listProblems(report) {
+    const own = (/** @type {Diagnostic} */ { field, end }) => field !== 'rules' || end <= store.state.rules.length;
+    rules.report(exercise ? { ...report, diagnostics: report.diagnostics.filter(own) } : report);
+}
+
+/** @param {Diagnostic} first @param {Diagnostic[]} all */
+function mistaken(first, all) {
+    const listed = controls.includes('rules') && ['axiom', 'rules'].includes(first.field);
+    const where = first.field === 'numbers' ? '' : ` (in the ${first.field})`;
+    const words = [`${first.message}${where}${all.length > 1 ? `, and ${all.length - 1} more` : ''}.`, first.hint]
+        .filter(Boolean)
+        .join(' ');
+    // If the rules are shown, their problems are listed below them.
+    showProblem(listed ? '' : words);
+    if (parts?.drawn()) showLast();
+    host.error(first.message, all);
+    return words;
+}
+
+/** @param {Report} report */
+function valid({ description, symbols, segments, empty }) {
     showProblem('');
-    facts = { description: report.description, symbols: report.symbols, segments: report.segments };
+    facts = { description, symbols, segments };
     // Where an exercise asks for the string, it need not draw.
-    const empty = report.empty !== null && exercise?.about.asks === 'text' ? 'Nothing is drawn. Here the string counts.' : report.empty;
-    setWords(html('empty'), empty ?? '');
-    html('empty').hidden = empty === null;
-    setText(html('description'), report.description);
-    setText(html('caption-text'), captionOf(store.state, report));
-    html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'L-system'}`);
-    announce(empty ?? report.description);
+    return empty !== null && exercise && ASKS[exercise.about.asks].isText
+        ? 'Nothing is drawn. Here the string counts.'
+        : empty;
 }
 
 function showTheme() {

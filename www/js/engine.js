@@ -41,9 +41,23 @@ export function createEngine(events) {
     const nextId = () => ++lastId;
     const troubles = createTroubles(events);
     const newest = createNewest();
-    const connection = createConnection({ begun, received: (message) => receive(message), left, stopped, loadFailed, owes: () => outbox.owes || questions.size > 0, doubted: (silent) => fallback.doubt(silent) });
+    const connection = createConnection({
+        begun,
+        received: (message) => receive(message),
+        left,
+        stopped,
+        loadFailed,
+        owes: () => outbox.owes || questions.size > 0,
+        doubted: (silent) => fallback.doubt(silent),
+    });
     const questions = createQuestions({ post: connection.post, nextId });
-    const outbox = createOutbox(newest, { post: connection.post, ready: () => connection.ready, nextId, sent, settled: () => events.busy(false) });
+    const outbox = createOutbox(newest, {
+        post: connection.post,
+        ready: () => connection.ready,
+        nextId,
+        sent,
+        settled: () => events.busy(false),
+    });
     const fallback = createFallback(newest, outbox, (state, doubtful) => events.doubted?.(state, doubtful));
     const receive = createReceiver({ events, troubles, connection, questions, newest, outbox, fallback });
 
@@ -98,7 +112,8 @@ export function createEngine(events) {
 
     /** @type {import('./engine/questions.js').Ask} */
     async function ask(type, asked) {
-        if (questions.isForbidden(type, newest.state.definition)) throw new Stopped('this question stopped the worker before');
+        if (questions.isForbidden(type, newest.state.definition))
+            throw new Stopped('this question stopped the worker before');
         connection.revive();
         const answer = questions.ask(type, asked);
         connection.watch();

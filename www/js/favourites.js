@@ -25,7 +25,10 @@ const PAUSE_AFTER = 12;
 /** @param {unknown} value of unknown origin @returns {Favourite[]} */
 export function readFavourites(value) {
     const list = Array.isArray(value) ? value : [];
-    return list.filter((one) => ['id', 'name', 'link'].every((key) => typeof one?.[key] === 'string')).slice(0, MOST_FAVOURITES).map((one) => ({ ...one, name: one.name.slice(0, LONGEST_NAME) }));
+    return list
+        .filter((one) => ['id', 'name', 'link'].every((key) => typeof one?.[key] === 'string'))
+        .slice(0, MOST_FAVOURITES)
+        .map((one) => ({ ...one, name: one.name.slice(0, LONGEST_NAME) }));
 }
 
 /**
@@ -34,7 +37,11 @@ export function readFavourites(value) {
  * @returns {Favourite}
  */
 export function favourite(name, state) {
-    return { id: Math.random().toString(36).slice(2), name: cleanName(name) || cleanName(state.title || state.name) || 'Untitled system', link: writeLink(state) };
+    return {
+        id: Math.random().toString(36).slice(2),
+        name: cleanName(name) || cleanName(state.title || state.name) || 'Untitled system',
+        link: writeLink(state),
+    };
 }
 
 /** @param {readonly Favourite[]} list @param {string} id @param {string} name @returns {Favourite[]} */
@@ -63,7 +70,8 @@ export function isFavouritesFile(text) {
 export async function readFile(list, text) {
     const given = parse(text)?.favourites;
     if (!Array.isArray(given)) return null;
-    if (given.length > MOST_ENTRIES) throw new RangeError(`it has more than ${MOST_ENTRIES.toLocaleString('en')} entries`);
+    if (given.length > MOST_ENTRIES)
+        throw new RangeError(`it has more than ${MOST_ENTRIES.toLocaleString('en')} entries`);
     let sliceStart = performance.now();
     const same = (/** @type {Favourite} */ { name, link }) => `${name}\n${link}`;
     const there = new Set(list.map(same));
@@ -81,7 +89,8 @@ export async function readFile(list, text) {
         const link = typeof one?.link === 'string' ? await openLink(one.link.slice(one.link.indexOf('#') + 1)) : null;
         if (!link || link.problems.length > 0) {
             result.damaged += 1;
-            if (result.damaged > MOST_DAMAGED) throw new RangeError(`more than ${MOST_DAMAGED} of its links are damaged`);
+            if (result.damaged > MOST_DAMAGED)
+                throw new RangeError(`more than ${MOST_DAMAGED} of its links are damaged`);
             continue;
         }
         const read = favourite(typeof one.name === 'string' ? one.name : '', link.state);
@@ -108,5 +117,9 @@ function parse(text) {
 
 /** @param {string} name */
 function cleanName(name) {
-    return name.replace(/\s+/g, ' ').trim().slice(0, LONGEST_NAME).replace(/\p{Surrogate}/gu, '\ufffd');
+    return name
+        .replace(/\s+/g, ' ')
+        .trim()
+        .slice(0, LONGEST_NAME)
+        .replace(/\p{Surrogate}/gu, '\ufffd');
 }

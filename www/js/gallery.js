@@ -1,8 +1,11 @@
 /** The gallery: all systems of the collection with thumbnails, to search and open. */
 
+import styles from '../css/gallery.css';
 import { EXERCISES, exerciseCard, exercises, paintExercise } from './course/shelf.js';
 import { button, byId, closes, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
+import markup from './gallery.html';
+import { addElements } from './late.js';
 import { Stopped } from './engine/questions.js';
 import { NAMES, choose, count, filtersOf, matches, searchText, shelved, shortSource } from './shelves.js';
 import { clean, definitionOf } from './state.js';
@@ -17,12 +20,9 @@ import { emptyThumb, paintThumb } from './thumb.js';
 /** The side of a thumbnail, in CSS pixels. */
 const SIDE = 168;
 
-/**
- * @param {import('./engine.js').Engine} engine
- * @param {{pick: (definition: Definition) => void, restyle: (definition: Definition) => Definition, theme: () => string, tool: import('./course/later.js').LaterTool}} page
- *   `restyle` gives a system with default colours the theme's colours; `theme` names the theme
- */
-export function createGallery(engine, { pick, restyle, theme, tool }) {
+/** @param {import('./dialogs.js').Page} page */
+export function createGallery({ store, engine, restyle, theme }) {
+    addElements(markup, [styles]);
     const dialog = byId('gallery', HTMLDialogElement);
     const shelves = html('shelves');
     const search = input('search');
@@ -83,9 +83,17 @@ export function createGallery(engine, { pick, restyle, theme, tool }) {
         for (const event of ['focus', 'pointerenter']) card.addEventListener(event, () => tell(definition));
         card.addEventListener('click', () => {
             dialog.close();
-            pick(restyle(definition));
+            store.open(restyle(definition));
         });
-        cards.set(card, { definition, card, picture, missing, painted: '', text: searchText(definition), filters: filtersOf(entry) });
+        cards.set(card, {
+            definition,
+            card,
+            picture,
+            missing,
+            painted: '',
+            text: searchText(definition),
+            filters: filtersOf(entry),
+        });
         seen.observe(card);
         return card;
     }
@@ -93,7 +101,13 @@ export function createGallery(engine, { pick, restyle, theme, tool }) {
     /** @param {import('./course/shelf.js').Entry} entry */
     function newExercise(entry) {
         const made = exerciseCard(entry);
-        cards.set(made.card, { ...made, exercise: entry.x, painted: '', text: `${EXERCISES} ${entry.title}`.toLowerCase(), filters: [EXERCISES] });
+        cards.set(made.card, {
+            ...made,
+            exercise: entry.x,
+            painted: '',
+            text: `${EXERCISES} ${entry.title}`.toLowerCase(),
+            filters: [EXERCISES],
+        });
         seen.observe(made.card);
         return made.card;
     }
@@ -103,7 +117,7 @@ export function createGallery(engine, { pick, restyle, theme, tool }) {
         if ('exercise' in card) {
             if (card.painted !== '' || !card.missing.hidden) return;
             card.painted = 'once';
-            return paintExercise(tool, card.picture, card.exercise, SIDE).catch(() => void (card.painted = ''));
+            return paintExercise(card.picture, card.exercise, SIDE).catch(() => void (card.painted = ''));
         }
         const wanted = theme();
         if (card.painted === wanted) return;
@@ -144,9 +158,14 @@ export function createGallery(engine, { pick, restyle, theme, tool }) {
             chip.classList.toggle('no-match', number === 0);
             setText(many, String(number));
         }
-        const shown = new Set(searched().filter(({ filters }) => [...chosen].every((filter) => filters.includes(filter))));
+        const shown = new Set(
+            searched().filter(({ filters }) => [...chosen].every((filter) => filters.includes(filter))),
+        );
         for (const card of cards.values()) card.card.hidden = !shown.has(card);
-        setText(html('found'), shown.size === cards.size ? `${shown.size} systems` : `${shown.size} of ${cards.size} systems`);
+        setText(
+            html('found'),
+            shown.size === cards.size ? `${shown.size} systems` : `${shown.size} of ${cards.size} systems`,
+        );
         for (const shelf of shelves.children) {
             if (shelf instanceof HTMLElement) shelf.hidden = !shelf.querySelector('.card:not([hidden])');
         }
@@ -175,7 +194,6 @@ export function createGallery(engine, { pick, restyle, theme, tool }) {
         }
     }
 
-    button('open-gallery').addEventListener('click', open);
     closes(dialog, 'close-gallery');
     search.addEventListener('input', show);
     clear.addEventListener('click', () => {
@@ -184,4 +202,5 @@ export function createGallery(engine, { pick, restyle, theme, tool }) {
         show();
         search.focus();
     });
+    return { open };
 }

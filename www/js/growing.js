@@ -50,7 +50,9 @@ export function createGrowing(store, engine, { begins, present }) {
         const time = now - before;
         if (reducedMotion() && time < REDUCED_MOTION_MS) return;
         before = now;
-        const next = reducedMotion() ? Math.floor(grown) + 1 : grown + (time / 1000 / duration(iterations())) * iterations();
+        const next = reducedMotion()
+            ? Math.floor(grown) + 1
+            : grown + (time / 1000 / duration(iterations())) * iterations();
         if (next >= iterations()) return stop();
         request(next, now);
     }

@@ -31,7 +31,11 @@ const MAX_CHANGES = 500;
  */
 export function record(history, before, patch, label, now, origins) {
     const last = history.past.at(-1);
-    const joins = last !== undefined && label !== '' && last.label === label && (now - last.time < MERGE_MS || label.startsWith('drag '));
+    const joins =
+        last !== undefined &&
+        label !== '' &&
+        last.label === label &&
+        (now - last.time < MERGE_MS || label.startsWith('drag '));
     /** @type {Partial<State>} */
     const was = {};
     for (const field of fieldsOf(patch)) put(was, field, before[field]);
@@ -51,19 +55,33 @@ export function record(history, before, patch, label, now, origins) {
  */
 export function settle(history) {
     const last = history.past.at(-1);
-    return last && last.label !== '' ? { ...history, past: [...history.past.slice(0, -1), { ...last, label: '' }] } : history;
+    return last && last.label !== ''
+        ? { ...history, past: [...history.past.slice(0, -1), { ...last, label: '' }] }
+        : history;
 }
 
 /** @param {History} history @returns {Step | null} null when there is nothing to undo */
 export function undo({ past, future }) {
     const change = past.at(-1);
-    return change ? { history: { past: past.slice(0, -1), future: [settled(change), ...future] }, patch: change.before, origin: change.origins?.before } : null;
+    return change
+        ? {
+              history: { past: past.slice(0, -1), future: [settled(change), ...future] },
+              patch: change.before,
+              origin: change.origins?.before,
+          }
+        : null;
 }
 
 /** @param {History} history @returns {Step | null} null when there is nothing to redo */
 export function redo({ past, future }) {
     const [change, ...rest] = future;
-    return change ? { history: { past: [...past, settled(change)], future: rest }, patch: change.after, origin: change.origins?.after } : null;
+    return change
+        ? {
+              history: { past: [...past, settled(change)], future: rest },
+              patch: change.after,
+              origin: change.origins?.after,
+          }
+        : null;
 }
 
 /** @param {Change} change @returns {Change} */

@@ -45,9 +45,36 @@ export function createHoverCard(stage, { hidden, read }) {
         const show = make('button', { type: 'button', class: 'link card-read' }, 'Show in the string');
         show.addEventListener('click', () => read(ancestry));
         card.replaceChildren(
-            ...(own ? [make('p', { class: 'card-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, birthOf(ancestry)))] : []),
-            ...(older.length > 0 ? [make('ol', { class: 'card-path' }, ...older.slice(0, most).map((link) => make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)))), ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []))] : []),
-            make('p', { class: 'card-facts' }, facts, ...(symbol === null ? [] : [make('br'), `Symbol ${number(symbol)}`])),
+            ...(own
+                ? [
+                      make(
+                          'p',
+                          { class: 'card-head' },
+                          make('kbd', {}, visible(own.symbol)),
+                          make('span', {}, birthOf(ancestry)),
+                      ),
+                  ]
+                : []),
+            ...(older.length > 0
+                ? [
+                      make(
+                          'ol',
+                          { class: 'card-path' },
+                          ...older
+                              .slice(0, most)
+                              .map((link) =>
+                                  make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link))),
+                              ),
+                          ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []),
+                      ),
+                  ]
+                : []),
+            make(
+                'p',
+                { class: 'card-facts' },
+                facts,
+                ...(symbol === null ? [] : [make('br'), `Symbol ${number(symbol)}`]),
+            ),
             ...(touch && ancestry.length > 0 ? [show] : []),
         );
     }
@@ -58,17 +85,27 @@ export function createHoverCard(stage, { hidden, read }) {
         const frame = stage.getBoundingClientRect();
         const { width, height } = card.getBoundingClientRect();
         const [right, bottom] = [frame.width - EDGE - width, frame.height - EDGE - height];
-        const isInside = (/** @type {Corner} */ [left, top]) => left >= EDGE && left <= right && top >= EDGE && top <= bottom;
+        const isInside = (/** @type {Corner} */ [left, top]) =>
+            left >= EDGE && left <= right && top >= EDGE && top <= bottom;
         const tools = [...stage.querySelectorAll('.tools')].map((bar) => bar.getBoundingClientRect());
         const isFree = (/** @type {Corner} */ [left, top]) => {
             const [clientLeft, clientTop] = [frame.left + left, frame.top + top];
-            return !tools.some((bar) => bar.left < clientLeft + width && bar.right > clientLeft && bar.top < clientTop + height && bar.bottom > clientTop);
+            return !tools.some(
+                (bar) =>
+                    bar.left < clientLeft + width &&
+                    bar.right > clientLeft &&
+                    bar.top < clientTop + height &&
+                    bar.bottom > clientTop,
+            );
         };
         /** @type {Corner[]} */
-        const corners = [y + apart, y - apart - height, y - height / 2].flatMap((top) => [x + apart, x - apart - width, x - width / 2].map((left) => /** @type {Corner} */ ([left, top])));
+        const corners = [y + apart, y - apart - height, y - height / 2].flatMap((top) =>
+            [x + apart, x - apart - width, x - width / 2].map((left) => /** @type {Corner} */ ([left, top])),
+        );
         // The last corner would put the card under the pointer.
         const inside = corners.slice(0, -1).filter(isInside);
-        const [left, top] = inside.find(isFree) ?? inside[0] ?? [Math.max(EDGE, Math.min(right, x + apart)), Math.max(EDGE, Math.min(bottom, y + apart))];
+        const [left, top] = inside.find(isFree) ??
+            inside[0] ?? [Math.max(EDGE, Math.min(right, x + apart)), Math.max(EDGE, Math.min(bottom, y + apart))];
         card.style.transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
     }
 

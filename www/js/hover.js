@@ -33,7 +33,8 @@ export function createHover(engine, { ratio, mark, light, choose, read, reading,
     let turning = 0;
 
     const ask = latest(
-        (/** @type {Place} */ { x, y, touch }, /** @type {boolean} */ _chosen) => engine.pick(x * ratio(), y * ratio(), (touch ? NEAR.touch : NEAR.mouse) * ratio()),
+        (/** @type {Place} */ { x, y, touch }, /** @type {boolean} */ _chosen) =>
+            engine.pick(x * ratio(), y * ratio(), (touch ? NEAR.touch : NEAR.mouse) * ratio()),
         (picked, _asked, chosen) => {
             if (place === null) return;
             if (turning || (picked.stroke ?? picked.filled) === null) return hide();
@@ -95,10 +96,17 @@ export function createHover(engine, { ratio, mark, light, choose, read, reading,
         look(false);
     });
     canvas.addEventListener('pointerdown', (event) => {
-        press = event.isPrimary && event.button === 0 ? { x: event.clientX, y: event.clientY, time: event.timeStamp } : null;
+        press =
+            event.isPrimary && event.button === 0
+                ? { x: event.clientX, y: event.clientY, time: event.timeStamp }
+                : null;
     });
     canvas.addEventListener('pointerup', (event) => {
-        const tap = press && event.isPrimary && Math.hypot(event.clientX - press.x, event.clientY - press.y) <= TAP_DISTANCE && event.timeStamp - press.time < TAP_MS;
+        const tap =
+            press &&
+            event.isPrimary &&
+            Math.hypot(event.clientX - press.x, event.clientY - press.y) <= TAP_DISTANCE &&
+            event.timeStamp - press.time < TAP_MS;
         press = null;
         if (!tap) return;
         place = placeOf(event);
@@ -107,7 +115,8 @@ export function createHover(engine, { ratio, mark, light, choose, read, reading,
     canvas.addEventListener('pointerleave', (event) => {
         // A finger always leaves; its mark stays until the next tap. WebKit also sends pointerleave when a mouse button
         // is released.
-        if (event.pointerType === 'mouse' && document.elementFromPoint(event.clientX, event.clientY) !== canvas) leave();
+        if (event.pointerType === 'mouse' && document.elementFromPoint(event.clientX, event.clientY) !== canvas)
+            leave();
     });
 
     return {

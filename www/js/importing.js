@@ -3,18 +3,20 @@
  * A dialog shows each system as a small picture, and what could not be carried over.
  */
 
+import gallery from '../css/gallery.css';
+import styles from '../css/importing.css';
 import { toast } from './announce.js';
 import { button, byId, closes, html, input, make, setText, withCode } from './dom.js';
+import markup from './importing.html';
+import { addElements } from './late.js';
 import { setLayer } from './layers.js';
+import { mayBeSystem } from './pasting.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 import { createTool } from './tool.js';
 
 /** @typedef {import('./protocol.js').Imported} Imported */
 /** @typedef {Imported['entries'][number]} Entry */
 
-/** Shorter pasted text is no whole system, and longer text is not read, in characters. */
-const SHORTEST = 8;
-const LONGEST = 1 << 20;
 /** The side of a picture, in CSS pixels. */
 const SIDE = 168;
 /** The most remarks shown for one system. */
@@ -23,15 +25,14 @@ const MOST_REMARKS = 40;
 /** @param {Entry} entry */
 const nameOf = ({ name }) => name || 'Untitled system';
 
-/**
- * @param {import('./engine.js').Engine} engine
- * @param {{open: (definition: import('./state.js').Definition) => void, restyle: (definition: import('./state.js').Definition) => import('./state.js').Definition}} page
- */
-export function createImporting(engine, { open, restyle }) {
+/** @param {import('./dialogs.js').Page} page */
+export function createImporting({ store, engine, restyle }) {
+    addElements(markup, [gallery, styles]);
     /** @type {ReturnType<typeof createTool<import('./protocol.js').ImportCalls>>} */
     const tool = createTool('import');
     const dialog = byId('import', HTMLDialogElement);
     const note = html('import-offer');
+    html('stage').append(note);
     const search = input('import-search');
     /** @type {{entry: Entry, card: HTMLButtonElement, item: HTMLElement, picture: HTMLCanvasElement, painted: boolean}[]} */
     let cards = [];
@@ -40,7 +41,10 @@ export function createImporting(engine, { open, restyle }) {
     /** What is offered after text was pasted into a field. @type {Imported | null} */
     let offered = null;
 
-    const seen = new IntersectionObserver((entries) => entries.forEach(({ isIntersecting, target }) => isIntersecting && paint(target)), { root: html('import-shelf'), rootMargin: '120px' });
+    const seen = new IntersectionObserver(
+        (entries) => entries.forEach(({ isIntersecting, target }) => isIntersecting && paint(target)),
+        { root: html('import-shelf'), rootMargin: '120px' },
+    );
 
     /** @param {Element} target */
     async function paint(target) {
@@ -48,7 +52,13 @@ export function createImporting(engine, { open, restyle }) {
         if (!card || card.painted || !card.entry.definition) return;
         card.painted = true;
         try {
-            const missing = await paintThumb(card.picture, engine, restyle(card.entry.definition), SIDE, () => dialog.open);
+            const missing = await paintThumb(
+                card.picture,
+                engine,
+                restyle(card.entry.definition),
+                SIDE,
+                () => dialog.open,
+            );
             if (missing) card.picture.replaceWith(make('span', { class: 'card-missing' }, missing));
         } catch {
             // The worker was replaced; the card stays without a picture.
@@ -61,13 +71,29 @@ export function createImporting(engine, { open, restyle }) {
         for (const { entry: own, card } of cards) card.setAttribute('aria-pressed', String(own === entry));
         setText(html('import-name'), nameOf(entry));
         html('import-remarks').replaceChildren(
-            ...entry.remarks.slice(0, MOST_REMARKS).map(({ line, text, message }) =>
-                make('li', {}, make('span', { class: 'place' }, `Line ${line}`), ' ', ...(text ? [make('code', {}, text), ' '] : []), ...withCode(message)),
-            ),
+            ...entry.remarks
+                .slice(0, MOST_REMARKS)
+                .map(({ line, text, message }) =>
+                    make(
+                        'li',
+                        {},
+                        make('span', { class: 'place' }, `Line ${line}`),
+                        ' ',
+                        ...(text ? [make('code', {}, text), ' '] : []),
+                        ...withCode(message),
+                    ),
+                ),
         );
         const more = entry.remarks.length - MOST_REMARKS;
         if (more > 0) html('import-remarks').append(make('li', {}, `And ${more} more.`));
-        setText(html('import-note'), entry.definition === null ? 'This system cannot be opened:' : entry.remarks.length > 0 ? 'Not carried over, or changed:' : 'Everything was carried over.');
+        setText(
+            html('import-note'),
+            entry.definition === null
+                ? 'This system cannot be opened:'
+                : entry.remarks.length > 0
+                  ? 'Not carried over, or changed:'
+                  : 'Everything was carried over.',
+        );
         button('import-open').disabled = entry.definition === null;
     }
 
@@ -76,12 +102,26 @@ export function createImporting(engine, { open, restyle }) {
         hideOffer();
         seen.disconnect();
         const readable = entries.filter(({ definition }) => definition !== null);
-        setText(html('h-import'), entries.length === 1 ? `Open from ${notation}` : `${entries.length} systems from ${notation}`);
+        setText(
+            html('h-import'),
+            entries.length === 1 ? `Open from ${notation}` : `${entries.length} systems from ${notation}`,
+        );
         cards = entries.map((entry) => {
             const picture = emptyThumb();
             if (entry.definition) picture.style.background = restyle(entry.definition).background;
-            const kind = entry.definition === null ? 'cannot be opened' : entry.remarks.length > 0 ? `${entry.remarks.length} ${entry.remarks.length === 1 ? 'remark' : 'remarks'}` : '';
-            const card = make('button', { type: 'button', class: 'card', 'aria-pressed': 'false' }, make('span', { class: 'card-picture' }, picture), make('span', { class: 'card-title' }, nameOf(entry)), make('span', { class: 'card-kind' }, kind));
+            const kind =
+                entry.definition === null
+                    ? 'cannot be opened'
+                    : entry.remarks.length > 0
+                      ? `${entry.remarks.length} ${entry.remarks.length === 1 ? 'remark' : 'remarks'}`
+                      : '';
+            const card = make(
+                'button',
+                { type: 'button', class: 'card', 'aria-pressed': 'false' },
+                make('span', { class: 'card-picture' }, picture),
+                make('span', { class: 'card-title' }, nameOf(entry)),
+                make('span', { class: 'card-kind' }, kind),
+            );
             card.addEventListener('click', () => choose(entry));
             card.addEventListener('dblclick', accept);
             return { entry, card, item: make('li', {}, card), picture, painted: false };
@@ -102,7 +142,7 @@ export function createImporting(engine, { open, restyle }) {
     function accept() {
         if (!chosen?.definition) return;
         dialog.close();
-        open(restyle({ ...chosen.definition, title: chosen.definition.title || chosen.name }));
+        store.open(restyle({ ...chosen.definition, title: chosen.definition.title || chosen.name }));
         toast(`Opened ${nameOf(chosen)}. Undo to go back.`);
     }
 
@@ -114,7 +154,7 @@ export function createImporting(engine, { open, restyle }) {
 
     /** @param {string} text @returns {Promise<Imported | null>} */
     async function read(text) {
-        if (text.length < SHORTEST || text.length > LONGEST) return null;
+        if (!mayBeSystem(text)) return null;
         try {
             return await tool.call('import', { text });
         } catch {
@@ -133,26 +173,27 @@ export function createImporting(engine, { open, restyle }) {
     button('import-accept').addEventListener('click', () => offered && show(offered));
     button('import-dismiss').addEventListener('click', hideOffer);
 
-    document.addEventListener('paste', async (event) => {
-        if (document.querySelector('dialog[open]')) return;
-        const field = event.target instanceof HTMLTextAreaElement || event.target instanceof HTMLInputElement;
-        if (field && !['axiom', 'rules'].includes(/** @type {HTMLElement} */ (event.target).id)) return;
-        const found = await read(event.clipboardData?.getData('text/plain') ?? '');
-        if (!found) return;
-        if (!field) return show(found);
-        // The text is in the field, and stays there if the reader wants it there.
-        offered = found;
-        setText(html('import-what'), `This looks like ${found.notation}${found.entries.length > 1 ? ` (${found.entries.length} systems)` : ''}.`);
-        note.hidden = false;
-        setLayer(hideOffer, true);
-    });
-
     return {
+        open: show,
+
         /** Offers the systems of a text; returns whether there are any. @param {string} text */
         async offer(text) {
             const found = await read(text);
             if (found) show(found);
             return found !== null;
+        },
+
+        /** Offers the systems of a text that was pasted into a field, where it stays if the reader wants it there. @param {string} text */
+        async offerPasted(text) {
+            const found = await read(text);
+            if (!found) return;
+            offered = found;
+            setText(
+                html('import-what'),
+                `This looks like ${found.notation}${found.entries.length > 1 ? ` (${found.entries.length} systems)` : ''}.`,
+            );
+            note.hidden = false;
+            setLayer(hideOffer, true);
         },
     };
 }

@@ -15,7 +15,8 @@ export function setLayer(close, isOpen) {
 }
 
 addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape' || event.defaultPrevented || event.isComposing || document.querySelector('dialog[open]')) return;
+    if (event.key !== 'Escape' || event.defaultPrevented || event.isComposing || document.querySelector('dialog[open]'))
+        return;
     const close = open.at(-1);
     if (!close) return;
     event.preventDefault();

@@ -29,14 +29,23 @@ const text = { write: String, read: (value) => value.replace(/\r\n?/g, '\n') };
 const number = {
     write: String,
     // Adding 0 turns -0 into 0.
-    read: (value) => (value.length <= LONGEST_NUMBER && /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i.test(value) ? Number(value) + 0 : undefined),
+    read: (value) =>
+        value.length <= LONGEST_NUMBER && /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i.test(value)
+            ? Number(value) + 0
+            : undefined,
 };
 /** A list of `count` numbers. One more is read, so that the list is rejected if there are too many. @type {(count: number) => Form} */
-const list = (count) => ({ write: (value) => value.join(), read: (value) => value.split(',', count + 1).map(number.read) });
+const list = (count) => ({
+    write: (value) => value.join(),
+    read: (value) => value.split(',', count + 1).map(number.read),
+});
 /** @type {Form} */
 const colour = { write: (value) => value.slice(1), read: (value) => `#${value.toLowerCase()}` };
 /** @type {Form} */
-const colours = { write: (value) => value.map(colour.write).join(), read: (value) => value.split(',', maxLengthOf('palette') + 1).map(colour.read) };
+const colours = {
+    write: (value) => value.map(colour.write).join(),
+    read: (value) => value.split(',', maxLengthOf('palette') + 1).map(colour.read),
+};
 /** @type {Form} */
 const flag = { write: (value) => (value ? '1' : '0'), read: (value) => ({ 0: false, 1: true })[value] };
 /** @type {Form} */
@@ -52,7 +61,8 @@ const view = {
 
 /** Azimuth, elevation, zoom, target, fading, and `flat` for no perspective. @type {Form} */
 const camera = {
-    write: ({ azimuth, elevation, zoom, x, y, z, perspective, fade }) => [azimuth, elevation, zoom, x, y, z, fade, ...(perspective ? [] : ['flat'])].join(),
+    write: ({ azimuth, elevation, zoom, x, y, z, perspective, fade }) =>
+        [azimuth, elevation, zoom, x, y, z, fade, ...(perspective ? [] : ['flat'])].join(),
     read: (value) => {
         const parts = value.split(',', 9);
         const perspective = parts[7] !== 'flat';
@@ -75,7 +85,11 @@ function formOf(name) {
 }
 
 /** Key in the link, field of the state, form of the value; in the order of writing. @type {[string, keyof State, Form][]} */
-export const KEYS = /** @type {(keyof State)[]} */ (Object.keys(FIELDS)).map((name) => [FIELDS[name].link, name, formOf(name)]);
+export const KEYS = /** @type {(keyof State)[]} */ (Object.keys(FIELDS)).map((name) => [
+    FIELDS[name].link,
+    name,
+    formOf(name),
+]);
 
 /** All keys of links. */
 const KNOWN = new Set(['v', PACKED, ...KEYS.map(([key]) => key)]);
@@ -105,7 +119,8 @@ export function writeFields(state, guard) {
  * @returns {Link | null} null if the hash has neither a version nor a known field
  */
 export function readLink(hash, unpacked = null) {
-    if (hash.length > LONGEST) return { state: clean({}), problems: [`The link is longer than ${LONGEST} characters and was not read.`] };
+    if (hash.length > LONGEST)
+        return { state: clean({}), problems: [`The link is longer than ${LONGEST} characters and was not read.`] };
     // Repeated keys are decoded only once, so that the time is linear in the length.
     /** @type {Map<string, string>} */
     const parts = new Map();
@@ -127,7 +142,8 @@ export function readLink(hash, unpacked = null) {
         }
     }
     const version = given.get('v');
-    if (version !== undefined && Number(version) !== VERSION) problems.push('The link was made by another version of this page; parts of the drawing may be missing.');
+    if (version !== undefined && Number(version) !== VERSION)
+        problems.push('The link was made by another version of this page; parts of the drawing may be missing.');
     if (given.has(PACKED) && unpacked === null) problems.push('The compressed part of the link was not read.');
     /** @type {Partial<Record<keyof State, unknown>>} */
     const values = {};

@@ -1,16 +1,15 @@
 /** The page: connects state, worker, drawing and controls. */
 
 import { followAddress } from './address.js';
-import { announce, toast } from './announce.js';
+import { toast } from './announce.js';
+import { createReporter, showLast } from './caption.js';
 import { dialRows } from './controls/dial-rows.js';
-import { button, html, setText, setWords } from './dom.js';
-import { createEngine, isWrong } from './engine.js';
-import { createLater } from './course/later.js';
-import { createFind } from './find/later.js';
-import { createFilms } from './film/later.js';
-import { createGallery } from './gallery.js';
+import { createDialogs } from './dialogs.js';
+import { button, html, setText } from './dom.js';
+import { createEngine } from './engine.js';
+import { createStored } from './favourites/stored.js';
+import { filmIn } from './film/embed-code.js';
 import { createGrowing } from './growing.js';
-import { createImporting } from './importing.js';
 import { createHover } from './hover.js';
 import { withThemeScheme, hasScheme, themeScheme, isDark } from './colour-schemes.js';
 import { createMarks } from './marks.js';
@@ -18,12 +17,12 @@ import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
 import { blank, opening } from './opening.js';
 import { createMates, matesOn } from './engine/mates.js';
-import { bestLink, openLink } from './packed.js';
+import { openLink } from './packed.js';
+import { followPasting } from './pasting.js';
 import { constantsPanel } from './panels/constants-panel.js';
 import { favouritesPanel } from './panels/favourites-panel.js';
-import { captionOf, growthPanel } from './panels/growth-panel.js';
+import { growthPanel } from './panels/growth-panel.js';
 import { savePanel } from './panels/save-panel.js';
-import { createSave } from './save/later.js';
 import { lookPanel } from './panels/look-panel.js';
 import { createRefusal } from './refusal.js';
 import { symbolKeys } from './controls/symbol-keys.js';
@@ -35,12 +34,9 @@ import { turtlePanel } from './panels/turtle-panel.js';
 import { createOrbit } from './orbit.js';
 import { createPlayback } from './playback.js';
 import { createReader } from './reading/reader.js';
-import { createSeeds } from './seeds.js';
 import { createSession } from './session.js';
 import { openSession } from './sessions.js';
-import { createShare } from './share.js';
 import { showPrintText } from './print-text.js';
-import { createShortcuts } from './shortcuts.js';
 import { createStage } from './stage.js';
 import { clean, definitionOf, same, sameDrawing, sameSystem } from './state.js';
 import { createStorage } from './storage.js';
@@ -56,8 +52,11 @@ const MOST_PROBLEMS = 3;
 
 const link = await openLink(location.hash);
 const storage = createStorage(() => localStorage);
-const session = createSession(storage, createStorage(() => sessionStorage));
-const restored = session.start(location.hash, link && link.state);
+const session = createSession(
+    storage,
+    createStorage(() => sessionStorage),
+);
+const restored = session.start(location.hash, link?.state ?? null);
 const store = createStore(restored?.state ?? link?.state ?? opening(theme()), restored?.origin);
 const engine = createEngine({ report: reported, drawn, busy, troubled, recovered, doubted });
 /** Whether the first state stopped the drawing on an earlier visit, and so is not drawn before the reader acts. */
@@ -70,7 +69,15 @@ const playback = createPlayback(engine, { turtle: marks.turtle });
 const growing = createGrowing(store, engine, { begins: () => playback.forget(), present: playback.present });
 const legend = createLegend();
 const reader = createReader(engine, { mark: marks.part('string'), legend, opened: () => hover.forget() });
-const hover = createHover(engine, { ratio: () => stage.resolution().ratio, mark: marks.found, light: reader.light, choose: reader.choose, read: reader.read, reading: () => reader.open, upto: () => playback.upto });
+const hover = createHover(engine, {
+    ratio: () => stage.resolution().ratio,
+    mark: marks.found,
+    light: reader.light,
+    choose: reader.choose,
+    read: reader.read,
+    reading: () => reader.open,
+    upto: () => playback.upto,
+});
 const rules = rulesPanel(store);
 const growth = growthPanel(store, engine);
 const turtle = turtlePanel(store);
@@ -81,35 +88,44 @@ const look = lookPanel(store);
 const dials = dialRows(store);
 const refusal = createRefusal(store, tabs());
 const trouble = createTrouble({ back: goBack, again: drawAgain });
+const report = createReporter({
+    store,
+    untitled: 'untitled system',
+    stage,
+    drawn: [reader, playback, stage, orbit],
+    edited: [rules, legend, growth, look, turtle, refusal],
+    mistaken({ message }, { length }) {
+        showLast();
+        return `${message}${length > 1 ? `, and ${length - 1} more` : ''}. Showing the last valid drawing.`;
+    },
+});
 const showAddress = followAddress(store, { open: opened });
 
-const share = createShare(store, engine);
-const favourites = favouritesPanel(store, engine, { storage, session });
-const course = createLater(store, engine, reader.readAt);
-const openFilm = createFilms(store, stage);
-const importing = createImporting(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
-const find = createFind(engine, { open: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()) });
-savePanel(store, engine, {
-    offer: importing.offer,
-    find,
-    address: async () => new URL(await bestLink(store.state), location.href).href,
-    select: share.select,
-    favourites: favourites.take,
-    save: createSave(store, engine, {
-        storage,
-        canvas: stage.resolution,
-        custom: [{ name: 'film', purposes: ['film'], label: 'Film', help: 'Growth, the turtle\'s way, a turn, or any numbers that change: as GIF or video', action: 'Make a film…', open: () => openFilm() }],
-    }),
+const favourites = createStored(storage);
+favouritesPanel(store, favourites);
+const dialogs = createDialogs({
+    store,
+    engine,
+    storage,
+    session,
+    favourites,
+    stage,
+    readAt: reader.readAt,
+    theme,
+    restyle: (definition) => withThemeScheme(definition, theme()),
 });
-createGallery(engine, { pick: (definition) => store.open(definition), restyle: (definition) => withThemeScheme(definition, theme()), theme, tool: course });
-createSeeds(store, engine);
-createShortcuts();
+savePanel(store, engine, dialogs);
+followPasting(dialogs);
+html('mathematics').addEventListener('toggle', () => void dialogs.open('mathematics'));
+const film = filmIn(location.hash);
+if (film) void dialogs.open('film', film);
 engine.share(createMates(matesOn(navigator)));
 themeButton((next) => {
     // A system in the theme's default colours, and the opening plant, take the new theme's colours.
     const former = next === 'dark' ? 'light' : 'dark';
     const { palette, background } = hasScheme(store.state, opening(former)) ? opening(next) : themeScheme(next);
-    if ([themeScheme(former), opening(former)].some((scheme) => hasScheme(store.state, scheme))) store.changeOrigin({ palette: [...palette], background });
+    if ([themeScheme(former), opening(former)].some((scheme) => hasScheme(store.state, scheme)))
+        store.changeOrigin({ palette: [...palette], background });
 });
 
 html('skip').addEventListener('click', (event) => {
@@ -201,34 +217,7 @@ function showNames(state) {
 /** @param {Report} next @param {boolean} past whether the report is about the last good state */
 function reported(next, past) {
     // Do not report the intermediate states of growth.
-    if (growing.running) return;
-    stage.setBusy(!isWrong(next) && next.memoised === null);
-    if (!past) {
-        rules.report(next);
-        legend.report(next);
-        growth.report(next, store.state);
-        look.report(next, store.state);
-        turtle.report(next);
-    }
-    reader.report(next);
-    playback.report(next);
-    stage.report(next);
-    orbit.report(next);
-    if (past) return setText(html('caption-text'), 'Showing the last valid drawing.');
-    refusal.report(next);
-    const [mistake, ...more] = next.diagnostics.filter(({ severity }) => severity === 'error');
-    if (mistake) {
-        const words = more.length === 0 ? mistake.message : `${mistake.message}, and ${more.length} more`;
-        setText(html('caption-text'), 'Showing the last valid drawing.');
-        announce(`${words}. Showing the last valid drawing.`);
-        return;
-    }
-    setWords(html('empty'), next.empty ?? '');
-    html('empty').hidden = next.empty === null;
-    setText(html('description'), next.description);
-    setText(html('caption-text'), captionOf(store.state, next));
-    html('drawing').setAttribute('aria-label', `Drawing: ${store.state.title || store.state.name || 'untitled system'}`);
-    announce(next.empty ?? next.description);
+    if (!growing.running) report(next, past);
 }
 
 /** @param {import('./engine.js').Drawn} picture */
@@ -250,7 +239,7 @@ function troubled({ how, question }) {
     if (question) return toast(QUESTION);
     growing.forget();
     stage.setBusy(false);
-    if (engine.good.definition) setText(html('caption-text'), 'Showing the last valid drawing.');
+    if (engine.good.definition) showLast();
     trouble.show(how, engine.good.definition !== null);
 }
 
@@ -260,7 +249,12 @@ function recovered() {
 
 /** @param {import('./engine.js').Shown} state @param {boolean} doubtful */
 function doubted({ definition, look }, doubtful) {
-    if (definition) session.suspect(clean({ ...definition, view: look && store.state.view, camera: look && store.state.camera }), doubtful, look !== null);
+    if (definition)
+        session.suspect(
+            clean({ ...definition, view: look && store.state.view, camera: look && store.state.camera }),
+            doubtful,
+            look !== null,
+        );
 }
 
 /** Offers to draw a system that stopped the drawing before. */
@@ -289,7 +283,9 @@ function greet() {
     const [last] = session.others();
     const offered = link && !restored && last ? openSession(last) : null;
     if (last && offered && !sameSystem(offered.state, store.state)) {
-        toast(problems || 'This is the link you opened.', { action: { label: 'Continue where you left off', act: () => session.resume(last) } });
+        toast(problems || 'This is the link you opened.', {
+            action: { label: 'Continue where you left off', act: () => session.resume(last) },
+        });
     } else if (problems) {
         toast(problems);
     } else if (restored && !restored.again) {

@@ -40,7 +40,8 @@ function within(from, to) {
         first = Math.max(first, Math.min(...sides));
         last = Math.min(last, Math.max(...sides));
     }
-    const at = (/** @type {number} */ part) => /** @type {[number, number]} */ ([from[0] + part * (direction[0] ?? 0), from[1] + part * (direction[1] ?? 0)]);
+    const at = (/** @type {number} */ part) =>
+        /** @type {[number, number]} */ ([from[0] + part * (direction[0] ?? 0), from[1] + part * (direction[1] ?? 0)]);
     return first < last ? [at(first), at(last)] : [from, to];
 }
 
@@ -70,7 +71,10 @@ export function createMarks() {
         }
         const [x = 0, y = 0, fx = 0, fy = 0] = point;
         const pixels = scale * view.zoom;
-        return [middle[0] + (x - view.x + (fx - (view.fx ?? 0))) * pixels, middle[1] - (y - view.y + (fy - (view.fy ?? 0))) * pixels];
+        return [
+            middle[0] + (x - view.x + (fx - (view.fx ?? 0))) * pixels,
+            middle[1] - (y - view.y + (fy - (view.fy ?? 0))) * pixels,
+        ];
     }
 
     /** @param {Point} point */
@@ -88,7 +92,8 @@ export function createMarks() {
     const show = (group, shown) => group.toggleAttribute('hidden', !shown);
     /** @param {Element} element @param {Record<string, number | string>} attributes */
     function set(element, attributes) {
-        for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, typeof value === 'number' ? value.toFixed(2) : value);
+        for (const [name, value] of Object.entries(attributes))
+            element.setAttribute(name, typeof value === 'number' ? value.toFixed(2) : value);
     }
 
     /** @param {number[]} at */
@@ -130,7 +135,9 @@ export function createMarks() {
         show(turtle, pose !== null);
         if (pose) {
             const [x = 0, y = 0] = seen(pose.at);
-            set(turtle, { transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${towards(pose).toFixed(2)})` });
+            set(turtle, {
+                transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${towards(pose).toFixed(2)})`,
+            });
         }
     }
 

@@ -18,7 +18,8 @@ export function followNotation(store, engine, listeners) {
     /** @param {Readonly<Texts>} state */
     const follow = ({ axiom, rules, overrides }) => ask({ axiom, rules, overrides });
     store.subscribe((state, before) => {
-        if (state.axiom !== before.axiom || state.rules !== before.rules || state.overrides !== before.overrides) follow(state);
+        if (state.axiom !== before.axiom || state.rules !== before.rules || state.overrides !== before.overrides)
+            follow(state);
     });
     follow(store.state);
 }

@@ -57,7 +57,11 @@ export function zoomText(zoom) {
  * @returns {number | null}
  */
 export function readNumber(text) {
-    const plain = text.trim().replace(/[−–]/g, '-').replace(',', '.').replace(/\s*(°|px|%|steps?)$/, '');
+    const plain = text
+        .trim()
+        .replace(/[−–]/g, '-')
+        .replace(',', '.')
+        .replace(/\s*(°|px|%|steps?)$/, '');
     return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : null;
 }
 

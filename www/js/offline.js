@@ -19,7 +19,8 @@ export async function keepOffline() {
     if (!('serviceWorker' in navigator) || isWhole() || parent !== window) return;
     try {
         if (isLocal()) return await forget();
-        if (document.readyState !== 'complete') await new Promise((resolve) => addEventListener('load', resolve, { once: true }));
+        if (document.readyState !== 'complete')
+            await new Promise((resolve) => addEventListener('load', resolve, { once: true }));
         await keep();
     } catch {
         // Refused, for example in some private windows: the page works only with a network.
@@ -34,6 +35,7 @@ async function keep() {
         await new Promise((resolve) => setTimeout(resolve, TAKE_OVER_DELAY));
         if (takeOver(registration)) return;
     }
+    html('open-offline').hidden = false;
     let asked = Date.now();
     const watch = () => {
         const fresh = registration.installing;
@@ -43,8 +45,12 @@ async function keep() {
     };
     watch();
     registration.addEventListener('updatefound', watch);
-    // Another tab has let the new version take over.
-    serviceWorker.addEventListener('controllerchange', tell);
+    let isFirst = !serviceWorker.controller;
+    serviceWorker.addEventListener('controllerchange', () => {
+        // At the first visit there is no older version. Later, another tab has let the new version take over.
+        if (!isFirst) tell();
+        isFirst = false;
+    });
     button('renew').addEventListener('click', () => {
         button('renew').disabled = true;
         if (!takeOver(registration)) location.reload();
@@ -67,6 +73,18 @@ function takeOver({ waiting }) {
     navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
     waiting.postMessage('take over');
     return true;
+}
+
+/**
+ * Asks the version in use, which may answer several times.
+ * @param {'missing' | 'keep all'} question
+ * @param {(answer: unknown) => void} hear
+ */
+export async function askVersion(question, hear) {
+    const { active } = await navigator.serviceWorker.ready;
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = ({ data }) => hear(data);
+    active?.postMessage(question, [port2]);
 }
 
 async function forget() {

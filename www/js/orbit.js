@@ -71,9 +71,12 @@ export function createOrbit(store, stage) {
         });
         knobs.sort((a, b) => a.near - b.near);
         for (const [place, { knob, x, y, near }] of knobs.entries()) {
-            for (const [name, value] of Object.entries({ x2: x, y2: y })) knob.querySelector('line')?.setAttribute(name, value.toFixed(2));
-            for (const [name, value] of Object.entries({ cx: x, cy: y })) knob.querySelector('circle')?.setAttribute(name, value.toFixed(2));
-            for (const [name, value] of Object.entries({ x, y })) knob.querySelector('text')?.setAttribute(name, value.toFixed(2));
+            for (const [name, value] of Object.entries({ x2: x, y2: y }))
+                knob.querySelector('line')?.setAttribute(name, value.toFixed(2));
+            for (const [name, value] of Object.entries({ cx: x, cy: y }))
+                knob.querySelector('circle')?.setAttribute(name, value.toFixed(2));
+            for (const [name, value] of Object.entries({ x, y }))
+                knob.querySelector('text')?.setAttribute(name, value.toFixed(2));
             knob.setAttribute('opacity', (0.7 + 0.3 * near).toFixed(2));
             if (gizmo.children[place] !== knob) gizmo.insertBefore(knob, gizmo.children[place] ?? null);
         }

@@ -55,7 +55,9 @@ export async function openLink(hash) {
 /** @param {Readonly<State>} state @returns {Promise<string | null>} null if the browser cannot compress */
 async function packedLink(state) {
     if (typeof CompressionStream !== 'function') return null;
-    const fields = writeFields(state, (value) => value.replace(/[%&]/g, (character) => (character === '%' ? '%25' : '%26')));
+    const fields = writeFields(state, (value) =>
+        value.replace(/[%&]/g, (character) => (character === '%' ? '%25' : '%26')),
+    );
     const stream = new Blob([fields.join('&')]).stream().pipeThrough(new CompressionStream('deflate'));
     return `#v=1&${PACKED}=${toBase64(new Uint8Array(await new Response(stream).arrayBuffer()))}`;
 }
@@ -98,8 +100,10 @@ async function inflate(bytes) {
 
 /** @param {unknown} error */
 function wordsOf(error) {
-    if (error instanceof TooLarge) return 'The compressed part of the link contains more than any drawing needs and was not read.';
-    if (typeof DecompressionStream !== 'function') return 'This browser cannot read compressed links. Use a newer browser.';
+    if (error instanceof TooLarge)
+        return 'The compressed part of the link contains more than any drawing needs and was not read.';
+    if (typeof DecompressionStream !== 'function')
+        return 'This browser cannot read compressed links. Use a newer browser.';
     return 'The compressed part of the link is damaged or cut off and was not read.';
 }
 
@@ -113,5 +117,7 @@ function toBase64(bytes) {
 /** @param {string} text */
 function fromBase64(text) {
     if (!/^[\w-]*$/.test(text)) throw new SyntaxError('not base64url');
-    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (character) => character.charCodeAt(0));
+    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (character) =>
+        character.charCodeAt(0),
+    );
 }

@@ -1,13 +1,13 @@
 /** The playback bar: draws the picture segment by segment. */
 
 import { button, html, input, reducedMotion, setText } from './dom.js';
-import { setLayer } from './layers.js';
 import { grouped, shortText } from './numerals.js';
 import { createClock } from './playback/clock.js';
 import { createPace } from './playback/pace.js';
 import { createSegmentField } from './playback/segment-field.js';
 import { REACH, portion, ratio, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
+import { createToggled } from './toggled.js';
 
 /** What the bar plays in place of the segments. @typedef {{readonly playing: boolean, readonly part: number, readonly words: string, toggle: () => void, seek: (part: number) => void, stop: () => void}} Show */
 
@@ -38,14 +38,29 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         html('playback').classList.toggle('other', other !== null);
         if (other) {
             setText(html('play-pose'), '');
-            return bar.show({ part: other.part, playing: other.playing, words: other.words, total: other.words, title: '' });
+            return bar.show({
+                part: other.part,
+                playing: other.playing,
+                words: other.words,
+                total: other.words,
+                title: '',
+            });
         }
-        const title = digits ? `${grouped(digits)} segments${total === REACH ? ', of which the first 3.4 × 10³⁸ can be played' : ''}` : '';
+        const title = digits
+            ? `${grouped(digits)} segments${total === REACH ? ', of which the first 3.4 × 10³⁸ can be played' : ''}`
+            : '';
         const words = `${shortText(String(shown()))} of ${digits ? shortText(digits) : '…'} segments`;
-        bar.show({ part: total ? ratio(shown(), total) : null, playing: clock.running, words, total: digits ? `of ${shortText(digits)}` : '', title });
+        bar.show({
+            part: total ? ratio(shown(), total) : null,
+            playing: clock.running,
+            words,
+            total: digits ? `of ${shortText(digits)}` : '',
+            title,
+        });
         field.show();
         pace.show();
-        if (upto === null) setText(html('play-pose'), total === null ? '' : total === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
+        if (upto === null)
+            setText(html('play-pose'), total === null ? '' : total === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
     }
 
     /** @param {number} part of the whole, from 0 to 1 */
@@ -151,62 +166,44 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 }
 
 /**
- * The bar itself: opening and closing, the play button, and the slider over the whole drawing.
+ * The bar itself: the play button, and the slider over the whole drawing.
  * @param {{play: () => void, changed: (open: boolean) => void, seek: (part: number) => void}} playback
  */
 function createBar({ play, changed, seek }) {
-    const bar = html('playback');
-    const toggle = button('open-playback');
+    const bar = createToggled('playback', 'playing', changed);
     const player = button('play');
     const slider = input('play-slider');
-    let open = false;
-
-    /** @param {boolean} next */
-    function set(next) {
-        if (open === next) return;
-        open = next;
-        document.body.classList.toggle('playing', open);
-        toggle.setAttribute('aria-expanded', String(open));
-        bar.hidden = !open;
-        setLayer(close, open);
-        changed(open);
-    }
-
-    function close() {
-        set(false);
-        toggle.focus();
-    }
-
-    toggle.addEventListener('click', () => {
-        set(!open);
-        if (!open) return;
+    bar.onOpener(() => {
         // With reduced motion the reader starts.
         if (!reducedMotion()) play();
         player.focus({ preventScroll: true });
     });
-    button('close-playback').addEventListener('click', close);
     player.addEventListener('click', play);
     slider.addEventListener('input', () => seek(Number(slider.value) / SLIDER_POSITIONS));
 
     return {
         get open() {
-            return open;
+            return bar.open;
         },
-        set,
+        set: bar.set,
 
         /** `part` is null while there is nothing to play; `words` tell the position. @param {{part: number | null, playing: boolean, words: string, total: string, title: string}} state */
         show({ part: known, playing, words, total, title }) {
             slider.disabled = known === null;
             player.disabled = slider.disabled;
             const part = known ?? 1;
-            if (Number(slider.value) !== Math.floor(part * SLIDER_POSITIONS)) slider.value = String(Math.floor(part * SLIDER_POSITIONS));
+            if (Number(slider.value) !== Math.floor(part * SLIDER_POSITIONS))
+                slider.value = String(Math.floor(part * SLIDER_POSITIONS));
             slider.style.setProperty('--at', String(part));
             slider.setAttribute('aria-valuetext', words);
             setText(html('play-total'), total);
             html('play-total').title = title;
             player.setAttribute('aria-label', playing ? 'Pause' : 'Play');
             player.classList.toggle('playing', playing);
-            /** @type {SVGUseElement} */ (player.querySelector('use')).setAttribute('href', playing ? '#i-pause' : '#i-play');
+            /** @type {SVGUseElement} */ (player.querySelector('use')).setAttribute(
+                'href',
+                playing ? '#i-pause' : '#i-play',
+            );
         },
     };
 }

@@ -80,7 +80,7 @@ export {};
  * tells what was not carried over, by line of the text (counted from 1).
  * @typedef {{notation: string, entries: {name: string, definition: Definition | null, remarks: {line: number, text: string, message: string}[]}[]}} Imported
  */
-/** A format of exported files. @typedef {keyof typeof import('./tables.js').FORMATS} Format */
+/** A format of exported files. @typedef {keyof typeof import('./late-tables.js').FORMATS} Format */
 
 // Questions and their answers.
 
@@ -148,7 +148,7 @@ export {};
 /**
  * An exercise (docs/exercises.md). `rules`: how each line of the target's rules is given.
  * @typedef {'shown' | 'free' | 'hidden'} Given
- * @typedef {'picture' | 'text' | 'segments' | 'statistics'} Asks
+ * @typedef {keyof typeof import('./late-tables.js').ASKS} Asks
  * @typedef {{title: string, task: string, hints: string[], target: Definition, axiom: Given, angle: Given, n: Given, turtle: Given, rules: Given[], first: {axiom: string, rules: string, angle: number, n: number}, asks: Asks, mostSymbols: number | null, tolerance: number | null, showsAnswer: boolean}} Exercise
  */
 /**

@@ -11,7 +11,13 @@ import { setLayer } from './layers.js';
 const PAUSE = 900;
 
 /** By field: the tab that holds it, and its element. @type {Record<Diagnostic['field'], [string, string]>} */
-const PLACES = { axiom: ['rules', 'axiom'], rules: ['rules', 'rules'], overrides: ['turtle', 'overrides'], numbers: ['rules', 'iterations'], file: ['save', 'open-file'] };
+const PLACES = {
+    axiom: ['rules', 'axiom'],
+    rules: ['rules', 'rules'],
+    overrides: ['turtle', 'overrides'],
+    numbers: ['rules', 'iterations'],
+    file: ['save', 'open-file'],
+};
 
 /**
  * @param {import('./store.js').Store} store
@@ -37,7 +43,8 @@ export function createRefusal(store, tabs) {
         tabs.open(tab);
         const field = html(id);
         field.focus();
-        if (field instanceof HTMLTextAreaElement) field.setSelectionRange(mistake.start, Math.max(mistake.end, mistake.start));
+        if (field instanceof HTMLTextAreaElement)
+            field.setSelectionRange(mistake.start, Math.max(mistake.end, mistake.start));
     });
 
     function hide() {
@@ -49,8 +56,16 @@ export function createRefusal(store, tabs) {
     /** @param {Diagnostic} found @param {number | null} largest */
     function show(found, largest) {
         html('refusal-words').replaceChildren(...withCode([`${found.message}.`, found.hint].filter(Boolean).join(' ')));
-        const label = found.fix !== null ? fixLabel(found.fix) : found.field === 'numbers' && largest !== null ? `Use ${largest} ${largest === 1 ? 'iteration' : 'iterations'}` : '';
-        act = found.fix !== null ? () => applyFix(store, found) : () => largest !== null && store.change({ iterations: largest }, '');
+        const label =
+            found.fix !== null
+                ? fixLabel(found.fix)
+                : found.field === 'numbers' && largest !== null
+                  ? `Use ${largest} ${largest === 1 ? 'iteration' : 'iterations'}`
+                  : '';
+        act =
+            found.fix !== null
+                ? () => applyFix(store, found)
+                : () => largest !== null && store.change({ iterations: largest }, '');
         remedy.hidden = label === '';
         setText(remedy, label);
         if (note.hidden) setLayer(hide, true);

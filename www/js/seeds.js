@@ -1,7 +1,10 @@
 /** The dialog that compares nine seeds. */
 
+import styles from '../css/gallery.css';
 import { button, byId, closes, html, make } from './dom.js';
 import { Stopped } from './engine/questions.js';
+import { addElements } from './late.js';
+import markup from './seeds.html';
 import { definitionOf } from './state.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 
@@ -10,11 +13,9 @@ const COUNT = 9;
 /** The side of a picture, in CSS pixels. */
 const SIDE = 200;
 
-/**
- * @param {import('./store.js').Store} store
- * @param {import('./engine.js').Engine} engine
- */
-export function createSeeds(store, engine) {
+/** @param {import('./dialogs.js').Page} page */
+export function createSeeds({ store, engine }) {
+    addElements(markup, [styles]);
     const dialog = byId('seeds', HTMLDialogElement);
     const cards = Array.from({ length: COUNT }, () => {
         const picture = emptyThumb();
@@ -63,18 +64,15 @@ export function createSeeds(store, engine) {
         try {
             const fresh = await engine.seed();
             // Consecutive seeds from a random start, which all differ, without the current one.
-            const others = Array.from({ length: COUNT }, (_, index) => (fresh + index) >>> 0).filter((seed) => seed !== store.state.seed);
+            const others = Array.from({ length: COUNT }, (_, index) => (fresh + index) >>> 0).filter(
+                (seed) => seed !== store.state.seed,
+            );
             await show([...others.slice(0, 4), store.state.seed, ...others.slice(4, 8)]);
         } catch {
             // The stage reports the failure.
         }
     }
 
-    button('seed-sheet').addEventListener('click', () => {
-        dialog.showModal();
-        cards[4]?.card.focus();
-        fill();
-    });
     button('more-seeds').addEventListener('click', fill);
     closes(dialog, 'close-seeds');
     html('seed-cards').addEventListener('keydown', (event) => {
@@ -84,4 +82,12 @@ export function createSeeds(store, engine) {
         event.preventDefault();
         cards[at + by]?.card.focus();
     });
+
+    return {
+        open() {
+            dialog.showModal();
+            cards[4]?.card.focus();
+            void fill();
+        },
+    };
 }

@@ -76,7 +76,8 @@ export function createSession(storage, tab) {
         },
 
         /** Whether a state, in this or any view, stopped the drawing when it was last drawn. @param {Readonly<State>} state */
-        isSuspect: (state) => suspected && [true, false].some((withView) => suspects().includes(nameOf(state, withView))),
+        isSuspect: (state) =>
+            suspected && [true, false].some((withView) => suspects().includes(nameOf(state, withView))),
 
         /**
          * Remembers whether a state stops the drawing; if so, the next visit does not draw it at once.

@@ -17,7 +17,12 @@ export const MOST_SESSIONS = 8;
 /** @param {unknown} value of unknown origin @returns {Session[]} */
 export function readSessions(value) {
     const list = Array.isArray(value) ? value : [];
-    return list.filter((one) => ['id', 'link', 'origin'].every((key) => typeof one?.[key] === 'string') && typeof one.time === 'number').slice(0, MOST_SESSIONS);
+    return list
+        .filter(
+            (one) =>
+                ['id', 'link', 'origin'].every((key) => typeof one?.[key] === 'string') && typeof one.time === 'number',
+        )
+        .slice(0, MOST_SESSIONS);
 }
 
 /**
@@ -59,7 +64,9 @@ export function nameOf(state, withView) {
 
 /** The names of states that stopped the drawing. @param {unknown} value of unknown origin @returns {string[]} */
 export function readSuspects(value) {
-    return Array.isArray(value) ? value.filter((one) => typeof one === 'string' && one.length < 40).slice(0, MOST_SUSPECTS) : [];
+    return Array.isArray(value)
+        ? value.filter((one) => typeof one === 'string' && one.length < 40).slice(0, MOST_SUSPECTS)
+        : [];
 }
 
 /** @param {readonly string[]} list newest first @param {string} name @param {boolean} doubtful @returns {string[]} */

@@ -44,7 +44,12 @@ export function sizeName(width, height) {
  * @param {Pick<Embedding, 'controls' | 'theme'>} embedding
  */
 export function frameAddress(link, page, { controls, theme }) {
-    return page + link + (controls.length > 0 ? `&controls=${controls.join()}` : '') + (theme === '' ? '' : `&theme=${theme}`);
+    return (
+        page +
+        link +
+        (controls.length > 0 ? `&controls=${controls.join()}` : '') +
+        (theme === '' ? '' : `&theme=${theme}`)
+    );
 }
 
 /**
@@ -64,8 +69,13 @@ export function frameCode(state, link, page, embedding) {
  * @param {Embedding} embedding
  */
 export function elementCode(state, script, { controls, theme, width, height }) {
-    const fields = writeFields(state, String).map((field) => /** @type {[string, string]} */ ([field.slice(0, field.indexOf('=')), field.slice(field.indexOf('=') + 1)]));
-    const attributes = fields.filter(([key]) => key !== 'rules').map(([key, value]) => /** @type {[string, string]} */ ([ATTRIBUTES.get(key) ?? key, value]));
+    const fields = writeFields(state, String).map(
+        (field) =>
+            /** @type {[string, string]} */ ([field.slice(0, field.indexOf('=')), field.slice(field.indexOf('=') + 1)]),
+    );
+    const attributes = fields
+        .filter(([key]) => key !== 'rules')
+        .map(([key, value]) => /** @type {[string, string]} */ ([ATTRIBUTES.get(key) ?? key, value]));
     if (controls.length > 0) attributes.push(['controls', controls.join()]);
     if (theme !== '') attributes.push(['theme', theme]);
     attributes.push(['style', `width: ${width}px; max-width: 100%; height: ${height}px; aspect-ratio: auto`]);
@@ -77,7 +87,9 @@ export function elementCode(state, script, { controls, theme, width, height }) {
 
 /** A link with the title of the drawing. @param {Readonly<State>} state @param {string} address */
 export function markdownCode(state, address) {
-    const title = titleOf(state).replace(/\s+/g, ' ').replace(/[\\[\]`*_<>]/g, '\\$&');
+    const title = titleOf(state)
+        .replace(/\s+/g, ' ')
+        .replace(/[\\[\]`*_<>]/g, '\\$&');
     // A parenthesis would end the address.
     return `[${title}](${address.replaceAll('(', '%28').replaceAll(')', '%29')})`;
 }

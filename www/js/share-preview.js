@@ -15,7 +15,10 @@ export function createPreview() {
         frame.style.height = `${size.height}px`;
         frame.style.transform = `scale(${scale})`;
         place.style.height = `${Math.ceil(size.height * scale)}px`;
-        setText(html('embed-preview-note'), `${size.width} × ${size.height} pixels${scale < 1 ? `, shown at ${Math.round(scale * 100)} %` : ''}`);
+        setText(
+            html('embed-preview-note'),
+            `${size.width} × ${size.height} pixels${scale < 1 ? `, shown at ${Math.round(scale * 100)} %` : ''}`,
+        );
     }
     new ResizeObserver(fit).observe(place);
 
@@ -28,7 +31,11 @@ export function createPreview() {
                 if (frame.dataset.address !== address) frame.contentWindow.location.replace(address);
                 frame.dataset.address = address;
             } else {
-                frame = make('iframe', { title: 'Preview of the embedded drawing', src: address, 'data-address': address });
+                frame = make('iframe', {
+                    title: 'Preview of the embedded drawing',
+                    src: address,
+                    'data-address': address,
+                });
                 place.replaceChildren(frame);
             }
             fit();

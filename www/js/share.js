@@ -1,21 +1,22 @@
 /** The share dialog: the link, its QR code, and embed code for other pages. */
 
+import styles from '../css/share.css';
 import { copies, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
 import { button, byId, closes, html, input, setChoice, setText, setValue } from './dom.js';
+import { addElements } from './late.js';
 import { bestLink, shortestLink } from './packed.js';
 import { qrFile, showQrPicture } from './qr.js';
 import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from './share-code.js';
+import markup from './share.html';
 import { createPreview } from './share-preview.js';
 
 /** Some programs cut longer links, in characters. */
 const LONG = 2000;
 
-/**
- * @param {import('./store.js').Store} store
- * @param {{qr: (text: string) => Promise<Uint8Array | null>}} engine
- */
-export function createShare(store, engine) {
+/** @param {import('./dialogs.js').Page} page */
+export function createShare({ store, engine }) {
+    addElements(markup, [styles]);
     const dialog = byId('share-dialog', HTMLDialogElement);
     const link = input('share-link');
     const code = byId('embed-code', HTMLTextAreaElement);
@@ -29,7 +30,9 @@ export function createShare(store, engine) {
     const theme = byId('embed-theme', HTMLSelectElement);
     const sides = [input('embed-width'), input('embed-height')];
     const preview = createPreview();
-    const choices = [...dialog.querySelectorAll('.embed-choices input')].filter((element) => element instanceof HTMLInputElement);
+    const choices = [...dialog.querySelectorAll('.embed-choices input')].filter(
+        (element) => element instanceof HTMLInputElement,
+    );
     const onDisk = location.protocol === 'file:';
     /** The modules of the shown QR code. @type {Uint8Array | null} */
     let modules = null;
@@ -56,7 +59,8 @@ export function createShare(store, engine) {
     /** @param {string} href */
     function linkNote(href) {
         if (onDisk) return 'This page was opened from a disk, so the link works on this computer only.';
-        if (href.length > LONG) return `The link has ${href.length.toLocaleString('en')} characters, and some programs cut links of this length. A file or picture from Save holds the same.`;
+        if (href.length > LONG)
+            return `The link has ${href.length.toLocaleString('en')} characters, and some programs cut links of this length. A file or picture from Save holds the same.`;
         return 'The link contains the whole drawing. Nothing is stored on a server.';
     }
 
@@ -66,7 +70,12 @@ export function createShare(store, engine) {
     /** @returns {import('./share-code.js').Embedding} */
     function embedding() {
         const [width = 0, height = 0] = sides.map((field, at) => readSide(field.value) ?? SIZES.medium?.[at] ?? 0);
-        return { controls: choices.filter(({ name, checked }) => name === 'controls' && checked).map(({ value }) => value), theme: theme.value, width, height };
+        return {
+            controls: choices.filter(({ name, checked }) => name === 'controls' && checked).map(({ value }) => value),
+            theme: theme.value,
+            width,
+            height,
+        };
     }
 
     /** @param {import('./state.js').State} state @param {string} best */
@@ -93,8 +102,11 @@ export function createShare(store, engine) {
     /** @param {string} wanted */
     function embedNote(wanted) {
         if (wanted === 'markdown') return 'Markdown cannot embed drawings: this is a link with the title.';
-        if (onDisk) return 'This page was opened from a disk. Put it on a web server to get code that works in other pages.';
-        return wanted === 'element' ? 'For pages that may run scripts. Scripts can change the drawing and hear of changes.' : 'For any page, including Moodle: paste this code into the HTML source.';
+        if (onDisk)
+            return 'This page was opened from a disk. Put it on a web server to get code that works in other pages.';
+        return wanted === 'element'
+            ? 'For pages that may run scripts. Scripts can change the drawing and hear of changes.'
+            : 'For any page, including Moodle: paste this code into the HTML source.';
     }
 
     /** @param {string} href @param {number} own */
@@ -104,7 +116,11 @@ export function createShare(store, engine) {
         let made = null;
         try {
             made = onDisk ? null : await engine.qr(href);
-            words = made ? 'Scan it with a phone to open the drawing. Click it to enlarge it.' : onDisk ? 'This page was opened from a disk, so phones cannot reach it.' : 'This link is too long for a QR code that can be read.';
+            words = made
+                ? 'Scan it with a phone to open the drawing. Click it to enlarge it.'
+                : onDisk
+                  ? 'This page was opened from a disk, so phones cannot reach it.'
+                  : 'This link is too long for a QR code that can be read.';
         } catch (error) {
             words = `The QR code could not be made (${error instanceof Error ? error.message : error}).`;
         }
@@ -149,7 +165,8 @@ export function createShare(store, engine) {
     closes(large, 'close-qr');
     store.subscribe(() => dialog.open && refresh());
     button('save-qr').addEventListener('click', () => {
-        if (modules) download(new Blob([qrFile(modules)], { type: 'image/svg+xml' }), `${fileName(store.state)}_qr.svg`);
+        if (modules)
+            download(new Blob([qrFile(modules)], { type: 'image/svg+xml' }), `${fileName(store.state)}_qr.svg`);
     });
     send.hidden = typeof navigator.share !== 'function';
     send.addEventListener('click', async () => {
@@ -170,10 +187,11 @@ export function createShare(store, engine) {
         button('copy-share').focus();
         return refresh();
     }
-    for (const id of ['share', 'share-more']) button(id).addEventListener('click', open);
     closes(dialog, 'close-share');
 
     return {
+        open,
+
         /** Opens the dialog with the link selected, for the reader to copy. */
         async select() {
             await open();

@@ -164,7 +164,9 @@ const LAST = /** @type {string} */ (NAMES.at(-1));
 /** The shelf of each path, the place on all shelves, and the other filter. */
 const PLACES = new Map(
     Object.entries(SHELVES)
-        .flatMap(([shelf, systems]) => Object.entries(systems).map(([path, other]) => /** @type {const} */ ([path, { shelf, other }])))
+        .flatMap(([shelf, systems]) =>
+            Object.entries(systems).map(([path, other]) => /** @type {const} */ ([path, { shelf, other }])),
+        )
         .map(([path, place], at) => [path, { ...place, at }]),
 );
 
@@ -178,14 +180,28 @@ const placeOf = (path) => PLACES.get(path.replace(/\.json$/, '')) ?? { shelf: LA
  * @returns {[string, E[]][]}
  */
 export function shelved(entries) {
-    const placed = entries.map((entry) => ({ entry, ...placeOf(entry.path) })).sort((a, b) => (a.at === b.at ? 0 : a.at - b.at));
-    return NAMES.map((name) => /** @type {[string, E[]]} */ ([name, placed.filter(({ shelf }) => shelf === name).map(({ entry }) => entry)])).filter(([, inside]) => inside.length > 0);
+    const placed = entries
+        .map((entry) => ({ entry, ...placeOf(entry.path) }))
+        .sort((a, b) => (a.at === b.at ? 0 : a.at - b.at));
+    return NAMES.map(
+        (name) =>
+            /** @type {[string, E[]]} */ ([
+                name,
+                placed.filter(({ shelf }) => shelf === name).map(({ entry }) => entry),
+            ]),
+    ).filter(([, inside]) => inside.length > 0);
 }
 
 /** The filters that find a system. @param {Pick<Entry, 'path' | 'kinds' | 'solid'>} entry @returns {string[]} */
 export function filtersOf({ path, kinds, solid }) {
     const { shelf, other } = placeOf(path);
-    const own = [shelf, other, solid && 'In space', kinds.includes('stochastic') && 'By chance', kinds.includes('context-sensitive') && 'Signals'];
+    const own = [
+        shelf,
+        other,
+        solid && 'In space',
+        kinds.includes('stochastic') && 'By chance',
+        kinds.includes('context-sensitive') && 'Signals',
+    ];
     return NAMES.filter((name) => own.includes(name));
 }
 
@@ -219,13 +235,19 @@ export function searchText({ title, name, notes, rules }) {
 
 /** Whether a text has every word of a search. @param {string} text in lower case @param {string} search */
 export function matches(text, search) {
-    return search.toLowerCase().split(/\s+/).every((word) => text.includes(word));
+    return search
+        .toLowerCase()
+        .split(/\s+/)
+        .every((word) => text.includes(word));
 }
 
 /** The author or book of a source and its year, short enough for a card. @param {string} source */
 export function shortSource(source) {
     const year = /\((?:[^()]*\D)?(1[89]\d\d|20\d\d)\)/.exec(source)?.[1] ?? '';
-    const named = /^(?:(?:After|In the manner of) )?figure [\d.]+[a-z]? of (The Algorithmic Beauty of Plants)|^(.*?)(?:,| \(|: |;|$)/i.exec(source);
+    const named =
+        /^(?:(?:After|In the manner of) )?figure [\d.]+[a-z]? of (The Algorithmic Beauty of Plants)|^(.*?)(?:,| \(|: |;|$)/i.exec(
+            source,
+        );
     const name = named?.[1] ? `After ${named[1]}` : (named?.[2] ?? '');
     return [name, year].filter(Boolean).join(', ');
 }

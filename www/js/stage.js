@@ -38,7 +38,11 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     const { size, measure } = watchSize(frame, look);
 
     /** @returns {import('./protocol.js').Canvas} */
-    const resolution = () => ({ width: Math.max(1, Math.round(size.width * size.ratio)), height: Math.max(1, Math.round(size.height * size.ratio)), ratio: size.ratio });
+    const resolution = () => ({
+        width: Math.max(1, Math.round(size.width * size.ratio)),
+        height: Math.max(1, Math.round(size.height * size.ratio)),
+        ratio: size.ratio,
+    });
     const place = () => picture.place(moves.view(), space ? moves.camera() : null, size);
 
     function look() {
@@ -47,20 +51,28 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     }
 
     /** Finds what is near a place. @param {[number, number]} at CSS pixels from the middle @param {number} reach in CSS pixels */
-    const pick = ([x, y], reach) => engine.pick((x + size.width / 2) * size.ratio, (y + size.height / 2) * size.ratio, reach * size.ratio);
+    const pick = ([x, y], reach) =>
+        engine.pick((x + size.width / 2) * size.ratio, (y + size.height / 2) * size.ratio, reach * size.ratio);
     const hold = createHold({ pick, seen: moves.seen, pointBetween: moves.pointBetween });
     const nothingHere = createNothingHere({
         pick,
-        goTo: ({ stroke, filled }) => moves.goTo(stroke ? [stroke.fittedFrom, stroke.fittedTo] : (filled?.outline ?? []), size),
+        goTo: ({ stroke, filled }) =>
+            moves.goTo(stroke ? [stroke.fittedFrom, stroke.fittedTo] : (filled?.outline ?? []), size),
         fit: moves.fit,
     });
 
     button('fit').addEventListener('click', moves.fit);
     /** Zooms in the middle, and keeps a line in view. @param {number} factor */
-    const zoom = async (factor) => moves.zoom(factor, factor > 1 ? await hold.inMiddle(HELD * Math.min(size.width, size.height)) : null);
+    const zoom = async (factor) =>
+        moves.zoom(factor, factor > 1 ? await hold.inMiddle(HELD * Math.min(size.width, size.height)) : null);
     button('zoom-in').addEventListener('click', () => zoom(ZOOM_STEP));
     button('zoom-out').addEventListener('click', () => zoom(1 / ZOOM_STEP));
-    listenToKeys(canvas, store, { ...moves, zoom }, { space: () => space, side: () => Math.min(size.width, size.height), changes: keys });
+    listenToKeys(
+        canvas,
+        store,
+        { ...moves, zoom },
+        { space: () => space, side: () => Math.min(size.width, size.height), changes: keys },
+    );
     listenToGestures(canvas, {
         takes,
         drag: moves.drag,

@@ -32,7 +32,9 @@ import { FIELDS as TABLE } from './tables.js';
 export const FIELDS = /** @type {FieldName[]} */ (Object.keys(TABLE));
 
 /** @type {Readonly<State>} */
-export const DEFAULTS = Object.freeze(/** @type {any} */ (Object.fromEntries(FIELDS.map((field) => [field, TABLE[field].default]))));
+export const DEFAULTS = Object.freeze(
+    /** @type {any} */ (Object.fromEntries(FIELDS.map((field) => [field, TABLE[field].default]))),
+);
 
 /**
  * The range of a number field, or of a number in a record or list field.
@@ -114,7 +116,9 @@ export function definitionOf(state) {
  * @param {unknown} b
  */
 export function same(a, b) {
-    return Object.is(a, b) || (typeof a === 'object' && typeof b === 'object' && JSON.stringify(a) === JSON.stringify(b));
+    return (
+        Object.is(a, b) || (typeof a === 'object' && typeof b === 'object' && JSON.stringify(a) === JSON.stringify(b))
+    );
 }
 
 /**
@@ -145,7 +149,12 @@ function nearest(range, value) {
     switch (range.kind) {
         case 'text':
             // Half a surrogate pair cannot be written into a link or a file.
-            return typeof value === 'string' ? value.slice(0, range.maxLength).replace(/\r\n?/g, '\n').replace(/\p{Surrogate}/gu, '\ufffd') : undefined;
+            return typeof value === 'string'
+                ? value
+                      .slice(0, range.maxLength)
+                      .replace(/\r\n?/g, '\n')
+                      .replace(/\p{Surrogate}/gu, '\ufffd')
+                : undefined;
         case 'number':
             if (typeof value !== 'number' || !Number.isFinite(value)) return undefined;
             // Adding 0 turns -0 into 0, which links and files cannot tell apart.
@@ -157,9 +166,13 @@ function nearest(range, value) {
         case 'colour':
             return typeof value === 'string' && /^#[0-9a-f]{6}$/i.test(value) ? value.toLowerCase() : undefined;
         case 'colours':
-            return Array.isArray(value) && value.length > 0 ? all(value.slice(0, range.maxLength).map((one) => nearest({ kind: 'colour' }, one))) : undefined;
+            return Array.isArray(value) && value.length > 0
+                ? all(value.slice(0, range.maxLength).map((one) => nearest({ kind: 'colour' }, one)))
+                : undefined;
         case 'list':
-            return Array.isArray(value) && value.length === range.count ? all(value.map((one) => nearest(range.each, one))) : undefined;
+            return Array.isArray(value) && value.length === range.count
+                ? all(value.map((one) => nearest(range.each, one)))
+                : undefined;
         case 'record': {
             if (typeof value !== 'object' || value === null) return undefined;
             const given = /** @type {Record<string, unknown>} */ (value);

@@ -34,7 +34,13 @@ export function createStore(initial, from = initial) {
         const next = clean({ ...state, ...patch }, state);
         const changed = FIELDS.filter((field) => !same(state[field], next[field]));
         if (changed.length === 0) return;
-        history = record(history, state, Object.fromEntries(changed.map((field) => [field, next[field]])), label, Date.now());
+        history = record(
+            history,
+            state,
+            Object.fromEntries(changed.map((field) => [field, next[field]])),
+            label,
+            Date.now(),
+        );
         setState(next);
     }
 

@@ -18,7 +18,11 @@ export const emptyThumb = () => make('canvas', { class: 'thumb', width: '1', hei
 export async function paintThumb(picture, engine, definition, side, wanted = () => true) {
     const pixels = Math.round(side * Math.min(2, devicePixelRatio || 1));
     // Minimum line widths for a full page would cover a small plant.
-    const { bitmap, missing } = await engine.thumb({ ...definition, minWidth: Math.min(definition.minWidth, 1) }, pixels, pixels);
+    const { bitmap, missing } = await engine.thumb(
+        { ...definition, minWidth: Math.min(definition.minWidth, 1) },
+        pixels,
+        pixels,
+    );
     if (!bitmap) return missing;
     if (!wanted()) {
         bitmap.close();

@@ -62,7 +62,11 @@ export function edit(before, after) {
     let head = 0;
     while (head < most && before.charCodeAt(head) === after.charCodeAt(head)) head++;
     let tail = 0;
-    while (tail < most - head && before.charCodeAt(before.length - 1 - tail) === after.charCodeAt(after.length - 1 - tail)) tail++;
+    while (
+        tail < most - head &&
+        before.charCodeAt(before.length - 1 - tail) === after.charCodeAt(after.length - 1 - tail)
+    )
+        tail++;
     return { head, tail };
 }
 

@@ -97,7 +97,8 @@ export function seen(view, [x = 0, y = 0, fx = 0, fy = 0], scale) {
 }
 
 /** The view with a place in the middle. @param {View} view @param {number[]} place @returns {View} */
-export const centredOn = ({ zoom }, [x = 0, y = 0, fx = 0, fy = 0]) => (zoom < COARSE ? { x: x + fx, y: y + fy, zoom } : { x, y, fx, fy, zoom });
+export const centredOn = ({ zoom }, [x = 0, y = 0, fx = 0, fy = 0]) =>
+    zoom < COARSE ? { x: x + fx, y: y + fy, zoom } : { x, y, fx, fy, zoom };
 
 /**
  * Interpolates between two views, at `t` from 0 to 1: a zoom about the point that both views share, or a pan.

@@ -11,7 +11,9 @@ export async function compile(name, anew) {
     const response = await responseOf(name, anew);
     const streams = response.headers.get('content-type') === 'application/wasm';
     try {
-        return await (streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer()));
+        return await (streams
+            ? WebAssembly.compileStreaming(response)
+            : WebAssembly.compile(await response.arrayBuffer()));
     } catch (error) {
         throw new Error(`${name} is not what the server sent (${error instanceof Error ? error.message : error})`);
     }

@@ -33,8 +33,13 @@ export function createDrawing({ playground, canvas, inbox }) {
     let moving = false;
     /** Whether the last step left nothing to draw. */
     let wasIdle = true;
-    const tellAt = onChange((/** @type {number} */ define, /** @type {number} */ view, /** @type {number} */ question) => page.postMessage({ type: 'at', define, view, question }));
-    const tellDone = onChange((/** @type {number} */ id, /** @type {number} */ viewId) => page.postMessage({ type: 'done', id, viewId }));
+    const tellAt = onChange(
+        (/** @type {number} */ define, /** @type {number} */ view, /** @type {number} */ question) =>
+            page.postMessage({ type: 'at', define, view, question }),
+    );
+    const tellDone = onChange((/** @type {number} */ id, /** @type {number} */ viewId) =>
+        page.postMessage({ type: 'done', id, viewId }),
+    );
     const ids = () => /** @type {const} */ ([at.define?.id ?? 0, at.view?.id ?? 0]);
 
     /** @param {NonNullable<Inbox['define' | 'view']>} newest @param {() => void} act */
@@ -72,7 +77,9 @@ export function createDrawing({ playground, canvas, inbox }) {
                 if (define) {
                     at.define = define;
                     take(define, () => {
-                        report = /** @type {import('../js/protocol.js').Report} */ (playground.define(define.definition));
+                        report = /** @type {import('../js/protocol.js').Report} */ (
+                            playground.define(define.definition)
+                        );
                         ok = report.ok;
                         if (ok) definition = define.definition;
                     });
@@ -93,7 +100,9 @@ export function createDrawing({ playground, canvas, inbox }) {
          */
         step(first) {
             /** @type {Step} */
-            const { report, drawn, idle } = at.view ? playground.step(STEP_MS) : { report: null, drawn: null, idle: true };
+            const { report, drawn, idle } = at.view
+                ? playground.step(STEP_MS)
+                : { report: null, drawn: null, idle: true };
             const [id, viewId] = ids();
             const news = (ok && report) || first;
             if (news) page.postMessage({ type: 'report', id, report: news });
@@ -102,7 +111,21 @@ export function createDrawing({ playground, canvas, inbox }) {
             if (drawn) {
                 const bitmap = canvas.transferToImageBitmap();
                 const { complete, scale, rough, slow, only } = drawn;
-                page.postMessage({ type: 'drawn', id, viewId, complete, scale, rough, slow, only, bitmap, pose: poseAt(playground, upto) }, [bitmap]);
+                page.postMessage(
+                    {
+                        type: 'drawn',
+                        id,
+                        viewId,
+                        complete,
+                        scale,
+                        rough,
+                        slow,
+                        only,
+                        bitmap,
+                        pose: poseAt(playground, upto),
+                    },
+                    [bitmap],
+                );
             }
             // Tell the page not to wait for more pictures, even if there was none.
             if (idle && at.view) tellDone(id, viewId);
@@ -140,5 +163,15 @@ function onChange(act) {
 /** @param {Playground} playground @param {Pick<ViewMessage, 'width' | 'height' | 'ratio' | 'view' | 'camera'>} message */
 export function lookAt(playground, { width, height, ratio, view, camera }) {
     playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
-    if (camera) playground.camera(camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z, camera.perspective, camera.fade);
+    if (camera)
+        playground.camera(
+            camera.azimuth,
+            camera.elevation,
+            camera.zoom,
+            camera.x,
+            camera.y,
+            camera.z,
+            camera.perspective,
+            camera.fade,
+        );
 }

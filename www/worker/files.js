@@ -26,7 +26,10 @@ export function createReadFile({ guard, tellAt }) {
         try {
             page.postMessage(await read(question));
         } catch (error) {
-            if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) guard(() => { throw error; });
+            if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
+                guard(() => {
+                    throw error;
+                });
             else page.postMessage({ type: 'read', id: question.id, definition: null, diagnostics: [], text: null });
         }
     };
@@ -38,7 +41,8 @@ function textOf(bytes) {
     const LONGEST_TEXT = 1 << 20;
     if (bytes.length > LONGEST_TEXT) return null;
     const [first, second] = bytes;
-    const mark = first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
+    const mark =
+        first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
     const text = new TextDecoder(mark).decode(bytes);
     // SVG and PNG files are pictures, not text to read.
     return text.trim() !== '' && !/^\s*<|^.PNG/.test(text) ? text : null;

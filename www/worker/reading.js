@@ -17,7 +17,11 @@ export function createReading(playground, iterations) {
     const readers = {
         string: ({ generation, start, count }) => {
             const text = playground.slice(generation, start, count) ?? null;
-            return { text, length: (text !== null && playground.stringLength(generation)) || null, apart: playground.apart };
+            return {
+                text,
+                length: (text !== null && playground.stringLength(generation)) || null,
+                apart: playground.apart,
+            };
         },
         symbol: ({ generation, index }) => {
             /** @type {import('../js/protocol.js').Descendants | null} */
@@ -25,7 +29,9 @@ export function createReading(playground, iterations) {
             const stroke = part && playground.segment(BigInt(part.segments[0]));
             return { ancestry: playground.ancestry(generation, index), part, stroke };
         },
-        descendant: ({ generation, index, later }) => ({ start: playground.part(generation, index, later)?.symbols[0] ?? null }),
+        descendant: ({ generation, index, later }) => ({
+            start: playground.part(generation, index, later)?.symbols[0] ?? null,
+        }),
         pick: ({ x, y, tolerance }) => {
             /** @type {Pick<import('../js/protocol.js').Picked, 'segment' | 'polygon' | 'symbol'> | null} */
             const found = playground.pick(x, y, tolerance);

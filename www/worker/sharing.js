@@ -37,7 +37,8 @@ export function createSharing({ canvas, playground, guard, wake, shown, memory }
     function deal() {
         if (mates.length === 0) return;
         const now = playground.round;
-        if (now === 0 && round !== 0) for (const { port } of mates) port.postMessage({ round: 0, pane: null, state: null });
+        if (now === 0 && round !== 0)
+            for (const { port } of mates) port.postMessage({ round: 0, pane: null, state: null });
         round = now;
         if (round === 0) return;
         const { revision, state } = shown();
@@ -64,7 +65,10 @@ export function createSharing({ canvas, playground, guard, wake, shown, memory }
     function hasRoom(mate, revision) {
         if (mate.knows === revision) return true;
         const own = memory();
-        return mates.reduce((sum, each) => sum + (each === mate ? Math.max(each.memory, own) : each.memory), own) <= MOST_MEMORY;
+        return (
+            mates.reduce((sum, each) => sum + (each === mate ? Math.max(each.memory, own) : each.memory), own) <=
+            MOST_MEMORY
+        );
     }
 
     /** @param {Mate} mate @param {import('../js/protocol.js').FromMate} answer */

@@ -58,7 +58,8 @@ export function createThumbs({ playground, waiting, tellAt }) {
             tellAt(request.id);
             const thumb = (making ??= begin(request));
             /** @type {Step} */
-            const { drawn, idle } = thumb.steps > 0 ? thumb.small.step(STEP_MS) : { report: null, drawn: null, idle: true };
+            const { drawn, idle } =
+                thumb.steps > 0 ? thumb.small.step(STEP_MS) : { report: null, drawn: null, idle: true };
             thumb.steps -= 1;
             if (drawn) {
                 thumb.bitmap?.close();

@@ -22,12 +22,19 @@ export function serve(calls) {
         if (dead) return;
         if (data.type === 'ping') page.postMessage({ type: 'pong' });
         else if (data.type === 'cancel') running.delete(data.id);
-        else if (data.type === 'init') guard(0, () => {
-            wasm_bindgen.initSync({ module: data.wasm });
-            // From now on the page need not wait long to know that this worker is silent.
-            page.postMessage({ type: 'pong' });
-        });
-        else guard(data.id, () => answer(data.id, calls[data.call]?.(data.asked, (value) => tell(data.id, value))));
+        else if (data.type === 'init')
+            guard(0, () => {
+                wasm_bindgen.initSync({ module: data.wasm });
+                // From now on the page need not wait long to know that this worker is silent.
+                page.postMessage({ type: 'pong' });
+            });
+        else
+            guard(data.id, () =>
+                answer(
+                    data.id,
+                    calls[data.call]?.(data.asked, (value) => tell(data.id, value)),
+                ),
+            );
     };
 
     /** @param {number} id @param {any} value */
@@ -62,7 +69,11 @@ export function serve(calls) {
         } catch (error) {
             running.delete(id);
             dead = error instanceof WebAssembly.RuntimeError || error instanceof RangeError || id === 0;
-            page.postMessage({ type: dead ? 'fatal' : 'refused', id, reason: error instanceof Error ? error.message : error });
+            page.postMessage({
+                type: dead ? 'fatal' : 'refused',
+                id,
+                reason: error instanceof Error ? error.message : error,
+            });
         }
     }
 }

@@ -43,9 +43,17 @@ export function createWork({ playground, inbox, drawing, sharing, readFile, thum
         if (reading.is(question)) return page.postMessage(reading.answer(question));
         switch (question.type) {
             case 'notation':
-                return page.postMessage({ type: 'notation', id, .../** @type {import('../js/protocol.js').Notation} */ (wasm_bindgen.notation(question.texts)) });
+                return page.postMessage({
+                    type: 'notation',
+                    id,
+                    .../** @type {import('../js/protocol.js').Notation} */ (wasm_bindgen.notation(question.texts)),
+                });
             case 'site':
-                return page.postMessage({ type: 'site', id, site: wasm_bindgen.siteOf(question.texts, question.field, question.offset) });
+                return page.postMessage({
+                    type: 'site',
+                    id,
+                    site: wasm_bindgen.siteOf(question.texts, question.field, question.offset),
+                });
             case 'qr':
                 return page.postMessage({ type: 'qr', id, modules: wasm_bindgen.qr_code(question.text) ?? null });
             case 'seed':

@@ -55,12 +55,27 @@ import { createWork } from './work.js';
         const memory = () => instance.memory.buffer.byteLength;
         const playground = new wasm_bindgen.Playground(canvas);
         if (master) {
-            work = createMate({ master, playground, wake, lookAt: (message) => lookAt(playground, message), memory, stepMs: STEP_MS });
+            work = createMate({
+                master,
+                playground,
+                wake,
+                lookAt: (message) => lookAt(playground, message),
+                memory,
+                stepMs: STEP_MS,
+            });
         } else {
             const drawing = createDrawing({ playground, canvas, inbox });
             const sharing = createSharing({ canvas, playground, guard, wake, shown: drawing.shown, memory });
             const readFile = createReadFile({ guard, tellAt: drawing.tellAt });
-            work = createWork({ playground, inbox, drawing, sharing, readFile, thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }), wake });
+            work = createWork({
+                playground,
+                inbox,
+                drawing,
+                sharing,
+                readFile,
+                thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }),
+                wake,
+            });
             setMates = sharing.setMates;
         }
         page.postMessage({ type: 'ready' });

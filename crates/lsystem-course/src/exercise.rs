@@ -42,6 +42,56 @@ pub enum Asks {
     Statistics,
 }
 
+impl Asks {
+    /// All kinds, in the order in which they are offered.
+    pub const ALL: [Self; 4] = [Self::Picture, Self::Text, Self::Segments, Self::Statistics];
+
+    /// The name in an exercise's JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Picture => "picture",
+            Self::Text => "text",
+            Self::Segments => "segments",
+            Self::Statistics => "statistics",
+        }
+    }
+
+    /// What must be the same, after "Must be the same".
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Picture => "the picture",
+            Self::Text => "the string",
+            Self::Segments => "the number of segments",
+            Self::Statistics => "the statistics over many seeds",
+        }
+    }
+
+    /// The task of an exercise without a task of its own.
+    #[must_use]
+    pub fn task(self) -> &'static str {
+        match self {
+            Self::Picture => "Find rules that draw the target.",
+            Self::Text => "Find rules that derive the same string.",
+            Self::Segments => "Find rules that draw as many segments as the target.",
+            Self::Statistics => "Find rules of chance whose drawings have the same statistics.",
+        }
+    }
+
+    /// Whether usual mistakes and other answers can be searched: both compare pictures.
+    #[must_use]
+    pub fn is_searched(self) -> bool {
+        self == Self::Picture
+    }
+
+    /// Whether the string counts, so that an answer need not draw.
+    #[must_use]
+    pub fn is_text(self) -> bool {
+        self == Self::Text
+    }
+}
+
 /// The values with which a student starts, where they are free.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]

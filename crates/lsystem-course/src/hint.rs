@@ -1,6 +1,6 @@
 //! Hints for wrong answers: what is probably wrong, found by trying.
 
-use crate::exercise::{Asks, Exercise, Given};
+use crate::exercise::{Exercise, Given};
 use crate::fit::{Ends, Fit};
 use crate::mark::{Marker, counted};
 use crate::sketch::{Sketch, Sketching};
@@ -30,7 +30,7 @@ impl Marker {
             let system = System::new(&whole).0?;
             return Some(why_empty(&system, whole.iterations).unwrap_or_else(|| "Nothing is drawn.".to_owned()));
         }
-        if exercise.asks != Asks::Picture {
+        if !exercise.asks.is_searched() {
             return None;
         }
         if Exercise::symbols(&whole) == 0 {

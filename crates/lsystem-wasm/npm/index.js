@@ -1,6 +1,6 @@
 // For pages and bundlers: the wasm lies beside this module.
-import init from "./lsystem.js";
+import init from './lsystem.js';
 
-await init({ module_or_path: new URL("./lsystem_bg.wasm", import.meta.url) });
+await init({ module_or_path: new URL('./lsystem_bg.wasm', import.meta.url) });
 
-export { draw, expand } from "./lsystem.js";
+export { draw, expand } from './lsystem.js';

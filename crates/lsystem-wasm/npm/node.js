@@ -1,7 +1,7 @@
 // For Node.js, whose `fetch` does not read files.
-import { readFileSync } from "node:fs";
-import { initSync } from "./lsystem.js";
+import { readFileSync } from 'node:fs';
+import { initSync } from './lsystem.js';
 
-initSync({ module: readFileSync(new URL("./lsystem_bg.wasm", import.meta.url)) });
+initSync({ module: readFileSync(new URL('./lsystem_bg.wasm', import.meta.url)) });
 
-export { draw, expand } from "./lsystem.js";
+export { draw, expand } from './lsystem.js';

@@ -1,9 +1,10 @@
-//! The tables of the core in other files: `www/js/tables.js`, the tables of fields in `README.md` and `docs/links.md`,
+//! The tables of the core in other files: `www/js/tables.js` and `late-tables.js`, the tables of fields in `README.md` and `docs/links.md`,
 //! and the table of choices for plots in `docs/plotting.md`, must equal the core's. `cargo xtask tables` updates them.
 
 use expect_test::expect_file;
 use lsystem::base::MAX_PICTURE_SIDE;
 use lsystem::base::number::number;
+use lsystem::course::Asks;
 use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, Format, OptionKind, Purpose};
 use lsystem::plot::SHEETS;
 use lsystem::syntax::fields::Section;
@@ -154,7 +155,27 @@ fn tables() -> String {
     script_text += "});\n\n/** Attributes of the element and the keys in links that they stand for. */\n";
     let pairs: Vec<_> = FIELDS.iter().map(|spec| format!("{}: {}", spec.attribute(), quoted(spec.link))).collect();
     writeln!(script_text, "export const ATTRIBUTES = {{ {} }};", pairs.join(", ")).unwrap();
-    script_text += "\n/** Formats of exported files by name: ending and media type of the file, what the page calls it, and what it is. */\n\
+    script_text
+}
+
+/// The tables that the first screen does without: kinds of exercises, and files.
+fn late_tables() -> String {
+    let mut script_text = String::from(
+        "/** What the core knows and late parts of the page show: written by `cargo xtask tables`, not by hand. */\n\n\
+         /**\n * What an exercise can ask for, by name: what must be the same, the task where none is given, whether\n\
+         \x20* other answers can be searched, and whether the string counts.\n */\n\
+         export const ASKS = /* @__PURE__ */ Object.freeze({\n",
+    );
+    for asks in Asks::ALL {
+        let [name, label, task] = [asks.name(), asks.label(), asks.task()].map(quoted);
+        let (searched, text) = (asks.is_searched(), asks.is_text());
+        writeln!(
+            script_text,
+            "    {name}: {{ label: {label}, task: {task}, isSearched: {searched}, isText: {text} }},"
+        )
+        .unwrap();
+    }
+    script_text += "});\n\n/** Formats of exported files by name: ending and media type of the file, what the page calls it, and what it is. */\n\
         export const FORMATS = /* @__PURE__ */ Object.freeze({\n";
     for format in &FORMATS {
         let [name, ending, mime, label, help] =
@@ -294,6 +315,7 @@ fn every_purpose_but_films_has_a_format() {
 #[test]
 fn the_pages_tables_are_those_of_the_core() {
     expect_file!["../../../www/js/tables.js"].assert_eq(&tables());
+    expect_file!["../../../www/js/late-tables.js"].assert_eq(&late_tables());
 }
 
 #[test]

@@ -77,9 +77,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
     };
     let all = [of("lsystem"), of("tools"), vec!["gallery.json".to_owned(), "exercises.json".to_owned()]].concat();
     let (drawing, marking, playing) = (of("lsystem"), [of("lsystem"), of("course")].concat(), of("film"));
-    let maker = &one_file::Maker { site: &site, bundler: &esbuild, packed: &workspace.target.join("packed") };
-    let packed = all.iter().chain(&marking).chain(&playing);
-    packed.filter(|name| !name.ends_with(".js")).try_for_each(|name| maker.pack(name).map(drop))?;
+    let maker = &one_file::Maker { site: &site, bundler: &esbuild };
     let single = [
         (index, "playground.html", all),
         ("embed.html", "embed.html", drawing),
@@ -101,9 +99,9 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
         .iter()
         .try_for_each(|file| include_index(file))?;
     files::write(&documents.join("docs.css"), esbuild.styles(&DOCUMENT_STYLES)?)?;
-    joined::join(&site, index, &esbuild)?;
+    let scripts = joined::join(&site, index, &esbuild)?;
     joined::write_licence(&www, &site)?;
-    offline::list_files(&site)?;
+    offline::list_files(&site, &scripts)?;
     replace(&site, &place, &new.path().join("old"))
 }
 

@@ -11,8 +11,12 @@ const TARGET: &str = "--target=es2022";
 
 /// Bundles and minifies the files of a folder.
 pub(crate) trait Bundler {
-    /// A module bundled with its imports, except those that it imports later, whose names are `apart`.
-    fn module(&self, entry: &str, apart: &[&str]) -> Result<String>;
+    /// A module bundled with its imports, also with those that it imports later.
+    fn module(&self, entry: &str) -> Result<String>;
+
+    /// A module bundled as `page.js`, and files for what it imports later and for what these have in common: names and
+    /// texts.
+    fn split(&self, entry: &str) -> Result<Vec<(String, String)>>;
 
     /// The styles of the files, in order.
     fn styles(&self, names: &[&str]) -> Result<String>;
@@ -50,13 +54,29 @@ impl Esbuild {
         command.arg(file).args(["--minify", "--charset=utf8", "--legal-comments=none", "--log-level=warning", TARGET]);
         output(command.args(options))
     }
+
+    /// Bundles a module. Elements and styles of late parts are texts in their scripts.
+    fn bundled(&self, entry: &str, options: &[&str]) -> Result<String> {
+        let texts = ["--bundle", "--format=esm", "--loader:.html=text", "--loader:.css=text"];
+        self.run(&self.www.join(entry), &[&texts, options].concat())
+    }
 }
 
 impl Bundler for Esbuild {
-    fn module(&self, entry: &str, apart: &[&str]) -> Result<String> {
-        let apart: Vec<String> = apart.iter().map(|address| format!("--external:./{address}")).collect();
-        let options = ["--bundle", "--format=esm"].into_iter().chain(apart.iter().map(String::as_str));
-        self.run(&self.www.join(entry), &options.collect::<Vec<_>>())
+    fn module(&self, entry: &str) -> Result<String> {
+        self.bundled(entry, &[])
+    }
+
+    fn split(&self, entry: &str) -> Result<Vec<(String, String)>> {
+        let folder = tempfile::tempdir()?;
+        let place = format!("--outdir={}", folder.path().display());
+        self.bundled(entry, &["--splitting", &place, "--entry-names=page", "--chunk-names=[name]-[hash]"])?;
+        let files = files::list(folder.path(), |_| true)?;
+        let read = |file: &PathBuf| {
+            let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            Ok((name, files::read_text(file)?))
+        };
+        files.iter().map(read).collect()
     }
 
     fn styles(&self, names: &[&str]) -> Result<String> {

@@ -1,22 +1,11 @@
 //! The served page with its styles in one file and its modules in another: a tenth of the requests for separate files.
 
-use crate::build::joined;
 use crate::esbuild::Bundler;
 use crate::files;
 use crate::one_file::Tag;
 use anyhow::{Context, Result};
 use std::path::Path;
-use std::thread;
 
-/// The modules that the page imports when they are first needed: their names on the site, which are those in the import
-/// (after `./`), and their files. One of these modules may import another.
-const APART: [(&str, &str); 5] = [
-    ("dialogs.js", "js/course/dialogs.js"),
-    ("finding.js", "js/find/finding.js"),
-    ("save-dialog.js", "js/save/save-dialog.js"),
-    ("films.js", "js/film/films.js"),
-    ("video.js", "js/film/video.js"),
-];
 /// The licence of the library in `video.js`, in `www`, and its name on the site.
 const LICENCE: [&str; 2] = ["node_modules/mediabunny/LICENSE", "video.LICENSE.txt"];
 
@@ -26,8 +15,9 @@ pub(crate) fn write_licence(www: &Path, site: &Path) -> Result<()> {
     files::write(&site.join(to), files::read(&www.join(from))?)
 }
 
-/// Writes `page.js` and `page.css` into the folder of the site, and makes the page load them.
-pub(crate) fn join(site: &Path, page: &str, bundler: &(dyn Bundler + Sync)) -> Result<()> {
+/// Writes `page.js`, the scripts that it imports and `page.css` into the folder of the site, and makes the page load
+/// them. Returns the names of the scripts that the page runs from the start.
+pub(crate) fn join(site: &Path, page: &str, bundler: &(dyn Bundler + Sync)) -> Result<Vec<String>> {
     let file = site.join(page);
     let before = files::read_text(&file)?;
     let mut text = String::new();
@@ -40,22 +30,33 @@ pub(crate) fn join(site: &Path, page: &str, bundler: &(dyn Bundler + Sync)) -> R
             ("script", _, Some(name)) if tag.attribute("type") == Some("module") => entry = Some(name),
             _ => {
                 if line == "</head>" {
-                    text.push_str("<link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n");
+                    text.push_str(HEAD);
                 }
                 text.push_str(line.trim_start());
                 text.push('\n');
             }
         }
     }
-    let entry = entry.with_context(|| format!("{page} has no module"))?;
-    let bundle = |name, file| files::write(&site.join(name), bundler.module(file, &APART.map(|(name, _)| name))?);
-    thread::scope(|scope| {
-        let threads = APART.map(|(name, file)| scope.spawn(move || bundle(name, file)));
-        bundle("page.js", entry)?;
-        threads.into_iter().try_for_each(joined)
-    })?;
+    let scripts = bundler.split(entry.with_context(|| format!("{page} has no module"))?)?;
+    scripts.iter().try_for_each(|(name, text)| files::write(&site.join(name), text))?;
+    let first = scripts.iter().find(|(name, _)| name == SCRIPT).context("no script is the page's")?;
+    let imported = imports(&first.1);
+    let preloads: String =
+        imported.iter().map(|name| format!("<link rel=\"modulepreload\" href=\"{name}\">\n")).collect();
     files::write(&site.join("page.css"), bundler.styles(&styles)?)?;
-    files::write(&file, text)
+    files::write(&file, text.replace(HEAD, &format!("{preloads}{HEAD}")))?;
+    Ok([vec![SCRIPT.to_owned()], imported].concat())
+}
+
+/// The page's script.
+const SCRIPT: &str = "page.js";
+/// The page's styles and script.
+const HEAD: &str = "<link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n";
+
+/// The scripts that a minified script imports from the start.
+fn imports(script: &str) -> Vec<String> {
+    let names = ["from\"./", "import\"./"].into_iter().flat_map(|begin| script.split(begin).skip(1));
+    names.filter_map(|rest| rest.split_once('"')).map(|(name, _)| name.to_owned()).collect()
 }
 
 #[cfg(test)]
@@ -65,8 +66,13 @@ mod tests {
     struct NameBundler;
 
     impl Bundler for NameBundler {
-        fn module(&self, entry: &str, apart: &[&str]) -> Result<String> {
-            Ok(format!("module {entry} without {}", apart.len()))
+        fn module(&self, _: &str) -> Result<String> {
+            unreachable!("the page is split")
+        }
+
+        fn split(&self, entry: &str) -> Result<Vec<(String, String)>> {
+            let page = format!("import{{a}}from\"./chunk-1.js\";import(\"./late.js\");{entry}");
+            Ok(vec![("chunk-1.js".to_owned(), "chunk".to_owned()), ("page.js".to_owned(), page)])
         }
 
         fn styles(&self, names: &[&str]) -> Result<String> {
@@ -81,12 +87,13 @@ mod tests {
         let page = "<head>\n<link rel=\"icon\" href=\"a.svg\">\n<link rel=\"stylesheet\" href=\"a.css\">\n<link rel=\"stylesheet\" href=\"b.css\">\n\
                     <script src=\"early.js\"></script>\n<script type=\"module\" src=\"a.js\"></script>\n</head>\n<p>\n";
         files::write(&site.join("index.html"), page).unwrap();
-        join(site, "index.html", &NameBundler).unwrap();
+        assert_eq!(join(site, "index.html", &NameBundler).unwrap(), ["page.js", "chunk-1.js"]);
         let expected = "<head>\n<link rel=\"icon\" href=\"a.svg\">\n<script src=\"early.js\"></script>\n\
-                        <link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
+                        <link rel=\"modulepreload\" href=\"chunk-1.js\">\n<link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
         assert_eq!(files::read_text(&site.join("index.html")).unwrap(), expected);
         assert_eq!(files::read_text(&site.join("page.css")).unwrap(), "a.css b.css");
-        assert_eq!(files::read_text(&site.join("page.js")).unwrap(), "module a.js without 5");
+        assert!(files::read_text(&site.join("page.js")).unwrap().ends_with(";a.js"));
+        assert_eq!(files::read_text(&site.join("chunk-1.js")).unwrap(), "chunk");
         files::write(&site.join("index.html"), "</head>\n").unwrap();
         assert!(join(site, "index.html", &NameBundler).is_err());
     }

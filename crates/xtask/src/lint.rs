@@ -1,10 +1,11 @@
-//! Formatting, clippy and documentation: warnings are errors.
+//! Formatting, clippy, documentation, and biome for scripts and styles: warnings are errors.
 
 use crate::report::Report;
-use crate::tools;
 use crate::wasms::PACKAGES;
 use crate::workspace::Workspace;
+use crate::{page, tools};
 use anyhow::Result;
+use std::process::Command;
 
 const STRICT: [&str; 3] = ["--", "-D", "warnings"];
 
@@ -12,6 +13,7 @@ const STRICT: [&str; 3] = ["--", "-D", "warnings"];
 pub(crate) fn lint(workspace: &Workspace) -> Result<()> {
     let report = Report::new(workspace, "lint");
     formatting(workspace, &report);
+    scripts(workspace, &report);
     native(workspace, &report);
     wasm(workspace, &report);
     report.finish()
@@ -20,6 +22,17 @@ pub(crate) fn lint(workspace: &Workspace) -> Result<()> {
 pub(crate) fn formatting(workspace: &Workspace, report: &Report) -> bool {
     report
         .step(workspace, "formatting", |workspace, _| workspace.run(&mut workspace.cargo(["fmt", "--all", "--check"])))
+}
+
+/// Formatting and rules of scripts and styles (`biome.jsonc`). To format them:
+/// `www/node_modules/.bin/biome format --write`.
+pub(crate) fn scripts(workspace: &Workspace, report: &Report) {
+    report.step(workspace, "scripts and styles", |workspace, _| {
+        page::packages(&workspace.www())?;
+        let biome = workspace.www().join("node_modules/@biomejs/biome/bin/biome");
+        let words = ["ci", "--error-on-warnings", "--colors=off"];
+        workspace.run(Command::new(tools::node()?).arg(biome).args(words).current_dir(&workspace.root))
+    });
 }
 
 pub(crate) fn native(workspace: &Workspace, report: &Report) {

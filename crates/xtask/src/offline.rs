@@ -1,33 +1,46 @@
 //! The list of files that the page keeps for offline use. The list becomes the head of the service worker.
 
 use crate::files::{self, hex};
-use anyhow::{Context, Result};
-use serde_json::{Map, Value};
+use anyhow::{Context, Result, ensure};
+use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
+use std::fs;
 use std::path::Path;
 
 const WORKER: &str = "service-worker.js";
 /// Files that are useless offline or that repeat the others.
 const LEFT_OUT: [&str; 2] = [WORKER, "playground.html"];
 
-/// Completes the service worker in the folder of the site. All other files must be in place.
-pub(crate) fn list_files(site: &Path) -> Result<()> {
-    let mut hashes = Map::new();
+/// What the first screen needs, besides the page and its scripts.
+const FIRST: [&str; 6] =
+    ["page.css", "js/theme-early.js", "worker.js", "lsystem.wasm", "icons/icon.svg", "manifest.webmanifest"];
+
+/// Completes the service worker in the folder of the site. All other files must be in place. `scripts` are those that the
+/// page runs from the start.
+pub(crate) fn list_files(site: &Path, scripts: &[String]) -> Result<()> {
+    let (mut hashes, mut sizes) = (Map::new(), Map::new());
     for file in files::list(site, |_| true)? {
         let path = file.strip_prefix(site)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
         if LEFT_OUT.contains(&&*path) {
             continue;
         }
-        let hash = files::fingerprint(&file)?;
         // Some hosts serve the first page only at the folder's address.
-        hashes.insert(if path == "index.html" { String::new() } else { path }, hash.into());
+        let path = if path == "index.html" { String::new() } else { path };
+        sizes.insert(path.clone(), fs::metadata(&file)?.len().into());
+        hashes.insert(path, files::fingerprint(&file)?.into());
     }
-    let list = Value::Object(hashes).to_string();
+    let first: Vec<&str> = [""].into_iter().chain(FIRST).chain(scripts.iter().map(String::as_str)).collect();
+    for path in &first {
+        ensure!(hashes.contains_key(*path), "the first screen needs `{path}`, which is not there");
+    }
+    let (list, sizes, first) = (Value::Object(hashes).to_string(), Value::Object(sizes), json!(first));
     let worker = site.join(WORKER);
     let text = files::read_text(&worker)?;
     // A change of the worker itself makes a new version, too.
     let build = &hex(&Sha256::digest(format!("{list}{text}")))[..16];
-    files::write(&worker, format!("const BUILD = \"{build}\";\nconst FILES = {list};\n{text}"))
+    let head =
+        format!("const BUILD = \"{build}\";\nconst FILES = {list};\nconst SIZES = {sizes};\nconst FIRST = {first};\n");
+    files::write(&worker, head + &text)
 }
 
 #[cfg(test)]
@@ -41,12 +54,24 @@ mod tests {
         for (name, text) in [("index.html", ""), ("page.js", "abc"), ("playground.html", "x"), (WORKER, "work()")] {
             files::write(&site.join(name), text).unwrap();
         }
+        let list_files = |site: &Path| super::list_files(site, &["page.js".to_owned()]);
+        assert!(list_files(site).is_err(), "what the first screen needs is missing");
+        FIRST.iter().for_each(|name| files::write(&site.join(name), "").unwrap());
         list_files(site).unwrap();
         let worker = files::read_text(&site.join(WORKER)).unwrap();
         // The first two are published examples of SHA-256.
-        let list = "const FILES = {\"\":\"e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855\",\
-                    \"page.js\":\"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"};\nwork()";
-        assert!(worker.starts_with("const BUILD = \"") && worker.ends_with(list), "{worker}");
+        assert!(worker.starts_with("const BUILD = \"") && worker.ends_with(";\nwork()"), "{worker}");
+        for part in [
+            "const FILES = {\"\":\"e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855\",",
+            "\"page.js\":\"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"",
+            "const SIZES = {\"\":0,",
+            "\"page.js\":3",
+            "const FIRST = [\"\",\"page.css\",",
+            "\"page.js\"];\n",
+        ] {
+            assert!(worker.contains(part), "{part}: {worker}");
+        }
+        assert!(!worker.contains("playground"), "{worker}");
         files::write(&site.join(WORKER), "work()").unwrap();
         files::write(&site.join("page.js"), "abd").unwrap();
         list_files(site).unwrap();

@@ -18,7 +18,14 @@ export function dialRows(store) {
         row.append(
             make('label', { for: id }, label),
             make('input', { id: `${id}-slider`, type: 'range', 'aria-label': `${label}, slider` }),
-            sign ? make('span', { class: 'with-unit' }, number, make('span', { class: 'unit', 'aria-hidden': 'true' }, sign)) : number,
+            sign
+                ? make(
+                      'span',
+                      { class: 'with-unit' },
+                      number,
+                      make('span', { class: 'unit', 'aria-hidden': 'true' }, sign),
+                  )
+                : number,
         );
         return { field, control: dial(store, field, id) };
     });

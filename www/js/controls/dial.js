@@ -15,7 +15,8 @@ import { slider } from './slider.js';
  */
 export function dial(store, field, id, stops = stopsOf(field)) {
     const { expected, unit = '', slider: scale } = FIELDS[field];
-    const change = (/** @type {number} */ value, held = false) => store.change({ [field]: value }, held ? `drag ${field}` : field);
+    const change = (/** @type {number} */ value, held = false) =>
+        store.change({ [field]: value }, held ? `drag ${field}` : field);
     const settle = () => store.settle();
     const text = (/** @type {number} */ value) => `${plain(value)} ${unit}`.trim();
     const slide = slider(input(`${id}-slider`), { stops, text, change, settle });

@@ -142,7 +142,10 @@ export function listProblems(list, diagnostics, text, editor) {
         }),
     );
     const more = diagnostics.length - MOST_LISTED;
-    if (more > 0) list.append(make('li', {}, make('span', { class: 'problem-text' }, `${more.toLocaleString('en')} more problems.`)));
+    if (more > 0)
+        list.append(
+            make('li', {}, make('span', { class: 'problem-text' }, `${more.toLocaleString('en')} more problems.`)),
+        );
 }
 
 /** Describes places in a text by line and column. @param {string} text @returns {(offset: number) => string} */
@@ -187,7 +190,11 @@ function hasMoreLines(text, most) {
  */
 export function linesOf(text, diagnostics, letters = '') {
     // A problem where something is missing has no width: underline the symbol before it.
-    const marks = diagnostics.map(({ start, end, severity }) => (end > start ? { start, end, severity } : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity }));
+    const marks = diagnostics.map(({ start, end, severity }) =>
+        end > start
+            ? { start, end, severity }
+            : { start: Math.max(0, Math.min(start, text.length) - 1), end: Math.max(1, start), severity },
+    );
     marks.sort((a, b) => a.start - b.start);
     /** Marks that have begun and may continue. @type {Mark[]} */
     let open = [];
@@ -200,9 +207,18 @@ export function linesOf(text, diagnostics, letters = '') {
         const [first, last] = [from, from + line.length];
         from = last;
         open = open.filter(({ end }) => end > first);
-        for (let mark = marks[next]; mark && mark.start < last; mark = marks[++next]) if (mark.end > first) open.push(mark);
+        for (let mark = marks[next]; mark && mark.start < last; mark = marks[++next])
+            if (mark.end > first) open.push(mark);
         const inside = open.slice();
-        return { text: line, letters: letters.slice(first, last), marks: inside.map(({ start, end, severity }) => ({ start: Math.max(0, start - first), end: Math.min(end - first, line.length), severity })) };
+        return {
+            text: line,
+            letters: letters.slice(first, last),
+            marks: inside.map(({ start, end, severity }) => ({
+                start: Math.max(0, start - first),
+                end: Math.min(end - first, line.length),
+                severity,
+            })),
+        };
     });
 }
 
@@ -212,7 +228,9 @@ export function linesOf(text, diagnostics, letters = '') {
  */
 function pieces({ text, letters, marks }) {
     const spans = text.length > TINTED ? [] : spansOf(letters);
-    const edges = [...new Set([0, text.length, ...[...spans, ...marks].flatMap(({ start, end }) => [start, end])])].sort((a, b) => a - b);
+    const edges = [
+        ...new Set([0, text.length, ...[...spans, ...marks].flatMap(({ start, end }) => [start, end])]),
+    ].sort((a, b) => a - b);
     const nodes = [];
     let next = 0;
     for (let at = 0; at + 1 < edges.length; at++) {
@@ -221,7 +239,10 @@ function pieces({ text, letters, marks }) {
         while (next < spans.length && /** @type {{end: number}} */ (spans[next]).end <= from) next++;
         const span = spans[next];
         const over = marks.filter(({ start, end }) => start <= from && end >= to).map(({ severity }) => severity);
-        const names = [span && span.start <= from ? `t-${span.tint}` : '', over.includes('error') ? 'wrong' : over.length > 0 ? 'doubtful' : ''].filter(Boolean);
+        const names = [
+            span && span.start <= from ? `t-${span.tint}` : '',
+            over.includes('error') ? 'wrong' : over.length > 0 ? 'doubtful' : '',
+        ].filter(Boolean);
         const piece = text.slice(from, to);
         nodes.push(names.length > 0 ? make('span', { class: names.join(' ') }, piece) : document.createTextNode(piece));
     }

@@ -16,7 +16,11 @@ export function createLegend() {
         of(symbol) {
             const entry = legend.find((each) => each.symbol.startsWith(symbol));
             if (!entry) return null;
-            return { symbol: entry.symbol, words: `${entry.actions || 'draws nothing'}${entry.rewritten ? '; replaced by its rule at each iteration' : ''}.`, acts: entry.actions !== '' };
+            return {
+                symbol: entry.symbol,
+                words: `${entry.actions || 'draws nothing'}${entry.rewritten ? '; replaced by its rule at each iteration' : ''}.`,
+                acts: entry.actions !== '',
+            };
         },
     };
 }

@@ -31,7 +31,13 @@ export function slider(element, { stops, text, change, settle }) {
             paint();
         },
         limit(highest) {
-            const next = highest === null ? stops.length - 1 : Math.max(1, stops.findLastIndex((stop) => stop <= highest));
+            const next =
+                highest === null
+                    ? stops.length - 1
+                    : Math.max(
+                          1,
+                          stops.findLastIndex((stop) => stop <= highest),
+                      );
             if (next === last) return;
             const value = stopAt();
             last = next;
@@ -55,7 +61,8 @@ export function slider(element, { stops, text, change, settle }) {
 export function nearest(stops, value) {
     let best = 0;
     for (let at = 1; at < stops.length; at++) {
-        if (Math.abs(/** @type {number} */ (stops[at]) - value) < Math.abs(/** @type {number} */ (stops[best]) - value)) best = at;
+        if (Math.abs(/** @type {number} */ (stops[at]) - value) < Math.abs(/** @type {number} */ (stops[best]) - value))
+            best = at;
     }
     return best;
 }

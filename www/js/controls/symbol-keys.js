@@ -15,7 +15,11 @@ export function symbolKeys(ids) {
 
     row.append(
         ...KEYS.map((key) => {
-            const element = make('button', { type: 'button', class: 'symbol-key', 'aria-label': key === '->' ? 'Arrow' : key, tabindex: '-1' }, key === '->' ? '→' : key);
+            const element = make(
+                'button',
+                { type: 'button', class: 'symbol-key', 'aria-label': key === '->' ? 'Arrow' : key, tabindex: '-1' },
+                key === '->' ? '→' : key,
+            );
             // The text keeps the focus, so the keyboard stays.
             element.addEventListener('pointerdown', (event) => event.preventDefault());
             element.addEventListener('click', () => {

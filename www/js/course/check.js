@@ -1,19 +1,20 @@
 /** The dialog that compares what a program of one's own printed with the shown system. */
 
+import styles from '../../css/course.css';
 import { button, byId, closes, html, input, setText } from '../dom.js';
+import { addElements } from '../late.js';
 import { definitionOf } from '../state.js';
+import markup from './check.html';
+import { courseTool as tool } from './tool.js';
 
 /** Longer outputs are not read, in characters. */
 const LONGEST = 16 << 20;
 /** A change waits for a pause of this length, in milliseconds. */
 const PAUSE = 250;
 
-/**
- * @param {import('../store.js').Store} store
- * @param {import('./maker.js').CourseTool} tool
- * @param {(index: bigint) => void} readAt opens the string at a symbol
- */
-export function createCheck(store, tool, readAt) {
+/** @param {import('../dialogs.js').Page} page */
+export function createCheck({ store, readAt }) {
+    addElements(markup, [styles]);
     const dialog = byId('program-check', HTMLDialogElement);
     const output = byId('check-output', HTMLTextAreaElement);
     const file = input('check-file');
@@ -32,7 +33,13 @@ export function createCheck(store, tool, readAt) {
         if (text.trim() === '') return setText(told, '');
         if (text.length > LONGEST) return setText(told, 'The output has more than 16 MiB.');
         setText(told, 'Comparing…');
-        const result = await tool.call('check', { definition: definitionOf(store.state), output: text }).catch((error) => ({ isRight: false, words: `The comparison failed (${error instanceof Error ? error.message : error}).`, symbol: null }));
+        const result = await tool
+            .call('check', { definition: definitionOf(store.state), output: text })
+            .catch((error) => ({
+                isRight: false,
+                words: `The comparison failed (${error instanceof Error ? error.message : error}).`,
+                symbol: null,
+            }));
         if (own !== turn) return;
         told.classList.add(result.isRight ? 'agrees' : 'differs');
         setText(told, result.words);
@@ -73,11 +80,16 @@ export function createCheck(store, tool, readAt) {
         if (place !== null) readAt(place);
     });
     closes(dialog, 'close-check');
-    button('check-program').addEventListener('click', () => {
-        byId('share-dialog', HTMLDialogElement).close();
-        const { title, name, iterations } = store.state;
-        setText(html('check-system'), `What it printed for “${title || name || 'this system'}” after ${iterations} iteration${iterations === 1 ? '' : 's'}:`);
-        dialog.showModal();
-        void compare(output.value);
-    });
+
+    return {
+        open() {
+            const { title, name, iterations } = store.state;
+            setText(
+                html('check-system'),
+                `What it printed for “${title || name || 'this system'}” after ${iterations} iteration${iterations === 1 ? '' : 's'}:`,
+            );
+            dialog.showModal();
+            void compare(output.value);
+        },
+    };
 }

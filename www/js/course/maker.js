@@ -1,15 +1,21 @@
 /** The dialog that makes an exercise of the shown system: what is given, what counts, and its link. */
 
+import styles from '../../css/course.css';
+import find from '../../css/find.css';
+import gallery from '../../css/gallery.css';
 import { copies } from '../copy.js';
 import { button, byId, closes, html, input, make, setText, setValue } from '../dom.js';
+import { addElements } from '../late.js';
+import { ASKS } from '../late-tables.js';
 import { showQrPicture } from '../qr.js';
 import { frameCode } from '../share-code.js';
 import { definitionOf } from '../state.js';
+import markup from './maker.html';
 import { createOthers } from './others.js';
+import { courseTool as tool } from './tool.js';
 
 /** @typedef {import('../protocol.js').Exercise} Exercise */
 /** @typedef {import('../protocol.js').Given} Given */
-/** @typedef {{call: ReturnType<typeof import('../tool.js').createTool<import('../protocol.js').CourseCalls>>['call']}} CourseTool */
 
 /** A change waits for a pause of this length before the link is made anew, in milliseconds. */
 const PAUSE = 200;
@@ -25,23 +31,29 @@ const CHOICES = [
     ['hidden', 'hidden'],
 ];
 
-/**
- * @param {import('../store.js').Store} store
- * @param {import('../engine.js').Engine} engine
- * @param {CourseTool} tool
- */
-export function createMaker(store, engine, tool) {
+/** @param {import('../dialogs.js').Page} page */
+export function createMaker({ store, engine }) {
+    addElements(markup, [gallery, find, styles]);
     const dialog = byId('exercise-maker', HTMLDialogElement);
     const rows = html('maker-given');
     const link = input('maker-link');
     const code = byId('maker-code', HTMLTextAreaElement);
     const qr = byId('maker-qr', SVGSVGElement);
+    byId('maker-asks', HTMLSelectElement).append(
+        ...Object.entries(ASKS).map(([value, { label }]) => make('option', { value }, label)),
+    );
     let turn = 0;
     let timer = 0;
 
     /** @param {string} name @param {Node | string} label @param {Given} chosen */
     function row(name, label, chosen) {
-        const select = make('select', { name }, ...CHOICES.map(([value, words]) => make('option', value === chosen ? { value, selected: '' } : { value }, words)));
+        const select = make(
+            'select',
+            { name },
+            ...CHOICES.map(([value, words]) =>
+                make('option', value === chosen ? { value, selected: '' } : { value }, words),
+            ),
+        );
         return make('label', { class: 'maker-row' }, make('span', {}, label), select);
     }
 
@@ -60,7 +72,9 @@ export function createMaker(store, engine, tool) {
             row('n', `Iterations: ${iterations}`, 'shown'),
             row('angle', `Angle: ${angle}°`, 'shown'),
             row('turtle', 'Meaning of the symbols', 'shown'),
-            ...lines.flatMap((line, at) => (line.trim() === '' ? [] : [row(`line-${at}`, make('code', {}, line.slice(0, 80)), 'free')])),
+            ...lines.flatMap((line, at) =>
+                line.trim() === '' ? [] : [row(`line-${at}`, make('code', {}, line.slice(0, 80)), 'free')],
+            ),
         );
     }
 
@@ -79,14 +93,25 @@ export function createMaker(store, engine, tool) {
         return {
             title: input('maker-title').value.trim(),
             task: text('maker-task').trim(),
-            hints: text('maker-hints').split('\n').map((hint) => hint.trim()).filter(Boolean),
+            hints: text('maker-hints')
+                .split('\n')
+                .map((hint) => hint.trim())
+                .filter(Boolean),
             target: { ...definitionOf(state), notes: '' },
             axiom: given('axiom'),
             angle: given('angle'),
             n: given('n'),
             turtle: given('turtle'),
-            rules: state.rules.split('\n').slice(0, MOST_LINES).map((line, at) => (line.trim() === '' ? 'shown' : given(`line-${at}`))),
-            first: { axiom: state.axiom.slice(0, 1), rules: text('maker-first').trim(), angle: 90, n: Math.min(state.iterations, 1) },
+            rules: state.rules
+                .split('\n')
+                .slice(0, MOST_LINES)
+                .map((line, at) => (line.trim() === '' ? 'shown' : given(`line-${at}`))),
+            first: {
+                axiom: state.axiom.slice(0, 1),
+                rules: text('maker-first').trim(),
+                angle: 90,
+                n: Math.min(state.iterations, 1),
+            },
             asks: /** @type {import('../protocol.js').Asks} */ (byId('maker-asks', HTMLSelectElement).value),
             mostSymbols: symbols === null ? null : Math.max(0, Math.round(symbols)),
             tolerance: percent === null || percent <= 0 || percent >= 100 ? null : percent / 100,
@@ -105,7 +130,12 @@ export function createMaker(store, engine, tool) {
         const address = new URL(`exercise.html#v=1&x=${made}`, location.href).href;
         link.value = address;
         html('maker-try').setAttribute('href', address);
-        code.value = frameCode({ ...store.state, title: input('maker-title').value.trim() || 'Exercise' }, `#v=1&x=${made}`, new URL('exercise.html', location.href).href, { controls: [], theme: '', ...SIZE });
+        code.value = frameCode(
+            { ...store.state, title: input('maker-title').value.trim() || 'Exercise' },
+            `#v=1&x=${made}`,
+            new URL('exercise.html', location.href).href,
+            { controls: [], theme: '', ...SIZE },
+        );
         const modules = await engine.qr(address).catch(() => null);
         if (own !== turn) return;
         qr.toggleAttribute('hidden', modules === null);
@@ -125,12 +155,14 @@ export function createMaker(store, engine, tool) {
     });
     dialog.querySelector('form')?.addEventListener('submit', (event) => event.preventDefault());
     closes(dialog, 'close-maker');
-    button('make-exercise').addEventListener('click', () => {
-        byId('share-dialog', HTMLDialogElement).close();
-        begin();
-        others.forget();
-        setText(html('maker-status'), '');
-        dialog.showModal();
-        void refresh();
-    });
+
+    return {
+        open() {
+            begin();
+            others.forget();
+            setText(html('maker-status'), '');
+            dialog.showModal();
+            void refresh();
+        },
+    };
 }

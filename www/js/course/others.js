@@ -9,6 +9,7 @@ import { inked, levelOf } from '../find/ink.js';
 import { systems } from '../find/merge.js';
 import { candidateCard, workWords } from '../find/results.js';
 import { createSearch } from '../find/search.js';
+import { ASKS } from '../late-tables.js';
 import { Cancelled } from '../tool.js';
 
 /** @typedef {import('../state.js').Definition} Definition */
@@ -18,7 +19,12 @@ import { Cancelled } from '../tool.js';
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
 
 /** The letters that draw, by dialect; those in space are not searched. @type {Partial<Record<Definition['dialect'], string>>} */
-const DRAWS = { abop: 'FG', practical: 'FG', 'every-letter': 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz', lowercase: 'abcdefghijklmnopqrstuvwxyz' };
+const DRAWS = {
+    abop: 'FG',
+    practical: 'FG',
+    'every-letter': 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz',
+    lowercase: 'abcdefghijklmnopqrstuvwxyz',
+};
 
 /** The letters that draw in a system. @param {Pick<Definition, 'dialect' | 'overrides'>} definition */
 export function drawsOf({ dialect, overrides }) {
@@ -42,7 +48,11 @@ export function questionOf({ target, axiom, angle, n, turtle }) {
 }
 
 /** The lines of rules, by predecessor, without spaces. @param {string} rules */
-const linesOf = (rules) => rules.split('\n').map((line) => line.replace(/\s/g, '')).filter(Boolean);
+const linesOf = (rules) =>
+    rules
+        .split('\n')
+        .map((line) => line.replace(/\s/g, ''))
+        .filter(Boolean);
 /** @param {string} line */
 const predecessorOf = (line) => line.split(/->|→|=>/)[0] ?? '';
 
@@ -50,15 +60,20 @@ const predecessorOf = (line) => line.split(/->|→|=>/)[0] ?? '';
 export function answerOf(candidate, { fixed, free }) {
     const given = new Set(linesOf(fixed.rules).map(predecessorOf));
     const own = candidate.rules.split('\n').filter((line) => !given.has(predecessorOf(line.replace(/\s/g, ''))));
-    return { ...fixed, ...Object.fromEntries(free.map((field) => [field, candidate[field]])), rules: [...own, ...linesOf(fixed.rules)].join('\n') };
+    return {
+        ...fixed,
+        ...Object.fromEntries(free.map((field) => [field, candidate[field]])),
+        rules: [...own, ...linesOf(fixed.rules)].join('\n'),
+    };
 }
 
 /** What makes two answers the same. @param {Definition} answer */
-const keyOf = ({ axiom, rules, angle, iterations }) => JSON.stringify([axiom.replace(/\s/g, ''), linesOf(rules).sort(), angle, iterations]);
+const keyOf = ({ axiom, rules, angle, iterations }) =>
+    JSON.stringify([axiom.replace(/\s/g, ''), linesOf(rules).sort(), angle, iterations]);
 
 /**
  * @param {import('../engine.js').Engine} engine
- * @param {import('./maker.js').CourseTool} tool
+ * @param {import('./tool.js').CourseTool} tool
  * @param {() => Exercise} exercise
  */
 export function createOthers(engine, tool, exercise) {
@@ -86,8 +101,9 @@ export function createOthers(engine, tool, exercise) {
     /** @param {Exercise} made @param {AbortSignal} signal */
     async function look(made, signal) {
         const { target } = made;
-        if (made.asks !== 'picture') return tell('Only exercises that ask for the picture are searched.');
-        if (!DRAWS[target.dialect] || (target.rightAngle !== null && target.rightAngle !== target.angle)) return tell('Systems in space and with two angles are not searched.');
+        if (!ASKS[made.asks].isSearched) return tell('Only exercises that ask for the picture are searched.');
+        if (!DRAWS[target.dialect] || (target.rightAngle !== null && target.rightAngle !== target.angle))
+            return tell('Systems in space and with two angles are not searched.');
         const x = await tool.call('write', { exercise: made });
         const about = await tool.call('open', { text: x });
         const picture = await pictureOf(engine, target);
@@ -96,21 +112,42 @@ export function createOthers(engine, tool, exercise) {
         const own = answerOf(target, about);
         const { symbols: ownSymbols } = (await tool.call('mark', { text: x, student: own }, { signal })).mark;
         tell('Searching…');
-        const report = await search.begin(source, questionOf(made), signal, (so) => tell(`${workWords(so, false)}…`), { thorough: true });
+        const report = await search.begin(source, questionOf(made), signal, (so) => tell(`${workWords(so, false)}…`), {
+            thorough: true,
+        });
         /** Other answers that are solved, by what they are. @type {Map<string, {candidate: Candidate, symbols: number}>} */
         const answers = new Map();
         for (const candidate of report.candidates) {
             const student = answerOf(candidate.definition, about);
             if (!candidate.isFound || keyOf(student) === keyOf(own) || answers.has(keyOf(student))) continue;
             const { mark } = await tool.call('mark', { text: x, student }, { signal });
-            if (mark.isSolved) answers.set(keyOf(student), { candidate: { ...candidate, definition: student }, symbols: mark.symbols });
+            if (mark.isSolved)
+                answers.set(keyOf(student), {
+                    candidate: { ...candidate, definition: student },
+                    symbols: mark.symbols,
+                });
         }
         const all = [...answers.values()].sort((a, b) => a.symbols - b.symbols);
         const shorter = all.filter(({ symbols }) => symbols < ownSymbols).length;
         const searched = `Searched: ${workWords(report, false)}: ${report.searched}.`;
         const others = `${systems(all.length).replace('system', 'other system')} also ${all.length === 1 ? 'solves' : 'solve'} this exercise`;
-        tell(all.length === 0 ? `No other answer was found. That does not prove that there is none. ${searched}` : `${others}; ${shorter === 0 ? 'none' : shorter} of them ${shorter === 1 ? 'is' : 'are'} shorter than yours. ${searched}`);
-        cards.replaceChildren(...all.map(({ candidate, symbols }) => candidateCard({ ...candidate, symbols }, { engine, restyle: blackOnWhite, told: `${symbols} symbols${symbols < ownSymbols ? ', shorter' : ''}` })));
+        tell(
+            all.length === 0
+                ? `No other answer was found. That does not prove that there is none. ${searched}`
+                : `${others}; ${shorter === 0 ? 'none' : shorter} of them ${shorter === 1 ? 'is' : 'are'} shorter than yours. ${searched}`,
+        );
+        cards.replaceChildren(
+            ...all.map(({ candidate, symbols }) =>
+                candidateCard(
+                    { ...candidate, symbols },
+                    {
+                        engine,
+                        restyle: blackOnWhite,
+                        told: `${symbols} symbols${symbols < ownSymbols ? ', shorter' : ''}`,
+                    },
+                ),
+            ),
+        );
     }
 
     ask.addEventListener('click', async () => {
@@ -122,7 +159,8 @@ export function createOthers(engine, tool, exercise) {
         try {
             await look(exercise(), own.signal);
         } catch (error) {
-            if (!(error instanceof Cancelled)) tell(`The search failed: ${error instanceof Error ? error.message : error}`);
+            if (!(error instanceof Cancelled))
+                tell(`The search failed: ${error instanceof Error ? error.message : error}`);
         }
         if (running === own) stop();
     });

@@ -3,6 +3,7 @@
 import { jsonOf } from '../files.js';
 import { make } from '../dom.js';
 import { emptyThumb } from '../thumb.js';
+import { courseTool } from './tool.js';
 
 /** @typedef {{id: string, shelf: string, title: string, text: string | null, x: string}} Entry */
 
@@ -34,14 +35,13 @@ export function exerciseCard({ title, shelf, text, x }) {
 
 /**
  * Draws the target of an exercise.
- * @param {import('./later.js').LaterTool} tool
  * @param {HTMLCanvasElement} picture
  * @param {string} x
  * @param {number} side in CSS pixels
  */
-export async function paintExercise(tool, picture, x, side) {
+export async function paintExercise(picture, x, side) {
     const pixels = Math.round(side * Math.min(2, devicePixelRatio || 1));
-    const made = await (await tool()).call('picture', { text: x, width: pixels, height: pixels, ratio: pixels / side });
+    const made = await courseTool.call('picture', { text: x, width: pixels, height: pixels, ratio: pixels / side });
     [picture.width, picture.height] = [pixels, pixels];
     picture.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(made.buffer), pixels, pixels), 0, 0);
     picture.classList.add('inked');

@@ -64,7 +64,15 @@ export function connectHost(store, { host, offer, theme: paint, play, facts }) {
         },
         reset: () => asHost(store.reset),
         // Ignore values that are not strings, which may have no text form.
-        controls: ({ controls }) => offer(readControls([controls].flat().filter((one) => typeof one === 'string').join())),
+        controls: ({ controls }) =>
+            offer(
+                readControls(
+                    [controls]
+                        .flat()
+                        .filter((one) => typeof one === 'string')
+                        .join(),
+                ),
+            ),
         theme: ({ theme }) => paint(readTheme(theme)),
         play: () => play(true),
         pause: () => play(false),
@@ -73,7 +81,13 @@ export function connectHost(store, { host, offer, theme: paint, play, facts }) {
     addEventListener('message', (event) => {
         if (!holder || event.source !== holder) return;
         const { data, origin } = event;
-        if (typeof data !== 'object' || data === null || typeof data.lsystem !== 'string' || !Object.hasOwn(REQUESTS, data.lsystem)) return;
+        if (
+            typeof data !== 'object' ||
+            data === null ||
+            typeof data.lsystem !== 'string' ||
+            !Object.hasOwn(REQUESTS, data.lsystem)
+        )
+            return;
         if (host !== null && origin !== host) return;
         // A page with an opaque origin, such as a file, can only be addressed with a wildcard.
         listener = origin === 'null' ? '*' : origin;

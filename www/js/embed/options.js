@@ -15,7 +15,11 @@ const LONGEST = 1000;
 
 /** @param {string} hash with or without its `#` @returns {Options} */
 export function readOptions(hash) {
-    return { controls: readControls(valueOf(hash, 'controls')), theme: readTheme(valueOf(hash, 'theme')), host: originOf(valueOf(hash, 'host')) };
+    return {
+        controls: readControls(valueOf(hash, 'controls')),
+        theme: readTheme(valueOf(hash, 'theme')),
+        host: originOf(valueOf(hash, 'host')),
+    };
 }
 
 /** @param {unknown} theme */
@@ -30,7 +34,11 @@ export function readControls(list) {
 
 /** The last value of a key. @param {string} hash @param {string} key */
 function valueOf(hash, key) {
-    const part = hash.replace(/^#/, '').split('&').findLast((each) => each.startsWith(`${key}=`)) ?? '';
+    const part =
+        hash
+            .replace(/^#/, '')
+            .split('&')
+            .findLast((each) => each.startsWith(`${key}=`)) ?? '';
     try {
         return decodeURIComponent(part.slice(key.length + 1, LONGEST));
     } catch {

@@ -24,7 +24,8 @@ export function valuesOf(state) {
  * @returns {{fields: Partial<State>, problems: string[]}}
  */
 export function fieldsOf(values) {
-    if (typeof values !== 'object' || values === null) return { fields: {}, problems: ['The values must be an object with the keys of links.'] };
+    if (typeof values !== 'object' || values === null)
+        return { fields: {}, problems: ['The values must be an object with the keys of links.'] };
     /** @type {string[]} */
     const problems = [];
     /** @type {Record<string, unknown>} */

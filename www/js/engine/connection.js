@@ -39,7 +39,12 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
     let retry = 0;
     const attempts = createAttempts();
     const help = createHelp(() => worker);
-    const watchdog = createWatchdog({ patience, ping: () => worker?.postMessage({ type: 'ping' }), doubted, stopped: () => stopped('silent', 'the worker did not answer') });
+    const watchdog = createWatchdog({
+        patience,
+        ping: () => worker?.postMessage({ type: 'ping' }),
+        doubted,
+        stopped: () => stopped('silent', 'the worker did not answer'),
+    });
 
     function start() {
         clearTimeout(retry);

@@ -46,7 +46,11 @@ export function createMates(count) {
         const mate = hire();
         const { port1, port2 } = new MessageChannel();
         let hasSpoken = false;
-        const watchdog = createWatchdog({ patience: () => (hasSpoken ? SILENCE : STARTUP), ping: () => mate.postMessage({ type: 'ping' }), stopped: dismiss });
+        const watchdog = createWatchdog({
+            patience: () => (hasSpoken ? SILENCE : STARTUP),
+            ping: () => mate.postMessage({ type: 'ping' }),
+            stopped: dismiss,
+        });
         /** Ends the mate; the drawing worker draws unanswered panes itself. */
         function dismiss() {
             watchdog.leave();

@@ -97,7 +97,10 @@ export function createOutbox(newest, { post, ready, nextId, sent, settled }) {
         isLastDefinition: (id) => id === last.define,
 
         /** Which parts of the newest state the worker has begun. @param {import('../protocol.js').At} at */
-        taken: (at) => ({ definition: at.define === last.define && !newest.unsent.definition, look: at.view === last.view && !newest.unsent.look }),
+        taken: (at) => ({
+            definition: at.define === last.define && !newest.unsent.definition,
+            look: at.view === last.view && !newest.unsent.look,
+        }),
 
         /** The worker was replaced; the fresh one owes nothing. */
         forget() {

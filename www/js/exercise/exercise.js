@@ -5,6 +5,7 @@ import { isDark } from '../colour-schemes.js';
 import { copyKeys, copyText } from '../copy.js';
 import { button, byId, html, input, make, setText } from '../dom.js';
 import { DEFAULTS, clean, definitionOf, sameSystem } from '../state.js';
+import { ASKS } from '../late-tables.js';
 import { DIALECTS } from '../tables.js';
 import { Cancelled, createTool } from '../tool.js';
 import { answerLink, exerciseIn, startOf, studentIn, wholeOf } from './open.js';
@@ -28,7 +29,13 @@ export async function openExercise(hash, link) {
     /** @type {ReturnType<typeof createTool<import('../protocol.js').CourseCalls>>} */
     const tool = createTool('course');
     const about = await tool.call('open', { text });
-    return { text, about, tool, start: startOf(about, link), whole: (/** @type {Readonly<State>} */ state) => wholeOf(about, state) };
+    return {
+        text,
+        about,
+        tool,
+        start: startOf(about, link),
+        whole: (/** @type {Readonly<State>} */ state) => wholeOf(about, state),
+    };
 }
 
 /** Pictures that agree less than this are never the same. */
@@ -45,7 +52,8 @@ const MOST_ERRORS = 1;
 export function createExercise(store, { text, about, tool }, { marked, needs }) {
     const name = input('student-name');
     const target = createTarget({
-        picture: async (width, height, ratio) => new Uint8ClampedArray((await tool.call('picture', { text, width, height, ratio })).buffer),
+        picture: async (width, height, ratio) =>
+            new Uint8ClampedArray((await tool.call('picture', { text, width, height, ratio })).buffer),
     });
     /** Stops the mark in the making. */
     let marking = new AbortController();
@@ -63,7 +71,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     }
     for (const id of ['exercise', 'target', 'mark']) html(id).hidden = false;
     setText(html('exercise-title'), about.title || 'Exercise');
-    html('exercise-task').replaceChildren(...paragraphs(about.task || DEFAULT_TASKS[about.asks]));
+    html('exercise-task').replaceChildren(...paragraphs(about.task || ASKS[about.asks].task));
     showGiven();
     showHints();
     html('texts').hidden = about.text === null;
@@ -77,15 +85,26 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
             about.n === 'shown' && ['Iterations', String(about.fixed.iterations)],
             about.angle === 'shown' && ['Angle', `${about.fixed.angle}°`],
             about.shownRules.trim() !== '' && ['Rules', about.shownRules],
-            about.turtle === 'shown' && about.fixed.dialect !== DEFAULTS.dialect && ['Dialect', DIALECTS[about.fixed.dialect].label],
+            about.turtle === 'shown' &&
+                about.fixed.dialect !== DEFAULTS.dialect && ['Dialect', DIALECTS[about.fixed.dialect].label],
             about.turtle === 'shown' && about.fixed.overrides !== '' && ['Symbols', about.fixed.overrides],
             about.mostSymbols !== null && ['At most', `${about.mostSymbols} symbols in your rules`],
         ];
         const shown = values.filter((value) => Array.isArray(value));
-        html('given').replaceChildren(...shown.flatMap(([label, value]) => [make('dt', {}, String(label)), make('dd', {}, String(value))]));
-        const hidden = [about.axiom === 'hidden' && 'the axiom', about.n === 'hidden' && 'the iterations', about.angle === 'hidden' && 'the angle', about.turtle === 'hidden' && 'the meaning of some symbols', about.hidesRules && 'some rules'].filter(Boolean);
+        html('given').replaceChildren(
+            ...shown.flatMap(([label, value]) => [make('dt', {}, String(label)), make('dd', {}, String(value))]),
+        );
+        const hidden = [
+            about.axiom === 'hidden' && 'the axiom',
+            about.n === 'hidden' && 'the iterations',
+            about.angle === 'hidden' && 'the angle',
+            about.turtle === 'hidden' && 'the meaning of some symbols',
+            about.hidesRules && 'some rules',
+        ].filter(Boolean);
         setText(html('given-hidden'), hidden.length > 0 ? `Hidden, but in force: ${hidden.join(', ')}.` : '');
-        byId('axiom', HTMLTextAreaElement).closest('.field')?.classList.toggle('not-asked', about.axiom !== 'free');
+        byId('axiom', HTMLTextAreaElement)
+            .closest('.field')
+            ?.classList.toggle('not-asked', about.axiom !== 'free');
     }
 
     function showHints() {
@@ -108,13 +127,20 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         marking.abort();
         const own = (marking = new AbortController());
         try {
-            const { mark, pixels } = await tool.call('mark', { text, student: definitionOf(store.state) }, { signal: own.signal });
+            const { mark, pixels } = await tool.call(
+                'mark',
+                { text, student: definitionOf(store.state) },
+                { signal: own.signal },
+            );
             if (own !== marking) return;
             target.compare(pixels);
             show(mark);
         } catch (error) {
             if (error instanceof Cancelled || own !== marking) return;
-            setText(html('mark-words'), `The drawing could not be compared (${error instanceof Error ? error.message : error}).`);
+            setText(
+                html('mark-words'),
+                `The drawing could not be compared (${error instanceof Error ? error.message : error}).`,
+            );
         }
     }
 
@@ -124,7 +150,10 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         setText(html('mark-percent'), mark.percent);
         const words = mark.errors.length > 0 ? mark.errors.slice(0, MOST_ERRORS).join(' ') : mark.words;
         setText(html('mark-words'), mark.isSolved ? `Solved. ${words}` : words);
-        setText(html('mark-symbols'), about.mostSymbols === null ? '' : `${mark.symbols} of at most ${about.mostSymbols} symbols`);
+        setText(
+            html('mark-symbols'),
+            about.mostSymbols === null ? '' : `${mark.symbols} of at most ${about.mostSymbols} symbols`,
+        );
         // Statistics that agree as far as chance allows are as good as equal ones.
         byId('mark-measure', HTMLMeterElement).high = mark.isSolved ? 0.5 : NEARLY;
         showText(mark.text);
@@ -162,7 +191,11 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         const student = definitionOf(store.state);
         setText(html('mark-why'), 'Comparing…');
         const words = await tool.call('hint', { text, student }).catch(() => null);
-        if (sameSystem(clean(student), store.state)) setText(html('mark-why'), words ?? 'No usual mistake explains the difference. Compare the pictures part by part.');
+        if (sameSystem(clean(student), store.state))
+            setText(
+                html('mark-why'),
+                words ?? 'No usual mistake explains the difference. Compare the pictures part by part.',
+            );
     });
     button('hand-in').addEventListener('click', async () => {
         const address = new URL(link(), location.href).href;
@@ -174,7 +207,9 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         toast(`Press ${copyKeys()} to copy the link.`);
     });
     button('print').addEventListener('click', () => print());
-    html('mark').querySelector('form')?.addEventListener('submit', (event) => event.preventDefault());
+    html('mark')
+        .querySelector('form')
+        ?.addEventListener('submit', (event) => event.preventDefault());
     store.subscribe((state, before) => {
         target.setDark(isDark(state.background));
         if (sameSystem(state, before)) return;
@@ -188,11 +223,3 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
 
 /** What stands in the empty field for rules. */
 const EXAMPLE = 'F -> …';
-
-/** The task where none is given. @type {Record<import('../protocol.js').Asks, string>} */
-const DEFAULT_TASKS = {
-    picture: 'Find rules that draw the target.',
-    text: 'Find rules that derive the same string.',
-    segments: 'Find rules that draw as many segments as the target.',
-    statistics: 'Find rules of chance whose drawings have the same statistics.',
-};

@@ -62,4 +62,5 @@ export function answerLink(text, about, state, by) {
 }
 
 /** Escapes more than other links do: answers pass through forms, which read a plus sign as a space. @param {string} value */
-const escape = (value) => encodeURIComponent(value).replace(/[()]/g, (character) => (character === '(' ? '%28' : '%29'));
+const escape = (value) =>
+    encodeURIComponent(value).replace(/[()]/g, (character) => (character === '(' ? '%28' : '%29'));

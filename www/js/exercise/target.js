@@ -43,7 +43,9 @@ export function createTarget({ picture }) {
     async function paint() {
         const own = ++turn;
         const ratio = Math.min(MAX_RATIO, devicePixelRatio || 1);
-        const [width, height] = [pane.clientWidth, pane.clientHeight].map((side) => Math.max(1, Math.round(side * ratio)));
+        const [width, height] = [pane.clientWidth, pane.clientHeight].map((side) =>
+            Math.max(1, Math.round(side * ratio)),
+        );
         if (!width || !height || pane.clientWidth < 2) return;
         const made = await picture(width, height, ratio).catch(() => null);
         if (!made || own !== turn || made.length !== 4 * width * height) return;
@@ -56,7 +58,10 @@ export function createTarget({ picture }) {
         const differs = now !== 'target';
         compared.hidden = !differs || pixels === null;
         html('target-legend').hidden = now !== 'differences' || pixels === null;
-        setText(html('target-name'), now === 'target' ? 'Target' : now === 'differences' ? 'Differences' : shownOwn ? 'Yours' : 'Target');
+        setText(
+            html('target-name'),
+            now === 'target' ? 'Target' : now === 'differences' ? 'Differences' : shownOwn ? 'Yours' : 'Target',
+        );
         if (differs && pixels) paintDifferences(pixels, now === 'blink');
         clearTimeout(timer);
         if (now === 'blink' && !reducedMotion() && document.visibilityState === 'visible') {

@@ -24,7 +24,10 @@ export function inline(text) {
         if (code) parts.push(make('code', {}, code));
         else if (strong) parts.push(make('strong', {}, strong));
         else if (emphasis) parts.push(make('em', {}, emphasis));
-        else parts.push(make('a', { href: address ?? '', target: '_blank', rel: 'noopener noreferrer nofollow' }, words ?? ''));
+        else
+            parts.push(
+                make('a', { href: address ?? '', target: '_blank', rel: 'noopener noreferrer nofollow' }, words ?? ''),
+            );
         at = match.index + whole.length;
     }
     return [...parts, text.slice(at)].filter((part) => part !== '');

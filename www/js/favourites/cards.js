@@ -18,16 +18,32 @@ function actButton(words, label, act) {
  * @param {{open: () => void, rename: () => void, remove: () => void}} act
  */
 export function favouriteCard(one, picture, { open, rename, remove }) {
-    const opener = make('button', { type: 'button', class: 'card', 'data-id': one.id }, ...(picture ? [picture] : []), make('span', { class: 'card-title' }, one.name));
+    const opener = make(
+        'button',
+        { type: 'button', class: 'card', 'data-id': one.id },
+        ...(picture ? [picture] : []),
+        make('span', { class: 'card-title' }, one.name),
+    );
     opener.addEventListener('click', open);
-    const acts = make('div', { class: 'card-acts' }, actButton('Rename', `Rename ${one.name}`, rename), actButton('Delete', `Delete ${one.name}`, remove));
+    const acts = make(
+        'div',
+        { class: 'card-acts' },
+        actButton('Rename', `Rename ${one.name}`, rename),
+        actButton('Delete', `Delete ${one.name}`, remove),
+    );
     return make('li', { class: 'card-item', 'data-favourite': one.id }, opener, acts);
 }
 
 /** @param {number} time when the visit ended @param {State} state @param {HTMLCanvasElement} picture @param {() => void} open */
 export function visitCard(time, state, picture, open) {
     const when = new Date(time).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
-    const opener = make('button', { type: 'button', class: 'card' }, picture, make('span', { class: 'card-title' }, state.title || state.name || 'Untitled system'), make('span', { class: 'card-kind' }, when));
+    const opener = make(
+        'button',
+        { type: 'button', class: 'card' },
+        picture,
+        make('span', { class: 'card-title' }, state.title || state.name || 'Untitled system'),
+        make('span', { class: 'card-kind' }, when),
+    );
     opener.addEventListener('click', open);
     return make('li', { class: 'card-item' }, opener);
 }

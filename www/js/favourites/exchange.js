@@ -3,9 +3,7 @@
 import { button, input } from '../dom.js';
 import { download } from '../download.js';
 import { LARGEST_FILE, readFile, writeFile } from '../favourites.js';
-
-/** The message when the storage is full. */
-export const FULL = 'The browser’s storage for this page is full. Export the favourites to a file, then delete some.';
+import { FULL } from './stored.js';
 
 /**
  * @param {ReturnType<typeof import('./stored.js').createStored>} stored
@@ -24,7 +22,11 @@ export function createExchange(stored, { tell, changed }) {
         chooser.value = '';
         if (!file) return;
         try {
-            tell(file.size > LARGEST_FILE ? 'This file is too large. Files of favourites have at most 2 MB.' : await take(await file.text()));
+            tell(
+                file.size > LARGEST_FILE
+                    ? 'This file is too large. Files of favourites have at most 2 MB.'
+                    : await take(await file.text()),
+            );
         } catch (error) {
             tell(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
         }

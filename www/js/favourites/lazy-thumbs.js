@@ -17,7 +17,8 @@ export function createLazyThumbs(engine, root) {
     const unpainted = new Map();
     const seen = new IntersectionObserver(
         (entries) => {
-            for (const { isIntersecting, target } of entries) if (isIntersecting && target instanceof HTMLCanvasElement) paint(target);
+            for (const { isIntersecting, target } of entries)
+                if (isIntersecting && target instanceof HTMLCanvasElement) paint(target);
         },
         { root, rootMargin: '120px' },
     );

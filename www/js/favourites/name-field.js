@@ -9,7 +9,14 @@ import { LONGEST_NAME } from '../favourites.js';
  * @param {(name: string | null, focused: boolean) => void} finish called with the new name, or null to keep the name; `focused`: the field had the focus
  */
 export function showNameField(place, name, finish) {
-    const field = make('input', { type: 'text', class: 'number', maxlength: String(LONGEST_NAME), value: name, 'aria-label': `New name of ${name}`, autocomplete: 'off' });
+    const field = make('input', {
+        type: 'text',
+        class: 'number',
+        maxlength: String(LONGEST_NAME),
+        value: name,
+        'aria-label': `New name of ${name}`,
+        autocomplete: 'off',
+    });
     let done = false;
 
     /** @param {boolean} keep */

@@ -3,6 +3,9 @@
 import { html, setText } from '../dom.js';
 import { readFavourites } from '../favourites.js';
 
+/** The message when the storage is full. */
+export const FULL = 'The browser’s storage for this page is full. Export the favourites to a file, then delete some.';
+
 /** @typedef {import('../favourites.js').Favourite} Favourite */
 
 /** @param {import('../storage.js').SafeStorage} storage */

@@ -22,7 +22,8 @@ export function createAdder(store, stage, { add }) {
     function valueOf(subject) {
         const { view, camera } = store.state;
         if (subject === 'view' && view) return [view.x, view.y, view.zoom];
-        if (subject === 'camera' && camera) return [camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z];
+        if (subject === 'camera' && camera)
+            return [camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z];
         if (Object.hasOwn(USUAL, subject)) return USUAL[/** @type {keyof typeof USUAL} */ (subject)];
         return subjects.find(({ name }) => name === subject)?.value ?? [0];
     }
@@ -37,9 +38,17 @@ export function createAdder(store, stage, { add }) {
         show(script, all) {
             subjects = all;
             const used = new Set(script.tracks.map(({ subject }) => subject));
-            const options = subjects.filter(({ name, value }) => !used.has(name) && value !== null).map(({ name, label }) => make('option', { value: name }, `${label} (${name})`));
-            const others = (stage.space ? [['camera', 'Camera']] : [['view', 'View']]).concat([['drawn', 'Part drawn']]).filter(([name]) => !used.has(String(name)));
-            element.replaceChildren(make('option', { value: '' }, 'Add a track…'), ...others.map(([name, words]) => make('option', { value: String(name) }, String(words))), ...options);
+            const options = subjects
+                .filter(({ name, value }) => !used.has(name) && value !== null)
+                .map(({ name, label }) => make('option', { value: name }, `${label} (${name})`));
+            const others = (stage.space ? [['camera', 'Camera']] : [['view', 'View']])
+                .concat([['drawn', 'Part drawn']])
+                .filter(([name]) => !used.has(String(name)));
+            element.replaceChildren(
+                make('option', { value: '' }, 'Add a track…'),
+                ...others.map(([name, words]) => make('option', { value: String(name) }, String(words))),
+                ...options,
+            );
         },
     };
 }

@@ -1,7 +1,13 @@
 /** Code that shows a film in another page. Pure functions. */
 
 /** @param {string} value */
-const attribute = (value) => value.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;').replaceAll('\n', '&#10;');
+const attribute = (value) =>
+    value
+        .replaceAll('&', '&amp;')
+        .replaceAll('<', '&lt;')
+        .replaceAll('>', '&gt;')
+        .replaceAll('"', '&quot;')
+        .replaceAll('\n', '&#10;');
 
 /**
  * @param {Readonly<import('../state.js').State>} state
@@ -20,7 +26,11 @@ export const guarded = (film) => encodeURIComponent(film).replace(/%(3B|3D|3A|2C
 
 /** The text of the film in a link; empty if there is none. @param {string} hash */
 export function filmIn(hash) {
-    const part = hash.replace(/^#/, '').split('&').findLast((each) => each.startsWith('film=')) ?? '';
+    const part =
+        hash
+            .replace(/^#/, '')
+            .split('&')
+            .findLast((each) => each.startsWith('film=')) ?? '';
     try {
         return decodeURIComponent(part.slice('film='.length));
     } catch {

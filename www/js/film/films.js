@@ -1,9 +1,11 @@
-/** The dialog for films: a live preview, a timeline, and files. The page loads this module with the first film. */
+/** The dialog for films: a live preview, a timeline, and files. */
 
+import styles from '../../css/film.css';
 import { toast } from '../announce.js';
 import { copyText } from '../copy.js';
-import { html, icon, make, setText, setValue } from '../dom.js';
+import { button, byId, html, icon, input, setText, setValue } from '../dom.js';
 import { isWhole } from '../files.js';
+import { addElements } from '../late.js';
 import { bestLink } from '../packed.js';
 import { SIZES as FRAMES } from '../share-code.js';
 import { definitionOf } from '../state.js';
@@ -11,6 +13,7 @@ import { Cancelled } from '../tool.js';
 import { createAdder } from './adder.js';
 import { filmCode } from './embed-code.js';
 import { createFilmTool } from './frames.js';
+import markup from './films.html';
 import { createOptions } from './options.js';
 import { createPlayer } from './player.js';
 import { createPresets } from './presets.js';
@@ -26,33 +29,16 @@ const FIRST = '1;8s;25fps;1280x720;repeat';
 /** The largest preview, in CSS pixels. */
 const PREVIEW = [640, 420];
 
-/** @type {ReturnType<typeof createFilms> | null} */
-let made = null;
-
-/**
- * Opens the dialog.
- * @param {import('../store.js').Store} store
- * @param {{readonly space: boolean}} stage whether the drawing is in space
- * @param {string} [text] the film to open; the last one if left out
- */
-export async function openFilm(store, stage, text) {
-    made ??= createFilms(store, stage);
-    await made.open(text);
-}
-
-/**
- * @param {import('../store.js').Store} store
- * @param {{readonly space: boolean}} stage whether the drawing is in space
- */
-function createFilms(store, stage) {
+/** @param {import('../dialogs.js').Page} page */
+export function createFilms({ store, stage }) {
+    addElements(markup, [styles]);
     const tool = createFilmTool();
-    const canvas = make('canvas', { id: 'film-picture', role: 'img', 'aria-label': 'Preview of the film' });
-    const play = make('button', { id: 'film-play', class: 'tool', type: 'button', 'aria-label': 'Play' }, icon('i-play'));
-    const slider = make('input', { id: 'film-at', type: 'range', min: '0', value: '0', 'aria-label': 'Frame' });
-    const clock = make('output', { class: 'film-clock', 'aria-live': 'off' });
-    const problem = make('p', { id: 'film-problem', class: 'note alert', role: 'status' });
-    const text = make('input', { id: 'film-text', class: 'number', type: 'text', spellcheck: 'false', autocomplete: 'off', 'aria-label': 'The film as text' });
-    const embed = make('button', { id: 'film-embed', class: 'button', type: 'button' }, icon('i-link'), 'Copy as embed');
+    const dialog = byId('film-dialog', HTMLDialogElement);
+    const canvas = byId('film-picture', HTMLCanvasElement);
+    const play = button('film-play');
+    const slider = input('film-at');
+    const problem = html('film-problem');
+    const text = input('film-text');
     const saving = createSaving(store, {
         film: () => ({ film, script }),
         start: () => {
@@ -61,7 +47,10 @@ function createFilms(store, stage) {
         },
     });
     const options = createOptions({ change: (values) => change(values) });
-    const presets = createPresets(store, stage, { middle, use: (preset) => usePreset(preset, script ? written(script) : FIRST) });
+    const presets = createPresets(store, stage, {
+        middle,
+        use: (preset) => usePreset(preset, script ? written(script) : FIRST),
+    });
     const adder = createAdder(store, stage, {
         add: (subject, value) => {
             if (!script) return;
@@ -69,29 +58,15 @@ function createFilms(store, stage) {
             change(withTrack(script, { subject, keys: [0, seconds].map((time) => ({ time, value, easing })) }));
         },
     });
-    const timeline = createTimeline({ change: (tracks) => change({ tracks }), label: (subject) => subjects.find(({ name }) => name === subject)?.label ?? subject });
-    const close = make('button', { id: 'close-film', class: 'tool', type: 'button', 'aria-label': 'Close' }, icon('i-close'));
-    const dialog = make(
-        'dialog',
-        { id: 'film-dialog', class: 'dialog fitted film', 'aria-labelledby': 'h-film' },
-        make('header', { class: 'dialog-head' }, make('h2', { id: 'h-film' }, 'Film'), close),
-        make(
-            'div',
-            { class: 'film-body' },
-            make('div', { class: 'film-stage' }, canvas, make('div', { class: 'film-bar' }, play, slider, clock), problem),
-            make(
-                'div',
-                { class: 'film-options' },
-                presets.element,
-                options.element,
-                make('div', { class: 'row' }, ...saving.buttons, embed),
-                saving.progress,
-                saving.credit,
-            ),
-            make('section', { class: 'film-score', 'aria-label': 'Timeline' }, timeline.element, make('div', { class: 'film-bottom' }, adder.element, text)),
-        ),
-    );
-    document.body.append(dialog);
+    const timeline = createTimeline({
+        change: (tracks) => change({ tracks }),
+        label: (subject) => subjects.find(({ name }) => name === subject)?.label ?? subject,
+    });
+    html('film-options').prepend(presets.element, options.element);
+    html('film-acts').prepend(...saving.buttons);
+    html('film-options').append(saving.progress, saving.credit);
+    html('film-score').prepend(timeline.element);
+    html('film-bottom').prepend(adder.element);
 
     /** @type {FilmScript | null} */
     let script = null;
@@ -114,7 +89,10 @@ function createFilms(store, stage) {
             slider.value = String(frame);
             slider.style.setProperty('--at', String(script.frames > 1 ? frame / (script.frames - 1) : 0));
             timeline.at(script.frames > 1 ? timeOf(frame) / script.seconds : 0);
-            setText(clock, `${(frame / script.rate).toFixed(1)} of ${(script.frames / script.rate).toFixed(1)} s`);
+            setText(
+                html('film-clock'),
+                `${(frame / script.rate).toFixed(1)} of ${(script.frames / script.rate).toFixed(1)} s`,
+            );
             showPlay();
         },
         failed: (words) => {
@@ -207,7 +185,7 @@ function createFilms(store, stage) {
         player.seek(Number(slider.value));
         showPlay();
     });
-    close.addEventListener('click', () => dialog.close());
+    button('close-film').addEventListener('click', () => dialog.close());
     dialog.addEventListener('click', (event) => event.target === dialog && !saving.busy && dialog.close());
     dialog.addEventListener('close', () => {
         player.close();
@@ -215,14 +193,24 @@ function createFilms(store, stage) {
         tool.close();
     });
 
-    embed.addEventListener('click', async () => {
+    button('film-embed').addEventListener('click', async () => {
         if (!script) return;
-        if (location.protocol === 'file:' || isWhole()) return toast('This page was opened from a disk. Put it on a web server to get code that works in other pages.');
+        if (location.protocol === 'file:' || isWhole())
+            return toast(
+                'This page was opened from a disk. Put it on a web server to get code that works in other pages.',
+            );
         const { width, height } = script;
         const [most = width] = FRAMES.large ?? [];
         const scale = Math.min(1, most / width);
         const page = new URL('film.html', location.href).href;
-        const code = filmCode(store.state, await bestLink(store.state), film.text, page, Math.round(width * scale), Math.round(height * scale));
+        const code = filmCode(
+            store.state,
+            await bestLink(store.state),
+            film.text,
+            page,
+            Math.round(width * scale),
+            Math.round(height * scale),
+        );
         toast((await copyText(code)) ? 'Embed code copied' : 'The browser refused to copy.');
     });
 

@@ -17,8 +17,23 @@ export function createOptions({ change }) {
     const seconds = numberOption('film-seconds', 'Seconds', { min: '0.1', max: '3600', step: '0.5' });
     const rate = numberOption('film-rate', 'Frames a second', { min: '1', max: '60', step: '1' });
     const size = choice('film-size', [...SIZES, ['own', 'Other size']], 'Size');
-    const sides = ['width', 'height'].map((name) => make('input', { id: `film-${name}`, class: 'number', type: 'number', min: '16', max: '4096', 'aria-label': `${name === 'width' ? 'Width' : 'Height'} in pixels` }));
-    const own = make('span', { class: 'film-option film-own' }, /** @type {HTMLElement} */ (sides[0]), '×', /** @type {HTMLElement} */ (sides[1]));
+    const sides = ['width', 'height'].map((name) =>
+        make('input', {
+            id: `film-${name}`,
+            class: 'number',
+            type: 'number',
+            min: '16',
+            max: '4096',
+            'aria-label': `${name === 'width' ? 'Width' : 'Height'} in pixels`,
+        }),
+    );
+    const own = make(
+        'span',
+        { class: 'film-option film-own' },
+        /** @type {HTMLElement} */ (sides[0]),
+        '×',
+        /** @type {HTMLElement} */ (sides[1]),
+    );
     const ending = choice('film-loop', ENDINGS, 'Loop');
     const pace = choice('film-pace', EASINGS, 'Pace');
 
@@ -41,7 +56,10 @@ export function createOptions({ change }) {
     pace.select.addEventListener('change', () => {
         const easing = pace.select.value;
         const before = script?.easing;
-        const paced = (/** @type {FilmTrack} */ track) => ({ ...track, keys: track.keys.map((key) => (key.easing === before ? { ...key, easing } : key)) });
+        const paced = (/** @type {FilmTrack} */ track) => ({
+            ...track,
+            keys: track.keys.map((key) => (key.easing === before ? { ...key, easing } : key)),
+        });
         change({ easing, tracks: script?.tracks.map(paced) ?? [] });
     });
 
@@ -56,7 +74,9 @@ export function createOptions({ change }) {
             const known = SIZES.some(([name]) => name === `${width}x${height}`);
             setChoice(size.select, known && size.select.value !== 'own' ? `${width}x${height}` : 'own');
             own.hidden = size.select.value !== 'own';
-            sides.forEach((field, at) => document.activeElement !== field && setValue(field, String(at === 0 ? width : height)));
+            sides.forEach(
+                (field, at) => document.activeElement !== field && setValue(field, String(at === 0 ? width : height)),
+            );
             setChoice(ending.select, next.ending);
             setChoice(pace.select, next.easing);
         },

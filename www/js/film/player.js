@@ -48,7 +48,11 @@ export function createPlayer(tool, canvas, { most, shown, failed }) {
             const pixels = await tool.call('frame', { film, number, width, height });
             if (canvas.width !== width) canvas.width = width;
             if (canvas.height !== height) canvas.height = height;
-            context.putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length), width, height), 0, 0);
+            context.putImageData(
+                new ImageData(new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length), width, height),
+                0,
+                0,
+            );
             canvas.dataset.frame = String(number);
             shown(number);
         } catch (error) {

@@ -20,12 +20,16 @@ const KINDS = [
  * @param {{middle: () => Promise<number[] | null>, use: (preset: FilmPreset) => void}} on `middle` finds the place of the segment in the middle
  */
 export function createPresets(store, stage, { middle, use }) {
-    const buttons = KINDS.map(([kind, words]) => ({ kind, button: make('button', { class: 'button', type: 'button', 'data-preset': kind }, words) }));
+    const buttons = KINDS.map(([kind, words]) => ({
+        kind,
+        button: make('button', { class: 'button', type: 'button', 'data-preset': kind }, words),
+    }));
 
     /** The place of a dive: what the page shows if it is zoomed in, or else the segment in the middle. */
     async function placeToDive() {
         const { view, camera } = store.state;
-        if (stage.space && camera && camera.zoom > 2) return [camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z];
+        if (stage.space && camera && camera.zoom > 2)
+            return [camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z];
         if (!stage.space && view && view.zoom > 2) return [view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0];
         return middle();
     }
@@ -47,7 +51,11 @@ export function createPresets(store, stage, { middle, use }) {
     }
 
     return {
-        element: make('div', { class: 'row', role: 'group', 'aria-label': 'Presets' }, ...buttons.map(({ button }) => button)),
+        element: make(
+            'div',
+            { class: 'row', role: 'group', 'aria-label': 'Presets' },
+            ...buttons.map(({ button }) => button),
+        ),
         /** Shows which presets the drawing can have. */
         show() {
             for (const { kind, button } of buttons) button.disabled = kind === 'turntable' && !stage.space;

@@ -48,6 +48,10 @@ export async function videosOf(script) {
     if (typeof VideoEncoder !== 'function') return [];
     const { codecOf } = await import('./video.js');
     const { width, height } = even(script);
-    const kinds = await Promise.all(/** @type {const} */ (['webm', 'mp4']).map(async (kind) => ((await codecOf(kind, width, height)) ? kind : null)));
+    const kinds = await Promise.all(
+        /** @type {const} */ (['webm', 'mp4']).map(async (kind) =>
+            (await codecOf(kind, width, height)) ? kind : null,
+        ),
+    );
     return /** @type {FilmFile[]} */ (kinds.filter((kind) => kind !== null));
 }

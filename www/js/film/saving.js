@@ -15,12 +15,31 @@ const KINDS = /** @type {import('./save.js').FilmFile[]} */ (['gif', 'webm', 'mp
  * @param {{film: () => {film: Film, script: FilmScript | null}, start: () => void}} on `start` is called before a file is made
  */
 export function createSaving(store, { film: present, start: begin }) {
-    const kinds = KINDS.map((kind) => ({ kind, button: make('button', { class: kind === 'gif' ? 'button primary' : 'button', type: 'button', 'data-film': kind, hidden: kind !== 'gif' }, icon('i-save'), kind === 'webm' ? 'WebM' : kind.toUpperCase()) }));
+    const kinds = KINDS.map((kind) => ({
+        kind,
+        button: make(
+            'button',
+            {
+                class: kind === 'gif' ? 'button primary' : 'button',
+                type: 'button',
+                'data-film': kind,
+                hidden: kind !== 'gif',
+            },
+            icon('i-save'),
+            kind === 'webm' ? 'WebM' : kind.toUpperCase(),
+        ),
+    }));
     const bar = make('progress', { id: 'film-progress', max: '1', value: '0', 'aria-label': 'Progress' });
     const cancel = make('button', { id: 'film-cancel', class: 'button quiet', type: 'button' }, 'Cancel');
     const told = make('span', { class: 'note', role: 'status' });
     const progress = make('div', { class: 'film-progress', hidden: true }, bar, told, cancel);
-    const credit = make('p', { class: 'note film-credit' }, 'WebM and MP4 files are written by ', make('a', { href: 'https://mediabunny.dev', target: '_blank', rel: 'noopener' }, 'Mediabunny'), ' (Mozilla Public License 2.0).');
+    const credit = make(
+        'p',
+        { class: 'note film-credit' },
+        'WebM and MP4 files are written by ',
+        make('a', { href: 'https://mediabunny.dev', target: '_blank', rel: 'noopener' }, 'Mediabunny'),
+        ' (Mozilla Public License 2.0).',
+    );
     /** The file in the making. @type {AbortController | null} */
     let saving = null;
 
@@ -39,7 +58,10 @@ export function createSaving(store, { film: present, start: begin }) {
         const show = (/** @type {number} */ done) => {
             bar.value = done / frames;
             const left = done > 0 ? ((performance.now() - start) / done) * (frames - done) : NaN;
-            setText(told, `Frame ${done} of ${frames}${Number.isFinite(left) ? `, ${Math.ceil(left / 1000)} s left` : ''}`);
+            setText(
+                told,
+                `Frame ${done} of ${frames}${Number.isFinite(left) ? `, ${Math.ceil(left / 1000)} s left` : ''}`,
+            );
         };
         show(0);
         progress.hidden = false;
@@ -47,7 +69,9 @@ export function createSaving(store, { film: present, start: begin }) {
         try {
             const blob = await fileOf(kind, film, script, { signal: mine.signal, progress: show });
             download(blob, `${fileName(store.state)}.${kind}`);
-            toast(`Saved: ${(blob.size / 1e6).toFixed(1)} MB, made in ${((performance.now() - start) / 1000).toFixed(1)} s`);
+            toast(
+                `Saved: ${(blob.size / 1e6).toFixed(1)} MB, made in ${((performance.now() - start) / 1000).toFixed(1)} s`,
+            );
         } catch (error) {
             if (!mine.signal.aborted) toast(`Not saved: ${error instanceof Error ? error.message : error}.`);
         } finally {
@@ -70,7 +94,8 @@ export function createSaving(store, { film: present, start: begin }) {
         /** Shows the kinds of video that the browser can write. @param {FilmScript} script */
         async show(script) {
             const found = await videosOf(script).catch(() => []);
-            for (const { kind, button } of kinds) button.hidden = kind !== 'gif' && !found.some((each) => each === kind);
+            for (const { kind, button } of kinds)
+                button.hidden = kind !== 'gif' && !found.some((each) => each === kind);
             credit.hidden = found.length === 0;
         },
     };

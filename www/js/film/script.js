@@ -5,11 +5,28 @@
 /** @typedef {import('../protocol.js').FilmKey} FilmKey */
 
 /** The names of paces and endings, with their words on the page. @type {readonly (readonly [string, string])[]} */
-export const EASINGS = [['linear', 'Linear'], ['smooth', 'Smooth'], ['in', 'Slow start'], ['out', 'Slow end'], ['hold', 'Hold']];
+export const EASINGS = [
+    ['linear', 'Linear'],
+    ['smooth', 'Smooth'],
+    ['in', 'Slow start'],
+    ['out', 'Slow end'],
+    ['hold', 'Hold'],
+];
 /** @type {readonly (readonly [string, string])[]} */
-export const ENDINGS = [['repeat', 'Repeat'], ['bounce', 'Back and forth'], ['once', 'Play once']];
+export const ENDINGS = [
+    ['repeat', 'Repeat'],
+    ['bounce', 'Back and forth'],
+    ['once', 'Play once'],
+];
 /** @type {readonly (readonly [string, string])[]} */
-export const SIZES = [['640x360', '640 × 360'], ['1280x720', '1280 × 720'], ['1920x1080', '1920 × 1080'], ['720x720', '720 × 720'], ['1080x1080', '1080 × 1080'], ['1080x1920', '1080 × 1920']];
+export const SIZES = [
+    ['640x360', '640 × 360'],
+    ['1280x720', '1280 × 720'],
+    ['1920x1080', '1920 × 1080'],
+    ['720x720', '720 × 720'],
+    ['1080x1080', '1080 × 1080'],
+    ['1080x1920', '1080 × 1920'],
+];
 
 /** @param {number} value */
 const numeral = (value) => String(Math.abs(value) < 1e21 ? value : value.toExponential()).replace('e+', 'e');
@@ -18,9 +35,18 @@ export const rounded = (seconds) => Math.round(seconds * 1000) / 1000;
 
 /** The text of a script. @param {Omit<FilmScript, 'frames'>} script */
 export function written({ seconds, rate, width, height, ending, easing, tracks }) {
-    const key = (/** @type {FilmKey} */ { time, value, easing: own }) => `${numeral(time)}:${value.map(numeral).join('/')}${own === easing ? '' : `~${own}`}`;
+    const key = (/** @type {FilmKey} */ { time, value, easing: own }) =>
+        `${numeral(time)}:${value.map(numeral).join('/')}${own === easing ? '' : `~${own}`}`;
     const parts = tracks.map(({ subject, keys }) => `${subject}=${keys.map(key).join()}`);
-    return ['1', `${numeral(seconds)}s`, `${rate}fps`, `${width}x${height}`, ending, ...(easing === 'linear' ? [] : [`ease=${easing}`]), ...parts].join(';');
+    return [
+        '1',
+        `${numeral(seconds)}s`,
+        `${rate}fps`,
+        `${width}x${height}`,
+        ending,
+        ...(easing === 'linear' ? [] : [`ease=${easing}`]),
+        ...parts,
+    ].join(';');
 }
 
 /** A script with a track in place of the one of the same subject. @param {FilmScript} script @param {FilmTrack} track @returns {FilmScript} */
@@ -47,7 +73,9 @@ export function stretched(script, seconds) {
 export function moved(track, at, time, seconds) {
     const low = at > 0 ? (track.keys[at - 1]?.time ?? 0) + 0.001 : 0;
     const high = (track.keys[at + 1]?.time ?? seconds + 0.001) - 0.001;
-    const keys = track.keys.map((key, index) => (index === at ? { ...key, time: rounded(Math.max(low, Math.min(high, time))) } : key));
+    const keys = track.keys.map((key, index) =>
+        index === at ? { ...key, time: rounded(Math.max(low, Math.min(high, time))) } : key,
+    );
     return { ...track, keys };
 }
 
@@ -64,10 +92,20 @@ export function added(track, time) {
     if (after && Math.abs(after.time - time) < 0.001) return track;
     const one = before ?? after;
     const part = before && after ? (time - before.time) / (after.time - before.time) : 0;
-    const value = before && after && before.value.length === after.value.length ? before.value.map((from, at) => from + ((after.value[at] ?? from) - from) * part) : [...(one?.value ?? [])];
+    const value =
+        before && after && before.value.length === after.value.length
+            ? before.value.map((from, at) => from + ((after.value[at] ?? from) - from) * part)
+            : [...(one?.value ?? [])];
     // A thousandth of the range is as fine as a key needs to be.
     const short = value.map((number) => Number(number.toPrecision(6)));
-    const keys = [...track.keys, { time: rounded(time), value: track.subject === 'seed' ? short.map(Math.floor) : short, easing: one?.easing ?? 'linear' }];
+    const keys = [
+        ...track.keys,
+        {
+            time: rounded(time),
+            value: track.subject === 'seed' ? short.map(Math.floor) : short,
+            easing: one?.easing ?? 'linear',
+        },
+    ];
     return { ...track, keys: keys.sort((a, b) => a.time - b.time) };
 }
 
@@ -79,6 +117,9 @@ export function frameAt({ frames, rate, ending }, time) {
 
 /** Numbers as typed, separated by blanks, commas or slashes; null if one is no number. @param {string} text */
 export function numbersOf(text) {
-    const numbers = text.trim().split(/[\s,/]+/).map((part) => (part === '' ? NaN : Number(part)));
+    const numbers = text
+        .trim()
+        .split(/[\s,/]+/)
+        .map((part) => (part === '' ? NaN : Number(part)));
     return numbers.every(Number.isFinite) ? numbers : null;
 }

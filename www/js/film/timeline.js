@@ -11,18 +11,47 @@ import { EASINGS, added, moved, numbersOf, rounded } from './script.js';
 const STEP = 0.1;
 
 /** The names of subjects that are no number of the system. @type {Readonly<Record<string, string>>} */
-const NAMES = { n: 'Iterations', drawn: 'Part drawn', view: 'View (x y zoom)', camera: 'Camera (azimuth elevation zoom x y z)' };
+const NAMES = {
+    n: 'Iterations',
+    drawn: 'Part drawn',
+    view: 'View (x y zoom)',
+    camera: 'Camera (azimuth elevation zoom x y z)',
+};
 
 /** @param {{change: (tracks: FilmTrack[]) => void, label: (subject: string) => string}} page */
 export function createTimeline({ change, label }) {
     const list = make('ul', { class: 'film-tracks' });
     const head = make('div', { class: 'film-head' });
-    const time = make('input', { class: 'number', type: 'number', min: '0', step: '0.1', 'aria-label': 'Time of the key, in seconds' });
-    const value = make('input', { class: 'number film-value', type: 'text', autocomplete: 'off', spellcheck: 'false', 'aria-label': 'Value of the key' });
-    const pace = make('select', { 'aria-label': 'Pace to the next key' }, ...EASINGS.map(([name, words]) => make('option', { value: name }, words)));
+    const time = make('input', {
+        class: 'number',
+        type: 'number',
+        min: '0',
+        step: '0.1',
+        'aria-label': 'Time of the key, in seconds',
+    });
+    const value = make('input', {
+        class: 'number film-value',
+        type: 'text',
+        autocomplete: 'off',
+        spellcheck: 'false',
+        'aria-label': 'Value of the key',
+    });
+    const pace = make(
+        'select',
+        { 'aria-label': 'Pace to the next key' },
+        ...EASINGS.map(([name, words]) => make('option', { value: name }, words)),
+    );
     const remove = make('button', { class: 'button quiet', type: 'button' }, 'Delete key');
     const name = make('strong', {});
-    const editor = make('div', { class: 'film-key', hidden: true }, name, make('label', {}, 'at ', time, ' s'), make('label', {}, 'value ', value), make('label', {}, 'then ', pace), remove);
+    const editor = make(
+        'div',
+        { class: 'film-key', hidden: true },
+        name,
+        make('label', {}, 'at ', time, ' s'),
+        make('label', {}, 'value ', value),
+        make('label', {}, 'then ', pace),
+        remove,
+    );
     const element = make('div', { class: 'film-timeline' }, make('div', { class: 'film-lanes' }, head, list), editor);
     /** @type {FilmScript | null} */
     let script = null;
@@ -45,7 +74,11 @@ export function createTimeline({ change, label }) {
     function newRow({ subject }) {
         const lane = make('div', { class: 'film-lane', title: 'Click to add a key' });
         const words = make('span', { class: 'film-name' });
-        const off = make('button', { class: 'tool', type: 'button', 'aria-label': `Remove ${nameOf(subject)}` }, icon('i-close'));
+        const off = make(
+            'button',
+            { class: 'tool', type: 'button', 'aria-label': `Remove ${nameOf(subject)}` },
+            icon('i-close'),
+        );
         off.addEventListener('click', () => change(tracks().filter((track) => track.subject !== subject)));
         lane.addEventListener('click', (event) => {
             const track = trackOf(subject);
@@ -96,7 +129,9 @@ export function createTimeline({ change, label }) {
     /** @param {FilmScript | null} next */
     function show(next) {
         script = next;
-        const same = rows.length === tracks().length && rows.every((row, at) => row.element.dataset.subject === tracks()[at]?.subject);
+        const same =
+            rows.length === tracks().length &&
+            rows.every((row, at) => row.element.dataset.subject === tracks()[at]?.subject);
         if (!same) {
             rows = tracks().map((track) => {
                 const row = newRow(track);
@@ -137,13 +172,15 @@ export function createTimeline({ change, label }) {
     function edit(values) {
         const track = chosenTrack();
         const at = chosen?.at;
-        if (track) replace({ ...track, keys: track.keys.map((key, number) => (number === at ? { ...key, ...values } : key)) });
+        if (track)
+            replace({ ...track, keys: track.keys.map((key, number) => (number === at ? { ...key, ...values } : key)) });
     }
 
     time.addEventListener('change', () => {
         const track = chosenTrack();
         const seconds = time.valueAsNumber;
-        if (track && chosen && script && Number.isFinite(seconds)) replace(moved(track, chosen.at, seconds, script.seconds));
+        if (track && chosen && script && Number.isFinite(seconds))
+            replace(moved(track, chosen.at, seconds, script.seconds));
     });
     value.addEventListener('change', () => {
         const numbers = numbersOf(value.value);

@@ -3,7 +3,16 @@
  * the files: Mediabunny (https://mediabunny.dev), under the Mozilla Public License 2.0.
  */
 
-import { BufferTarget, Mp4OutputFormat, Output, Quality, VideoSample, VideoSampleSource, WebMOutputFormat, getFirstEncodableVideoCodec } from 'mediabunny';
+import {
+    BufferTarget,
+    Mp4OutputFormat,
+    Output,
+    Quality,
+    VideoSample,
+    VideoSampleSource,
+    WebMOutputFormat,
+    getFirstEncodableVideoCodec,
+} from 'mediabunny';
 
 /** The codecs of each kind of file, the best first. @type {{webm: import('mediabunny').VideoCodec[], mp4: import('mediabunny').VideoCodec[]}} */
 const CODECS = { webm: ['vp9', 'av1', 'vp8'], mp4: ['avc', 'hevc', 'av1', 'vp9'] };
@@ -27,9 +36,13 @@ export function codecOf(kind, width, height) {
  */
 export async function videoOf(kind, { width, height, rate }, frames, { signal, progress }) {
     const codec = await codecOf(kind, width, height);
-    if (!codec) throw new Error(`this browser cannot write ${kind === 'webm' ? 'WebM' : 'MP4'} of ${width} × ${height} pixels`);
+    if (!codec)
+        throw new Error(`this browser cannot write ${kind === 'webm' ? 'WebM' : 'MP4'} of ${width} × ${height} pixels`);
     const target = new BufferTarget();
-    const output = new Output({ format: kind === 'webm' ? new WebMOutputFormat() : new Mp4OutputFormat({ fastStart: 'in-memory' }), target });
+    const output = new Output({
+        format: kind === 'webm' ? new WebMOutputFormat() : new Mp4OutputFormat({ fastStart: 'in-memory' }),
+        target,
+    });
     const source = new VideoSampleSource({ codec, quality: QUALITY, keyFrameInterval: 2 });
     output.addVideoTrack(source, { frameRate: rate });
     await output.start();
@@ -37,7 +50,13 @@ export async function videoOf(kind, { width, height, rate }, frames, { signal, p
         let number = 0;
         for await (const pixels of frames) {
             signal.throwIfAborted();
-            const sample = new VideoSample(pixels, { format: 'RGBX', codedWidth: width, codedHeight: height, timestamp: number / rate, duration: 1 / rate });
+            const sample = new VideoSample(pixels, {
+                format: 'RGBX',
+                codedWidth: width,
+                codedHeight: height,
+                timestamp: number / rate,
+                duration: 1 / rate,
+            });
             try {
                 // Waits while the encoder has enough to do, so that frames do not pile up.
                 await source.add(sample);
@@ -51,5 +70,7 @@ export async function videoOf(kind, { width, height, rate }, frames, { signal, p
         await output.cancel().catch(() => {});
         throw error;
     }
-    return new Blob([/** @type {ArrayBuffer} */ (target.buffer)], { type: kind === 'webm' ? 'video/webm' : 'video/mp4' });
+    return new Blob([/** @type {ArrayBuffer} */ (target.buffer)], {
+        type: kind === 'webm' ? 'video/webm' : 'video/mp4',
+    });
 }

@@ -16,7 +16,17 @@ const SIDE = 96;
 const SEARCHED = 768;
 
 /** A definition as black lines on white. @param {Definition} definition @returns {Definition} */
-export const blackOnWhite = (definition) => ({ ...definition, palette: ['#000000'], background: '#ffffff', colourBy: 'single', ink: 'solid', width: 0, widthFactor: 1, minWidth: 1, hue: 0 });
+export const blackOnWhite = (definition) => ({
+    ...definition,
+    palette: ['#000000'],
+    background: '#ffffff',
+    colourBy: 'single',
+    ink: 'solid',
+    width: 0,
+    widthFactor: 1,
+    minWidth: 1,
+    hue: 0,
+});
 
 /**
  * The picture of a system to search; throws a sentence if it cannot be drawn.
@@ -44,7 +54,12 @@ export async function fillExamples(row, engine, { restyle, choose }) {
         if (!entry) continue;
         const definition = definitionOf(clean(entry.definition));
         const picture = emptyThumb();
-        const card = make('button', { type: 'button', class: 'card', 'data-example': name }, picture, make('span', { class: 'card-title' }, label));
+        const card = make(
+            'button',
+            { type: 'button', class: 'card', 'data-example': name },
+            picture,
+            make('span', { class: 'card-title' }, label),
+        );
         const styled = restyle(definition);
         picture.style.background = styled.background;
         card.addEventListener('click', () => choose(definition));

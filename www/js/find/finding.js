@@ -1,10 +1,14 @@
 /** The dialog that finds the rules of a picture or a string. */
 
+import gallery from '../../css/gallery.css';
+import styles from '../../css/find.css';
 import { toast } from '../announce.js';
 import { button, byId, closes, html, input, setText } from '../dom.js';
+import { addElements } from '../late.js';
 import { Cancelled } from '../tool.js';
 import { fillExamples, pictureOf } from './examples.js';
 import { pictureIn } from './files.js';
+import markup from './finding.html';
 import { inkShare, inked } from './ink.js';
 import { readPicture } from './picture.js';
 import { createPreview } from './preview.js';
@@ -21,12 +25,9 @@ const sentence = (error) => {
     return `${words.charAt(0).toUpperCase()}${words.slice(1)}${/[.!?]$/.test(words) ? '' : '.'}`;
 };
 
-/**
- * @param {import('../engine.js').Engine} engine
- * @param {{open: (definition: Definition) => void, restyle: (definition: Definition) => Definition}} page
- * @returns {(picture?: File) => void} opens the dialog, with a picture if there is one
- */
-export function createFinding(engine, { open, restyle }) {
+/** @param {import('../dialogs.js').Page} page */
+export function createFinding({ store, engine, restyle }) {
+    addElements(markup, [gallery, styles]);
     const dialog = byId('find', HTMLDialogElement);
     const text = byId('find-string', HTMLTextAreaElement);
     const file = input('find-file');
@@ -38,7 +39,7 @@ export function createFinding(engine, { open, restyle }) {
         open({ definition }) {
             stop();
             dialog.close();
-            open(restyle({ ...definition, title: title && `Rules of ${title}` }));
+            store.open(restyle({ ...definition, title: title && `Rules of ${title}` }));
             toast('Opened. Undo to go back; “Rules from a picture” has the other systems.');
         },
     });
@@ -137,7 +138,8 @@ export function createFinding(engine, { open, restyle }) {
                 return void run((signal) => search.begin({ text: text.value }, question, signal, progress));
             }
             if (!shown) throw new Error('Open a picture first.');
-            if (inkShare(shown.picture, shown.choice) === 0) throw new Error('Nothing is ink here. Move the threshold.');
+            if (inkShare(shown.picture, shown.choice) === 0)
+                throw new Error('Nothing is ink here. Move the threshold.');
             const source = inked(shown.picture, shown.choice);
             void run((signal) => search.begin(source, question, signal, progress));
         } catch (error) {
@@ -221,11 +223,14 @@ export function createFinding(engine, { open, restyle }) {
     closes(dialog, 'close-find');
     dialog.addEventListener('close', stop);
 
-    return (picture) => {
-        showSource();
-        dialog.showModal();
-        preview.repaint();
-        if (picture) void take(picture);
-        else if (preview.shown === null && !isString()) button('find-choose').focus();
+    return {
+        /** Opens the dialog, with a picture if there is one. @param {File} [picture] */
+        open(picture) {
+            showSource();
+            dialog.showModal();
+            preview.repaint();
+            if (picture) void take(picture);
+            else if (preview.shown === null && !isString()) button('find-choose').focus();
+        },
     };
 }

@@ -28,7 +28,9 @@ export const isPlain = ({ grey }) => grey.every((level) => level === grey[0]);
  */
 export function levelOf({ grey, width }, { left, top, right, bottom }) {
     const counts = new Float64Array(256);
-    for (let y = top; y < bottom; y++) for (let x = left; x < right; x++) counts[grey[y * width + x] ?? 0] = (counts[grey[y * width + x] ?? 0] ?? 0) + 1;
+    for (let y = top; y < bottom; y++)
+        for (let x = left; x < right; x++)
+            counts[grey[y * width + x] ?? 0] = (counts[grey[y * width + x] ?? 0] ?? 0) + 1;
     const all = (right - left) * (bottom - top);
     const sum = counts.reduce((total, count, level) => total + count * level, 0);
     let [dark, darkSum, most] = [0, 0, 0];
@@ -55,7 +57,8 @@ export const darkIsLess = (picture, box, level) => 2 * inkShare(picture, { crop:
 /** The part of the crop that is ink, from 0 to 1. @param {Grey} picture @param {Choice} choice */
 export function inkShare({ grey, width }, { crop: { left, top, right, bottom }, level, isDark }) {
     let ink = 0;
-    for (let y = top; y < bottom; y++) for (let x = left; x < right; x++) if ((grey[y * width + x] ?? 0) <= level === isDark) ink++;
+    for (let y = top; y < bottom; y++)
+        for (let x = left; x < right; x++) if ((grey[y * width + x] ?? 0) <= level === isDark) ink++;
     return ink / ((right - left) * (bottom - top));
 }
 
@@ -68,7 +71,8 @@ export function inked({ grey, width }, { crop: { left, top, right, bottom }, lev
     const [wide, high] = [right - left + 2 * margin, bottom - top + 2 * margin];
     const ink = new Uint8Array(wide * high).fill(255);
     for (let y = top; y < bottom; y++) {
-        for (let x = left; x < right; x++) if ((grey[y * width + x] ?? 0) <= level === isDark) ink[(y - top + margin) * wide + x - left + margin] = 0;
+        for (let x = left; x < right; x++)
+            if ((grey[y * width + x] ?? 0) <= level === isDark) ink[(y - top + margin) * wide + x - left + margin] = 0;
     }
     return { grey: ink, width: wide, height: high };
 }
@@ -99,7 +103,8 @@ export function inkMap({ grey, width, height }, { level, isDark }, wide, high) {
  * @returns {Box}
  */
 export function withCorner(crop, [end, side], x, y, { width, height }) {
-    const within = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) => Math.round(Math.min(high, Math.max(low, value)));
+    const within = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
+        Math.round(Math.min(high, Math.max(low, value)));
     return {
         ...crop,
         [side]: side === 'left' ? within(x, 0, crop.right - LEAST) : within(x, crop.left + LEAST, width),

@@ -32,7 +32,10 @@ export function merged(reports) {
         if (!other || other.agreement < candidate.agreement) all.set(keyOf(candidate), candidate);
     }
     const isFound = [...all.values()].some((candidate) => candidate.isFound);
-    const candidates = [...all.values()].filter((candidate) => candidate.isFound || !isFound).sort(order).slice(0, MOST);
+    const candidates = [...all.values()]
+        .filter((candidate) => candidate.isFound || !isFound)
+        .sort(order)
+        .slice(0, MOST);
     const slowest = reports.reduce((a, b) => (b.work < a.work ? b : a));
     return { candidates, searched: slowest.searched, work: slowest.work, isMore: reports.some(({ isMore }) => isMore) };
 }
@@ -43,7 +46,8 @@ export const percent = (agreement) => `${(Math.floor(agreement * 1000 + 1e-9) / 
 const WORDS = ['No', 'One', 'Two', 'Three', 'Four', 'Five', 'Six', 'Seven', 'Eight', 'Nine', 'Ten', 'Eleven', 'Twelve'];
 
 /** A number of systems at the beginning of a sentence. @param {number} count */
-export const systems = (count) => `${WORDS[count] ?? (count < MOST ? count : `At least ${count}`)} ${count === 1 ? 'system' : 'systems'}`;
+export const systems = (count) =>
+    `${WORDS[count] ?? (count < MOST ? count : `At least ${count}`)} ${count === 1 ? 'system' : 'systems'}`;
 
 /**
  * The result in a sentence.
@@ -51,7 +55,11 @@ export const systems = (count) => `${WORDS[count] ?? (count < MOST ? count : `At
  */
 export function verdict({ candidates }, isString) {
     const found = candidates.filter(({ isFound }) => isFound).length;
-    const [one, many] = isString ? ['derives the string', 'derive the string'] : ['draws this picture', 'draw the same picture'];
+    const [one, many] = isString
+        ? ['derives the string', 'derive the string']
+        : ['draws this picture', 'draw the same picture'];
     if (found > 0) return `${systems(found)} ${found === 1 ? one : many}.`;
-    return candidates.length > 0 ? 'None of the searched systems draws this picture. The closest:' : `None of the searched systems ${isString ? one : 'comes close'}.`;
+    return candidates.length > 0
+        ? 'None of the searched systems draws this picture. The closest:'
+        : `None of the searched systems ${isString ? one : 'comes close'}.`;
 }

@@ -34,13 +34,17 @@ export async function readPicture(blob) {
     const kind = Object.keys(KINDS).find((kind) => KINDS[kind]?.test(start));
     if (!kind) throw new Error('This file is no PNG, JPEG, WebP or SVG picture.');
     const isSvg = kind === 'image/svg+xml';
-    if (blob.size > (isSvg ? LARGEST_SVG : LARGEST)) throw new Error(`This picture has more than ${isSvg ? 16 : 64} MB.`);
+    if (blob.size > (isSvg ? LARGEST_SVG : LARGEST))
+        throw new Error(`This picture has more than ${isSvg ? 16 : 64} MB.`);
     const typed = new Blob([isSvg ? drawableSvg(await blob.text()) : blob], { type: kind });
     const address = URL.createObjectURL(typed);
     try {
         const image = await loaded(address);
         const [width, height] = [image.naturalWidth, image.naturalHeight];
-        if (width * height > MOST_PIXELS) throw new Error(`This picture has ${width.toLocaleString('en')} × ${height.toLocaleString('en')} pixels. At most 64 million are read.`);
+        if (width * height > MOST_PIXELS)
+            throw new Error(
+                `This picture has ${width.toLocaleString('en')} × ${height.toLocaleString('en')} pixels. At most 64 million are read.`,
+            );
         if (width === 0 || height === 0) throw new Error('This picture is empty.');
         const scale = Math.min(1, SIDE / Math.max(width, height));
         const [wide, high] = [width, height].map((side) => Math.max(1, Math.round(side * scale)));

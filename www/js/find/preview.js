@@ -53,7 +53,11 @@ export function createPreview({ changed }) {
         handle.addEventListener('pointermove', (event) => {
             if (!picture || !handle.hasPointerCapture(event.pointerId)) return;
             const { left, top, width, height } = canvas.getBoundingClientRect();
-            move(corner, ((event.clientX - left) / width) * picture.width, ((event.clientY - top) / height) * picture.height);
+            move(
+                corner,
+                ((event.clientX - left) / width) * picture.width,
+                ((event.clientY - top) / height) * picture.height,
+            );
         });
         box.append(handle);
         return { handle, corner, name };
@@ -92,7 +96,8 @@ export function createPreview({ changed }) {
         const pixels = new ImageData(wide, high);
         for (let at = 0; at < map.length; at++) {
             const share = (map[at] ?? 0) / 255;
-            for (let channel = 0; channel < 3; channel++) pixels.data[4 * at + channel] = (ink[channel] ?? 0) * share + (paper[channel] ?? 0) * (1 - share);
+            for (let channel = 0; channel < 3; channel++)
+                pixels.data[4 * at + channel] = (ink[channel] ?? 0) * share + (paper[channel] ?? 0) * (1 - share);
             pixels.data[4 * at + 3] = 255;
         }
         canvas.getContext('2d')?.putImageData(pixels, 0, 0);
@@ -100,16 +105,35 @@ export function createPreview({ changed }) {
         frame.style.setProperty('--ratio', String(width / height));
         const { left, top, right, bottom } = choice.crop;
         const percent = (/** @type {number} */ part) => `${100 * part}%`;
-        Object.assign(box.style, { left: percent(left / width), top: percent(top / height), right: percent(1 - right / width), bottom: percent(1 - bottom / height) });
-        for (const { handle, corner: [end, side], name } of handles) {
+        Object.assign(box.style, {
+            left: percent(left / width),
+            top: percent(top / height),
+            right: percent(1 - right / width),
+            bottom: percent(1 - bottom / height),
+        });
+        for (const {
+            handle,
+            corner: [end, side],
+            name,
+        } of handles) {
             const whole = (/** @type {number} */ part) => `${Math.round(100 * part)} %`;
-            handle.setAttribute('aria-label', `${name} corner of the crop: ${whole(choice.crop[side] / width)} from the left, ${whole(choice.crop[end] / height)} from the top. Arrow keys move it.`);
+            handle.setAttribute(
+                'aria-label',
+                `${name} corner of the crop: ${whole(choice.crop[side] / width)} from the left, ${whole(choice.crop[end] / height)} from the top. Arrow keys move it.`,
+            );
         }
         slider.value = String(choice.level);
         slider.style.setProperty('--at', String(choice.level / 254));
         kind.value = choice.isDark ? 'dark' : 'light';
         const share = inkShare(picture, choice);
-        setText(html('find-ink-note'), share === 0 ? 'Nothing is ink here. Move the threshold.' : share > 0.5 ? `${Math.round(100 * share)} % of the picture is ink. Lines cover less: move the threshold, or take the other kind of lines.` : '');
+        setText(
+            html('find-ink-note'),
+            share === 0
+                ? 'Nothing is ink here. Move the threshold.'
+                : share > 0.5
+                  ? `${Math.round(100 * share)} % of the picture is ink. Lines cover less: move the threshold, or take the other kind of lines.`
+                  : '',
+        );
     }
 
     /** Takes the threshold and the kind of lines that fit the crop. */

@@ -8,7 +8,11 @@ import { input, setValue } from '../dom.js';
 /** @type {(keyof FindQuestion)[]} */
 const FIELDS = ['axiom', 'angle', 'n', 'draws', 'heading'];
 /** The fields with numbers, with what is expected of them. @type {Partial<Record<keyof FindQuestion, string>>} */
-const NUMBERS = { angle: 'The angle is expected in degrees.', n: 'A whole number of iterations is expected.', heading: 'The heading is expected in degrees.' };
+const NUMBERS = {
+    angle: 'The angle is expected in degrees.',
+    n: 'A whole number of iterations is expected.',
+    heading: 'The heading is expected in degrees.',
+};
 
 /** @param {keyof FindQuestion} name */
 const field = (name) => input(`find-${name}`);
@@ -32,5 +36,6 @@ export function readQuestion() {
 
 /** @param {Partial<FindQuestion>} question */
 export function showQuestion(question) {
-    for (const name of FIELDS) setValue(field(name), question[name] === null || question[name] === undefined ? '' : String(question[name]));
+    for (const name of FIELDS)
+        setValue(field(name), question[name] === null || question[name] === undefined ? '' : String(question[name]));
 }

@@ -23,11 +23,23 @@ export function candidateCard(candidate, { engine, restyle, open, told }) {
     const picture = emptyThumb();
     picture.style.background = styled.background;
     const { axiom, iterations, angle, overrides, heading } = definition;
-    const facts = [`axiom ${axiom}`, `n = ${iterations}`, `${angle}°`, heading === 90 ? '' : `heading ${heading}°`, overrides.replaceAll('\n', ', '), `${symbols} symbols`];
+    const facts = [
+        `axiom ${axiom}`,
+        `n = ${iterations}`,
+        `${angle}°`,
+        heading === 90 ? '' : `heading ${heading}°`,
+        overrides.replaceAll('\n', ', '),
+        `${symbols} symbols`,
+    ];
     const card = make(
         'li',
         { class: 'card find-card' },
-        make('span', { class: 'card-picture' }, picture, make('span', { class: isFound ? 'find-percent found' : 'find-percent' }, told ?? percent(agreement))),
+        make(
+            'span',
+            { class: 'card-picture' },
+            picture,
+            make('span', { class: isFound ? 'find-percent found' : 'find-percent' }, told ?? percent(agreement)),
+        ),
         make('pre', { class: 'find-rules' }, definition.rules),
         make('span', { class: 'card-kind' }, facts.filter(Boolean).join(' · ')),
     );
@@ -42,7 +54,8 @@ export function candidateCard(candidate, { engine, restyle, open, told }) {
 }
 
 /** How much was searched. @param {FindReport} report @param {boolean} isString */
-export const workWords = ({ work }, isString) => (isString ? `${NUMBERS.format(work)} symbols read` : `${NUMBERS.format(work)} systems tried`);
+export const workWords = ({ work }, isString) =>
+    isString ? `${NUMBERS.format(work)} symbols read` : `${NUMBERS.format(work)} systems tried`;
 
 /** @param {Omit<Parameters<typeof candidateCard>[1], 'told'>} page */
 export function createResults(page) {
@@ -54,15 +67,34 @@ export function createResults(page) {
         /** @param {FindReport} report @param {{isString: boolean, isRunning: boolean}} how */
         show(report, { isString, isRunning }) {
             const old = cards;
-            cards = new Map(report.candidates.map((candidate) => [keyOf(candidate), old.get(keyOf(candidate)) ?? candidateCard(candidate, isString ? { ...page, told: 'derives it' } : page)]));
+            cards = new Map(
+                report.candidates.map((candidate) => [
+                    keyOf(candidate),
+                    old.get(keyOf(candidate)) ??
+                        candidateCard(candidate, isString ? { ...page, told: 'derives it' } : page),
+                ]),
+            );
             const order = [...cards.values()];
-            if (order.length !== list.children.length || order.some((card, at) => list.children[at] !== card)) list.replaceChildren(...order);
+            if (order.length !== list.children.length || order.some((card, at) => list.children[at] !== card))
+                list.replaceChildren(...order);
             const isFound = report.candidates.some((candidate) => candidate.isFound);
-            const so = isRunning && !isFound ? (report.candidates.length > 0 ? 'The closest so far:' : 'Searching…') : verdict(report, isString);
+            const so =
+                isRunning && !isFound
+                    ? report.candidates.length > 0
+                        ? 'The closest so far:'
+                        : 'Searching…'
+                    : verdict(report, isString);
             setText(html('find-verdict'), so);
             html('find-verdict').classList.toggle('found', isFound);
             setText(html('find-searched'), `Searched${isRunning ? ' so far' : ''}: ${report.searched}.`);
-            setText(html('find-advice'), isRunning || isFound ? '' : report.isMore ? 'Other systems may do. Search longer, or tell more of what is known.' : 'This was all that this search can try. Other systems may do.');
+            setText(
+                html('find-advice'),
+                isRunning || isFound
+                    ? ''
+                    : report.isMore
+                      ? 'Other systems may do. Search longer, or tell more of what is known.'
+                      : 'This was all that this search can try. Other systems may do.',
+            );
         },
 
         clear() {

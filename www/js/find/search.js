@@ -51,10 +51,17 @@ export function createSearch() {
             const until = Math.min(most, Math.max(first, done * 2));
             const answers = await Promise.all(
                 tools.slice(0, parts).map((tool, part) =>
-                    tool.call('search', { until }, { signal, progress: (report) => {
-                        reports[part] = report;
-                        show();
-                    } }),
+                    tool.call(
+                        'search',
+                        { until },
+                        {
+                            signal,
+                            progress: (report) => {
+                                reports[part] = report;
+                                show();
+                            },
+                        },
+                    ),
                 ),
             );
             answers.forEach((report, part) => (reports[part] = report));
@@ -104,7 +111,11 @@ export function createSearch() {
                 ({ first, most } = isString ? WORK.string : WORK.picture);
                 if (thorough) most = Math.min(most, THOROUGH);
                 done = 0;
-                await Promise.all(tools.slice(0, parts).map((tool, part) => tool.call('begin', { source, question, part, parts }, { signal })));
+                await Promise.all(
+                    tools
+                        .slice(0, parts)
+                        .map((tool, part) => tool.call('begin', { source, question, part, parts }, { signal })),
+                );
                 return goOn(signal, progress);
             }),
 

@@ -54,7 +54,8 @@ export function drawableSvg(text) {
         const uses = name === 'use' ? attribute(tag, '(?:\\w+:)?href') : null;
         const id = attribute(tag, '(?:xml:)?id');
         // Browsers decode such names, so references could not be followed here.
-        if (/[&%]/.test(`${uses ?? ''}${id ?? ''}`)) throw new Error('This SVG has names with & or %, and is not opened.');
+        if (/[&%]/.test(`${uses ?? ''}${id ?? ''}`))
+            throw new Error('This SVG has names with & or %, and is not opened.');
         const element = { name, uses: uses?.trim().replace(/^#/, '') ?? null, children: [] };
         if (open.length === 1 && name !== 'svg') throw new Error(DAMAGED);
         const isAlone = tag.endsWith('/');
@@ -79,7 +80,11 @@ export function drawableSvg(text) {
 
 /** The end of a comment, an instruction, a text or a declaration. @param {string} text @param {number} start */
 function endOfOther(text, start) {
-    const [, close] = [['!--', '-->'], ['![CDATA[', ']]>'], ['?', '?>']].find(([begin = '']) => text.startsWith(begin, start + 1)) ?? ['', ''];
+    const [, close] = [
+        ['!--', '-->'],
+        ['![CDATA[', ']]>'],
+        ['?', '?>'],
+    ].find(([begin = '']) => text.startsWith(begin, start + 1)) ?? ['', ''];
     if (close) {
         const end = text.indexOf(close, start);
         if (end < 0) throw new Error(DAMAGED);
@@ -91,7 +96,8 @@ function endOfOther(text, start) {
     const last = text.indexOf(']', inside);
     const declared = text.slice(inside, last < 0 ? undefined : last);
     // Entities that contain others grow exponentially, and those with elements hide them.
-    if (/<!ENTITY\s[^>]*["'][^"']*(?:&|<)/i.test(declared) || last < 0) throw new Error('This SVG has entities inside entities, and is not opened.');
+    if (/<!ENTITY\s[^>]*["'][^"']*(?:&|<)/i.test(declared) || last < 0)
+        throw new Error('This SVG has entities inside entities, and is not opened.');
     return text.indexOf('>', last) + 1 || text.length;
 }
 
@@ -115,12 +121,16 @@ function attribute(tag, name) {
 
 /** The first tag with the size of the picture; only the ratio of the given size counts. @param {string} tag */
 function sized(tag) {
-    const box = (attribute(tag, 'viewBox') ?? '').trim().split(/[\s,]+/).map(Number);
+    const box = (attribute(tag, 'viewBox') ?? '')
+        .trim()
+        .split(/[\s,]+/)
+        .map(Number);
     const given = ['width', 'height'].map((name) => {
         const value = attribute(tag, name) ?? '%';
         return value.includes('%') ? NaN : parseFloat(value);
     });
-    const isSize = (/** @type {number[]} */ [width = NaN, height = NaN]) => width > 0 && height > 0 && Math.max(width, height) < 1e9 && Math.max(width / height, height / width) < SIDE;
+    const isSize = (/** @type {number[]} */ [width = NaN, height = NaN]) =>
+        width > 0 && height > 0 && Math.max(width, height) < 1e9 && Math.max(width / height, height / width) < SIDE;
     const [width = SIDE, height = SIDE] = [box.length === 4 ? box.slice(2) : [], given].find(isSize) ?? [];
     const scale = SIDE / Math.max(width, height);
     const bare = tag.replace(/\s(?:width|height)\s*=\s*(?:"[^"]*"|'[^']*')/g, '');

@@ -96,7 +96,9 @@ export function constantsPanel(store, rules) {
 
     function show() {
         const shown = constants.slice(0, MAX_SHOWN);
-        const fits = rows.length === shown.length && rows.every(({ name, number }, at) => shown[at]?.name === name && shown[at]?.number === number);
+        const fits =
+            rows.length === shown.length &&
+            rows.every(({ name, number }, at) => shown[at]?.name === name && shown[at]?.number === number);
         if (!fits) {
             const former = new Map(rows.map((row) => [`${row.name} ${row.number}`, row]));
             rows = shown.map((constant) => former.get(`${constant.name} ${constant.number}`) ?? newRow(constant));

@@ -1,45 +1,12 @@
-/** Favourites and earlier visits: a form in the Save section, and a dialog with thumbnails. */
+/** The form in the Save section that adds the current state to favourites. */
 
 import { toast } from '../announce.js';
-import { button, byId, closes, html, input, setText } from '../dom.js';
-import { MOST_FAVOURITES, favourite, rename } from '../favourites.js';
-import { favouriteCard, visitCard } from '../favourites/cards.js';
-import { FULL, createExchange } from '../favourites/exchange.js';
-import { createStored } from '../favourites/stored.js';
-import { createLazyThumbs } from '../favourites/lazy-thumbs.js';
-import { showNameField } from '../favourites/name-field.js';
-import { readLink } from '../link.js';
-import { openSession } from '../sessions.js';
+import { button, byId, input } from '../dom.js';
+import { MOST_FAVOURITES, favourite } from '../favourites.js';
+import { FULL } from '../favourites/stored.js';
 
-/** @typedef {import('../favourites.js').Favourite} Favourite */
-/** @typedef {ReturnType<typeof import('../session.js').createSession>} Session */
-
-/**
- * @param {import('../store.js').Store} store
- * @param {import('../engine.js').Engine} engine
- * @param {{storage: import('../storage.js').SafeStorage, session: Session}} visit
- */
-export function favouritesPanel(store, engine, { storage, session }) {
-    const stored = createStored(storage);
-    const dialog = createDialog(engine, stored, session);
-    const exchange = createExchange(stored, { tell: dialog.tell, changed: dialog.fill });
-    addForm(store, stored);
-
-    return {
-        /** Imports a file of favourites that was opened like a system. @param {string} text */
-        async take(text) {
-            if (!stored.available) return toast('This browser cannot store favourites here.');
-            try {
-                toast(await exchange.take(text));
-            } catch (error) {
-                toast(`The favourites could not be read: ${error instanceof Error ? error.message : error}.`);
-            }
-        },
-    };
-}
-
-/** The form that adds the current state to favourites. @param {import('../store.js').Store} store @param {ReturnType<typeof createStored>} stored */
-function addForm(store, stored) {
+/** @param {import('../store.js').Store} store @param {ReturnType<typeof import('../favourites/stored.js').createStored>} stored */
+export function favouritesPanel(store, stored) {
     const name = input('favourite-name');
     const form = byId('favourites-form', HTMLFormElement);
     button('quick-favourite').addEventListener('click', () => form.requestSubmit());
@@ -48,7 +15,8 @@ function addForm(store, stored) {
         event.preventDefault();
         const added = favourite(name.value, store.state);
         const former = stored.list();
-        if (former.some((one) => one.name === added.name && one.link === added.link)) return toast(`“${added.name}” is already in favourites.`);
+        if (former.some((one) => one.name === added.name && one.link === added.link))
+            return toast(`“${added.name}” is already in favourites.`);
         if (former.length >= MOST_FAVOURITES) return toast(`At most ${MOST_FAVOURITES} favourites: delete some first.`);
         if (!stored.put([added, ...former])) return toast(FULL);
         name.value = '';
@@ -61,99 +29,4 @@ function addForm(store, stored) {
     }
     store.subscribe(showName);
     showName();
-}
-
-/** The dialog of favourites and visits. @param {import('../engine.js').Engine} engine @param {ReturnType<typeof createStored>} stored @param {Session} session */
-function createDialog(engine, stored, session) {
-    const dialog = byId('favourites', HTMLDialogElement);
-    const shelf = html('favourite-cards');
-    const undo = button('favourites-undo');
-    const thumbs = createLazyThumbs(engine, html('favourites-shelves'));
-    /** The list before the last deletion. @type {Favourite[] | null} */
-    let before = null;
-
-    /** @param {string} words @param {boolean} [undoable] */
-    function tell(words, undoable = false) {
-        setText(html('favourites-status'), words);
-        undo.hidden = !undoable;
-        if (!undoable) before = null;
-    }
-
-    function fill() {
-        thumbs.clear();
-        const favourites = stored.list();
-        shelf.replaceChildren(...favourites.map(cardOf));
-        const visits = session.others().flatMap((one) => {
-            const state = openSession(one)?.state;
-            return state ? [visitCard(one.time, state, thumbs.of(state), closeAndThen(() => session.resume(one)))] : [];
-        });
-        html('visit-cards').replaceChildren(...visits);
-        html('no-favourites').hidden = favourites.length > 0;
-        html('visits').hidden = visits.length === 0;
-        button('export-favourites').disabled = favourites.length === 0;
-    }
-
-    /** Closes the dialog and then acts. @param {() => void} act */
-    const closeAndThen = (act) => () => {
-        dialog.close();
-        act();
-    };
-
-    /** @param {Favourite} one */
-    function cardOf(one) {
-        const state = readLink(one.link)?.state;
-        return favouriteCard(one, state ? thumbs.of(state) : null, { open: closeAndThen(() => state && session.visit(state)), rename: () => startRenaming(one.id), remove: () => remove(one.id) });
-    }
-
-    /** A part of a favourite's card. @param {string} id @param {string} selector */
-    const partOf = (id, selector) => /** @type {HTMLElement | null | undefined} */ (shelf.querySelector(`[data-favourite="${CSS.escape(id)}"]`)?.querySelector(selector));
-
-    /** @param {string} id */
-    function startRenaming(id) {
-        const acts = partOf(id, '.card-acts');
-        const one = stored.list().find((each) => each.id === id);
-        if (!acts || !one) return fill();
-        showNameField(acts, one.name, (name, focused) => {
-            const next = name === null ? [] : rename(stored.list(), id, name);
-            const given = next.find((each) => each.id === id)?.name ?? one.name;
-            if (given !== one.name) tell(stored.put(next) ? `Renamed to “${given}”.` : FULL);
-            fill();
-            if (focused) partOf(id, '.card-act')?.focus();
-        });
-    }
-
-    /** @param {string} id */
-    function remove(id) {
-        const former = stored.list();
-        const at = former.findIndex((one) => one.id === id);
-        const gone = former[at];
-        if (!gone) return fill();
-        stored.put(former.filter((one) => one.id !== id));
-        fill();
-        before = former;
-        tell(`Deleted “${gone.name}”.`, true);
-        // Focus the card that took the place of the deleted one.
-        const next = stored.list()[Math.min(at, former.length - 2)];
-        (next ? partOf(next.id, '.card-acts button:last-child') : button('close-favourites'))?.focus();
-    }
-
-    undo.addEventListener('click', () => {
-        const former = before;
-        if (!former) return;
-        // Favourites added since then stay.
-        const now = stored.list();
-        stored.put([...now.filter((one) => !former.some(({ id }) => id === one.id)), ...former]);
-        fill();
-        tell('Restored.');
-        button('close-favourites').focus();
-    });
-    button('open-favourites').addEventListener('click', () => {
-        tell('');
-        fill();
-        dialog.showModal();
-        button('close-favourites').focus();
-    });
-    closes(dialog, 'close-favourites');
-
-    return { tell, fill };
 }

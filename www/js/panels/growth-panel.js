@@ -19,7 +19,13 @@ export function growthPanel(store, source) {
     const iterations = dial(store, 'iterations', 'iterations');
     const angle = dial(store, 'angle', 'angle');
     const right = dial(store, 'rightAngle', 'right');
-    const showSeed = numberField(input('seed'), { ...rangeOf('seed'), expected: FIELDS.seed.expected, step: 1, change: (seed) => store.change({ seed }, 'seed'), settle: () => store.settle() });
+    const showSeed = numberField(input('seed'), {
+        ...rangeOf('seed'),
+        expected: FIELDS.seed.expected,
+        step: 1,
+        change: (seed) => store.change({ seed }, 'seed'),
+        settle: () => store.settle(),
+    });
 
     const twoAngles = input('two-angles');
     twoAngles.addEventListener('change', () => {
@@ -68,7 +74,10 @@ export function growthPanel(store, source) {
 
         /** @param {Report} report @param {import('../state.js').State} state */
         report(report, state) {
-            listProblems(html('numbers-problems'), report.diagnostics.filter(({ field }) => field === 'numbers'));
+            listProblems(
+                html('numbers-problems'),
+                report.diagnostics.filter(({ field }) => field === 'numbers'),
+            );
             if (!report.ok) return;
             last = report;
             for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report, kind);
@@ -76,13 +85,20 @@ export function growthPanel(store, source) {
             const system = JSON.stringify({ ...definitionOf(state), iterations: 0 });
             if (bound?.system !== system) bound = null;
             if (report.largest !== null && report.largest < rangeOf('iterations').high) {
-                const passed = report.diagnostics.find(({ field, severity }) => field === 'numbers' && severity === 'error');
+                const passed = report.diagnostics.find(
+                    ({ field, severity }) => field === 'numbers' && severity === 'error',
+                );
                 bound = { system, largest: report.largest, why: passed?.message ?? '' };
             }
             iterations.limit(bound && Math.max(bound.largest, state.iterations));
             button('seed-sheet').disabled = !report.stochastic;
             html('seed-row').classList.toggle('idle', !report.stochastic);
-            setText(html('seed-note'), report.stochastic ? 'The same seed grows the same plant.' : 'This system has no randomness, so the seed has no effect. Angle or length variation adds randomness.');
+            setText(
+                html('seed-note'),
+                report.stochastic
+                    ? 'The same seed grows the same plant.'
+                    : 'This system has no randomness, so the seed has no effect. Angle or length variation adds randomness.',
+            );
             setText(html('status'), statusOf(report, bound));
         },
     };
@@ -123,7 +139,8 @@ function showDigits(report, kind) {
     const frame = html('digits');
     const shown = Boolean(digits && short(digits).exponent !== null);
     frame.hidden = !shown;
-    for (const each of /** @type {const} */ (['symbols', 'segments'])) button(each).setAttribute('aria-expanded', String(shown && each === kind));
+    for (const each of /** @type {const} */ (['symbols', 'segments']))
+        button(each).setAttribute('aria-expanded', String(shown && each === kind));
     if (shown && digits) setText(frame, `${grouped(digits)} ${kind}`);
 }
 

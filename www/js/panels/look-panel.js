@@ -29,7 +29,12 @@ export function lookPanel(store) {
             stripe.style.background = colour;
             swatch.append(stripe);
         }
-        const chip = make('button', { type: 'button', class: 'ink', 'aria-pressed': 'false' }, swatch, make('span', {}, scheme.name));
+        const chip = make(
+            'button',
+            { type: 'button', class: 'ink', 'aria-pressed': 'false' },
+            swatch,
+            make('span', {}, scheme.name),
+        );
         chip.addEventListener('click', () => store.change(schemePatch(scheme), ''));
         html('inks').append(chip);
         return { scheme, chip };
@@ -46,8 +51,16 @@ export function lookPanel(store) {
         setChoice(inkKind, space ? 'solid' : state.ink);
         inkKind.disabled = space;
         html('exposure-row').hidden = !adds;
-        setText(html('ink-note'), space ? 'Drawings in space are opaque.' : adds ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.' : '');
-        for (const option of colourBy.options) if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';
+        setText(
+            html('ink-note'),
+            space
+                ? 'Drawings in space are opaque.'
+                : adds
+                  ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.'
+                  : '',
+        );
+        for (const option of colourBy.options)
+            if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';
     };
 
     const colourBy = byId('colour-by', HTMLSelectElement);
@@ -84,9 +97,17 @@ export function lookPanel(store) {
 
     /** @param {number} index */
     function newWell(index) {
-        const well = make('input', { type: 'color', class: 'well', 'aria-label': `Colour ${index + 1}`, title: `Colour ${index + 1}` });
+        const well = make('input', {
+            type: 'color',
+            class: 'well',
+            'aria-label': `Colour ${index + 1}`,
+            title: `Colour ${index + 1}`,
+        });
         well.addEventListener('input', () => {
-            store.change({ palette: store.state.palette.map((colour, at) => (at === index ? well.value : colour)) }, `palette ${index}`);
+            store.change(
+                { palette: store.state.palette.map((colour, at) => (at === index ? well.value : colour)) },
+                `palette ${index}`,
+            );
         });
         well.addEventListener('change', settle);
         return well;

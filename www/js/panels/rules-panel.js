@@ -15,7 +15,8 @@ export function rulesPanel(store) {
     /** @param {'axiom' | 'rules'} field @param {string} text */
     const change = (field, text) => {
         store.change({ [field]: text }, field);
-        if (text.length > maxLengthOf(field)) toast(`${FIELDS[field].label} must be ${FIELDS[field].expected}; the rest was cut.`);
+        if (text.length > maxLengthOf(field))
+            toast(`${FIELDS[field].label} must be ${FIELDS[field].expected}; the rest was cut.`);
     };
     const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
         change: (text) => change('axiom', text),

@@ -6,6 +6,7 @@ import { copyText } from '../copy.js';
 import { button, byId, html, input, setValue } from '../dom.js';
 import { LARGEST_FILE, isFavouritesFile } from '../favourites.js';
 import { isPicture } from '../find/files.js';
+import { bestLink } from '../packed.js';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 
@@ -17,11 +18,9 @@ const LARGEST_PICTURE = 64 << 20;
 /**
  * @param {import('../store.js').Store} store
  * @param {Engine} engine
- * @param {{address: () => Promise<string>, select: () => void, favourites: (text: string) => void, offer: (text: string) => Promise<boolean>, find: (picture: File) => void, save: (format: import('../protocol.js').Format) => Promise<void>}} page
- *   `select` shows the link for the reader to copy, `favourites` imports a file of favourites, `offer` opens the text of
- *   another program, if it is one, `find` searches for the rules of a picture, and `save` saves a file with the options last chosen
+ * @param {ReturnType<typeof import('../dialogs.js').createDialogs>} dialogs
  */
-export function savePanel(store, engine, page) {
+export function savePanel(store, engine, dialogs) {
     const title = input('title');
     const showTitle = () => setValue(title, store.state.title || store.state.name);
     // A new title replaces the name of the file.
@@ -31,8 +30,9 @@ export function savePanel(store, engine, page) {
     showTitle();
 
     button('copy-link').addEventListener('click', async () => {
-        if (await copyText(await page.address())) toast('Link copied');
-        else page.select();
+        const address = new URL(await bestLink(store.state), location.href).href;
+        if (await copyText(address)) toast('Link copied');
+        else await (await dialogs.part('share'))?.select();
     });
 
     for (const format of /** @type {const} */ (['svg', 'png'])) {
@@ -40,7 +40,7 @@ export function savePanel(store, engine, page) {
         if (!(save instanceof HTMLButtonElement)) continue;
         save.addEventListener('click', async () => {
             save.disabled = true;
-            await page.save(format);
+            await (await dialogs.part('save'))?.save(format);
             save.disabled = false;
         });
     }
@@ -50,20 +50,29 @@ export function savePanel(store, engine, page) {
         const problems = html('file-problems');
         problems.replaceChildren();
         const json = /\.json$/i.test(file.name);
-        if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE)) return toast(`This file is too large. ${json ? 'JSON files have at most 4 MB' : 'Pictures have at most 64 MB'}.`);
+        if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE))
+            return toast(
+                `This file is too large. ${json ? 'JSON files have at most 4 MB' : 'Pictures have at most 64 MB'}.`,
+            );
         try {
             if (json && file.size <= LARGEST_FILE) {
                 const text = await file.text();
-                if (isFavouritesFile(text)) return page.favourites(text);
+                if (isFavouritesFile(text)) return void (await (await dialogs.part('favourites'))?.take(text));
             }
             // The worker reads the file, so that the page stays responsive.
             const { definition, diagnostics, text } = await engine.read(file);
-            if (text !== null && (await page.offer(text))) return;
+            if (text !== null && (await (await dialogs.part('import'))?.offer(text))) return;
             listProblems(problems, diagnostics, text ?? undefined);
             if (!definition) {
-                if (isPicture(file)) return toast(`${file.name} has no system inside.`, { action: { label: 'Find its rules', act: () => page.find(file) } });
+                if (isPicture(file))
+                    return toast(`${file.name} has no system inside.`, {
+                        action: { label: 'Find its rules', act: () => void dialogs.open('find', file) },
+                    });
                 const mistake = diagnostics.find(({ severity }) => severity === 'error');
-                const words = [text !== null && mistake && `${placesIn(text)(mistake.start)}: `, mistake?.message ?? 'The file contains no system'];
+                const words = [
+                    text !== null && mistake && `${placesIn(text)(mistake.start)}: `,
+                    mistake?.message ?? 'The file contains no system',
+                ];
                 return toast(`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
             }
             const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');

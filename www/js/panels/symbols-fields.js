@@ -11,7 +11,9 @@ import { DIALECTS, FIELDS } from '../tables.js';
 export function symbolsFields(store) {
     const settle = () => store.settle();
     const dialect = byId('dialect', HTMLSelectElement);
-    dialect.replaceChildren(...Object.entries(DIALECTS).map(([name, { label }]) => make('option', { value: name }, label)));
+    dialect.replaceChildren(
+        ...Object.entries(DIALECTS).map(([name, { label }]) => make('option', { value: name }, label)),
+    );
     dialect.addEventListener('change', () => {
         store.change({ dialect: /** @type {import('../state.js').Dialect} */ (dialect.value) }, '');
     });
@@ -20,7 +22,13 @@ export function symbolsFields(store) {
         settle,
         fix: (diagnostic) => applyFix(store, diagnostic),
     });
-    const showHeading = numberField(input('heading'), { ...rangeOf('heading'), expected: FIELDS.heading.expected, step: 5, settle, change: (heading) => store.change({ heading }, 'heading') });
+    const showHeading = numberField(input('heading'), {
+        ...rangeOf('heading'),
+        expected: FIELDS.heading.expected,
+        step: 5,
+        settle,
+        change: (heading) => store.change({ heading }, 'heading'),
+    });
 
     return {
         /** @param {Readonly<import('../state.js').State>} state */

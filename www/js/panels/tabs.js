@@ -23,7 +23,8 @@ export function tabs() {
 
     /** @param {string} name */
     function choose(name) {
-        if (narrow.matches) document.body.classList.toggle('folded', open === name && !document.body.classList.contains('folded'));
+        if (narrow.matches)
+            document.body.classList.toggle('folded', open === name && !document.body.classList.contains('folded'));
         open = name;
         show();
     }

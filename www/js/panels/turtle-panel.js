@@ -17,7 +17,12 @@ export function turtlePanel(store) {
     const showStart = listFields('start', ['start-x', 'start-y'], 1);
 
     const bends = html('bends');
-    const [showDown, showUp, showLeft, showRight] = [optionalAngle('pitchDown', 'pitch-down'), optionalAngle('pitchUp', 'pitch-up'), optionalAngle('rollLeft', 'roll-left'), optionalAngle('rollRight', 'roll-right')];
+    const [showDown, showUp, showLeft, showRight] = [
+        optionalAngle('pitchDown', 'pitch-down'),
+        optionalAngle('pitchUp', 'pitch-up'),
+        optionalAngle('rollLeft', 'roll-left'),
+        optionalAngle('rollRight', 'roll-right'),
+    ];
     const showElasticity = plainField('elasticity', 'elasticity', 0.01);
     const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
     /** Whether the drawing is in space, and whether tropism bends it. */
@@ -26,18 +31,38 @@ export function turtlePanel(store) {
 
     /** A field for a number. @param {FieldName} field @param {string} id @param {number} step */
     function plainField(field, id, step) {
-        return numberField(input(id), { ...rangeOf(field), expected: FIELDS[field].expected, step, settle, change: (value) => store.change({ [field]: value }, field) });
+        return numberField(input(id), {
+            ...rangeOf(field),
+            expected: FIELDS[field].expected,
+            step,
+            settle,
+            change: (value) => store.change({ [field]: value }, field),
+        });
     }
 
     /** A field for an optional angle. @param {FieldName} field @param {string} id */
     function optionalAngle(field, id) {
-        return optionalField(input(id), { ...rangeOf(field), expected: FIELDS[field].expected, step: 1, settle, change: (value) => store.change({ [field]: value }, field) });
+        return optionalField(input(id), {
+            ...rangeOf(field),
+            expected: FIELDS[field].expected,
+            step: 1,
+            settle,
+            change: (value) => store.change({ [field]: value }, field),
+        });
     }
 
     /** Fields for the numbers of a list. @param {'start' | 'tropism'} field @param {string[]} ids @param {number} step */
     function listFields(field, ids, step) {
         const { expected = '', ...range } = rangeOf(field);
-        const show = ids.map((id, at) => numberField(input(id), { ...range, expected, step, settle, change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field) }));
+        const show = ids.map((id, at) =>
+            numberField(input(id), {
+                ...range,
+                expected,
+                step,
+                settle,
+                change: (value) => store.change({ [field]: store.state[field].with(at, value) }, field),
+            }),
+        );
         return (/** @type {readonly number[]} */ values) => values.forEach((value, at) => show[at]?.(value));
     }
 
@@ -99,6 +124,19 @@ function legendRow({ symbol, actions, rewritten }) {
         'tr',
         {},
         make('th', { scope: 'row' }, make('kbd', {}, symbol === ' ' ? '␣' : symbol)),
-        make('td', {}, words, ...(rewritten ? [make('span', { class: 'rewritten', title: 'A production rewrites this symbol at each iteration' }, 'rewritten')] : [])),
+        make(
+            'td',
+            {},
+            words,
+            ...(rewritten
+                ? [
+                      make(
+                          'span',
+                          { class: 'rewritten', title: 'A production rewrites this symbol at each iteration' },
+                          'rewritten',
+                      ),
+                  ]
+                : []),
+        ),
     );
 }

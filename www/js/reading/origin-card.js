@@ -16,7 +16,12 @@ export function createOriginCard(goTo) {
 
     /** @param {AncestryLink} link @param {AncestryLink} own the chosen symbol's */
     function item(link, own) {
-        const here = make('button', { type: 'button', class: 'link' }, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link)));
+        const here = make(
+            'button',
+            { type: 'button', class: 'link' },
+            make('kbd', {}, visible(link.symbol)),
+            make('span', {}, birth(link)),
+        );
         here.addEventListener('click', () => goTo(link.generation, BigInt(link.index)));
         return make('li', link.generation === own.generation && link.index === own.index ? { class: 'own' } : {}, here);
     }
@@ -30,14 +35,39 @@ export function createOriginCard(goTo) {
         show(chosen, { ancestry, part, stroke }) {
             const own = ancestry.at(-1);
             if (!own) {
-                card.replaceChildren(make('p', { class: 'path-head' }, make('kbd', {}, visible(chosen.symbol ?? '?')), `symbol ${placeText(chosen.index + 1n)}`), make('p', { class: 'note' }, UNTRACED));
+                card.replaceChildren(
+                    make(
+                        'p',
+                        { class: 'path-head' },
+                        make('kbd', {}, visible(chosen.symbol ?? '?')),
+                        `symbol ${placeText(chosen.index + 1n)}`,
+                    ),
+                    make('p', { class: 'note' }, UNTRACED),
+                );
                 return;
             }
             card.replaceChildren(
-                make('p', { class: 'path-head' }, make('kbd', {}, visible(own.symbol)), make('span', {}, own.symbol.length === 1 ? origin(ancestry) : birthOf(ancestry))),
-                ...(chosen.words ? [make('p', { class: 'note meaning' }, chosen.words.replace(/^./u, (letter) => letter.toUpperCase()))] : []),
+                make(
+                    'p',
+                    { class: 'path-head' },
+                    make('kbd', {}, visible(own.symbol)),
+                    make('span', {}, own.symbol.length === 1 ? origin(ancestry) : birthOf(ancestry)),
+                ),
+                ...(chosen.words
+                    ? [
+                          make(
+                              'p',
+                              { class: 'note meaning' },
+                              chosen.words.replace(/^./u, (letter) => letter.toUpperCase()),
+                          ),
+                      ]
+                    : []),
                 make('p', { class: 'note' }, part ? drawnText(chosen, part, stroke !== null) : ''),
-                make('ol', { class: 'links', 'aria-label': 'Origin of the symbol, back to the axiom' }, ...descent(ancestry).map((link) => item(link, own))),
+                make(
+                    'ol',
+                    { class: 'links', 'aria-label': 'Origin of the symbol, back to the axiom' },
+                    ...descent(ancestry).map((link) => item(link, own)),
+                ),
             );
         },
     };
@@ -47,7 +77,13 @@ export function createOriginCard(goTo) {
 function drawnText({ generation, iterations }, { symbols, segments }, placed) {
     const from = BigInt(segments[0]);
     const count = BigInt(segments[1]) - from;
-    const grown = generation === iterations ? '' : `${countText(BigInt(symbols[1]) - BigInt(symbols[0]))} symbols at n = ${iterations}: `;
-    const drawn = count === 0n ? `draws no segment${placed ? ', marked at the turtle’s position' : ''}` : `${count === 1n ? `segment ${placeText(from + 1n)}` : `${countText(count)} segments`}, marked in the drawing`;
+    const grown =
+        generation === iterations
+            ? ''
+            : `${countText(BigInt(symbols[1]) - BigInt(symbols[0]))} symbols at n = ${iterations}: `;
+    const drawn =
+        count === 0n
+            ? `draws no segment${placed ? ', marked at the turtle’s position' : ''}`
+            : `${count === 1n ? `segment ${placeText(from + 1n)}` : `${countText(count)} segments`}, marked in the drawing`;
     return `${grown}${drawn}.`.replace(/^./, (letter) => letter.toUpperCase());
 }

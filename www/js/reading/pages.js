@@ -70,7 +70,11 @@ export function createPages(read, generation, arrived) {
         symbolAt: (index) => page.symbols[Number(index - page.start)],
 
         /** @param {bigint} from @param {bigint} to */
-        holds: (from, to) => !stale && page.generation === generation() && page.start <= from && page.start + BigInt(page.symbols.length) >= (length === null || to < length ? to : length),
+        holds: (from, to) =>
+            !stale &&
+            page.generation === generation() &&
+            page.start <= from &&
+            page.start + BigInt(page.symbols.length) >= (length === null || to < length ? to : length),
 
         /** @param {bigint} start @param {number} count */
         fetch: (start, count) => fetch(generation(), start, count),

@@ -20,7 +20,12 @@ export function createPlaceField({ length, choose }) {
     }
 
     field.addEventListener('keydown', (event) => event.key === 'Enter' && go());
-    field.addEventListener('input', () => field.toggleAttribute('data-wrong', field.value.trim() !== '' && readPlace(field.value, length() ?? REACH) === null));
+    field.addEventListener('input', () =>
+        field.toggleAttribute(
+            'data-wrong',
+            field.value.trim() !== '' && readPlace(field.value, length() ?? REACH) === null,
+        ),
+    );
 
     return {
         /** More of the string was loaded. */

@@ -104,7 +104,11 @@ export function readPlace(text, length) {
     if (words === 'start' || words === 'first') return 0n;
     const percent = /^(\d+(?:\.\d+)?|\.\d+)\s*%$/.exec(words.replace(/(\d),(\d{1,2})(?=\s*%)/, '$1.$2'));
     if (percent) return within(portion(length, Number(percent[1]) / 100), 0n, last);
-    const plain = words.replace(/[\s_,’']/g, '').replace(/[·*]/g, '×').replace(/×10(\^|(?=[⁰¹²³⁴-⁹]))/, 'e').replace(/^10(\^|(?=[⁰¹²³⁴-⁹]))/, '1e');
+    const plain = words
+        .replace(/[\s_,’']/g, '')
+        .replace(/[·*]/g, '×')
+        .replace(/×10(\^|(?=[⁰¹²³⁴-⁹]))/, 'e')
+        .replace(/^10(\^|(?=[⁰¹²³⁴-⁹]))/, '1e');
     const digits = plain.replace(/[⁰¹²³⁴-⁹]/g, (digit) => String('⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)));
     const number = /^(\d+)(?:\.(\d*))?(?:e\+?(\d{1,4}))?$/.exec(digits);
     if (!number) return null;

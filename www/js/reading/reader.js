@@ -1,8 +1,8 @@
 /** The string view: scrolls through a generation of any length and shows the origin of a symbol. */
 
-import { button, html } from '../dom.js';
+import { html } from '../dom.js';
 import { latest } from '../latest.js';
-import { setLayer } from '../layers.js';
+import { createToggled } from '../toggled.js';
 import { createGenerations } from './generations.js';
 import { createOriginCard } from './origin-card.js';
 import { outlineOf } from '../controls/trace.js';
@@ -22,7 +22,7 @@ const WRITTEN_BY = ['axiom', 'rules', 'seed', 'dialect', 'overrides'];
  */
 export function createReader(engine, { mark, legend, opened }) {
     const area = html('reader-text');
-    const frame = createFrame((open) => {
+    const frame = createToggled('reader', 'reading', (open) => {
         if (open) {
             text.pages.markStale();
             opened();
@@ -33,10 +33,18 @@ export function createReader(engine, { mark, legend, opened }) {
             forget();
         }
     });
+    frame.onOpener(() => html('reader-text').focus({ preventScroll: true }));
     const generations = createGenerations(goTo);
     const card = createOriginCard(goTo);
     const marked = createMarked(generations.now);
-    const text = createTextWindow(area, { read: engine.string, open: () => frame.open, generation: generations.now, marks: () => marked, arrived: () => field.update(), choose });
+    const text = createTextWindow(area, {
+        read: engine.string,
+        open: () => frame.open,
+        generation: generations.now,
+        marks: () => marked,
+        arrived: () => field.update(),
+        choose,
+    });
     const field = createPlaceField({ length: () => text.pages.length, choose });
 
     /** The symbol under the mouse, shown while no symbol is selected. @type {bigint | null} */
@@ -244,42 +252,6 @@ function createMarked(generation) {
             chain = [];
             relight();
         },
-    };
-}
-
-/** The panel of the string view, which opens and closes. @param {(open: boolean) => void} changed */
-function createFrame(changed) {
-    const frame = html('reader');
-    const toggle = button('open-reader');
-    let open = false;
-
-    /** @param {boolean} next */
-    function set(next) {
-        if (open === next) return;
-        open = next;
-        frame.hidden = !open;
-        toggle.setAttribute('aria-expanded', String(open));
-        document.body.classList.toggle('reading', open);
-        setLayer(close, open);
-        changed(open);
-    }
-
-    function close() {
-        set(false);
-        toggle.focus();
-    }
-
-    toggle.addEventListener('click', () => {
-        set(!open);
-        if (open) html('reader-text').focus({ preventScroll: true });
-    });
-    button('close-reader').addEventListener('click', close);
-
-    return {
-        get open() {
-            return open;
-        },
-        set,
     };
 }
 

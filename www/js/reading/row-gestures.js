@@ -38,7 +38,12 @@ export function listenToGestures(area, rows, { scroll, click }) {
         if (finger?.id !== event.pointerId) return;
         const by = finger.y - event.clientY;
         const time = Math.max(1, event.timeStamp - finger.time);
-        Object.assign(finger, { y: event.clientY, travelled: finger.travelled + Math.abs(by), speed: by / time, time: event.timeStamp });
+        Object.assign(finger, {
+            y: event.clientY,
+            travelled: finger.travelled + Math.abs(by),
+            speed: by / time,
+            time: event.timeStamp,
+        });
         if (event.pointerType !== 'mouse' && finger.travelled > TAP_DISTANCE) scroll(by);
     });
     area.addEventListener('pointerup', (event) => {

@@ -120,7 +120,9 @@ const widthOf = (symbol) => (symbol.length === 1 ? 1 : [...visible(symbol)].leng
 
 /** The mark of a symbol, if the symbol is in the row. @param {bigint | null} index @param {bigint} start @param {number} columns @param {string} name */
 function marked(index, start, columns, name) {
-    return index !== null && index >= start && index < start + BigInt(columns) ? [{ at: Number(index - start), name }] : [];
+    return index !== null && index >= start && index < start + BigInt(columns)
+        ? [{ at: Number(index - start), name }]
+        : [];
 }
 
 /** A row as an element. @param {bigint} start @param {string[]} symbols @param {{at: number, name: string}[]} marks */
@@ -153,7 +155,12 @@ function rowOf(start, symbols, marks) {
         cells.append(make('span', { class: 'args' }, args));
     });
     flush();
-    return make('div', { class: 'row-line' }, make('span', { class: 'margin', 'aria-hidden': 'true' }, marginText(start)), cells);
+    return make(
+        'div',
+        { class: 'row-line' },
+        make('span', { class: 'margin', 'aria-hidden': 'true' }, marginText(start)),
+        cells,
+    );
 }
 
 /**
@@ -166,7 +173,8 @@ function mostFitting(symbols, wanted, room) {
     // Any run of `count` symbols must fit; search for the largest such count.
     const ends = [0];
     for (const symbol of symbols) ends.push(/** @type {number} */ (ends.at(-1)) + widthOf(symbol));
-    const fits = (/** @type {number} */ count) => ends.every((end, at) => at < count || end - /** @type {number} */ (ends[at - count]) <= room);
+    const fits = (/** @type {number} */ count) =>
+        ends.every((end, at) => at < count || end - /** @type {number} */ (ends[at - count]) <= room);
     let [fitting, tooMany] = [1, wanted + 1];
     while (tooMany - fitting > 1) {
         const between = Math.floor((fitting + tooMany) / 2);

@@ -12,7 +12,8 @@ export function createScrollbar(moved) {
         event.preventDefault();
         bar.setPointerCapture(event.pointerId);
         const grip = thumb.getBoundingClientRect();
-        const inside = event.clientY >= grip.top && event.clientY <= grip.bottom ? event.clientY - grip.top : grip.height / 2;
+        const inside =
+            event.clientY >= grip.top && event.clientY <= grip.bottom ? event.clientY - grip.top : grip.height / 2;
         const move = (/** @type {PointerEvent} */ { clientY }) => {
             const box = bar.getBoundingClientRect();
             const track = Math.max(1, box.height - grip.height);

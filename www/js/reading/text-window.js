@@ -35,7 +35,11 @@ export function createTextWindow(area, { read, open, generation, marks, arrived,
     /** The first visible symbol, which stays visible when the length of rows changes. */
     let first = 0n;
 
-    const scale = () => ({ rows: rowsOf(pages.length ?? 0n, rows.columns), rowHeight: rows.rowHeight, height: rows.height });
+    const scale = () => ({
+        rows: rowsOf(pages.length ?? 0n, rows.columns),
+        rowHeight: rows.rowHeight,
+        height: rows.height,
+    });
     const visibleRows = () => BigInt(Math.ceil(rows.height / rows.rowHeight));
 
     /** @param {import('./pages.js').Arrived} page */
@@ -112,7 +116,10 @@ export function createTextWindow(area, { read, open, generation, marks, arrived,
         fetchMissing();
     }
 
-    listenToGestures(area, rows, { scroll, click: (index) => pages.length !== null && index < pages.length && choose(index) });
+    listenToGestures(area, rows, {
+        scroll,
+        click: (index) => pages.length !== null && index < pages.length && choose(index),
+    });
     new ResizeObserver(measure).observe(area);
 
     return {
@@ -140,7 +147,13 @@ export function createTextWindow(area, { read, open, generation, marks, arrived,
         /** The distance that a key scrolls, in CSS pixels. @param {KeyboardEvent} event @returns {number | undefined} */
         scrollOf({ key, shiftKey }) {
             const sheet = rows.height - rows.rowHeight;
-            return { ArrowDown: rows.rowHeight, ArrowUp: -rows.rowHeight, PageDown: sheet, PageUp: -sheet, ' ': shiftKey ? -sheet : sheet }[key];
+            return {
+                ArrowDown: rows.rowHeight,
+                ArrowUp: -rows.rowHeight,
+                PageDown: sheet,
+                PageUp: -sheet,
+                ' ': shiftKey ? -sheet : sheet,
+            }[key];
         },
     };
 }

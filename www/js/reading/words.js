@@ -6,7 +6,20 @@ import { grouped, plain, raised } from '../numerals.js';
 /** @typedef {import('../protocol.js').SegmentFacts} SegmentFacts */
 /** @typedef {import('../protocol.js').PolygonFacts} PolygonFacts */
 
-const ORDINALS = ['first', 'second', 'third', 'fourth', 'fifth', 'sixth', 'seventh', 'eighth', 'ninth', 'tenth', 'eleventh', 'twelfth'];
+const ORDINALS = [
+    'first',
+    'second',
+    'third',
+    'fourth',
+    'fifth',
+    'sixth',
+    'seventh',
+    'eighth',
+    'ninth',
+    'tenth',
+    'eleventh',
+    'twelfth',
+];
 
 /** @param {number} position counted from 0 */
 export function ordinal(position) {
@@ -70,7 +83,9 @@ export function birthOf(chain) {
 export function origin(chain) {
     const [born] = descent(chain);
     if (!born) return '';
-    return born.generation === 0 ? `${visible(born.symbol)}, ${birth(born)}` : `${visible(born.symbol)} at ${birth(born)}`;
+    return born.generation === 0
+        ? `${visible(born.symbol)}, ${birth(born)}`
+        : `${visible(born.symbol)} at ${birth(born)}`;
 }
 
 /**

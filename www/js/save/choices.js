@@ -1,10 +1,10 @@
 /** The choices of the save dialog as values: what a file is for, its format, and the format's options. */
 
-import { FILE_OPTIONS, FORMATS, PURPOSES } from '../tables.js';
+import { FILE_OPTIONS, FORMATS, PURPOSES } from '../late-tables.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
 /** @typedef {keyof typeof PURPOSES} Purpose */
-/** @typedef {import('../tables.js').FileOption} FileOption */
+/** @typedef {import('../late-tables.js').FileOption} FileOption */
 /** The value of an option. A size is `WIDTHxHEIGHT`, or the longer side of a picture in the drawing's proportions, or empty for the drawing's size on the page. @typedef {boolean | number | string} Value */
 /** @typedef {{purpose: Purpose, formats: Partial<Record<Purpose, string>>, values: Record<string, Value>}} Choices */
 
@@ -23,11 +23,19 @@ export function groupsOf(custom) {
     const formats = Object.entries(FORMATS).map(([name, format]) => ({ ...format, name }));
     const rows = /** @type {Row[]} */ ([...formats, ...custom]);
     const purposes = /** @type {[Purpose, string][]} */ (Object.entries(PURPOSES));
-    return purposes.map(([purpose, label]) => ({ purpose, label, rows: rows.filter((row) => row.purposes.includes(purpose)) })).filter((group) => group.rows.length > 0);
+    return purposes
+        .map(([purpose, label]) => ({ purpose, label, rows: rows.filter((row) => row.purposes.includes(purpose)) }))
+        .filter((group) => group.rows.length > 0);
 }
 
 /** @param {string} name @returns {FileOption} */
-export const optionOf = (name) => /** @type {Readonly<Record<string, FileOption>>} */ (FILE_OPTIONS)[name] ?? { kind: 'flag', label: name, help: '', unit: '' };
+export const optionOf = (name) =>
+    /** @type {Readonly<Record<string, FileOption>>} */ (FILE_OPTIONS)[name] ?? {
+        kind: 'flag',
+        label: name,
+        help: '',
+        unit: '',
+    };
 
 /** The default of an option. @param {FileOption} option @returns {Value} */
 export const defaultOf = (option) => (option.kind === 'flag' ? false : option.kind === 'size' ? '' : option.default);
@@ -38,7 +46,9 @@ export function admits(option, value) {
     if (option.kind === 'number') return typeof value === 'number' && value >= option.low && value <= option.high;
     if (typeof value !== 'string') return false;
     if (option.kind === 'sheet') return value in option.words || sidesOf(value, option) !== null;
-    return option.kind === 'word' ? value in option.words : value === '' || sizeOf(/^\d+$/.test(value) ? `${value}x1` : value, option) !== null;
+    return option.kind === 'word'
+        ? value in option.words
+        : value === '' || sizeOf(/^\d+$/.test(value) ? `${value}x1` : value, option) !== null;
 }
 
 /** The width and the height of a sheet of another size, in millimetres. @param {string} text @param {{low: number, high: number}} limits @returns {[number, number] | null} */
@@ -64,11 +74,17 @@ export function pixelSize(value, { width, height }) {
 
 /** The remembered choices, without what is no longer possible. @param {unknown} stored @param {ReturnType<typeof groupsOf>} groups @returns {Choices} */
 export function choicesFrom(stored, groups) {
-    const { purpose, formats, values } = /** @type {Partial<Record<keyof Choices, any>>} */ (typeof stored === 'object' && stored ? stored : {});
+    const { purpose, formats, values } = /** @type {Partial<Record<keyof Choices, any>>} */ (
+        typeof stored === 'object' && stored ? stored : {}
+    );
     const [first] = groups;
     if (!first) throw new Error('there are no formats');
     /** @type {Choices} */
-    const choices = { purpose: (groups.find((group) => group.purpose === purpose) ?? first).purpose, formats: {}, values: {} };
+    const choices = {
+        purpose: (groups.find((group) => group.purpose === purpose) ?? first).purpose,
+        formats: {},
+        values: {},
+    };
     for (const group of groups) {
         const name = formats?.[group.purpose];
         if (group.rows.some((row) => row.name === name)) choices.formats[group.purpose] = name;

@@ -26,7 +26,10 @@ export function createExports() {
                 size += piece.size;
                 progress?.(size, piece);
             };
-            const { complete, diagnostics } = await tool.call('file', asked, { ...(signal && { signal }), progress: take });
+            const { complete, diagnostics } = await tool.call('file', asked, {
+                ...(signal && { signal }),
+                progress: take,
+            });
             return { blob: complete ? new Blob(pieces) : null, diagnostics };
         },
 

@@ -25,12 +25,21 @@ export function optionFields({ canvas, choose }) {
 
     /** @param {string} name @param {FileOption} option @param {...HTMLElement} fields */
     function row(name, option, ...fields) {
-        return make('div', { class: 'save-option' }, make('label', { for: `option-${name}`, title: option.help }, option.label), ...fields);
+        return make(
+            'div',
+            { class: 'save-option' },
+            make('label', { for: `option-${name}`, title: option.help }, option.label),
+            ...fields,
+        );
     }
 
     /** @param {string} name @param {Extract<FileOption, {kind: 'word'}>} option @param {Value} value */
     function word(name, option, value) {
-        const list = make('select', { id: `option-${name}` }, ...Object.entries(option.words).map(([each, label]) => make('option', { value: each }, label)));
+        const list = make(
+            'select',
+            { id: `option-${name}` },
+            ...Object.entries(option.words).map(([each, label]) => make('option', { value: each }, label)),
+        );
         list.value = String(value);
         list.addEventListener('change', () => choose(name, list.value));
         return row(name, option, list);
@@ -39,7 +48,16 @@ export function optionFields({ canvas, choose }) {
     /** @param {string} name @param {Extract<FileOption, {kind: 'number'}>} option @param {Value} value */
     function number(name, option, value) {
         let last = value;
-        const field = make('input', { id: `option-${name}`, class: 'number', type: 'number', inputmode: 'decimal', min: String(option.low), max: String(option.high), step: String(option.step), value: String(value) });
+        const field = make('input', {
+            id: `option-${name}`,
+            class: 'number',
+            type: 'number',
+            inputmode: 'decimal',
+            min: String(option.low),
+            max: String(option.high),
+            step: String(option.step),
+            value: String(value),
+        });
         field.addEventListener('input', () => {
             const typed = field.value === '' ? NaN : Number(field.value);
             const isValid = admits(option, typed);
@@ -56,7 +74,16 @@ export function optionFields({ canvas, choose }) {
             field.removeAttribute('data-wrong');
             field.removeAttribute('aria-invalid');
         });
-        return row(name, option, make('span', { class: 'save-number' }, field, ...(option.unit ? [make('span', { class: 'unit' }, option.unit)] : [])));
+        return row(
+            name,
+            option,
+            make(
+                'span',
+                { class: 'save-number' },
+                field,
+                ...(option.unit ? [make('span', { class: 'unit' }, option.unit)] : []),
+            ),
+        );
     }
 
     /**
@@ -68,11 +95,32 @@ export function optionFields({ canvas, choose }) {
     function sized(name, option, { value, offered, sides, unit, step, isValid, range }) {
         const [long, short] = unit;
         const isOwn = !offered.some(([each]) => each === value);
-        const list = make('select', { id: `option-${name}` }, ...[...offered, ['own', 'Other…']].map(([each = '', label = '']) => make('option', { value: each }, label)));
+        const list = make(
+            'select',
+            { id: `option-${name}` },
+            ...[...offered, ['own', 'Other…']].map(([each = '', label = '']) => make('option', { value: each }, label)),
+        );
         list.value = isOwn ? 'own' : value;
-        const fields = ['Width', 'Height'].map((side, at) => make('input', { class: 'number', type: 'number', inputmode: 'decimal', min: '1', step, 'aria-label': `${side}, in ${long}`, value: sides[at] ?? '' }));
+        const fields = ['Width', 'Height'].map((side, at) =>
+            make('input', {
+                class: 'number',
+                type: 'number',
+                inputmode: 'decimal',
+                min: '1',
+                step,
+                'aria-label': `${side}, in ${long}`,
+                value: sides[at] ?? '',
+            }),
+        );
         const [width, height] = /** @type {[HTMLInputElement, HTMLInputElement]} */ (fields);
-        const both = make('span', { class: 'save-sides' }, width, make('span', { 'aria-hidden': 'true' }, '×'), height, make('span', { class: 'unit' }, short));
+        const both = make(
+            'span',
+            { class: 'save-sides' },
+            width,
+            make('span', { 'aria-hidden': 'true' }, '×'),
+            height,
+            make('span', { class: 'unit' }, short),
+        );
         const note = make('p', { class: 'range-note', role: 'alert' }, range);
         both.hidden = !isOwn;
         note.hidden = true;
@@ -99,7 +147,10 @@ export function optionFields({ canvas, choose }) {
         const fits = SIDES.map(String).filter((side) => sizeOf(pixelSize(side, shown), option) !== null);
         return sized(name, option, {
             value: String(value),
-            offered: [['', `As on the page, ${words('')}`], ...fits.map((side) => /** @type {[string, string]} */ ([side, words(side)]))],
+            offered: [
+                ['', `As on the page, ${words('')}`],
+                ...fits.map((side) => /** @type {[string, string]} */ ([side, words(side)])),
+            ],
             sides: pixelSize(value, shown).split('x'),
             unit: ['pixels', 'px'],
             step: '1',

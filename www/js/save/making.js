@@ -54,16 +54,29 @@ export function createMaking(make, changed) {
                 progress(size, piece) {
                     const { state, head } = run.made;
                     if (state !== 'making') return;
-                    tell(run, { size, head: head && head.size >= SHOWN ? head : new Blob([...(head ? [head] : []), piece]).slice(0, SHOWN) });
+                    tell(run, {
+                        size,
+                        head:
+                            head && head.size >= SHOWN
+                                ? head
+                                : new Blob([...(head ? [head] : []), piece]).slice(0, SHOWN),
+                    });
                     if (run.isAsked || size <= LARGEST_UNASKED) return;
                     tell(run, { state: 'large' });
                     run.control.abort();
                 },
             });
-            return tell(run, { state: blob ? 'made' : 'failed', size: blob?.size ?? 0, head: blob?.slice(0, SHOWN) ?? null, blob, diagnostics });
+            return tell(run, {
+                state: blob ? 'made' : 'failed',
+                size: blob?.size ?? 0,
+                head: blob?.slice(0, SHOWN) ?? null,
+                blob,
+                diagnostics,
+            });
         } catch (error) {
             // The class of the error would not tell: this module may have been loaded apart from the tool's.
-            if (run.control.signal.aborted) return run.made.state === 'large' ? run.made : tell(run, { state: 'cancelled' });
+            if (run.control.signal.aborted)
+                return run.made.state === 'large' ? run.made : tell(run, { state: 'cancelled' });
             return tell(run, { state: 'failed', reason: error instanceof Error ? error.message : String(error) });
         }
     }

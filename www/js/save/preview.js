@@ -4,7 +4,7 @@
  */
 
 import { make, setText } from '../dom.js';
-import { FORMATS, SHEETS } from '../tables.js';
+import { FORMATS, SHEETS } from '../late-tables.js';
 import { sidesOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
@@ -22,7 +22,11 @@ export async function firstLines(head) {
         // The last character may be cut.
         const text = new TextDecoder('utf-8', { fatal: true }).decode(await head.arrayBuffer(), { stream: true });
         if (text.includes('\0')) return null;
-        return text.split('\n').slice(0, LINES).map((line) => (line.length > LINE ? `${line.slice(0, LINE)}…` : line)).join('\n');
+        return text
+            .split('\n')
+            .slice(0, LINES)
+            .map((line) => (line.length > LINE ? `${line.slice(0, LINE)}…` : line))
+            .join('\n');
     } catch {
         return null;
     }
@@ -31,9 +35,14 @@ export async function firstLines(head) {
 /** The sheet of some values, in millimetres. @param {Record<string, Value>} values */
 export function sheetOf(values) {
     const name = String(values['sheet'] ?? 'a4');
-    const [width = 210, height = 297] = /** @type {Readonly<Record<string, readonly number[]>>} */ (SHEETS)[name] ?? sidesOf(name, { low: 0, high: Infinity }) ?? [];
+    const [width = 210, height = 297] =
+        /** @type {Readonly<Record<string, readonly number[]>>} */ (SHEETS)[name] ??
+        sidesOf(name, { low: 0, high: Infinity }) ??
+        [];
     const margin = Number(values['margin'] ?? 10);
-    return values['landscape'] === true && width < height ? { width: height, height: width, margin } : { width, height, margin };
+    return values['landscape'] === true && width < height
+        ? { width: height, height: width, margin }
+        : { width, height, margin };
 }
 
 /** The longer side of the picture on a sheet, in pixels. */
@@ -68,7 +77,10 @@ export function createPreview(frame, { shown, fitted }) {
         const [wide = 1, high = 1] = inner.map((side) => Math.round(side * factor));
         const paper = make('div', { class: 'save-paper' }, make('span', {}, await fitted(wide, high)));
         paper.style.aspectRatio = `${width} / ${height}`;
-        paper.style.setProperty('--margins', [height, width].map((side) => `${Math.min(45, (100 * margin) / side)}%`).join(' '));
+        paper.style.setProperty(
+            '--margins',
+            [height, width].map((side) => `${Math.min(45, (100 * margin) / side)}%`).join(' '),
+        );
         paper.classList.toggle('wide', width > height);
         return paper;
     }
@@ -76,14 +88,19 @@ export function createPreview(frame, { shown, fitted }) {
     /** Shows what `content` makes, unless something newer is shown before. @param {Promise<HTMLElement>} content */
     async function put(content) {
         const own = ++last;
-        const element = await content.catch(() => shown().then(imageOf)).catch(() => make('p', { class: 'note' }, 'Nothing to show.'));
+        const element = await content
+            .catch(() => shown().then(imageOf))
+            .catch(() => make('p', { class: 'note' }, 'Nothing to show.'));
         if (own === last) frame.replaceChildren(element);
     }
 
     /** @param {string} text */
     function putText(text) {
         last += 1;
-        if (frame.firstElementChild?.tagName !== 'PRE') frame.replaceChildren(make('pre', { tabindex: '0', role: 'region', 'aria-label': 'Beginning of the file' }));
+        if (frame.firstElementChild?.tagName !== 'PRE')
+            frame.replaceChildren(
+                make('pre', { tabindex: '0', role: 'region', 'aria-label': 'Beginning of the file' }),
+            );
         setText(/** @type {Element} */ (frame.firstElementChild), text);
     }
 

@@ -6,15 +6,18 @@
  * opens them. So the dialog for films appears under Film.
  */
 
+import styles from '../../css/saving.css';
 import { announce, toast } from '../announce.js';
 import { listProblems } from '../controls/editor.js';
 import { button, byId, closes, html, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
-import { FORMATS } from '../tables.js';
+import { addElements } from '../late.js';
+import { FORMATS } from '../late-tables.js';
 import { pixelSize, rowOf, savedName, sizeWords, valuesFor } from './choices.js';
 import { optionFields } from './fields.js';
 import { createMaking } from './making.js';
 import { createPreview } from './preview.js';
+import markup from './save-dialog.html';
 
 /** @typedef {import('./choices.js').Purpose} Purpose */
 /** @typedef {import('./making.js').Made} Made */
@@ -25,7 +28,15 @@ const PREVIEW = 900;
 const PAUSE = 200;
 
 /** A problem without a place. @param {string | null} reason @returns {import('../protocol.js').Diagnostic} */
-const notMade = (reason) => ({ field: 'file', severity: 'error', message: `Not made: ${reason ?? 'the file could not be made'}.`, hint: null, fix: null, start: 0, end: 0 });
+const notMade = (reason) => ({
+    field: 'file',
+    severity: 'error',
+    message: `Not made: ${reason ?? 'the file could not be made'}.`,
+    hint: null,
+    fix: null,
+    start: 0,
+    end: 0,
+});
 
 /**
  * @param {object} page
@@ -37,6 +48,7 @@ const notMade = (reason) => ({ field: 'file', severity: 'error', message: `Not m
  * @param {readonly import('./choices.js').CustomRow[]} page.custom
  */
 export function createSaveDialog({ store, remembered, exports, files, canvas, custom }) {
+    addElements(markup, [styles]);
     const dialog = byId('save-dialog', HTMLDialogElement);
     const save = button('save-now');
     const stop = button('save-stop');
@@ -44,7 +56,10 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     const { choices, groups, remember } = remembered;
     /** The picture of the drawing, made once while the dialog is open. @type {Promise<Blob> | null} */
     let picture = null;
-    const preview = createPreview(html('save-preview'), { shown: () => (picture ??= files.small(PREVIEW)), fitted: files.fitted });
+    const preview = createPreview(html('save-preview'), {
+        shown: () => (picture ??= files.small(PREVIEW)),
+        fitted: files.fitted,
+    });
     const making = createMaking(files.make, changed);
     const fields = optionFields({ canvas, choose: chooseValue });
     let timer = 0;
@@ -70,7 +85,9 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
         return make('label', { class: 'save-tile' }, radio, ...words);
     }
 
-    const purposes = groups.map(({ purpose, label }) => tile('save-purpose', purpose, () => choosePurpose(purpose), make('span', {}, label)));
+    const purposes = groups.map(({ purpose, label }) =>
+        tile('save-purpose', purpose, () => choosePurpose(purpose), make('span', {}, label)),
+    );
     html('save-purposes').replaceChildren(...purposes);
 
     function showRows() {
@@ -78,11 +95,18 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
         const chosen = rowOf(choices, groups);
         html('save-formats').replaceChildren(
             ...rows.map(({ name, label, help }) =>
-                tile('save-format', name, () => chooseFormat(name), make('span', { class: 'save-label' }, label), make('span', { class: 'save-help' }, help)),
+                tile(
+                    'save-format',
+                    name,
+                    () => chooseFormat(name),
+                    make('span', { class: 'save-label' }, label),
+                    make('span', { class: 'save-help' }, help),
+                ),
             ),
         );
         for (const radio of dialog.querySelectorAll('input[type=radio]')) {
-            if (radio instanceof HTMLInputElement) radio.checked = radio.value === (radio.name === 'save-purpose' ? choices.purpose : chosen.name);
+            if (radio instanceof HTMLInputElement)
+                radio.checked = radio.value === (radio.name === 'save-purpose' ? choices.purpose : chosen.name);
         }
         showOptions();
     }

@@ -2,7 +2,7 @@
 
 import { byId, make } from '../dom.js';
 import { definitionOf } from '../state.js';
-import { FORMATS } from '../tables.js';
+import { FORMATS } from '../late-tables.js';
 import { pixelSize, sizeOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
@@ -37,9 +37,19 @@ export function createSaveFile({ store, engine, exports, canvas }) {
         /** The whole drawing in a picture of this size, as a sheet shows it; throws if there is none. @param {number} width @param {number} height @returns {Promise<HTMLElement>} */
         async fitted(width, height) {
             const { camera } = store.state;
-            const { bitmap } = await engine.thumb(definitionOf(store.state), width, height, camera && { ...camera, zoom: 1, x: 0, y: 0, z: 0, perspective: false });
+            const { bitmap } = await engine.thumb(
+                definitionOf(store.state),
+                width,
+                height,
+                camera && { ...camera, zoom: 1, x: 0, y: 0, z: 0, perspective: false },
+            );
             if (!bitmap) throw new Error('there is no picture');
-            const picture = make('canvas', { role: 'img', 'aria-label': 'The drawing', width: String(bitmap.width), height: String(bitmap.height) });
+            const picture = make('canvas', {
+                role: 'img',
+                'aria-label': 'The drawing',
+                width: String(bitmap.width),
+                height: String(bitmap.height),
+            });
             picture.getContext('bitmaprenderer')?.transferFromImageBitmap(bitmap);
             return picture;
         },
@@ -60,7 +70,10 @@ export function createSaveFile({ store, engine, exports, canvas }) {
             // Lines are as wide in a larger picture as on the page, in proportion.
             const shown = canvas();
             const ratio = (shown.ratio * sides[0]) / Math.max(shown.width, 1);
-            const { blob, diagnostics } = await exports.make({ definition, format, options, view, camera, ratio, upto: engine.upto }, how);
+            const { blob, diagnostics } = await exports.make(
+                { definition, format, options, view, camera, ratio, upto: engine.upto },
+                how,
+            );
             return { blob: blob && new Blob([blob], { type: mime }), diagnostics };
         },
     };

@@ -23,7 +23,10 @@ export function listenToGestures(element, { takes, drag, zoom, fit }) {
         const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
         if (!other) return drag(now.x - was.x, now.y - was.y, event.shiftKey);
         const apart = (/** @type {{x: number, y: number}} */ a) => Math.hypot(a.x - other.x, a.y - other.y);
-        const middle = (/** @type {{x: number, y: number}} */ a) => ({ x: (a.x + other.x) / 2, y: (a.y + other.y) / 2 });
+        const middle = (/** @type {{x: number, y: number}} */ a) => ({
+            x: (a.x + other.x) / 2,
+            y: (a.y + other.y) / 2,
+        });
         drag(middle(now).x - middle(was).x, middle(now).y - middle(was).y, true);
         if (apart(was) > 1 && apart(now) > 1) zoom(apart(now) / apart(was), middle(now).x, middle(now).y);
     });

@@ -86,8 +86,16 @@ export function createMoves(store, picture, space) {
 
         /** Zooms smoothly about a place of the drawing, or about the middle. @param {number} factor @param {number[] | null} place */
         zoom(factor, place) {
-            if (space()) glideToCamera(place ? zoomedOn(camera(), factor, place, picture.scale) : zoomed(camera(), factor, 0, 0, picture.scale));
-            else glideTo(zoomAt(view(), factor, ...(place ? seen(view(), place, picture.scale) : MIDDLE), picture.scale));
+            if (space())
+                glideToCamera(
+                    place
+                        ? zoomedOn(camera(), factor, place, picture.scale)
+                        : zoomed(camera(), factor, 0, 0, picture.scale),
+                );
+            else
+                glideTo(
+                    zoomAt(view(), factor, ...(place ? seen(view(), place, picture.scale) : MIDDLE), picture.scale),
+                );
         },
 
         /** @param {number} factor @param {number} x of the fixed point, in CSS pixels from the middle @param {number} y */
@@ -106,7 +114,10 @@ export function createMoves(store, picture, space) {
         goTo(corners, size) {
             const [first] = corners;
             if (!first) return;
-            const farthest = corners.reduce((most, corner) => (extentOf(first, corner) > extentOf(first, most) ? corner : most), first);
+            const farthest = corners.reduce(
+                (most, corner) => (extentOf(first, corner) > extentOf(first, most) ? corner : most),
+                first,
+            );
             const pixels = extentOf(first, farthest) * picture.scale * (space() ? camera() : view()).zoom;
             const smaller = Math.min(1, (LARGEST * Math.min(size.width, size.height)) / pixels);
             const middle = pointBetween(first, farthest, 0.5);

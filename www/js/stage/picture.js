@@ -42,7 +42,11 @@ export function createPicture(canvas, mark) {
             if (canvas.height !== bitmap.height) canvas.height = bitmap.height;
             // While a drawing in space moves, its picture may have fewer pixels than the canvas.
             const { width, height } = space ? made : bitmap;
-            shown = { view, scale: scale / made.ratio, size: { width: width / made.ratio, height: height / made.ratio } };
+            shown = {
+                view,
+                scale: scale / made.ratio,
+                size: { width: width / made.ratio, height: height / made.ratio },
+            };
             context.transferFromImageBitmap(bitmap);
             canvas.style.width = `${shown.size.width}px`;
             canvas.style.height = `${shown.size.height}px`;

@@ -9,7 +9,11 @@ export function watchSize(frame, changed) {
     const size = { width: 0, height: 0, ratio: 1 };
 
     function measure() {
-        Object.assign(size, { width: frame.clientWidth, height: frame.clientHeight, ratio: Math.min(MAX_RATIO, devicePixelRatio || 1) });
+        Object.assign(size, {
+            width: frame.clientWidth,
+            height: frame.clientHeight,
+            ratio: Math.min(MAX_RATIO, devicePixelRatio || 1),
+        });
         if (size.width > 0 && size.height > 0) changed();
     }
 

@@ -29,13 +29,15 @@ export function createDerivation(tool, told) {
     async function read() {
         if (!definition) return;
         const own = ++turn;
-        const made = await tool.call('rows', { definition, n: at, start: String(start), count: COUNT }).catch((error) => {
-            if (own !== turn) return null;
-            rows = null;
-            list.replaceChildren();
-            for (const id of ['steps-earlier', 'steps-later']) button(id).disabled = true;
-            throw error;
-        });
+        const made = await tool
+            .call('rows', { definition, n: at, start: String(start), count: COUNT })
+            .catch((error) => {
+                if (own !== turn) return null;
+                rows = null;
+                list.replaceChildren();
+                for (const id of ['steps-earlier', 'steps-later']) button(id).disabled = true;
+                throw error;
+            });
         if (own !== turn || !made) return;
         rows = made;
         start = BigInt(made.start);
@@ -51,9 +53,21 @@ export function createDerivation(tool, told) {
     /** @param {StepRows['families'][number]} family @param {number} index */
     function family({ parent, children, more }, index) {
         const stays = children.length === 1 && children[0] === parent;
-        const becomes = children.length === 0 ? [make('span', { class: 'gone' }, 'nothing')] : children.map((child) => make('code', {}, child));
+        const becomes =
+            children.length === 0
+                ? [make('span', { class: 'gone' }, 'nothing')]
+                : children.map((child) => make('code', {}, child));
         if (more !== '0') becomes.push(make('span', { class: 'more' }, `+${grouped(more)}`));
-        const item = make('li', { class: stays ? 'family stays' : 'family', tabindex: index === 0 ? '0' : '-1', 'aria-label': stays ? `${parent} stays` : `${parent} becomes ${children.join('') || 'nothing'}` }, make('code', { class: 'parent' }, parent), make('span', { class: 'children' }, ...becomes));
+        const item = make(
+            'li',
+            {
+                class: stays ? 'family stays' : 'family',
+                tabindex: index === 0 ? '0' : '-1',
+                'aria-label': stays ? `${parent} stays` : `${parent} becomes ${children.join('') || 'nothing'}`,
+            },
+            make('code', { class: 'parent' }, parent),
+            make('span', { class: 'children' }, ...becomes),
+        );
         const tell = () => told(wordsOf(index));
         item.addEventListener('pointerenter', tell);
         item.addEventListener('pointerleave', () => told(rest()));
@@ -61,7 +75,10 @@ export function createDerivation(tool, told) {
         return item;
     }
 
-    const rest = () => (rows ? `Symbols ${grouped(String(start + 1n))} to ${grouped(String(start + BigInt(rows.families.length)))} of ${grouped(rows.lengths[0])}.` : '');
+    const rest = () =>
+        rows
+            ? `Symbols ${grouped(String(start + 1n))} to ${grouped(String(start + BigInt(rows.families.length)))} of ${grouped(rows.lengths[0])}.`
+            : '';
 
     /** @param {number} index */
     function wordsOf(index) {
@@ -70,7 +87,12 @@ export function createDerivation(tool, told) {
         const place = grouped(String(start + BigInt(index) + 1n));
         const count = BigInt(family.children.length) + BigInt(family.more);
         const first = BigInt(family.first) + 1n;
-        const where = count === 0n ? 'It is deleted' : count === 1n ? `It becomes symbol ${grouped(String(first))} of generation ${at + 1}` : `It becomes symbols ${grouped(String(first))} to ${grouped(String(first + count - 1n))} of generation ${at + 1}`;
+        const where =
+            count === 0n
+                ? 'It is deleted'
+                : count === 1n
+                  ? `It becomes symbol ${grouped(String(first))} of generation ${at + 1}`
+                  : `It becomes symbols ${grouped(String(first))} to ${grouped(String(first + count - 1n))} of generation ${at + 1}`;
         return `${family.parent} is symbol ${place} of generation ${at}. ${where}.`;
     }
 
@@ -101,7 +123,10 @@ export function createDerivation(tool, told) {
             return end;
         },
         pause: PAUSE,
-        words: () => (rows ? `Generation ${at}: ${grouped(rows.lengths[0])} symbols. Generation ${at + 1}: ${grouped(rows.lengths[1])}.` : `Generation ${at} cannot be read.`),
+        words: () =>
+            rows
+                ? `Generation ${at}: ${grouped(rows.lengths[0])} symbols. Generation ${at + 1}: ${grouped(rows.lengths[1])}.`
+                : `Generation ${at} cannot be read.`,
         async show(next, n) {
             definition = next;
             end = n;

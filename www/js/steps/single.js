@@ -24,7 +24,8 @@ export function createSingle(tool) {
     /** The shown system. @type {import('../protocol.js').Definition | null} */
     let system = null;
 
-    const askSingles = (/** @type {import('../protocol.js').Definition} */ definition) => tool.call('single', { definition, steps: MOST, rightmost: order.value === 'rightmost' });
+    const askSingles = (/** @type {import('../protocol.js').Definition} */ definition) =>
+        tool.call('single', { definition, steps: MOST, rightmost: order.value === 'rightmost' });
 
     order.addEventListener('change', async () => {
         if (!system) return;
@@ -38,9 +39,23 @@ export function createSingle(tool) {
     function draw() {
         const rows = Array.from({ length: at + 1 }, (_, step) => {
             const [together, alone] = [all[step], singles[step]];
-            return make('tr', step === at ? { class: 'now' } : {}, make('th', { scope: 'row' }, String(step)), make('td', {}, together ? grouped(together.length) : ''), make('td', {}, make('code', {}, together ? cut(together.text) : '')), make('td', {}, alone ? grouped(String(alone.length)) : ''), make('td', {}, ...(alone ? marked(alone) : ['no rule fits'])));
+            return make(
+                'tr',
+                step === at ? { class: 'now' } : {},
+                make('th', { scope: 'row' }, String(step)),
+                make('td', {}, together ? grouped(together.length) : ''),
+                make('td', {}, make('code', {}, together ? cut(together.text) : '')),
+                make('td', {}, alone ? grouped(String(alone.length)) : ''),
+                make('td', {}, ...(alone ? marked(alone) : ['no rule fits'])),
+            );
         });
-        const head = make('tr', {}, ...['Step', 'Symbols', 'All at once', 'Symbols', 'One at a time'].map((words) => make('th', { scope: 'col' }, words)));
+        const head = make(
+            'tr',
+            {},
+            ...['Step', 'Symbols', 'All at once', 'Symbols', 'One at a time'].map((words) =>
+                make('th', { scope: 'col' }, words),
+            ),
+        );
         html('steps-table').replaceChildren(head, ...rows);
         html('steps-both').scrollTop = html('steps-both').scrollHeight;
     }
@@ -53,7 +68,8 @@ export function createSingle(tool) {
             return MOST;
         },
         pause: PAUSE,
-        words: () => `Step ${at}: ${grouped(all[at]?.length ?? '') || 'too many'} symbols all at once, ${(singles[at] ?? singles.at(-1))?.length ?? 0} one at a time.`,
+        words: () =>
+            `Step ${at}: ${grouped(all[at]?.length ?? '') || 'too many'} symbols all at once, ${(singles[at] ?? singles.at(-1))?.length ?? 0} one at a time.`,
         async show(definition) {
             singles = await askSingles(definition);
             system = definition;
@@ -81,7 +97,11 @@ function marked({ text, made }) {
     if (!made) return [make('code', {}, cut(text))];
     const [from, count] = made;
     const symbols = [...text];
-    const [before, new_, after] = [symbols.slice(0, from), symbols.slice(from, from + count), symbols.slice(from + count)].map((part) => part.join(''));
+    const [before, new_, after] = [
+        symbols.slice(0, from),
+        symbols.slice(from, from + count),
+        symbols.slice(from + count),
+    ].map((part) => part.join(''));
     if (from + count > SHOWN) return [make('code', {}, cut(text))];
     return [make('code', {}, before ?? '', make('mark', {}, new_ || '·'), after ? cut(after) : '')];
 }

@@ -1,12 +1,15 @@
 /** Step by step: what each symbol becomes, one symbol at a time beside all at once, and the turtle at each symbol. */
 
+import styles from '../../css/steps.css';
 import { button, byId, closes, html, input, reducedMotion, setText, setValue } from '../dom.js';
+import { addElements } from '../late.js';
 import { createDerivation } from './derivation.js';
 import { createSingle } from './single.js';
+import markup from './steps.html';
 import { createWay } from './way.js';
 
 /** @typedef {import('../state.js').Definition} Definition */
-/** @typedef {import('../course/maker.js').CourseTool} CourseTool */
+/** @typedef {import('../course/tool.js').CourseTool} CourseTool */
 /**
  * A part of the dialog. `show` resolves when generation `n` is shown; `end` is the last place that play reaches, and
  * `words` tells where it is.
@@ -22,6 +25,7 @@ const MOST = 60;
  * @param {() => Definition} definition of the shown system
  */
 export function createSteps(tool, definition) {
+    addElements(markup, [styles]);
     const dialog = byId('steps', HTMLDialogElement);
     const slider = input('steps-at');
     const play = button('steps-play');
@@ -67,7 +71,10 @@ export function createSteps(tool, definition) {
         setText(html('steps-words'), part().words());
         button('steps-back').disabled = at <= 0;
         button('steps-on').disabled = at >= Number(slider.max);
-        for (const [id, way] of /** @type {const} */ ([['steps-back', 'Previous'], ['steps-on', 'Next']])) {
+        for (const [id, way] of /** @type {const} */ ([
+            ['steps-back', 'Previous'],
+            ['steps-on', 'Next'],
+        ])) {
             button(id).setAttribute('aria-label', `${way} ${chosen() === 'turtle' ? 'symbol' : 'generation'}`);
         }
     }
@@ -107,8 +114,11 @@ export function createSteps(tool, definition) {
     dialog.addEventListener('close', stop);
     closes(dialog, 'close-steps');
     dialog.classList.toggle('moving', !reducedMotion());
-    button('open-steps').addEventListener('click', () => {
-        dialog.showModal();
-        void show();
-    });
+
+    return {
+        open() {
+            dialog.showModal();
+            void show();
+        },
+    };
 }

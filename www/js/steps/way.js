@@ -45,12 +45,16 @@ export function createWay(tool, told, moved) {
 
     /** A point of the picture, y down. @param {Vector} point @returns {[number, number]} */
     const seen = (point) => {
-        const along = (/** @type {number[]} */ axis) => point.reduce((sum, value, at) => sum + value * (axis[at] ?? 0), 0);
+        const along = (/** @type {number[]} */ axis) =>
+            point.reduce((sum, value, at) => sum + value * (axis[at] ?? 0), 0);
         return isSolid ? [along(RIGHT), -along(UP)] : [point[0], -point[1]];
     };
 
     /** @param {TurtleState[]} some */
-    const pathOf = (some) => some.flatMap(({ segment }) => (segment ? [`M${seen(segment[0]).join(' ')}L${seen(segment[1]).join(' ')}`] : [])).join('');
+    const pathOf = (some) =>
+        some
+            .flatMap(({ segment }) => (segment ? [`M${seen(segment[0]).join(' ')}L${seen(segment[1]).join(' ')}`] : []))
+            .join('');
 
     function begin() {
         const points = states.flatMap(({ at, segment }) => [at, ...(segment ?? [])]).map(seen);
@@ -81,10 +85,15 @@ export function createWay(tool, told, moved) {
         const [hx, hy] = seen(/** @type {Vector} */ (state.axes[0]));
         const [lx, ly] = seen(/** @type {Vector} */ (state.axes[1]));
         const by = size * 0.035;
-        const corner = (/** @type {number} */ a, /** @type {number} */ b) => `${x + by * (a * hx + b * lx)} ${y + by * (a * hy + b * ly)}`;
+        const corner = (/** @type {number} */ a, /** @type {number} */ b) =>
+            `${x + by * (a * hx + b * lx)} ${y + by * (a * hy + b * ly)}`;
         turtle.setAttribute('d', `M${corner(1.6, 0)}L${corner(-0.8, 0.9)}L${corner(-0.4, 0)}L${corner(-0.8, -0.9)}Z`);
         const number = (/** @type {number} */ value) => String(Math.round(value * 1000) / 1000 + 0);
-        const place = (/** @type {Vector} */ point) => `(${point.slice(0, isSolid ? 3 : 2).map(number).join(', ')})`;
+        const place = (/** @type {Vector} */ point) =>
+            `(${point
+                .slice(0, isSolid ? 3 : 2)
+                .map(number)
+                .join(', ')})`;
         const heading = state.axes[0] ?? [0, 0, 0];
         const degrees = ((Math.atan2(heading[1], heading[0]) * 180) / Math.PI + 360) % 360;
         const words = legend.get(kindOf(state.symbol)) ?? '';
@@ -92,14 +101,37 @@ export function createWay(tool, told, moved) {
             Symbol: at === 0 ? 'the start' : state.symbol,
             Does: at === 0 ? '' : words || 'nothing',
             Position: place(state.at),
-            ...(isSolid ? Object.fromEntries(['Heading', 'Left', 'Up'].map((name, axis) => [name, place(/** @type {Vector} */ (state.axes[axis]))])) : { Heading: `${number(degrees)}°` }),
-            Stack: state.depth === 0 ? 'empty' : `${state.depth}: ${state.stored.map(place).join(', ')}${state.depth > state.stored.length ? ', …' : ''}`,
+            ...(isSolid
+                ? Object.fromEntries(
+                      ['Heading', 'Left', 'Up'].map((name, axis) => [
+                          name,
+                          place(/** @type {Vector} */ (state.axes[axis])),
+                      ]),
+                  )
+                : { Heading: `${number(degrees)}°` }),
+            Stack:
+                state.depth === 0
+                    ? 'empty'
+                    : `${state.depth}: ${state.stored.map(place).join(', ')}${state.depth > state.stored.length ? ', …' : ''}`,
         };
-        html('steps-state').replaceChildren(...Object.entries(facts).flatMap(([name, text]) => (text === '' ? [] : [make('dt', {}, name), make('dd', {}, text)])));
+        html('steps-state').replaceChildren(
+            ...Object.entries(facts).flatMap(([name, text]) =>
+                text === '' ? [] : [make('dt', {}, name), make('dd', {}, text)],
+            ),
+        );
         const from = Math.max(1, Math.min(at - AROUND / 2, states.length - AROUND));
         const shown = states.slice(from, from + AROUND).map(({ symbol }, index) => {
             const place = from + index;
-            const mark = make('button', { type: 'button', class: place === at ? 'symbol now' : place < at ? 'symbol read' : 'symbol', tabindex: '-1', 'aria-hidden': 'true' }, symbol);
+            const mark = make(
+                'button',
+                {
+                    type: 'button',
+                    class: place === at ? 'symbol now' : place < at ? 'symbol read' : 'symbol',
+                    tabindex: '-1',
+                    'aria-hidden': 'true',
+                },
+                symbol,
+            );
             mark.addEventListener('click', () => {
                 at = place;
                 draw();
@@ -126,7 +158,10 @@ export function createWay(tool, told, moved) {
             at = Math.min(1, states.length - 1);
             begin();
             draw();
-            if (BigInt(length) > BigInt(MOST)) told(`Only the first ${grouped(String(MOST))} of ${grouped(length)} symbols are followed. With fewer iterations all are.`);
+            if (BigInt(length) > BigInt(MOST))
+                told(
+                    `Only the first ${grouped(String(MOST))} of ${grouped(length)} symbols are followed. With fewer iterations all are.`,
+                );
         },
         seek(next) {
             at = next;

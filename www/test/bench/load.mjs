@@ -18,11 +18,33 @@ const PATIENCE = 120_000;
 const MOBILE = { offline: false, latency: 60, downloadThroughput: 9e6 / 8, uploadThroughput: 1.5e6 / 8 };
 const PLANT = 'v=1&axiom=X&rules=X%20-%3E%20F%5B+X%5DF%5B-X%5D+X%0AF%20-%3E%20FF&n=7&angle=20&controls=n,angle';
 /** @type {Record<string, string>} */
-const TYPES = { html: 'text/html; charset=utf-8', js: 'text/javascript; charset=utf-8', css: 'text/css; charset=utf-8', wasm: 'application/wasm', svg: 'image/svg+xml', json: 'application/json', webmanifest: 'application/manifest+json' };
+const TYPES = {
+    html: 'text/html; charset=utf-8',
+    js: 'text/javascript; charset=utf-8',
+    css: 'text/css; charset=utf-8',
+    wasm: 'application/wasm',
+    svg: 'image/svg+xml',
+    json: 'application/json',
+    webmanifest: 'application/manifest+json',
+};
 /** @type {Record<string, (bytes: Buffer) => Promise<Buffer>>} */
-const PACKERS = { br: (bytes) => promisify(brotliCompress)(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }), gzip: (bytes) => promisify(gzip)(bytes, { level: 9 }) };
+const PACKERS = {
+    br: (bytes) => promisify(brotliCompress)(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }),
+    gzip: (bytes) => promisify(gzip)(bytes, { level: 9 }),
+};
 
-const launch = () => chromium.launchServer({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell', args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking', '--disable-sync'] });
+const launch = () =>
+    chromium.launchServer({
+        executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell',
+        args: [
+            '--headless',
+            '--no-sandbox',
+            '--disable-gpu',
+            '--disable-quic',
+            '--disable-background-networking',
+            '--disable-sync',
+        ],
+    });
 /** @param {number[]} values */
 const median = (values) => Math.round([...values].sort((a, b) => a - b)[values.length >> 1] ?? 0);
 
@@ -41,14 +63,23 @@ async function serve(answer) {
 }
 
 const site = `http://127.0.0.1:${await serve(async (request, response) => {
-    const path = String(request.url).replace(/[?#].*$/, '').replace(/\/$/, '/index.html').slice(1);
+    const path = String(request.url)
+        .replace(/[?#].*$/, '')
+        .replace(/\/$/, '/index.html')
+        .slice(1);
     const type = TYPES[String(path.split('.').pop())];
     try {
         const key = `${packing} ${path}`;
-        const bytes = packed.get(key) ?? (await (type ? PACKERS[packing]?.(await readFile(new URL(path, DIST))) : readFile(new URL(path, DIST))));
+        const bytes =
+            packed.get(key) ??
+            (await (type ? PACKERS[packing]?.(await readFile(new URL(path, DIST))) : readFile(new URL(path, DIST))));
         packed.set(key, /** @type {Buffer} */ (bytes));
         sent.push(bytes?.length ?? 0);
-        response.writeHead(200, { 'content-type': type ?? 'image/png', ...(type ? { 'content-encoding': packing } : {}), 'cache-control': 'max-age=600' });
+        response.writeHead(200, {
+            'content-type': type ?? 'image/png',
+            ...(type ? { 'content-encoding': packing } : {}),
+            'cache-control': 'max-age=600',
+        });
         response.end(bytes);
     } catch {
         response.writeHead(404);
@@ -95,20 +126,29 @@ for (const path of ['', `embed.html#${PLANT}`, 'playground.html']) {
         times.here.push((await firstPicture(browser, path, false)).time);
         times.mobile.push((await firstPicture(browser, path, true)).time);
     }
-    console.log(`  ${(path.replace(/#.*/, '') || 'index.html').padEnd(16)} ${bytes.br} bytes by brotli, ${bytes.gzip} by gzip, ${requests} requests; here ${median(times.here)} ms, 4G ${median(times.mobile)} ms`);
+    console.log(
+        `  ${(path.replace(/#.*/, '') || 'index.html').padEnd(16)} ${bytes.br} bytes by brotli, ${bytes.gzip} by gzip, ${requests} requests; here ${median(times.here)} ms, 4G ${median(times.mobile)} ms`,
+    );
 }
 await browser.close();
 await server.close();
 
 /** The memory of the renderer processes, in megabytes. @param {number | undefined} root */
 function memory(root) {
-    const rows = execFileSync('ps', ['-eo', 'pid,ppid,rss,args', '--no-headers'], { encoding: 'utf8' }).trim().split('\n').map((line) => line.trim().split(/\s+/));
+    const rows = execFileSync('ps', ['-eo', 'pid,ppid,rss,args', '--no-headers'], { encoding: 'utf8' })
+        .trim()
+        .split('\n')
+        .map((line) => line.trim().split(/\s+/));
     const processes = new Set([String(root)]);
     for (let size = 0; size !== processes.size; ) {
         size = processes.size;
         for (const [pid, parent] of rows) if (pid && parent && processes.has(parent)) processes.add(pid);
     }
-    return Math.round(rows.filter(([pid, , , ...words]) => pid && processes.has(pid) && words.includes('--type=renderer')).reduce((sum, row) => sum + Number(row[2]) / 1024, 0));
+    return Math.round(
+        rows
+            .filter(([pid, , , ...words]) => pid && processes.has(pid) && words.includes('--type=renderer'))
+            .reduce((sum, row) => sum + Number(row[2]) / 1024, 0),
+    );
 }
 
 packing = 'br';
@@ -125,7 +165,10 @@ const host = `http://localhost:${await serve((_request, response) => {
 })}/`;
 console.log(`drawings in another site's page, all in sight; median of ${RUNS}`);
 for (const count of [0, 1, 10]) {
-    body = Array.from({ length: count }, (_, seed) => `<iframe src="${site}embed.html#${PLANT}&seed=${seed}"></iframe>`).join('');
+    body = Array.from(
+        { length: count },
+        (_, seed) => `<iframe src="${site}embed.html#${PLANT}&seed=${seed}"></iframe>`,
+    ).join('');
     /** @type {number[]} */
     const times = [];
     let megabytes = 0;
@@ -134,8 +177,12 @@ for (const count of [0, 1, 10]) {
         const connection = await chromium.connect(fresh.wsEndpoint());
         const page = await connection.newPage({ viewport: { width: 1300, height: 900 } });
         await page.goto(host);
-        await page.waitForFunction((wanted) => /** @type {any} */ (window).ready.length >= wanted, count, { timeout: PATIENCE });
-        times.push(Math.max(0, .../** @type {number[]} */ (await page.evaluate(() => /** @type {any} */ (window).ready))));
+        await page.waitForFunction((wanted) => /** @type {any} */ (window).ready.length >= wanted, count, {
+            timeout: PATIENCE,
+        });
+        times.push(
+            Math.max(0, .../** @type {number[]} */ (await page.evaluate(() => /** @type {any} */ (window).ready))),
+        );
         await new Promise((resolve) => setTimeout(resolve, 1000));
         megabytes = memory(fresh.process().pid);
         await connection.close();

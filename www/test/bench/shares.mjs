@@ -7,8 +7,24 @@ import { close, withPage } from '../e2e/browser.mjs';
 
 const TURNS = 9;
 
-const TREE = { axiom: 'T', rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]', dialect: 'practical', angle: 45, pitchUp: 50, pitchDown: 40, rollLeft: 30, rollRight: 30, width: 0.1, colourBy: 'level' };
-const LEAVES = { axiom: 'A', rules: "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-f+f+f-|-f+f+f]", angle: 22.5, width: 0.1 };
+const TREE = {
+    axiom: 'T',
+    rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]',
+    dialect: 'practical',
+    angle: 45,
+    pitchUp: 50,
+    pitchDown: 40,
+    rollLeft: 30,
+    rollRight: 30,
+    width: 0.1,
+    colourBy: 'level',
+};
+const LEAVES = {
+    axiom: 'A',
+    rules: "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-f+f+f-|-f+f+f]",
+    angle: 22.5,
+    width: 0.1,
+};
 
 /** @type {[string, object, number, number][]} name, system, iterations, zoom */
 const WORKS = [
@@ -42,10 +58,20 @@ async function measure({ definition, zoom, turns, count }) {
             worker.onmessage = ({ data }) => {
                 if (data.type === 'fatal') throw new Error(data.message);
                 data.bitmap?.close();
-                if (data.type === 'drawn' && data.viewId === viewId && data.complete) resolve(performance.now() - began);
+                if (data.type === 'drawn' && data.viewId === viewId && data.complete)
+                    resolve(performance.now() - began);
             };
             const size = zoom * 1.0001 ** viewId;
-            worker.postMessage({ type: 'view', id: viewId, width: 1600, height: 1000, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, camera: { azimuth: 20, elevation: 12, zoom: size, x: 0, y: 0, z: 0, perspective: true, fade: 0 }, upto: null });
+            worker.postMessage({
+                type: 'view',
+                id: viewId,
+                width: 1600,
+                height: 1000,
+                ratio: 1,
+                view: { x: 0, y: 0, zoom: 1 },
+                camera: { azimuth: 20, elevation: 12, zoom: size, x: 0, y: 0, z: 0, perspective: true, fade: 0 },
+                upto: null,
+            });
         });
     const median = async () => {
         await show();
@@ -63,10 +89,19 @@ async function measure({ definition, zoom, turns, count }) {
 await withPage({ options: { viewport: { width: 1280, height: 800 } } }, async (page) => {
     const cores = await page.evaluate(() => navigator.hardwareConcurrency);
     const count = Number(process.env.MATES ?? Math.max(1, Math.min(cores - 1, 3)));
-    console.log(`milliseconds at 1600x1000, ${cores} cores              alone   ${count === 1 ? '1 mate' : `${count} mates`}   ratio`);
+    console.log(
+        `milliseconds at 1600x1000, ${cores} cores              alone   ${count === 1 ? '1 mate' : `${count} mates`}   ratio`,
+    );
     for (const [name, system, iterations, zoom] of WORKS) {
-        const { alone, shared } = await page.evaluate(measure, { definition: { ...system, iterations }, zoom, turns: TURNS, count });
-        console.log(`${`${name}, n = ${iterations}, zoom ${zoom}`.padEnd(42)}${alone.toFixed(1).padStart(11)}${shared.toFixed(1).padStart(9)}${(alone / shared).toFixed(2).padStart(8)}`);
+        const { alone, shared } = await page.evaluate(measure, {
+            definition: { ...system, iterations },
+            zoom,
+            turns: TURNS,
+            count,
+        });
+        console.log(
+            `${`${name}, n = ${iterations}, zoom ${zoom}`.padEnd(42)}${alone.toFixed(1).padStart(11)}${shared.toFixed(1).padStart(9)}${(alone / shared).toFixed(2).padStart(8)}`,
+        );
     }
 });
 await close();

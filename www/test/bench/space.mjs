@@ -9,8 +9,24 @@ const TURNS = 24;
 /** The most segments that are drawn as lines of a canvas. */
 const MOST = 2e6;
 
-const TREE = { axiom: 'T', rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]', dialect: 'practical', angle: 45, pitchUp: 50, pitchDown: 40, rollLeft: 30, rollRight: 30, width: 0.1, colourBy: 'level' };
-const BUSH = { axiom: 'A', rules: "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-f+f+f-|-f+f+f]", angle: 22.5, width: 0.1 };
+const TREE = {
+    axiom: 'T',
+    rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]',
+    dialect: 'practical',
+    angle: 45,
+    pitchUp: 50,
+    pitchDown: 40,
+    rollLeft: 30,
+    rollRight: 30,
+    width: 0.1,
+    colourBy: 'level',
+};
+const BUSH = {
+    axiom: 'A',
+    rules: "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-f+f+f-|-f+f+f]",
+    angle: 22.5,
+    width: 0.1,
+};
 const CHANCE = { axiom: 'A', rules: 'A -> [&FA]/////[&FA]/////[&FA] : 1\nA -> FA : 0.0001', angle: 24 };
 
 /** @type {[string, object, number[]][]} */
@@ -34,7 +50,9 @@ async function measure({ definition, turns, most }) {
     const next = (wanted) =>
         new Promise((resolve, reject) => {
             heard = (message) => {
-                const wrong = message.report?.diagnostics.find((/** @type {any} */ { severity }) => severity === 'error');
+                const wrong = message.report?.diagnostics.find(
+                    (/** @type {any} */ { severity }) => severity === 'error',
+                );
                 if (wrong) reject(new Error(wrong.message));
                 if (wanted(message)) resolve(message);
             };
@@ -45,7 +63,17 @@ async function measure({ definition, turns, most }) {
     let id = 0;
     const camera = { azimuth: 0, elevation: 12, zoom: 1, x: 0, y: 0, z: 0, perspective: true, fade: 0 };
     /** @param {number} azimuth */
-    const look = (azimuth) => worker.postMessage({ type: 'view', id: ++id, width: 1600, height: 1000, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, camera: { ...camera, azimuth }, upto: null });
+    const look = (azimuth) =>
+        worker.postMessage({
+            type: 'view',
+            id: ++id,
+            width: 1600,
+            height: 1000,
+            ratio: 1,
+            view: { x: 0, y: 0, zoom: 1 },
+            camera: { ...camera, azimuth },
+            upto: null,
+        });
     const began = performance.now();
     const drawn = next(({ type }) => type === 'drawn');
     worker.postMessage({ type: 'define', id: ++id, definition, upto: null });
@@ -73,15 +101,22 @@ async function measure({ definition, turns, most }) {
     let lines = NaN;
     const rows = text?.trimEnd().split('\n').slice(1) ?? [];
     if (rows.length > 0 && rows.length <= most) {
-        const ends = Float64Array.from(rows.flatMap((/** @type {string} */ row) => row.split(',').slice(0, 6).map(Number)));
-        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(1600, 1000).getContext('2d'));
+        const ends = Float64Array.from(
+            rows.flatMap((/** @type {string} */ row) => row.split(',').slice(0, 6).map(Number)),
+        );
+        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+            new OffscreenCanvas(1600, 1000).getContext('2d')
+        );
         const start = performance.now();
         for (let at = 0; at < ends.length; ) {
             context.beginPath();
             for (const last = Math.min(ends.length, at + 6000); at < last; at += 6) {
                 const seen = (/** @type {number} */ from) => {
                     const [x, y, z] = [Number(ends[from]), Number(ends[from + 1]), Number(ends[from + 2])];
-                    return /** @type {[number, number]} */ ([800 + 10 * (0.9 * x - 0.4 * z), 900 - 10 * (0.98 * y - 0.2 * (0.4 * x + 0.9 * z))]);
+                    return /** @type {[number, number]} */ ([
+                        800 + 10 * (0.9 * x - 0.4 * z),
+                        900 - 10 * (0.98 * y - 0.2 * (0.4 * x + 0.9 * z)),
+                    ]);
                 };
                 context.moveTo(...seen(at));
                 context.lineTo(...seen(at + 3));
@@ -94,17 +129,24 @@ async function measure({ definition, turns, most }) {
     return { first, moving, rest, lines, segments: rows.length };
 }
 
-const number = (/** @type {number} */ value) => (Number.isNaN(value) ? '-' : value.toFixed(value < 100 ? 1 : 0)).padStart(9);
+const number = (/** @type {number} */ value) =>
+    (Number.isNaN(value) ? '-' : value.toFixed(value < 100 ? 1 : 0)).padStart(9);
 
 console.log('milliseconds at 1600x1000             first  moving: median     worst  at rest    lines of a canvas');
 await withPage({ before: withModules, options: { viewport: { width: 1280, height: 800 } } }, async (page) => {
     for (const [name, system, iterations] of WORKS) {
         for (const n of iterations) {
-            const { first, moving, rest, lines } = await page.evaluate(measure, { definition: { ...system, iterations: n }, turns: TURNS, most: MOST });
+            const { first, moving, rest, lines } = await page.evaluate(measure, {
+                definition: { ...system, iterations: n },
+                turns: TURNS,
+                most: MOST,
+            });
             // Moving pictures adapt their quality first.
             const settled = moving.slice(moving.length / 3).sort((a, b) => a - b);
             const median = Number(settled[Math.floor(settled.length / 2)]);
-            console.log(`${`${name}, n = ${n}`.padEnd(32)}${number(first)}${number(median).padStart(16)}${number(Number(settled.at(-1)))}${number(rest)}${number(lines).padStart(21)}`);
+            console.log(
+                `${`${name}, n = ${n}`.padEnd(32)}${number(first)}${number(median).padStart(16)}${number(Number(settled.at(-1)))}${number(rest)}${number(lines).padStart(21)}`,
+            );
         }
     }
 });

@@ -15,7 +15,10 @@ const TREE = `#v=1&title=Tree&axiom=A(1)&rules=${encodeURIComponent(RULES)}&n=5&
  * @param {Page} page
  * @param {string[]} [rules] only these
  */
-const barriers = async (page, rules) => (await violations(page, rules)).filter(({ impact }) => impact === 'serious' || impact === 'critical').map(({ words }) => words);
+const barriers = async (page, rules) =>
+    (await violations(page, rules))
+        .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+        .map(({ words }) => words);
 
 /** A tab of the controls, on a phone as well. @param {string} name */
 const tab = (name) => async (/** @type {Page} */ page) => {
@@ -29,7 +32,8 @@ const STATES = {
     'as it opens': async () => {},
     rules: async (page) => {
         await tab('rules')(page);
-        for (const summary of await page.locator('#section-rules details:not([open]) > summary:visible').all()) await summary.click();
+        for (const summary of await page.locator('#section-rules details:not([open]) > summary:visible').all())
+            await summary.click();
     },
     mistakes: async (page) => {
         await tab('rules')(page);
@@ -79,12 +83,12 @@ const STATES = {
     },
     'rules to be found': async (page) => {
         await tab('rules')(page);
-        await page.click('#section-rules [data-find]');
+        await page.click('#section-rules [data-opens=find]');
         await until(async () => (await page.locator('#find-examples .thumb.inked').count()) === 4, 'four pictures');
     },
     'rules found': async (page) => {
         await tab('rules')(page);
-        await page.click('#section-rules [data-find]');
+        await page.click('#section-rules [data-opens=find]');
         await page.click('[data-example=hexerode]');
         await page.waitForSelector('#find-verdict.found', { timeout: 90_000 });
         await page.waitForSelector('.find-card .thumb.inked');
@@ -106,7 +110,10 @@ const STATES = {
         await page.focus('#axiom');
         await page.keyboard.press('Home');
         await page.keyboard.press('ArrowRight');
-        await until(async () => /marked in the drawing/.test((await page.textContent('#symbol-note')) ?? ''), 'the part is marked');
+        await until(
+            async () => /marked in the drawing/.test((await page.textContent('#symbol-note')) ?? ''),
+            'the part is marked',
+        );
     },
     'refused on the drawing': async (page) => {
         await tab('rules')(page);
@@ -153,7 +160,7 @@ async function leave(page) {
     while (await page.isVisible('dialog[open]')) await page.keyboard.press('Escape');
     if (await page.isVisible('#nothing-here')) await page.click('#nothing-here-fit');
     for (const close of ['#close-reader', '#close-playback']) if (await page.isVisible(close)) await page.click(close);
-    if (await page.inputValue('#rules') === RULES && await page.inputValue('#axiom') === 'A(1)') return;
+    if ((await page.inputValue('#rules')) === RULES && (await page.inputValue('#axiom')) === 'A(1)') return;
     await until(async () => {
         // The address of an edit may still be that of the tree, and is set a moment later.
         await page.evaluate((hash) => (location.hash = hash), TREE);
@@ -175,13 +182,22 @@ const PLAIN = { colorScheme: 'light', contrast: 'no-preference' };
 const DARK = [{ name: 'dark', media: { ...PLAIN, colorScheme: 'dark' } }];
 const MORE = [
     { name: 'more contrast', media: { ...PLAIN, contrast: /** @type {const} */ ('more') }, states: SOME },
-    { name: 'more contrast, dark', media: { colorScheme: /** @type {const} */ ('dark'), contrast: /** @type {const} */ ('more') }, states: SOME },
+    {
+        name: 'more contrast, dark',
+        media: { colorScheme: /** @type {const} */ ('dark'), contrast: /** @type {const} */ ('more') },
+        states: SOME,
+    },
 ];
 
 /** @param {Page} page */
 const paper = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
 
-for (const [name, options, colours, states] of /** @type {[string, import('playwright-core').BrowserContextOptions, typeof DARK, string[]?][]} */ ([
+for (const [
+    name,
+    options,
+    colours,
+    states,
+] of /** @type {[string, import('playwright-core').BrowserContextOptions, typeof DARK, string[]?][]} */ ([
     ['desktop', DESKTOP, [...DARK, ...MORE]],
     ['phone', PHONE, DARK.map((dark) => ({ ...dark, states: SOME }))],
     ['zoomed to 200 %', { viewport: { width: 640, height: 400 } }, [], SOME],
@@ -210,35 +226,54 @@ for (const [name, options, colours, states] of /** @type {[string, import('playw
 
 test('axe-core finds no violation: embedded, and in the course page', async () => {
     const address = `${ADDRESS}embed.html`;
-    for (const options of /** @type {import('playwright-core').BrowserContextOptions[]} */ ([DESKTOP, { ...DESKTOP, colorScheme: 'dark' }, PHONE])) {
-        await withPage({ address, also: ADDRESS, hash: `${TREE}&controls=n,angle,rules,string,play`, options }, async (page) => {
-            assert.deepEqual(await barriers(page), [], 'as it opens');
-            await page.fill('#rules', `${RULES}\nG = = 1`);
-            await page.waitForSelector('#rules-problems .error');
-            assert.deepEqual(await barriers(page), [], 'mistakes');
-            await page.fill('#rules', RULES);
-            await page.click('#open-playback');
-            await page.click('#open-reader');
-            await page.waitForSelector('#reader:visible');
-            assert.deepEqual(await barriers(page), [], 'string and playback');
-        });
+    for (const options of /** @type {import('playwright-core').BrowserContextOptions[]} */ ([
+        DESKTOP,
+        { ...DESKTOP, colorScheme: 'dark' },
+        PHONE,
+    ])) {
+        await withPage(
+            { address, also: ADDRESS, hash: `${TREE}&controls=n,angle,rules,string,play`, options },
+            async (page) => {
+                assert.deepEqual(await barriers(page), [], 'as it opens');
+                await page.fill('#rules', `${RULES}\nG = = 1`);
+                await page.waitForSelector('#rules-problems .error');
+                assert.deepEqual(await barriers(page), [], 'mistakes');
+                await page.fill('#rules', RULES);
+                await page.click('#open-playback');
+                await page.click('#open-reader');
+                await page.waitForSelector('#reader:visible');
+                assert.deepEqual(await barriers(page), [], 'string and playback');
+            },
+        );
     }
     await withPage({ address: `${ADDRESS}course.html`, also: ADDRESS, drawing: null }, async (page) => {
         assert.deepEqual(await barriers(page), [], 'a course page');
     });
 });
 
-for (const viewport of [{ width: 640, height: 400 }, { width: 320, height: 256 }]) {
+for (const viewport of [
+    { width: 640, height: 400 },
+    { width: 320, height: 256 },
+]) {
     test(`controls on the drawing do not overlap: ${viewport.width} pixels wide`, () =>
         withPage({ hash: TREE, options: { viewport } }, async (page) => {
             await page.fill('#rules', 'A = F');
             await page.waitForSelector('#refusal:visible');
             const overlapping = await page.evaluate(() => {
-                const boxes = [...document.querySelectorAll('.tools:not([hidden])')].map((bar) => bar.getBoundingClientRect()).filter(({ width }) => width > 0);
-                return boxes.some((a, at) => boxes.slice(at + 1).some((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom));
+                const boxes = [...document.querySelectorAll('.tools:not([hidden])')]
+                    .map((bar) => bar.getBoundingClientRect())
+                    .filter(({ width }) => width > 0);
+                return boxes.some((a, at) =>
+                    boxes
+                        .slice(at + 1)
+                        .some((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom),
+                );
             });
             assert.ok(!overlapping);
-            const [note, stage] = [await page.locator('#refusal').boundingBox(), await page.locator('#stage').boundingBox()];
+            const [note, stage] = [
+                await page.locator('#refusal').boundingBox(),
+                await page.locator('#stage').boundingBox(),
+            ];
             assert.ok(note && stage && note.y + note.height <= stage.y + stage.height + 1, 'the refusal is readable');
         }));
 }
@@ -267,12 +302,33 @@ test('every control can be reached and left with the keyboard', () =>
             await page.keyboard.press('Tab');
             const id = await page.evaluate(() => {
                 const element = document.activeElement;
-                return element === document.body || element === null ? '' : element.id || `${element.tagName} ${element.className} ${element.getAttribute('aria-label') ?? element.textContent}`.slice(0, 60);
+                return element === document.body || element === null
+                    ? ''
+                    : element.id ||
+                          `${element.tagName} ${element.className} ${element.getAttribute('aria-label') ?? element.textContent}`.slice(
+                              0,
+                              60,
+                          );
             });
             if (id === 'skip' || id === '') break;
             reached.add(id);
         }
-        for (const id of ['drawing', 'fit', 'open-reader', 'open-playback', 'open-gallery', 'open-shortcuts', 'theme', 'axiom', 'rules', 'iterations-slider', 'iterations', 'angle', 'tab-rules', 'quick-favourite']) {
+        for (const id of [
+            'drawing',
+            'fit',
+            'open-reader',
+            'open-playback',
+            'open-gallery',
+            'open-shortcuts',
+            'theme',
+            'axiom',
+            'rules',
+            'iterations-slider',
+            'iterations',
+            'angle',
+            'tab-rules',
+            'quick-favourite',
+        ]) {
             assert.ok(reached.has(id), `${id} among ${[...reached].join(', ')}`);
         }
         // Arrow keys move between tabs.
@@ -304,7 +360,12 @@ test('keys on the drawing do what the dialog of keys says', () =>
 test('number fields step with the arrows, ten times with Shift, a tenth with Alt', () =>
     withPage({ hash: TREE }, async (page) => {
         await page.focus('#angle');
-        for (const [key, value] of [['ArrowUp', '26'], ['Shift+ArrowUp', '36'], ['Alt+ArrowDown', '35.9'], ['Shift+ArrowDown', '25.9']]) {
+        for (const [key, value] of [
+            ['ArrowUp', '26'],
+            ['Shift+ArrowUp', '36'],
+            ['Alt+ArrowDown', '35.9'],
+            ['Shift+ArrowDown', '25.9'],
+        ]) {
             await page.keyboard.press(String(key));
             assert.equal(await page.inputValue('#angle'), value, key);
         }
@@ -315,7 +376,11 @@ test('number fields step with the arrows, ten times with Shift, a tenth with Alt
 
 test('a number field with an invalid text says what it expects', () =>
     withPage({ hash: TREE }, async (page) => {
-        for (const [id, wrong, words] of [['iterations', '12 times', 'Must be a whole number from 0 to 1,000.'], ['angle', 'wide', 'Must be a number.'], ['seed', 'NaN', 'Must be a whole number from 0 to 4,294,967,295.']]) {
+        for (const [id, wrong, words] of [
+            ['iterations', '12 times', 'Must be a whole number from 0 to 1,000.'],
+            ['angle', 'wide', 'Must be a number.'],
+            ['seed', 'NaN', 'Must be a whole number from 0 to 4,294,967,295.'],
+        ]) {
             if (id === 'seed') await page.click('#tab-grow');
             const field = page.locator(`#${id}`);
             await field.fill('');
@@ -332,7 +397,10 @@ test('a number field with an invalid text says what it expects', () =>
         await page.fill('#iterations', '5000');
         await page.locator('#iterations').blur();
         assert.equal(await page.inputValue('#iterations'), '1000');
-        assert.equal(await page.textContent('.range-note'), 'Must be a whole number from 0 to 1,000; the nearest value was taken.');
+        assert.equal(
+            await page.textContent('.range-note'),
+            'Must be a whole number from 0 to 1,000; the nearest value was taken.',
+        );
         await page.fill('#iterations', '3');
         assert.equal(await page.locator('.range-note').count(), 0);
     }));
@@ -343,37 +411,61 @@ test('results and errors are announced once, after typing has paused', () =>
             hash: TREE,
             before: (page) =>
                 page.addInitScript(() => {
-                    const said = (/** @type {any} */ (globalThis).said = /** @type {string[]} */ ([]));
+                    const said = /** @type {string[]} */ ([]);
+                    Object.assign(globalThis, { said });
                     addEventListener('DOMContentLoaded', () => {
                         const region = /** @type {HTMLElement} */ (document.querySelector('#announcer'));
-                        new MutationObserver(() => said.push(region.textContent ?? '')).observe(region, { childList: true, characterData: true, subtree: true });
+                        new MutationObserver(() => said.push(region.textContent ?? '')).observe(region, {
+                            childList: true,
+                            characterData: true,
+                            subtree: true,
+                        });
                     });
                 }),
         },
         async (page) => {
             const said = () => page.evaluate(() => /** @type {any} */ (globalThis).said);
             assert.equal(await page.getAttribute('#announcer', 'aria-live'), 'polite');
-            await until(async () => /lines? after 5 derivation steps/.test((await said()).at(-1) ?? ''), 'the drawing is told');
+            await until(
+                async () => /lines? after 5 derivation steps/.test((await said()).at(-1) ?? ''),
+                'the drawing is told',
+            );
             const before = (await said()).length;
             await page.focus('#rules');
             await page.keyboard.press('Control+End');
             await page.keyboard.type('\nG = = 1', { delay: 40 });
-            await until(async () => /Showing the last valid drawing/.test((await said()).at(-1) ?? ''), 'the mistake is told');
+            await until(
+                async () => /Showing the last valid drawing/.test((await said()).at(-1) ?? ''),
+                'the mistake is told',
+            );
             assert.equal((await said()).length, before + 1);
         },
     ));
 
-for (const [width, height] of /** @type {const} */ ([[640, 400], [320, 640], [320, 256]])) {
+for (const [width, height] of /** @type {const} */ ([
+    [640, 400],
+    [320, 640],
+    [320, 256],
+])) {
     test(`nothing is cut off or scrolls sideways at ${width} x ${height}`, () =>
         withPage({ hash: TREE, options: { viewport: { width, height } } }, async (page) => {
             const sideways = () =>
-                page.evaluate(() => [document.scrollingElement, ...document.querySelectorAll('.sections, .section, .shelves, .shortcuts-body')].filter((element) => element && element.scrollWidth > element.clientWidth + 1).map((element) => `${element?.className}: ${element?.scrollWidth} > ${element?.clientWidth}`));
+                page.evaluate(() =>
+                    [
+                        document.scrollingElement,
+                        ...document.querySelectorAll('.sections, .section, .shelves, .shortcuts-body'),
+                    ]
+                        .filter((element) => element && element.scrollWidth > element.clientWidth + 1)
+                        .map((element) => `${element?.className}: ${element?.scrollWidth} > ${element?.clientWidth}`),
+                );
             assert.deepEqual(await sideways(), []);
             for (const name of ['rules', 'grow', 'turtle', 'look', 'save']) {
                 await tab(name)(page);
                 assert.ok(await page.isVisible(`#section-${name}`), name);
                 assert.deepEqual(await sideways(), [], name);
-                const last = page.locator(`#section-${name} :is(button, input, textarea, select, summary):visible`).last();
+                const last = page
+                    .locator(`#section-${name} :is(button, input, textarea, select, summary):visible`)
+                    .last();
                 // Late messages may move the content.
                 await until(async () => {
                     await last.scrollIntoViewIfNeeded();
@@ -396,15 +488,23 @@ test('with forced colours, texts, errors and sliders are visible', () =>
     withPage({ hash: TREE, options: { ...DESKTOP, forcedColors: 'active' } }, async (page) => {
         const colours = () =>
             page.evaluate(() => {
-                const style = (/** @type {string} */ name) => getComputedStyle(/** @type {Element} */ (document.querySelector(name)));
-                return { layer: style('[data-editor=rules] > pre').color, area: style('#rules').color, paper: style('body').backgroundColor };
+                const style = (/** @type {string} */ name) =>
+                    getComputedStyle(/** @type {Element} */ (document.querySelector(name)));
+                return {
+                    layer: style('[data-editor=rules] > pre').color,
+                    area: style('#rules').color,
+                    paper: style('body').backgroundColor,
+                };
             });
         const { layer, area, paper } = await colours();
         assert.notEqual(layer, paper);
         assert.match(area, /rgba\(0, 0, 0, 0\)/);
         await page.fill('#rules', 'F = = F');
         await page.waitForSelector('[data-editor=rules] .wrong');
-        const line = await page.locator('[data-editor=rules] .wrong').first().evaluate((element) => getComputedStyle(element).textDecorationLine);
+        const line = await page
+            .locator('[data-editor=rules] .wrong')
+            .first()
+            .evaluate((element) => getComputedStyle(element).textDecorationLine);
         assert.equal(line, 'underline');
     }));
 
@@ -414,6 +514,8 @@ test('with reduced motion nothing is animated', () =>
         await page.click('#zoom-in');
         await until(async () => /^150/.test((await page.textContent('#zoom')) ?? ''), 'it is zoomed');
         assert.notEqual((await nextPicture(page, before)).digest, before.digest);
-        const moving = await page.evaluate(() => document.getAnimations().filter((animation) => animation.playState === 'running').length);
+        const moving = await page.evaluate(
+            () => document.getAnimations().filter((animation) => animation.playState === 'running').length,
+        );
         assert.equal(moving, 0);
     }));

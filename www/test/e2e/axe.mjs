@@ -21,7 +21,16 @@ export async function violations(page, rules) {
     // Loading the rules takes as long as using them.
     if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(source);
     return page.evaluate(async (only) => {
-        const { violations } = await /** @type {any} */ (globalThis).axe.run([...document.querySelectorAll('dialog:modal')].at(-1) ?? document, { resultTypes: ['violations'], iframes: false, preload: false, ...(only ? { runOnly: only } : {}) });
-        return violations.flatMap((/** @type {any} */ { id, impact, nodes }) => nodes.map((/** @type {any} */ node) => ({ id, impact, words: `${id}: ${node.target.join(' ')} ${node.any[0]?.message ?? ''}` })));
+        const { violations } = await /** @type {any} */ (globalThis).axe.run(
+            [...document.querySelectorAll('dialog:modal')].at(-1) ?? document,
+            { resultTypes: ['violations'], iframes: false, preload: false, ...(only ? { runOnly: only } : {}) },
+        );
+        return violations.flatMap((/** @type {any} */ { id, impact, nodes }) =>
+            nodes.map((/** @type {any} */ node) => ({
+                id,
+                impact,
+                words: `${id}: ${node.target.join(' ')} ${node.any[0]?.message ?? ''}`,
+            })),
+        );
     }, rules);
 }

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { FORMATS } from '../../js/tables.js';
+import { FORMATS } from '../../js/late-tables.js';
 
 export const ADDRESS = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
 
@@ -27,7 +27,11 @@ export const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor:
 let browser;
 
 /** @returns {Promise<import('playwright-core').Browser>} */
-const launch = () => (browser ??= chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell', args: ARGUMENTS }));
+const launch = () =>
+    (browser ??= chromium.launch({
+        executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell',
+        args: ARGUMENTS,
+    }));
 
 export async function close() {
     await (await browser)?.close();
@@ -41,7 +45,11 @@ export async function ready(page, drawing = '#stage.inked') {
 
 /** Serves the page's source modules, for tests that import one in the page. @param {Page} page */
 export const withModules = (page) =>
-    page.route('**/js/**', (route) => route.fulfill({ path: fileURLToPath(new URL(`../../js/${route.request().url().split('/js/').pop()}`, import.meta.url)) }));
+    page.route('**/js/**', (route) =>
+        route.fulfill({
+            path: fileURLToPath(new URL(`../../js/${route.request().url().split('/js/').pop()}`, import.meta.url)),
+        }),
+    );
 
 /** Saves a file by the dialog, from the open section Save. @param {Page} page @param {import('../../js/protocol.js').Format} format */
 export async function saveFile(page, format) {
@@ -61,18 +69,28 @@ export async function saveFile(page, format) {
  * @param {How} how
  * @param {(page: Page) => Promise<unknown>} use
  */
-export async function withPage({ address = ADDRESS, also = address, drawing = '#stage.inked', hash = '', expected, options = DESKTOP, before }, use) {
+export async function withPage(
+    { address = ADDRESS, also = address, drawing = '#stage.inked', hash = '', expected, options = DESKTOP, before },
+    use,
+) {
     const context = await (await launch()).newContext({ reducedMotion: 'reduce', acceptDownloads: true, ...options });
     try {
         await context.addInitScript(count);
         const page = await context.newPage();
         /** @type {string[]} */
         const wrong = [];
-        page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !expected?.test(message.text()) && wrong.push(message.text()));
+        page.on(
+            'console',
+            (message) =>
+                ['error', 'warning'].includes(message.type()) &&
+                !expected?.test(message.text()) &&
+                wrong.push(message.text()),
+        );
         page.on('pageerror', (error) => wrong.push(String(error)));
         page.on('request', (request) => {
             const url = request.url();
-            if (!url.startsWith(address) && !url.startsWith(also) && !/^(blob|data):/.test(url)) wrong.push(`a request left the site: ${url}`);
+            if (!url.startsWith(address) && !url.startsWith(also) && !/^(blob|data):/.test(url))
+                wrong.push(`a request left the site: ${url}`);
         });
         await before?.(page);
         await page.goto(address + hash);
@@ -105,7 +123,11 @@ function count() {
         const { type, id } = message[0] ?? {};
         if (type === 'pick' || type === 'call') {
             const open = questions.get(this) ?? new Set();
-            if (!questions.has(this)) this.addEventListener('message', ({ data }) => data?.type !== 'progress' && open.delete(data?.id) && (site.asked -= 1));
+            if (!questions.has(this))
+                this.addEventListener(
+                    'message',
+                    ({ data }) => data?.type !== 'progress' && open.delete(data?.id) && (site.asked -= 1),
+                );
             questions.set(this, open.add(id));
             site.asked += 1;
         }
@@ -161,7 +183,9 @@ export const onPixels = (page, read, known) => page.evaluate(`(${read})((${pixel
 function pixels() {
     const source = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
     const copy = new OffscreenCanvas(source.width, source.height);
-    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (copy.getContext('2d', { willReadFrequently: true }));
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+        copy.getContext('2d', { willReadFrequently: true })
+    );
     context.drawImage(source, 0, 0);
     const words = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
     return { words, width: copy.width, height: copy.height };
@@ -268,7 +292,8 @@ export async function lineIn(page, where) {
         page,
         ({ words, width, height }, { across, from }) => {
             const x = Math.floor(width * across);
-            for (let y = Math.floor(height * from); y < height * 0.9; y++) if (words[y * width + x] !== words[0]) return [x / width, y / height];
+            for (let y = Math.floor(height * from); y < height * 0.9; y++)
+                if (words[y * width + x] !== words[0]) return [x / width, y / height];
             throw new Error('there is no line');
         },
         where,

@@ -8,7 +8,8 @@ const RULES = '// lengths\nr = .9 \nb = 2*r\n#define a 40\nA(l) : l > 0.1 -> F(l
 const TREE = `#v=1&title=Tree&axiom=A(1)&rules=${encodeURIComponent(RULES)}&n=5&angle=25`;
 
 /** @param {import('playwright-core').Page} page @param {string} name */
-const dial = (page, name) => page.locator('#constants .dial').filter({ has: page.locator('label', { hasText: new RegExp(`^${name}$`) }) });
+const dial = (page, name) =>
+    page.locator('#constants .dial').filter({ has: page.locator('label', { hasText: new RegExp(`^${name}$`) }) });
 /** @param {import('playwright-core').Page} page */
 const constantRows = async (page) => (await page.locator('#constants .dial').allTextContents()).join('|');
 
@@ -21,13 +22,29 @@ test('named constants have sliders that edit the value in the rules', () =>
         assert.equal(await dial(page, 'b').locator('output').textContent(), '1.8');
         assert.equal(await dial(page, 'b').locator('input').count(), 0);
         // The caret keeps its place in the text, though the text before it becomes longer.
-        await page.evaluate((at) => /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules')).setSelectionRange(at, at), RULES.indexOf('A(l)'));
-        await dial(page, 'r').locator('input[type=range]').evaluate((element) => (element.id = 'r-slider'));
+        await page.evaluate(
+            (at) => /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules')).setSelectionRange(at, at),
+            RULES.indexOf('A(l)'),
+        );
+        await dial(page, 'r')
+            .locator('input[type=range]')
+            .evaluate((element) => (element.id = 'r-slider'));
         await drag(page, '#r-slider', [100, 110, 120, 125]);
         const text = RULES.replace('.9 ', '.625 ');
-        await until(async () => (await page.inputValue('#rules')) === text, 'the value stands in the text, written as before');
-        assert.equal(await page.evaluate(() => /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules')).selectionStart), text.indexOf('A(l)'));
-        await until(async () => (await dial(page, 'b').locator('output').textContent()) === '1.25', 'what is computed from it follows');
+        await until(
+            async () => (await page.inputValue('#rules')) === text,
+            'the value stands in the text, written as before',
+        );
+        assert.equal(
+            await page.evaluate(
+                () => /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules')).selectionStart,
+            ),
+            text.indexOf('A(l)'),
+        );
+        await until(
+            async () => (await dial(page, 'b').locator('output').textContent()) === '1.25',
+            'what is computed from it follows',
+        );
         assert.equal(await dial(page, 'r').locator('.number').inputValue(), '0.625');
         assert.notEqual((await nextPicture(page, before)).digest, before.digest);
         await until(() => page.evaluate(() => location.hash.includes('.625')), 'the address follows');
@@ -99,15 +116,25 @@ test('the parts of the notation are coloured in place', () =>
         assert.deepEqual(await parts('number'), ['0.9']);
         // The layer shows exactly the same text, its lines in the same places.
         assert.equal(await page.locator('[data-editor=rules] > pre').evaluate((layer) => layer.textContent), rules);
-        const [layer, area] = await page.evaluate(() => ['#rules', '[data-editor=rules] > pre'].map((name) => document.querySelector(name)?.scrollHeight));
+        const [layer, area] = await page.evaluate(() =>
+            ['#rules', '[data-editor=rules] > pre'].map((name) => document.querySelector(name)?.scrollHeight),
+        );
         assert.equal(layer, area);
     }));
 
 test('wrapped and blank lines are in the same place in the text and in its layer', () =>
     withPage({ hash: TREE }, async (page) => {
-        for (const text of ['', '\n', '\n\nF -> F\n\n', `F -> ${'F[+F]'.repeat(60)}\nX -> ${'long '.repeat(40)}`, 'F -> F   \n\t\tX -> 🌿 ']) {
+        for (const text of [
+            '',
+            '\n',
+            '\n\nF -> F\n\n',
+            `F -> ${'F[+F]'.repeat(60)}\nX -> ${'long '.repeat(40)}`,
+            'F -> F   \n\t\tX -> 🌿 ',
+        ]) {
             await page.fill('#rules', text);
-            const [area, layer] = await page.evaluate(() => ['#rules', '[data-editor=rules] > pre'].map((name) => document.querySelector(name)?.scrollHeight));
+            const [area, layer] = await page.evaluate(() =>
+                ['#rules', '[data-editor=rules] > pre'].map((name) => document.querySelector(name)?.scrollHeight),
+            );
             assert.equal(area, layer, JSON.stringify(text));
         }
     }));
@@ -118,7 +145,12 @@ test('a text that is too long is cut, with a message', () =>
             /** @type {HTMLTextAreaElement} */ (area).value = 'F+'.repeat(15_000);
             area.dispatchEvent(new Event('input', { bubbles: true }));
         });
-        await until(async () => (await page.textContent('#toast')) === 'Axiom must be a text of at most 20,000 characters; the rest was cut.', 'it is said');
+        await until(
+            async () =>
+                (await page.textContent('#toast')) ===
+                'Axiom must be a text of at most 20,000 characters; the rest was cut.',
+            'it is said',
+        );
         assert.equal((await page.inputValue('#axiom')).length, 20_000);
     }));
 
@@ -131,7 +163,10 @@ test('fifty thousand characters can be typed in', () =>
             /** @type {HTMLTextAreaElement} */ (area).value = all;
             area.dispatchEvent(new Event('input', { bubbles: true }));
         }, text);
-        await until(async () => (await page.locator('[data-editor=rules] .t-condition').count()) > 1000, 'all of it is tinted');
+        await until(
+            async () => (await page.locator('[data-editor=rules] .t-condition').count()) > 1000,
+            'all of it is tinted',
+        );
         const times = await page.evaluate(async () => {
             const area = /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules'));
             area.focus();
@@ -147,7 +182,9 @@ test('fifty thousand characters can be typed in', () =>
         });
         assert.match(await page.inputValue('#rules'), /\nF -> FFFFFFF$/);
         const middle = times.sort((a, b) => a - b)[Math.floor(times.length / 2)];
-        console.log(`# a key in a text of ${text.length} characters: ${middle?.toFixed(0)} ms to the next frame, in the middle`);
+        console.log(
+            `# a key in a text of ${text.length} characters: ${middle?.toFixed(0)} ms to the next frame, in the middle`,
+        );
     }));
 
 test('angles in space are shown for drawings in space, and tropism for drawings that bend', () =>
@@ -169,7 +206,10 @@ test('angles in space are shown for drawings in space, and tropism for drawings 
         await page.click('#bends summary');
         await page.fill('#elasticity', '0.2');
         await page.fill('#tropism-x', '1');
-        await until(() => page.evaluate(() => /tropism=1,-1,0&elasticity=0\.2/.test(location.hash)), 'the address holds it');
+        await until(
+            () => page.evaluate(() => /tropism=1,-1,0&elasticity=0\.2/.test(location.hash)),
+            'the address holds it',
+        );
         await page.click('#tab-rules');
         await page.fill('#rules', 'A -> F[+A][-A]');
         await page.click('#tab-turtle');

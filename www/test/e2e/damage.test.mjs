@@ -24,7 +24,7 @@ const WEED = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
 /** Responses with status 200 that are no valid wasm. @type {Record<string, (wasm: Buffer) => Buffer>} */
 const DAMAGE = {
     'an error page': () => Buffer.from('<!doctype html><title>Not found</title>'),
-    'nothing': () => Buffer.alloc(0),
+    nothing: () => Buffer.alloc(0),
     'the first half': (wasm) => wasm.subarray(0, wasm.length >> 1),
 };
 
@@ -71,7 +71,11 @@ test('wasm that never loads is reported, and requested again with the next input
             expected: /preload/,
             before: async (page) => {
                 await page.clock.install();
-                await page.route(/lsystem\.wasm$/, async (route) => (broken ? route.fulfill({ status: 200, contentType: 'text/html', body: '<!doctype html>' }) : route.fallback()));
+                await page.route(/lsystem\.wasm$/, async (route) =>
+                    broken
+                        ? route.fulfill({ status: 200, contentType: 'text/html', body: '<!doctype html>' })
+                        : route.fallback(),
+                );
             },
         },
         async (page) => {
@@ -137,17 +141,45 @@ const packed = deflateSync(`rules=${'F'.repeat(500_000)}`).toString('base64url')
 
 /** Files that are far too large, and their messages. @type {Record<string, [string, () => Promise<string>, RegExp]>} */
 const BOMBS = {
-    '1.6 million damaged links': ['favourites', () => written('links.json', [HEAD, 'null]}'], '{"name":"a","link":"#v=1&rules=%"},', 1_600_000), /too large/],
-    '2 MB of damaged links': ['favourites', () => written('few.json', [HEAD, 'null]}'], '{"link":"#v=1&n=x"},', 100_000), /could not be read/],
-    '9,000 damaged links': ['favourites', () => written('damaged.json', [HEAD, 'null]}'], '{"name":"a","link":"#v=1&rules=%"},', 9000), /could not be read/],
-    '49 MB of compressed bombs': ['favourites', () => written('bombs.json', [HEAD, 'null]}'], `{"name":"a","link":"#v=1&z=${packed}"},`, 70_000), /too large/],
-    '2 MB of compressed bombs': ['favourites', () => written('bomb.json', [HEAD, 'null]}'], `{"name":"a","link":"#v=1&z=${packed}"},`, 2500), /could not be read|Added|too large/],
+    '1.6 million damaged links': [
+        'favourites',
+        () => written('links.json', [HEAD, 'null]}'], '{"name":"a","link":"#v=1&rules=%"},', 1_600_000),
+        /too large/,
+    ],
+    '2 MB of damaged links': [
+        'favourites',
+        () => written('few.json', [HEAD, 'null]}'], '{"link":"#v=1&n=x"},', 100_000),
+        /could not be read/,
+    ],
+    '9,000 damaged links': [
+        'favourites',
+        () => written('damaged.json', [HEAD, 'null]}'], '{"name":"a","link":"#v=1&rules=%"},', 9000),
+        /could not be read/,
+    ],
+    '49 MB of compressed bombs': [
+        'favourites',
+        () => written('bombs.json', [HEAD, 'null]}'], `{"name":"a","link":"#v=1&z=${packed}"},`, 70_000),
+        /too large/,
+    ],
+    '2 MB of compressed bombs': [
+        'favourites',
+        () => written('bomb.json', [HEAD, 'null]}'], `{"name":"a","link":"#v=1&z=${packed}"},`, 2500),
+        /could not be read|Added|too large/,
+    ],
     '50 MB of newlines': ['file', () => written('lines.json', [], '\n', 50 << 20), /too large/],
     '3 MB of newlines': ['file', () => written('few lines.json', [], '\n', 3 << 20), /could not be read/],
     '8 MB of brackets': ['file', () => written('deep.json', [], '[', 8 << 20), /too large/],
     '2 MB of brackets': ['file', () => written('less deep.json', [], '[', 2 << 20), /could not be read/],
-    '2 MB of favourites in brackets': ['favourites', () => written('deep favourites.json', [HEAD, 'null]}'], '[', 1_900_000), /no favourites/],
-    '60 MB that are no picture': ['file', () => written('noise.png', [], 'abcdefgh', (60 << 20) / 8), /has no system inside/],
+    '2 MB of favourites in brackets': [
+        'favourites',
+        () => written('deep favourites.json', [HEAD, 'null]}'], '[', 1_900_000),
+        /no favourites/,
+    ],
+    '60 MB that are no picture': [
+        'file',
+        () => written('noise.png', [], 'abcdefgh', (60 << 20) / 8),
+        /has no system inside/,
+    ],
     '80 MB that are no picture': ['file', () => written('more.svg', ['<svg>'], '<g>\n', 20 << 20), /too large/],
 };
 
@@ -157,14 +189,25 @@ for (const [what, [field, make, words]] of Object.entries(BOMBS)) {
         try {
             await withPage({ hash: WEED, before: watched }, async (page) => {
                 const before = await stillPicture(page);
-                if (field === 'favourites') await page.evaluate(() => document.querySelector('#open-favourites') instanceof HTMLElement && /** @type {HTMLElement} */ (document.querySelector('#open-favourites')).click());
+                if (field === 'favourites')
+                    await page.evaluate(
+                        () =>
+                            document.querySelector('#open-favourites') instanceof HTMLElement &&
+                            /** @type {HTMLElement} */ (document.querySelector('#open-favourites')).click(),
+                    );
                 await longestTask(page);
                 const begun = Date.now();
                 await page.setInputFiles(field === 'file' ? '#file' : '#favourites-file', path);
                 const told = field === 'file' ? '#toast' : '#favourites-status';
-                await until(async () => words.test(String(await page.textContent(told))), `it is told: ${words}`, 30_000);
+                await until(
+                    async () => words.test(String(await page.textContent(told))),
+                    `it is told: ${words}`,
+                    30_000,
+                );
                 const longest = await longestTask(page);
-                console.log(`${what}: told after ${((Date.now() - begun) / 1000).toFixed(1)} s, longest task ${longest.toFixed(0)} ms`);
+                console.log(
+                    `${what}: told after ${((Date.now() - begun) / 1000).toFixed(1)} s, longest task ${longest.toFixed(0)} ms`,
+                );
                 assert.ok(longest < RESPONSIVE, `a task took ${longest} ms`);
                 if (field === 'favourites') await page.keyboard.press('Escape');
                 await page.fill('#axiom', 'F+F');
@@ -206,7 +249,11 @@ test('thousands of productions are marked and coloured without blocking the page
                 area.value = Array(6000).fill(piece).join('\n');
                 area.dispatchEvent(new Event('input', { bubbles: true }));
             }, line);
-            await until(async () => (await page.locator('#rules-problems li').count()) > 0, 'it is told that productions repeat', 30_000);
+            await until(
+                async () => (await page.locator('#rules-problems li').count()) > 0,
+                'it is told that productions repeat',
+                30_000,
+            );
             await stillPicture(page);
             const longest = await longestTask(page);
             console.log(`6,000 times ${line}: longest task ${longest.toFixed(0)} ms`);

@@ -17,43 +17,78 @@ const NAMES = (await readdir(DOCS)).filter((name) => name.endsWith('.html')).sor
 const at = (name) => ({ address: `${ADDRESS}docs/${name}`, also: ADDRESS, drawing: null });
 
 test('the documents for readers are pages, and no others', () => {
-    assert.deepEqual(NAMES, ['about.html', 'embedding.html', 'exercises.html', 'films.html', 'find.html', 'growth.html', 'imports.html', 'lesson.html', 'links.html', 'meshes.html', 'notation.html', 'papers.html', 'plotting.html', 'scale.html', 'security.html']);
+    assert.deepEqual(NAMES, [
+        'about.html',
+        'embedding.html',
+        'exercises.html',
+        'films.html',
+        'find.html',
+        'growth.html',
+        'imports.html',
+        'lesson.html',
+        'links.html',
+        'meshes.html',
+        'notation.html',
+        'papers.html',
+        'plotting.html',
+        'scale.html',
+        'security.html',
+    ]);
 });
 
 /** The documents that the line of links does not name. */
-const UNLISTED = ['security.html', 'imports.html', 'growth.html', 'films.html', 'find.html', 'meshes.html', 'papers.html', 'plotting.html', 'scale.html'];
+const UNLISTED = [
+    'security.html',
+    'imports.html',
+    'growth.html',
+    'films.html',
+    'find.html',
+    'meshes.html',
+    'papers.html',
+    'plotting.html',
+    'scale.html',
+];
 
 /** @typedef {import('playwright-core').Page} Page */
 
 /** The violations of a document. A table of two kinds of messages has no name for its second column. @param {Page} page @param {string[]} [rules] */
-const found = async (page, rules) => (await violations(page, rules)).filter(({ id }) => id !== 'empty-table-header').map(({ words }) => words);
+const found = async (page, rules) =>
+    (await violations(page, rules)).filter(({ id }) => id !== 'empty-table-header').map(({ words }) => words);
 
 /** @param {Page} page */
-const scrollsSideways = (page) => page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
+const scrollsSideways = (page) =>
+    page.evaluate(() => document.documentElement.scrollWidth > document.documentElement.clientWidth);
 
 // A document has the same elements and layout in both schemes, so the dark one is looked at for its colours.
-for (const [size, options, narrow] of /** @type {[string, import('playwright-core').BrowserContextOptions, boolean][]} */ ([
+for (const [
+    size,
+    options,
+    narrow,
+] of /** @type {[string, import('playwright-core').BrowserContextOptions, boolean][]} */ ([
     ['desktop, also dark, and a narrow window', DESKTOP, true],
     ['phone, also dark', PHONE, false],
 ])) {
     test(`axe-core finds no violation, and nothing but tables and code scrolls sideways: ${size}`, () =>
-        withPage({ ...at(String(NAMES[0])), also: ADDRESS, options: { ...options, colorScheme: 'light' } }, async (page) => {
-            for (const name of NAMES) {
-                await page.goto(`${ADDRESS}docs/${name}`);
-                assert.deepEqual(await found(page), [], name);
-                assert.ok(!(await scrollsSideways(page)), name);
-                assert.equal(await page.locator('.line [aria-current]').count(), UNLISTED.includes(name) ? 0 : 1);
-                assert.ok(((await page.getAttribute('meta[name=description]', 'content')) ?? '').length > 20);
-                await page.emulateMedia({ colorScheme: 'dark' });
-                assert.deepEqual(await found(page, COLOURS), [], `${name}, dark`);
-                await page.emulateMedia({ colorScheme: 'light' });
-                if (!narrow) continue;
-                await page.setViewportSize({ width: 320, height: 256 });
-                assert.deepEqual(await found(page), [], `${name}, narrow`);
-                assert.ok(!(await scrollsSideways(page)), `${name}, narrow`);
-                await page.setViewportSize(DESKTOP.viewport);
-            }
-        }));
+        withPage(
+            { ...at(String(NAMES[0])), also: ADDRESS, options: { ...options, colorScheme: 'light' } },
+            async (page) => {
+                for (const name of NAMES) {
+                    await page.goto(`${ADDRESS}docs/${name}`);
+                    assert.deepEqual(await found(page), [], name);
+                    assert.ok(!(await scrollsSideways(page)), name);
+                    assert.equal(await page.locator('.line [aria-current]').count(), UNLISTED.includes(name) ? 0 : 1);
+                    assert.ok(((await page.getAttribute('meta[name=description]', 'content')) ?? '').length > 20);
+                    await page.emulateMedia({ colorScheme: 'dark' });
+                    assert.deepEqual(await found(page, COLOURS), [], `${name}, dark`);
+                    await page.emulateMedia({ colorScheme: 'light' });
+                    if (!narrow) continue;
+                    await page.setViewportSize({ width: 320, height: 256 });
+                    assert.deepEqual(await found(page), [], `${name}, narrow`);
+                    assert.ok(!(await scrollsSideways(page)), `${name}, narrow`);
+                    await page.setViewportSize(DESKTOP.viewport);
+                }
+            },
+        ));
 }
 
 test('the lesson has five drawings that draw and follow its words', () =>
@@ -73,9 +108,16 @@ test('the lesson has five drawings that draw and follow its words', () =>
         // The numbers that the first step names.
         const first = page.frameLocator('iframe').first();
         await frames.first().scrollIntoViewIfNeeded();
-        for (const [n, segments] of [['1', '5 segments'], ['2', '25 segments'], ['5', '3,125 segments']]) {
+        for (const [n, segments] of [
+            ['1', '5 segments'],
+            ['2', '25 segments'],
+            ['5', '3,125 segments'],
+        ]) {
             await first.locator('#iterations').fill(String(n));
-            await until(async () => ((await first.locator('#caption-text').textContent()) ?? '').includes(`, ${segments}`), `n = ${n} has ${segments}`);
+            await until(
+                async () => ((await first.locator('#caption-text').textContent()) ?? '').includes(`, ${segments}`),
+                `n = ${n} has ${segments}`,
+            );
         }
     }));
 
@@ -89,7 +131,10 @@ test('the rules in the lesson’s words are rules', () =>
         for (const rule of rules) {
             await koch.locator('#rules').fill(`${rule}\nG = = 1`);
             // The mistake in the next line shows that the text has been read.
-            await until(async () => (await koch.locator('#rules-problems .error').count()) === 1, `one mistake below ${rule}`);
+            await until(
+                async () => (await koch.locator('#rules-problems .error').count()) === 1,
+                `one mistake below ${rule}`,
+            );
         }
     }));
 
@@ -97,11 +142,17 @@ test('every link, picture and frame of every page leads somewhere', async () => 
     /** The ids of a page. @type {Map<string, Set<string>>} */
     const ids = new Map();
     const idsOf = async (/** @type {string} */ file) => {
-        const known = ids.get(file) ?? new Set([...(await readFile(file, 'utf8')).matchAll(/ id="([^"]*)"/g)].map(([, id]) => String(id)));
+        const known =
+            ids.get(file) ??
+            new Set([...(await readFile(file, 'utf8')).matchAll(/ id="([^"]*)"/g)].map(([, id]) => String(id)));
         ids.set(file, known);
         return known;
     };
-    const pages = [...NAMES.map((name) => new URL(name, DOCS)), new URL('index.html', SITE), new URL('course.html', SITE)];
+    const pages = [
+        ...NAMES.map((name) => new URL(name, DOCS)),
+        new URL('index.html', SITE),
+        new URL('course.html', SITE),
+    ];
     for (const page of pages) {
         const text = await readFile(page, 'utf8');
         for (const [, , link] of text.matchAll(/ (href|src)="([^"]*)"/g)) {
@@ -114,7 +165,8 @@ test('every link, picture and frame of every page leads somewhere', async () => 
             target.hash = '';
             const file = fileURLToPath(target.href.endsWith('/') ? new URL('index.html', target) : target);
             await access(file);
-            if (hash.length > 1 && !hash.startsWith('#v=')) assert.ok((await idsOf(file)).has(decodeURIComponent(hash.slice(1))), `${url} in ${page.href}`);
+            if (hash.length > 1 && !hash.startsWith('#v='))
+                assert.ok((await idsOf(file)).has(decodeURIComponent(hash.slice(1))), `${url} in ${page.href}`);
         }
     }
 });
@@ -126,7 +178,10 @@ test('pages have no scripts or styles of their own, and links to other sites do 
             assert.doesNotMatch(tag, /^<(script|style)| (style|on[a-z]+)=/i, name);
             if (/^<a .*href="https?:/.test(tag)) assert.match(tag, / rel="noopener"/, name);
         }
-        assert.match(text, /Content-Security-Policy" content="default-src 'self'; script-src 'none'; frame-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"/);
+        assert.match(
+            text,
+            /Content-Security-Policy" content="default-src 'self'; script-src 'none'; frame-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'"/,
+        );
     }
 });
 

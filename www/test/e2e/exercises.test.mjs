@@ -23,7 +23,8 @@ const codeOf = (id) => EXERCISES.find((exercise) => exercise.id === id)?.x ?? as
 const linkOf = (id) => `exercise.html#v=1&x=${codeOf(id)}`;
 
 /** @param {Page | Frame} page @param {RegExp} words */
-const marked = (page, words) => until(async () => words.test((await page.textContent('#mark-words')) ?? ''), `the mark says ${words}`);
+const marked = (page, words) =>
+    until(async () => words.test((await page.textContent('#mark-words')) ?? ''), `the mark says ${words}`);
 
 /** The answers of a student to the exercises of the gallery: the rules, and other fields. @type {Record<string, {rules: string, iterations?: string}>} */
 const ANSWERS = {
@@ -44,7 +45,10 @@ const ANSWERS = {
     signal: { rules: 'B < A -> B\nB -> A' },
 };
 
-for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a phone', PHONE]])) {
+for (const [name, options] of /** @type {const} */ ([
+    ['a desktop', DESKTOP],
+    ['a phone', PHONE],
+])) {
     test(`every exercise of the gallery can be solved on ${name}`, () =>
         withPage({ address: ADDRESS, hash: linkOf('left-plant'), options }, async (page) => {
             const listed = EXERCISES.filter(({ shelf }) => shelf !== 'lesson');
@@ -61,39 +65,60 @@ for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a
                 if (answer.iterations) await page.fill('#iterations', answer.iterations);
                 await page.waitForSelector('#mark.solved');
                 // Chance draws another weed than the target's, which is as good.
-                assert.match((await page.textContent('#mark-percent')) ?? '', id === 'random-weed' ? /^\d\d\.\d %$/ : /^100\.0 %$/);
+                assert.match(
+                    (await page.textContent('#mark-percent')) ?? '',
+                    id === 'random-weed' ? /^\d\d\.\d %$/ : /^100\.0 %$/,
+                );
             }
         }));
 }
 
 test('a wrong answer gets a hint, the differences, and a link that keeps it', () =>
-    withPage({ address: ADDRESS, hash: linkOf('hexerode'), options: { ...DESKTOP, permissions: ['clipboard-read', 'clipboard-write'] } }, async (page) => {
-        await page.fill('#rules', 'F -> F+F--F+F');
-        await marked(page, /of the ink agrees/);
-        await page.click('#ask-why');
-        await until(async () => /The first segment is right/.test((await page.textContent('#mark-why')) ?? ''), 'a hint');
-        await page.check('#show-differences', { force: true });
-        const colours = await page.evaluate(() => {
-            const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('target-differences'));
-            const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(0, 0, 512, 512);
-            return new Set(new Uint32Array(data.buffer)).size;
-        });
-        assert.ok(colours >= 3, 'nothing, missing, too much');
-        assert.match((await page.textContent('#ask-hint')) ?? '', /Hint 1 of 3/);
-        await page.click('#ask-hint');
-        assert.equal(await page.locator('#hints li').count(), 1);
-        await page.fill('#student-name', 'Ada & Co');
-        await page.click('#hand-in');
-        const link = await page.evaluate(() => navigator.clipboard.readText());
-        assert.match(link, /rules=F%20-%3E%20F%2BF--F%2BF&by=Ada%20%26%20Co$/);
-        await page.reload();
-        await page.waitForSelector('#mark:visible');
-        assert.equal(await page.inputValue('#rules'), 'F -> F+F--F+F');
-        await page.goto('about:blank');
-        await page.goto(link);
-        await page.waitForSelector('#mark:visible');
-        assert.deepEqual([await page.inputValue('#rules'), await page.inputValue('#student-name')], ['F -> F+F--F+F', 'Ada & Co']);
-    }));
+    withPage(
+        {
+            address: ADDRESS,
+            hash: linkOf('hexerode'),
+            options: { ...DESKTOP, permissions: ['clipboard-read', 'clipboard-write'] },
+        },
+        async (page) => {
+            await page.fill('#rules', 'F -> F+F--F+F');
+            await marked(page, /of the ink agrees/);
+            await page.click('#ask-why');
+            await until(
+                async () => /The first segment is right/.test((await page.textContent('#mark-why')) ?? ''),
+                'a hint',
+            );
+            await page.check('#show-differences', { force: true });
+            const colours = await page.evaluate(() => {
+                const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById('target-differences'));
+                const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).getImageData(
+                    0,
+                    0,
+                    512,
+                    512,
+                );
+                return new Set(new Uint32Array(data.buffer)).size;
+            });
+            assert.ok(colours >= 3, 'nothing, missing, too much');
+            assert.match((await page.textContent('#ask-hint')) ?? '', /Hint 1 of 3/);
+            await page.click('#ask-hint');
+            assert.equal(await page.locator('#hints li').count(), 1);
+            await page.fill('#student-name', 'Ada & Co');
+            await page.click('#hand-in');
+            const link = await page.evaluate(() => navigator.clipboard.readText());
+            assert.match(link, /rules=F%20-%3E%20F%2BF--F%2BF&by=Ada%20%26%20Co$/);
+            await page.reload();
+            await page.waitForSelector('#mark:visible');
+            assert.equal(await page.inputValue('#rules'), 'F -> F+F--F+F');
+            await page.goto('about:blank');
+            await page.goto(link);
+            await page.waitForSelector('#mark:visible');
+            assert.deepEqual(
+                [await page.inputValue('#rules'), await page.inputValue('#student-name')],
+                ['F -> F+F--F+F', 'Ada & Co'],
+            );
+        },
+    ));
 
 /** Solves the Koch curve and hands the answer in; the link has exercise, answer and name. @param {Page} page @param {Page | Frame} [where] */
 async function handsIn(page, where = page) {
@@ -101,7 +126,10 @@ async function handsIn(page, where = page) {
     await where.waitForSelector('#mark.solved');
     await where.fill('#student-name', 'Ada');
     await where.click('#hand-in');
-    await until(async () => /Your answer is copied/.test((await where.textContent('#toast')) ?? ''), 'the answer is copied');
+    await until(
+        async () => /Your answer is copied/.test((await where.textContent('#toast')) ?? ''),
+        'the answer is copied',
+    );
     const link = await page.evaluate(() => navigator.clipboard.readText());
     assert.match(link, /exercise\.html#v=1&x=[\w-]+&rules=F%20-%3E%20F%2BF--F%2BF&by=Ada$/);
     assert.ok(link.includes(codeOf('koch')));
@@ -110,57 +138,88 @@ async function handsIn(page, where = page) {
 /** @type {import('playwright-core').BrowserContextOptions} */
 const CLIPBOARD = { permissions: ['clipboard-read', 'clipboard-write'] };
 
-test('an answer is handed in on a phone', () => withPage({ address: ADDRESS, hash: linkOf('koch'), options: { ...PHONE, ...CLIPBOARD } }, (page) => handsIn(page)));
+test('an answer is handed in on a phone', () =>
+    withPage({ address: ADDRESS, hash: linkOf('koch'), options: { ...PHONE, ...CLIPBOARD } }, (page) => handsIn(page)));
 
 test('an answer is handed in from an exercise in another page', () =>
-    withPage({ address: ADDRESS, hash: 'docs/about.html', drawing: null, options: { ...DESKTOP, ...CLIPBOARD } }, async (page) => {
-        await page.evaluate((source) => {
-            const frame = document.createElement('iframe');
-            frame.src = source;
-            frame.allow = 'clipboard-write';
-            frame.style.cssText = 'width: 900px; height: 800px';
-            document.body.prepend(frame);
-        }, ADDRESS + linkOf('koch'));
-        const frame = await until(async () => page.frames().find((frame) => frame.url().includes('exercise.html')), 'the frame');
-        await frame.waitForSelector('#mark:visible');
-        await handsIn(page, frame);
-    }));
+    withPage(
+        { address: ADDRESS, hash: 'docs/about.html', drawing: null, options: { ...DESKTOP, ...CLIPBOARD } },
+        async (page) => {
+            await page.evaluate((source) => {
+                const frame = document.createElement('iframe');
+                frame.src = source;
+                frame.allow = 'clipboard-write';
+                frame.style.cssText = 'width: 900px; height: 800px';
+                document.body.prepend(frame);
+            }, ADDRESS + linkOf('koch'));
+            const frame = await until(
+                async () => page.frames().find((frame) => frame.url().includes('exercise.html')),
+                'the frame',
+            );
+            await frame.waitForSelector('#mark:visible');
+            await handsIn(page, frame);
+        },
+    ));
 
-for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a phone', PHONE]])) {
+for (const [name, options] of /** @type {const} */ ([
+    ['a desktop', DESKTOP],
+    ['a phone', PHONE],
+])) {
     test(`an exercise is made in the share dialog on ${name}, and hides what is to be found`, () =>
-        withPage({ hash: '#v=1&title=Weed&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D-X%0AF%20-%3E%20FF&n=4&angle=25', options }, async (page) => {
-            await page.click('#share');
-            await page.click('#make-exercise');
-            await page.fill('#maker-task', 'Find **one** rule. <img src=x onerror=alert(1)> [More](https://example.org/)');
-            await page.fill('#maker-hints', 'Look at the tips.\nTwo `X` at most.');
-            await page.selectOption('select[name=line-1]', 'hidden');
-            await page.selectOption('select[name=n]', 'hidden');
-            await page.fill('#maker-symbols', '8');
-            await page.check('#maker-answer');
-            await page.waitForSelector('#maker-made:visible');
-            const before = await page.inputValue('#maker-link');
-            await page.fill('#maker-title', 'A weed to find');
-            const link = await until(async () => { const now = await page.inputValue('#maker-link'); return now !== before ? now : ''; }, 'a new link');
-            assert.ok(!/FF|%5B|X%20/.test(link));
-            await page.waitForSelector('#maker-qr:visible');
-            // A stroke around the modules would fill the gaps between them.
-            assert.equal(await page.locator('#maker-qr path').evaluate((path) => getComputedStyle(path).stroke), 'none');
-            assert.match(await page.inputValue('#maker-code'), /^<iframe src="[^"]*exercise\.html#v=1&amp;x=/);
-            await page.goto(link);
-            await page.waitForSelector('#mark:visible');
-            assert.deepEqual(await page.locator('#exercise-task').evaluate((task) => [task.querySelectorAll('strong').length, task.querySelectorAll('img').length, task.querySelector('a')?.href]), [1, 0, 'https://example.org/']);
-            assert.match((await page.textContent('#given-hidden')) ?? '', /the iterations, some rules/);
-            assert.ok(!(await page.isVisible('#open-reader')), 'the string would tell');
-            assert.equal(await page.inputValue('#rules'), '');
-            assert.ok(!((await page.getAttribute('#open', 'href')) ?? '').includes('FF'));
-            await page.fill('#rules', 'X -> F[+X]-X+-');
-            await marked(page, /10 symbols; at most 8/);
-            assert.ok(!(await page.isVisible('#answer')));
-            await page.fill('#rules', 'X -> F[+X]-X');
-            await marked(page, /Solved/);
-            await page.waitForSelector('#answer:visible');
-            assert.match((await page.textContent('#answer-rules')) ?? '', /F -> FF/);
-        }));
+        withPage(
+            { hash: '#v=1&title=Weed&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D-X%0AF%20-%3E%20FF&n=4&angle=25', options },
+            async (page) => {
+                await page.click('#share');
+                await page.click('#make-exercise');
+                await page.fill(
+                    '#maker-task',
+                    'Find **one** rule. <img src=x onerror=alert(1)> [More](https://example.org/)',
+                );
+                await page.fill('#maker-hints', 'Look at the tips.\nTwo `X` at most.');
+                await page.selectOption('select[name=line-1]', 'hidden');
+                await page.selectOption('select[name=n]', 'hidden');
+                await page.fill('#maker-symbols', '8');
+                await page.check('#maker-answer');
+                await page.waitForSelector('#maker-made:visible');
+                const before = await page.inputValue('#maker-link');
+                await page.fill('#maker-title', 'A weed to find');
+                const link = await until(async () => {
+                    const now = await page.inputValue('#maker-link');
+                    return now !== before ? now : '';
+                }, 'a new link');
+                assert.ok(!/FF|%5B|X%20/.test(link));
+                await page.waitForSelector('#maker-qr:visible');
+                // A stroke around the modules would fill the gaps between them.
+                assert.equal(
+                    await page.locator('#maker-qr path').evaluate((path) => getComputedStyle(path).stroke),
+                    'none',
+                );
+                assert.match(await page.inputValue('#maker-code'), /^<iframe src="[^"]*exercise\.html#v=1&amp;x=/);
+                await page.goto(link);
+                await page.waitForSelector('#mark:visible');
+                assert.deepEqual(
+                    await page
+                        .locator('#exercise-task')
+                        .evaluate((task) => [
+                            task.querySelectorAll('strong').length,
+                            task.querySelectorAll('img').length,
+                            task.querySelector('a')?.href,
+                        ]),
+                    [1, 0, 'https://example.org/'],
+                );
+                assert.match((await page.textContent('#given-hidden')) ?? '', /the iterations, some rules/);
+                assert.ok(!(await page.isVisible('#open-reader')), 'the string would tell');
+                assert.equal(await page.inputValue('#rules'), '');
+                assert.ok(!((await page.getAttribute('#open', 'href')) ?? '').includes('FF'));
+                await page.fill('#rules', 'X -> F[+X]-X+-');
+                await marked(page, /10 symbols; at most 8/);
+                assert.ok(!(await page.isVisible('#answer')));
+                await page.fill('#rules', 'X -> F[+X]-X');
+                await marked(page, /Solved/);
+                await page.waitForSelector('#answer:visible');
+                assert.match((await page.textContent('#answer-rules')) ?? '', /F -> FF/);
+            },
+        ));
 }
 
 test('the meaning of the symbols can be asked for', () =>
@@ -171,7 +230,12 @@ test('the meaning of the symbols can be asked for', () =>
         const before = await page.inputValue('#maker-link');
         await page.selectOption('select[name=line-0]', 'shown');
         await page.selectOption('select[name=turtle]', 'free');
-        await page.goto(await until(async () => { const now = await page.inputValue('#maker-link'); return now !== before ? now : ''; }, 'a new link'));
+        await page.goto(
+            await until(async () => {
+                const now = await page.inputValue('#maker-link');
+                return now !== before ? now : '';
+            }, 'a new link'),
+        );
         await page.waitForSelector('#meaning:visible');
         assert.ok(!(await page.isVisible('#rules')), 'no rule is to be found');
         assert.equal(await page.locator('#mark.solved').count(), 0);
@@ -211,18 +275,28 @@ test('what a program printed is compared with the system', () =>
         assert.match((await page.textContent('#check-result')) ?? '', /symbol 6/i);
         await page.click('#check-show');
         await page.waitForSelector('#reader:visible');
-        await until(async () => /A at step 4, by rule 1/.test((await page.textContent('#reader')) ?? ''), 'the string is open there');
+        await until(
+            async () => /A at step 4, by rule 1/.test((await page.textContent('#reader')) ?? ''),
+            'the string is open there',
+        );
         await page.click('#close-reader');
         await page.click('#share');
         await page.click('#check-program');
-        await page.setInputFiles('#check-file', { name: 'out.txt', mimeType: 'text/plain', buffer: Buffer.from('ABAABABA\n') });
+        await page.setInputFiles('#check-file', {
+            name: 'out.txt',
+            mimeType: 'text/plain',
+            buffer: Buffer.from('ABAABABA\n'),
+        });
         await page.waitForSelector('#check-result.agrees');
     }));
 
 test('saved pictures can leave the system out', () =>
     withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F%2BF&n=3&angle=77' }, async (page) => {
         await page.click('#tab-save');
-        for (const [bare, expected] of [[false, true], [true, false]]) {
+        for (const [bare, expected] of [
+            [false, true],
+            [true, false],
+        ]) {
             await page.click('#open-save');
             await page.setChecked('#option-bare', Boolean(bare));
             await page.click('#save-cancel');
@@ -234,10 +308,13 @@ test('saved pictures can leave the system out', () =>
     }));
 
 test('damaged exercises are refused in words', () =>
-    withPage({ address: ADDRESS, hash: `exercise.html#v=1&x=${codeOf('koch').slice(0, -9)}`, drawing: null }, async (page) => {
-        await page.waitForSelector('#mistake:visible');
-        assert.match((await page.textContent('#mistake')) ?? '', /The exercise is damaged or cut off/);
-    }));
+    withPage(
+        { address: ADDRESS, hash: `exercise.html#v=1&x=${codeOf('koch').slice(0, -9)}`, drawing: null },
+        async (page) => {
+            await page.waitForSelector('#mistake:visible');
+            assert.match((await page.textContent('#mistake')) ?? '', /The exercise is damaged or cut off/);
+        },
+    ));
 
 test('links of exercises open on their page, whatever page they name', () =>
     withPage({ address: ADDRESS, hash: `embed.html#v=1&x=${codeOf('koch')}`, drawing: null }, async (page) => {
@@ -250,13 +327,18 @@ test('exercises work from a disk', async () => {
     try {
         await copyFile(new URL('exercise.html', DIST), join(folder, 'exercise.html'));
         const address = pathToFileURL(join(folder, 'exercise.html')).href;
-        await withPage({ address, hash: `#v=1&x=${codeOf('koch')}`, options: { ...DESKTOP, ...CLIPBOARD } }, (page) => handsIn(page));
+        await withPage({ address, hash: `#v=1&x=${codeOf('koch')}`, options: { ...DESKTOP, ...CLIPBOARD } }, (page) =>
+            handsIn(page),
+        );
     } finally {
         await rm(folder, { recursive: true });
     }
 });
 
-for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a phone', PHONE]])) {
+for (const [name, options] of /** @type {const} */ ([
+    ['a desktop', DESKTOP],
+    ['a phone', PHONE],
+])) {
     test(`the lesson is walked through on ${name}, and keeps its place`, () =>
         withPage({ address: ADDRESS, hash: 'course.html', drawing: null, options }, async (page) => {
             /** @type {[string, string][]} */
@@ -275,11 +357,15 @@ for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a
                 ['#rules', 'X -> F[+X]F[-X]X\nF -> FF'],
             ];
             for (const [at, [field, text]] of fills.entries()) {
-                assert.match(await page.textContent('.step.now h2') ?? '', new RegExp(`^${at + 1}\\. `));
+                assert.match((await page.textContent('.step.now h2')) ?? '', new RegExp(`^${at + 1}\\. `));
                 const frame = page.frameLocator('.step.now iframe');
                 await frame.locator(field).fill(text, { timeout: 15_000 });
                 await frame.locator(field).press('Tab');
-                await until(async () => /Done/.test((await page.textContent('#told')) ?? ''), `step ${at + 1} is done`, 15_000);
+                await until(
+                    async () => /Done/.test((await page.textContent('#told')) ?? ''),
+                    `step ${at + 1} is done`,
+                    15_000,
+                );
                 if (at < fills.length - 1) await page.click('#onward');
             }
             assert.equal(await page.locator('.places .done').count(), 12);

@@ -30,17 +30,26 @@ async function write(page, film) {
 
 /** Saves the film. @param {Page} page @param {string} kind */
 async function saved(page, kind) {
-    const [file] = await Promise.all([page.waitForEvent('download', { timeout: 120_000 }), page.click(`[data-film="${kind}"]`)]);
+    const [file] = await Promise.all([
+        page.waitForEvent('download', { timeout: 120_000 }),
+        page.click(`[data-film="${kind}"]`),
+    ]);
     if (process.env.FILM_KEEP) await file.saveAs(`${process.env.FILM_KEEP}/${file.suggestedFilename()}`);
     return readFile(await file.path());
 }
 
-for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a phone', PHONE]])) {
+for (const [name, options] of /** @type {const} */ ([
+    ['a desktop', DESKTOP],
+    ['a phone', PHONE],
+])) {
     test(`a film grows, and its tracks are edited, on ${name}`, () =>
         withPage({ hash: WEED, options: { ...options, reducedMotion: 'no-preference' } }, async (page) => {
             await open(page);
             assert.equal(await text(page), '1;8s;25fps;1280x720;repeat;n=0:0,7.2:4');
-            await until(async () => Number(await page.getAttribute('#film-picture', 'data-frame')) > 5, 'the film plays');
+            await until(
+                async () => Number(await page.getAttribute('#film-picture', 'data-frame')) > 5,
+                'the film plays',
+            );
             // The place of a dive does not depend on the frame that plays meanwhile.
             const dived = async () => {
                 await page.click('[data-preset="dive"]');
@@ -65,7 +74,10 @@ for (const [name, options] of /** @type {const} */ ([['a desktop', DESKTOP], ['a
             await until(async () => (await text(page)).endsWith(';angle=0:22.5,3.95:30'), 'the length');
             assert.ok(await page.isDisabled('[data-preset="turntable"]'));
             await write(page, '1;angle=0:x');
-            await until(async () => (await page.textContent('#film-problem')) === 'film, `x`: expected a number', 'the problem');
+            await until(
+                async () => (await page.textContent('#film-problem')) === 'film, `x`: expected a number',
+                'the problem',
+            );
             await page.keyboard.press('Escape');
             assert.ok(!(await page.isVisible('#film-dialog')));
         }));
@@ -80,20 +92,29 @@ test('a film is saved as GIF, and as video where the browser can', () =>
         assert.equal(gif.subarray(0, 6).toString('latin1'), 'GIF89a');
         assert.deepEqual([gif.readUInt16LE(6), gif.readUInt16LE(8), gif.at(-1)], [64, 48, 0x3b]);
         // The browser's own decoder finds all frames and times.
-        const found = await page.evaluate(async (bytes) => {
-            const Decoder = /** @type {any} */ (globalThis).ImageDecoder;
-            const decoder = new Decoder({ data: new Uint8Array(bytes), type: 'image/gif' });
-            await Promise.all([decoder.completed, decoder.tracks.ready]);
-            const frames = [];
-            for (let frameIndex = 0; frameIndex < decoder.tracks.selectedTrack.frameCount; frameIndex++) frames.push((await decoder.decode({ frameIndex })).image.duration);
-            return { frames, repeats: decoder.tracks.selectedTrack.repetitionCount };
-        }, [...gif]);
+        const found = await page.evaluate(
+            async (bytes) => {
+                const Decoder = /** @type {any} */ (globalThis).ImageDecoder;
+                const decoder = new Decoder({ data: new Uint8Array(bytes), type: 'image/gif' });
+                await Promise.all([decoder.completed, decoder.tracks.ready]);
+                const frames = [];
+                for (let frameIndex = 0; frameIndex < decoder.tracks.selectedTrack.frameCount; frameIndex++)
+                    frames.push((await decoder.decode({ frameIndex })).image.duration);
+                return { frames, repeats: decoder.tracks.selectedTrack.repetitionCount };
+            },
+            [...gif],
+        );
         assert.deepEqual(found, { frames: Array(5).fill(200_000), repeats: Infinity });
         if (process.env.FILM_KEEP) await writeFile(`${process.env.FILM_KEEP}/small.gif`, gif);
         for (const kind of ['webm', 'mp4']) {
             if (!(await page.isVisible(`[data-film="${kind}"]`))) continue;
             const video = await saved(page, kind);
-            assert.ok(kind === 'webm' ? video.readUInt32BE(0) === 0x1a45dfa3 : video.subarray(4, 8).toString('latin1') === 'ftyp', kind);
+            assert.ok(
+                kind === 'webm'
+                    ? video.readUInt32BE(0) === 0x1a45dfa3
+                    : video.subarray(4, 8).toString('latin1') === 'ftyp',
+                kind,
+            );
         }
     }));
 
@@ -120,12 +141,27 @@ test('drawings in space turn', () =>
     }));
 
 test('a film plays in a page of its own, and opens in the playground', () =>
-    withPage({ address: ADDRESS, hash: `film.html${WEED}&film=${SHORT}`, drawing: '#film-picture[data-frame]' }, async (page) => {
-        assert.deepEqual(await page.locator('#film-picture').evaluate((canvas) => [canvas.getAttribute('width'), canvas.getAttribute('height')]), ['64', '48']);
-        await page.focus('#film-play');
-        await page.keyboard.press('Enter');
-        await until(async () => Number(await page.getAttribute('#film-picture', 'data-frame')) > 1, 'the film plays');
-        await page.goto(String(await page.locator('#film-open').evaluate((link) => /** @type {HTMLAnchorElement} */ (link).href)));
-        await page.waitForSelector('#film-dialog #film-picture[data-frame]');
-        assert.equal(await text(page), SHORT);
-    }));
+    withPage(
+        { address: ADDRESS, hash: `film.html${WEED}&film=${SHORT}`, drawing: '#film-picture[data-frame]' },
+        async (page) => {
+            assert.deepEqual(
+                await page
+                    .locator('#film-picture')
+                    .evaluate((canvas) => [canvas.getAttribute('width'), canvas.getAttribute('height')]),
+                ['64', '48'],
+            );
+            await page.focus('#film-play');
+            await page.keyboard.press('Enter');
+            await until(
+                async () => Number(await page.getAttribute('#film-picture', 'data-frame')) > 1,
+                'the film plays',
+            );
+            await page.goto(
+                String(
+                    await page.locator('#film-open').evaluate((link) => /** @type {HTMLAnchorElement} */ (link).href),
+                ),
+            );
+            await page.waitForSelector('#film-dialog #film-picture[data-frame]');
+            assert.equal(await text(page), SHORT);
+        },
+    ));

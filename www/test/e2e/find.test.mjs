@@ -42,7 +42,9 @@ async function koch(page, { type = 'image/png', ink = '#000', paper = '#fff', fr
                 else context.lineTo((x += 20 * Math.cos(heading)), (y += 20 * Math.sin(heading)));
             }
             // Lines to places that no rule gives.
-            if (scribble) for (let at = 1; at < 14; at++) context.lineTo(350 + 320 * Math.sin(at * at), 160 + 140 * Math.cos(3 * at * at));
+            if (scribble)
+                for (let at = 1; at < 14; at++)
+                    context.lineTo(350 + 320 * Math.sin(at * at), 160 + 140 * Math.cos(3 * at * at));
             context.stroke();
             return canvas.toDataURL(type, 0.9);
         },
@@ -59,7 +61,11 @@ const give = (page, event, bytes, name, type) =>
             data.items.add(new File([new Uint8Array(bytes)], name, { type }));
             const target = document.querySelector('dialog[open]') ?? document.querySelector('#drawing');
             const init = { bubbles: true, cancelable: true };
-            target?.dispatchEvent(event === 'drop' ? new DragEvent('drop', { ...init, dataTransfer: data }) : new ClipboardEvent('paste', { ...init, clipboardData: data }));
+            target?.dispatchEvent(
+                event === 'drop'
+                    ? new DragEvent('drop', { ...init, dataTransfer: data })
+                    : new ClipboardEvent('paste', { ...init, clipboardData: data }),
+            );
         },
         { event, bytes: [...bytes], name, type },
     );
@@ -71,12 +77,17 @@ async function ask(page, known) {
 
 /** Opens the dialog. @param {Page} page */
 async function begin(page) {
-    await page.click('#section-rules [data-find]');
+    await page.click('#section-rules [data-opens=find]');
     await page.waitForSelector('#find[open]');
 }
 
 /** @param {Page} page */
-const found = (page) => until(async () => /draws? (this|the same) picture\./.test(await text(page, '#find-verdict.found')), 'a system is found', PATIENCE);
+const found = (page) =>
+    until(
+        async () => /draws? (this|the same) picture\./.test(await text(page, '#find-verdict.found')),
+        'a system is found',
+        PATIENCE,
+    );
 
 test('a dropped picture without a system is offered, its rules are found and opened', () =>
     withPage({}, async (page) => {
@@ -91,16 +102,22 @@ test('a dropped picture without a system is offered, its rules are found and ope
         assert.match(await text(page, '.find-percent.found'), /^(9[89]|100)\.\d %$/);
         await page.waitForSelector('.find-card .thumb.inked');
         await page.click('.find-card >> nth=0 >> text=Open');
-        await until(async () => /^F -> F[-+]F(\+\+|--)F[-+]F$/.test(await page.inputValue('#rules')), 'the rules are open');
+        await until(
+            async () => /^F -> F[-+]F(\+\+|--)F[-+]F$/.test(await page.inputValue('#rules')),
+            'the rules are open',
+        );
         assert.equal(await text(page, '#specimen-title'), 'Rules of curve');
         await page.click('#undo');
         assert.notEqual(await text(page, '#specimen-title'), 'Rules of curve');
         // The dialog keeps what it had.
-        await page.click('#section-rules [data-find]');
+        await page.click('#section-rules [data-opens=find]');
         await page.waitForSelector('.find-card:visible');
     }));
 
-for (const [type, ink, paper] of /** @type {const} */ ([['image/jpeg', '#fff', '#123'], ['image/webp', '#206030', '#eee']])) {
+for (const [type, ink, paper] of /** @type {const} */ ([
+    ['image/jpeg', '#fff', '#123'],
+    ['image/webp', '#206030', '#eee'],
+])) {
     test(`a pasted picture is taken: ${type}, ${ink} on ${paper}`, () =>
         withPage({}, async (page) => {
             await give(page, 'paste', await koch(page, { type, ink, paper }), 'image.bin', type);
@@ -115,13 +132,22 @@ for (const [type, ink, paper] of /** @type {const} */ ([['image/jpeg', '#fff', '
 test('a frame is cropped away by keys and by dragging', () =>
     withPage({}, async (page) => {
         await begin(page);
-        await page.setInputFiles('#find-file', { name: 'slide.png', mimeType: 'image/png', buffer: await koch(page, { frame: true }) });
+        await page.setInputFiles('#find-file', {
+            name: 'slide.png',
+            mimeType: 'image/png',
+            buffer: await koch(page, { frame: true }),
+        });
         await page.waitForSelector('#find-picture:visible');
         const corner = page.locator('.find-corner.top.left');
         await corner.focus();
         for (const key of ['Shift+ArrowRight', 'Shift+ArrowDown']) await page.keyboard.press(key);
-        await until(async () => /5 % from the left, 11 % from the top/.test((await corner.getAttribute('aria-label')) ?? ''), 'the corner has moved');
-        const frame = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#find-preview').boundingBox());
+        await until(
+            async () => /5 % from the left, 11 % from the top/.test((await corner.getAttribute('aria-label')) ?? ''),
+            'the corner has moved',
+        );
+        const frame = /** @type {{x: number, y: number, width: number, height: number}} */ (
+            await page.locator('#find-preview').boundingBox()
+        );
         const handle = /** @type {typeof frame} */ (await page.locator('.find-corner.bottom.right').boundingBox());
         await page.mouse.move(handle.x + handle.width / 2, handle.y + handle.height / 2);
         await page.mouse.down();
@@ -134,10 +160,13 @@ test('a frame is cropped away by keys and by dragging', () =>
         assert.ok(!(await page.isVisible('#find-results')), 'what was found is no longer about what is shown');
     }));
 
-for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['phone', PHONE]])) {
+for (const [device, options] of /** @type {const} */ ([
+    ['desktop', DESKTOP],
+    ['phone', PHONE],
+])) {
     test(`the pictures of the assignment are tried with one click: ${device}`, () =>
         withPage({ options }, async (page) => {
-            await page.click('#section-rules [data-find]');
+            await page.click('#section-rules [data-opens=find]');
             await until(async () => (await page.locator('#find-examples .thumb.inked').count()) === 4, 'four pictures');
             await page.click('[data-example=hexerode]');
             await found(page);
@@ -149,7 +178,11 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
 test('the page answers while the search runs, and the search stops at once', () =>
     withPage({}, async (page) => {
         await begin(page);
-        await page.setInputFiles('#find-file', { name: 'scribble.png', mimeType: 'image/png', buffer: await koch(page, { scribble: true }) });
+        await page.setInputFiles('#find-file', {
+            name: 'scribble.png',
+            mimeType: 'image/png',
+            buffer: await koch(page, { scribble: true }),
+        });
         await page.waitForSelector('#find-picture:visible');
         await page.click('#find-start');
         await page.waitForSelector('#find-results:visible', { timeout: PATIENCE });
@@ -187,16 +220,23 @@ test('the page answers while the search runs, and the search stops at once', () 
 test('a string is searched for the shortest rules', () =>
     withPage({}, async (page) => {
         await page.click('#tab-save');
-        await page.click('#section-save [data-find]');
+        await page.click('#section-save [data-opens=find]');
         await page.waitForSelector('#find[open]');
         await page.check('#find-of-string', { force: true });
         await page.fill('#find-string', 'ABAABABA\nABAAB');
         await page.click('#find-start');
-        await until(async () => /derives? the string/.test(await text(page, '#find-verdict.found')), 'rules are found', PATIENCE);
+        await until(
+            async () => /derives? the string/.test(await text(page, '#find-verdict.found')),
+            'rules are found',
+            PATIENCE,
+        );
         assert.equal(await text(page, '.find-rules >> nth=0'), 'A -> AB\nB -> A');
         assert.match(await text(page, '#find-searched'), /from A/);
         await page.click('.find-card >> nth=0 >> text=Open');
-        await until(async () => (await page.inputValue('#axiom')) === 'A' && (await page.inputValue('#iterations')) === '5', 'the system is open');
+        await until(
+            async () => (await page.inputValue('#axiom')) === 'A' && (await page.inputValue('#iterations')) === '5',
+            'the system is open',
+        );
     }));
 
 test('what cannot be searched is told where it stands', () =>
@@ -204,11 +244,21 @@ test('what cannot be searched is told where it stands', () =>
         await begin(page);
         await page.setInputFiles('#find-file', { name: 'curve.png', mimeType: 'image/png', buffer: await koch(page) });
         await page.waitForSelector('#find-picture:visible');
-        for (const [field, value, said] of [['angle', 'wide', /angle is expected/], ['n', '2.5', /whole number/], ['n', '99', /1 to 12/], ['axiom', 'F(1)', /letters, turns/], ['axiom', 'F]', /closed/]]) {
+        for (const [field, value, said] of [
+            ['angle', 'wide', /angle is expected/],
+            ['n', '2.5', /whole number/],
+            ['n', '99', /1 to 12/],
+            ['axiom', 'F(1)', /letters, turns/],
+            ['axiom', 'F]', /closed/],
+        ]) {
             await ask(page, { axiom: 'F', angle: '60', n: '3' });
             await page.fill(`#find-${field}`, String(value));
             await page.click('#find-start');
-            await until(async () => /** @type {RegExp} */ (said).test(await text(page, '#find-problem')), `${field} ${value}`, PATIENCE);
+            await until(
+                async () => /** @type {RegExp} */ (said).test(await text(page, '#find-problem')),
+                `${field} ${value}`,
+                PATIENCE,
+            );
         }
         await page.fill('#find-axiom', 'F');
         assert.equal(await text(page, '#find-problem'), '');
@@ -216,7 +266,10 @@ test('what cannot be searched is told where it stands', () =>
 
 /** A PNG that says it is as large, and has no such pixels. @param {number} width @param {number} height */
 function hollowPng(width, height) {
-    const bytes = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==', 'base64');
+    const bytes = Buffer.from(
+        'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==',
+        'base64',
+    );
     bytes.writeUInt32BE(width, 16);
     bytes.writeUInt32BE(height, 20);
     // The check sum of the header, so that decoders believe it.
@@ -230,8 +283,14 @@ function hollowPng(width, height) {
 }
 
 /** @param {string} inside */
-const svg = (inside) => Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 100 50">${inside}</svg>`);
-const USES = Array.from({ length: 30 }, (_, at) => `<g id="g${at + 1}"><use href="#g${at}"/><use href="#g${at}"/></g>`).join('');
+const svg = (inside) =>
+    Buffer.from(
+        `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 100 50">${inside}</svg>`,
+    );
+const USES = Array.from(
+    { length: 30 },
+    (_, at) => `<g id="g${at + 1}"><use href="#g${at}"/><use href="#g${at}"/></g>`,
+).join('');
 
 test('hostile pictures get a clear answer, and nothing of them runs or loads', () =>
     withPage({}, async (page) => {
@@ -246,17 +305,29 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
             ['uses.svg', svg(`<path id="g0" d="M0 0H9"/>${USES}<use href="#g30"/>`), /more than 200,000 shapes/],
             ['circle.svg', svg('<g id="a"><use xlink:href="#a"/></g>'), /more than 200,000 shapes/],
             ['deep.svg', svg('<g>'.repeat(2000) + '</g>'.repeat(2000)), /more than 200,000 shapes|damaged/],
-            ['laughs.svg', Buffer.from('<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;">]><svg xmlns="http://www.w3.org/2000/svg">&b;</svg>'), /entities/],
+            [
+                'laughs.svg',
+                Buffer.from(
+                    '<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;">]><svg xmlns="http://www.w3.org/2000/svg">&b;</svg>',
+                ),
+                /entities/,
+            ],
             ['white.svg', svg(''), /one shade of grey/],
             ['hidden.svg', svg('<path id="&#97;" d="M0 0H9"/><use href="#a"/>'), /names with & or %/],
         ]);
         for (const [name, buffer, said] of cases) {
             await page.evaluate(() => document.getElementById('find-problem')?.replaceChildren());
             await page.setInputFiles('#find-file', { name, mimeType: '', buffer });
-            await until(async () => said.test(await text(page, '#find-problem')), `${name}: ${await text(page, '#find-problem')}`, 20_000);
+            await until(
+                async () => said.test(await text(page, '#find-problem')),
+                `${name}: ${await text(page, '#find-problem')}`,
+                20_000,
+            );
             assert.ok(await page.isVisible('#find-empty'), name);
         }
-        const evil = svg('<script>top.evil = 1</script><image href="https://a.example/b.png" width="9" height="9"/><style>@import url(https://a.example/c.css);</style><path d="M0 0L100 50L100 0" fill="none" stroke="#000" onload="top.evil = 1"/>');
+        const evil = svg(
+            '<script>top.evil = 1</script><image href="https://a.example/b.png" width="9" height="9"/><style>@import url(https://a.example/c.css);</style><path d="M0 0L100 50L100 0" fill="none" stroke="#000" onload="top.evil = 1"/>',
+        );
         await page.setInputFiles('#find-file', { name: 'evil.svg', mimeType: 'image/svg+xml', buffer: evil });
         await page.waitForSelector('#find-picture:visible');
         assert.equal(await page.evaluate(() => 'evil' in window), false);
@@ -283,7 +354,11 @@ test('an exercise is searched for other answers', () =>
         await page.click('#make-exercise');
         await page.waitForSelector('#maker-made:visible');
         await page.click('#maker-unique');
-        await until(async () => /shorter than yours/.test(await text(page, '#maker-unique-words')), 'the answers', PATIENCE);
+        await until(
+            async () => /shorter than yours/.test(await text(page, '#maker-unique-words')),
+            'the answers',
+            PATIENCE,
+        );
         assert.match(await text(page, '#maker-unique-words'), /Searched: [\d,]+ systems tried/);
         assert.match(await text(page, '#maker-unique-cards .find-rules >> nth=0'), /^F -> F\[\+F\]$/);
         await page.fill('#maker-title', 'Another weed');

@@ -9,11 +9,28 @@ after(close);
 /** The text of an element. @param {import('playwright-core').Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 
-for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['small desktop', { viewport: { width: 1280, height: 657 } }], ['phone', PHONE]])) {
+for (const [device, options] of /** @type {const} */ ([
+    ['desktop', DESKTOP],
+    ['small desktop', { viewport: { width: 1280, height: 657 } }],
+    ['phone', PHONE],
+])) {
     test(`the page opens with the rule, what it means and a lesson in sight: ${device}`, () =>
         withPage({ options }, async (page) => {
             const { height } = page.viewportSize() ?? { height: 0 };
-            for (const part of ['#intro', '#open-lesson', '#axiom', '#rules', '#tab-rules', '#tab-grow', '#tab-turtle', '#tab-look', '#tab-save', '#share', '#quick-favourite', '#open-gallery']) {
+            for (const part of [
+                '#intro',
+                '#open-lesson',
+                '#axiom',
+                '#rules',
+                '#tab-rules',
+                '#tab-grow',
+                '#tab-turtle',
+                '#tab-look',
+                '#tab-save',
+                '#share',
+                '#quick-favourite',
+                '#open-gallery',
+            ]) {
                 const box = await page.locator(part).boundingBox();
                 assert.ok(box && box.y >= 0 && box.y < height - 20, `${part} ${JSON.stringify(box)}`);
             }
@@ -30,23 +47,35 @@ test('every change of one symbol of the opening rule draws something or says why
     withPage({}, async (page) => {
         const rule = 'F[+F]F[-F][F]';
         const changed = new Set(['F', '']);
-        for (let at = 0; at < rule.length; at++) for (const symbol of ['', 'F', '+', '-', '[', ']', 'X', 'f']) changed.add(rule.slice(0, at) + symbol + rule.slice(at + 1));
+        for (let at = 0; at < rule.length; at++)
+            for (const symbol of ['', 'F', '+', '-', '[', ']', 'X', 'f'])
+                changed.add(rule.slice(0, at) + symbol + rule.slice(at + 1));
         // All of it runs in the page: the driver's part would take longer than the page's.
-        const silent = await page.evaluate(async (successors) => {
-            const area = /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules'));
-            const element = (/** @type {string} */ name) => /** @type {HTMLElement} */ (document.querySelector(name));
-            const says = () => document.querySelectorAll('#rules-problems li').length > 0 || !element('#empty').hidden || /, [1-9][\d,]* segment/.test(element('#caption-text').textContent ?? '');
-            const silent = [];
-            for (const successor of successors) {
-                area.value = `F -> ${successor}`;
-                area.dispatchEvent(new Event('input', { bubbles: true }));
-                const begun = performance.now();
-                do await new Promise(requestAnimationFrame);
-                while ((element('#stage').getAttribute('aria-busy') !== 'false' || !says()) && performance.now() - begun < 10_000);
-                if (!says()) silent.push(successor);
-            }
-            return silent;
-        }, [...changed]);
+        const silent = await page.evaluate(
+            async (successors) => {
+                const area = /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules'));
+                const element = (/** @type {string} */ name) =>
+                    /** @type {HTMLElement} */ (document.querySelector(name));
+                const says = () =>
+                    document.querySelectorAll('#rules-problems li').length > 0 ||
+                    !element('#empty').hidden ||
+                    /, [1-9][\d,]* segment/.test(element('#caption-text').textContent ?? '');
+                const silent = [];
+                for (const successor of successors) {
+                    area.value = `F -> ${successor}`;
+                    area.dispatchEvent(new Event('input', { bubbles: true }));
+                    const begun = performance.now();
+                    do await new Promise(requestAnimationFrame);
+                    while (
+                        (element('#stage').getAttribute('aria-busy') !== 'false' || !says()) &&
+                        performance.now() - begun < 10_000
+                    );
+                    if (!says()) silent.push(successor);
+                }
+                return silent;
+            },
+            [...changed],
+        );
         assert.ok(changed.size > 80, `${changed.size} changes`);
         assert.deepEqual(silent, [], 'each draws something or says why not');
     }));
@@ -70,7 +99,10 @@ test('a limit is refused on the drawing, with a button that draws what fits', ()
         const label = await text(page, '#refusal-fix');
         assert.match(label, /^Use \d+ iterations$/);
         await page.click('#refusal-fix');
-        await until(async () => `Use ${await page.inputValue('#iterations')} iterations` === label, 'the number is taken');
+        await until(
+            async () => `Use ${await page.inputValue('#iterations')} iterations` === label,
+            'the number is taken',
+        );
         await until(async () => !(await page.isVisible('#refusal')), 'nothing is refused');
         await page.keyboard.press('Control+z');
         assert.equal(await page.inputValue('#iterations'), '14');
@@ -96,13 +128,21 @@ test('a mistake is shown on the drawing after a pause, and its remedy is one und
 test('a symbol in the rules says what it does, by pointer and by caret', () =>
     withPage({}, async (page) => {
         assert.match(await text(page, '#symbol-note'), /Point at a symbol/);
-        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('[data-editor=rules] .t-turn').first().boundingBox());
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (
+            await page.locator('[data-editor=rules] .t-turn').first().boundingBox()
+        );
         await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-        await until(async () => /^\+ turns left by 22/.test(await text(page, '#symbol-note')), 'the symbol under the pointer is told');
+        await until(
+            async () => /^\+ turns left by 22/.test(await text(page, '#symbol-note')),
+            'the symbol under the pointer is told',
+        );
         await page.mouse.move(5, 5);
         await page.focus('#axiom');
         await page.keyboard.press('End');
-        await until(async () => /^F .*replaced by its rule/.test(await text(page, '#symbol-note')), 'the symbol at the caret is told');
+        await until(
+            async () => /^F .*replaced by its rule/.test(await text(page, '#symbol-note')),
+            'the symbol at the caret is told',
+        );
     }));
 
 test('on a phone a row of keys writes the symbols of the notation', () =>
@@ -111,7 +151,8 @@ test('on a phone a row of keys writes the symbols of the notation', () =>
         await page.tap('#rules');
         await page.waitForSelector('#symbol-keys:visible');
         await page.fill('#rules', '');
-        for (const key of ['F', 'Arrow', 'F', '[', '+', 'F', ']', 'F']) await page.getByRole('button', { name: key, exact: true }).tap();
+        for (const key of ['F', 'Arrow', 'F', '[', '+', 'F', ']', 'F'])
+            await page.getByRole('button', { name: key, exact: true }).tap();
         assert.equal(await page.inputValue('#rules'), 'F -> F[+F]F');
         await until(async () => /, 243 segments/.test(await text(page, '#caption-text')), 'the drawing follows');
         await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
@@ -132,5 +173,8 @@ test('number fields take arithmetic', () =>
 test('the star adds the system to favourites', () =>
     withPage({}, async (page) => {
         await page.click('#quick-favourite');
-        await until(async () => (await text(page, '#toast')).includes('Added “A plant by one rule”'), 'the favourite is added');
+        await until(
+            async () => (await text(page, '#toast')).includes('Added “A plant by one rule”'),
+            'the favourite is added',
+        );
     }));

@@ -23,9 +23,23 @@ const chip = (page, name) => page.locator('.chip', { hasText: name });
 test('shelves say what one sees, the simple systems first', () =>
     withPage({}, async (page) => {
         await open(page);
-        const names = ['Start here', 'Trees', 'Flowers and leaves', 'Curves', 'Tilings', 'In space', 'By chance', 'Signals', 'Books and courses', 'Exercises'];
+        const names = [
+            'Start here',
+            'Trees',
+            'Flowers and leaves',
+            'Curves',
+            'Tilings',
+            'In space',
+            'By chance',
+            'Signals',
+            'Books and courses',
+            'Exercises',
+        ];
         assert.deepEqual(await page.locator('#shelves h3').allTextContents(), names);
-        assert.deepEqual(await page.locator('.chip').evaluateAll((chips) => chips.map((each) => each.firstChild?.textContent)), names);
+        assert.deepEqual(
+            await page.locator('.chip').evaluateAll((chips) => chips.map((each) => each.firstChild?.textContent)),
+            names,
+        );
         const first = page.locator('.shelf').first().locator('.card');
         assert.ok((await first.count()) >= 6 && (await first.count()) <= 8);
         assert.equal(await first.first().locator('.card-title').textContent(), 'Koch snowflake');
@@ -53,7 +67,12 @@ test('filters are combined, and replaced where they would find nothing', () =>
         assert.ok(both > 8 && both < trees);
         assert.equal(await shown(page), both);
         await chip(page, 'Tilings').click();
-        assert.deepEqual(await page.locator('.chip[aria-pressed="true"]').evaluateAll((chips) => chips.map((each) => each.firstChild?.textContent)), ['Tilings']);
+        assert.deepEqual(
+            await page
+                .locator('.chip[aria-pressed="true"]')
+                .evaluateAll((chips) => chips.map((each) => each.firstChild?.textContent)),
+            ['Tilings'],
+        );
         assert.ok((await titles(page)).includes('Penrose tiling'));
         await chip(page, 'Tilings').click();
         assert.equal(await shown(page), all);
@@ -65,7 +84,10 @@ test('a search reads names, notes and rules, not sources, and can be cleared', (
         const all = await shown(page);
         await page.fill('#search', 'F[+F]');
         const branching = await titles(page);
-        assert.ok(branching.includes('Feathered weed') && branching.includes('Left plant') && branching.length < all / 4, String(branching));
+        assert.ok(
+            branching.includes('Feathered weed') && branching.includes('Left plant') && branching.length < all / 4,
+            String(branching),
+        );
         await page.fill('#search', 'penrose');
         assert.deepEqual(await titles(page), ['Penrose tiling']);
         // The author of half of the sources, and no word of the gallery.
@@ -93,11 +115,25 @@ test('every card has a picture or says why it has none', () =>
         const cards = page.locator('#gallery .card');
         for (let at = 0; at < (await cards.count()); at += 5) await cards.nth(at).scrollIntoViewIfNeeded();
         await cards.last().scrollIntoViewIfNeeded();
-        const states = () => cards.evaluateAll((all) => all.map((card) => ({ path: card.getAttribute('data-path'), inked: card.querySelector('.thumb.inked') !== null, why: card.querySelector('.card-missing:not([hidden])')?.textContent ?? '' })));
-        await until(async () => (await states()).every(({ inked, why }) => inked !== (why !== '')), 'all cards are done', 30_000);
+        const states = () =>
+            cards.evaluateAll((all) =>
+                all.map((card) => ({
+                    path: card.getAttribute('data-path'),
+                    inked: card.querySelector('.thumb.inked') !== null,
+                    why: card.querySelector('.card-missing:not([hidden])')?.textContent ?? '',
+                })),
+            );
+        await until(
+            async () => (await states()).every(({ inked, why }) => inked !== (why !== '')),
+            'all cards are done',
+            30_000,
+        );
         const without = (await states()).filter(({ inked }) => !inked);
         const systems = without.filter(({ path }) => path !== null);
-        assert.deepEqual(systems.map(({ path }) => path), ['focs-lsystems/readme-s-to-ss.json', 'turtle-blog/lri-prose-rule.json']);
+        assert.deepEqual(
+            systems.map(({ path }) => path),
+            ['focs-lsystems/readme-s-to-ss.json', 'turtle-blog/lri-prose-rule.json'],
+        );
         for (const { why } of systems) assert.equal(why, 'No symbol of this system draws.');
         // Exercises that ask for a string show it.
         for (const { path, why } of without) if (path === null) assert.match(why, /^[AB]+$/);

@@ -24,7 +24,8 @@ Odd { Angle 8
   Axiom F+D\\30D
   D=D
 }`;
-const PROSE = 'Fractal plant\nvariables : X F\nconstants : + − [ ]\nstart : X\nrules : (X → F+[[X]-X]-F[-FX]+X), (F → FF)\nangle : 25°';
+const PROSE =
+    'Fractal plant\nvariables : X F\nconstants : + − [ ]\nstart : X\nrules : (X → F+[[X]-X]-F[-FX]+X), (F → FF)\nangle : 25°';
 
 /** @param {Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
@@ -38,13 +39,17 @@ async function paste(page, selector, pasted) {
             const data = new DataTransfer();
             data.setData('text/plain', words);
             const event = new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true });
-            if (target.dispatchEvent(event) && target instanceof HTMLTextAreaElement) document.execCommand('insertText', false, words);
+            if (target.dispatchEvent(event) && target instanceof HTMLTextAreaElement)
+                document.execCommand('insertText', false, words);
         },
         [selector, pasted],
     );
 }
 
-for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['phone', PHONE]])) {
+for (const [device, options] of /** @type {const} */ ([
+    ['desktop', DESKTOP],
+    ['phone', PHONE],
+])) {
     test(`a pasted description is offered, opened, and one undo away: ${device}`, () =>
         withPage({ options }, async (page) => {
             const before = await page.inputValue('#rules');
@@ -54,7 +59,10 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.equal(await text(page, '#import-name'), 'Fractal plant');
             await until(() => page.isVisible('.import .thumb.inked'), 'a picture');
             await page.click('#import-open');
-            await until(async () => (await page.inputValue('#rules')) === 'X -> F+[[X]-X]-F[-FX]+X\nF -> FF', 'the system is open');
+            await until(
+                async () => (await page.inputValue('#rules')) === 'X -> F+[[X]-X]-F[-FX]+X\nF -> FF',
+                'the system is open',
+            );
             assert.equal(await page.inputValue('#angle'), '25');
             await page.click('#undo');
             assert.equal(await page.inputValue('#rules'), before);
@@ -123,12 +131,14 @@ test('every case of the readers opens or is refused in the page', () =>
         await loadReaders(page);
         const folder = new URL('../../../crates/lsystem/tests/data/import/', import.meta.url);
         const texts = await Promise.all((await readdir(folder)).map((name) => readFile(new URL(name, folder), 'utf8')));
-        const cases = texts.flatMap((text) => text.split('=== ').slice(1)).map((each) => {
-            const [given = '', read = ''] = each.split('--- read\n');
-            const [title = '', ...lines] = given.split('\n');
-            const expected = read.trim() === 'nothing' ? 'nothing' : /, n \d+/.test(read) ? 'opened' : 'refused';
-            return { title, text: lines.join('\n').trimEnd(), expected };
-        });
+        const cases = texts
+            .flatMap((text) => text.split('=== ').slice(1))
+            .map((each) => {
+                const [given = '', read = ''] = each.split('--- read\n');
+                const [title = '', ...lines] = given.split('\n');
+                const expected = read.trim() === 'nothing' ? 'nothing' : /, n \d+/.test(read) ? 'opened' : 'refused';
+                return { title, text: lines.join('\n').trimEnd(), expected };
+            });
         // All of it runs in the page: the driver's part would take longer than the page's.
         const became = await page.evaluate(async (all) => {
             const element = (/** @type {string} */ name) => /** @type {HTMLElement} */ (document.querySelector(name));
@@ -146,7 +156,9 @@ test('every case of the readers opens or is refused in the page', () =>
                 element('#drawing').focus();
                 const data = new DataTransfer();
                 data.setData('text/plain', text);
-                element('#drawing').dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
+                element('#drawing').dispatchEvent(
+                    new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }),
+                );
                 await frame();
                 // A text too short to be read asks nothing.
                 await so(() => (expected === 'nothing' || dialog.open) && /** @type {any} */ (globalThis).asked === 0);
@@ -155,7 +167,9 @@ test('every case of the readers opens or is refused in the page', () =>
                     const button = /** @type {HTMLButtonElement} */ (element('#import-open'));
                     what = button.disabled ? 'refused' : 'opened';
                     element(button.disabled ? '#import-cancel' : '#import-open').click();
-                    const rests = await so(() => !dialog.open && element('#stage').getAttribute('aria-busy') !== 'true');
+                    const rests = await so(
+                        () => !dialog.open && element('#stage').getAttribute('aria-busy') !== 'true',
+                    );
                     if (!rests) what = 'stays';
                     if (document.querySelector('#rules-problems .error')) what = 'has errors';
                 }
@@ -163,7 +177,10 @@ test('every case of the readers opens or is refused in the page', () =>
             }
             return found;
         }, cases);
-        assert.deepEqual(became, cases.map(({ title, expected }) => ({ title, what: expected })));
+        assert.deepEqual(
+            became,
+            cases.map(({ title, expected }) => ({ title, what: expected })),
+        );
         const opened = became.filter(({ what }) => what === 'opened').length;
         assert.ok(opened >= 30, `${opened} opened`);
     }));

@@ -22,7 +22,11 @@ async function another(page, hash) {
 }
 
 /** Waits until this visit is saved. @param {Page} page @param {string} part of its link */
-const kept = (page, part) => until(() => page.evaluate((wanted) => localStorage.getItem('l-systems:sessions')?.includes(wanted), part), `${part} is kept`);
+const kept = (page, part) =>
+    until(
+        () => page.evaluate((wanted) => localStorage.getItem('l-systems:sessions')?.includes(wanted), part),
+        `${part} is kept`,
+    );
 
 /** @param {Page} page @param {string} name */
 async function keep(page, name) {
@@ -37,7 +41,10 @@ const names = (page) => page.locator('#favourite-cards .card-title').allTextCont
 /** @param {Page} page */
 const stored = (page) => page.evaluate(() => JSON.parse(localStorage.getItem('l-systems:favourites') ?? '[]'));
 
-for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['phone', PHONE]])) {
+for (const [device, options] of /** @type {const} */ ([
+    ['desktop', DESKTOP],
+    ['phone', PHONE],
+])) {
     test(`a returning reader finds the last state: ${device}`, () =>
         withPage({ options }, async (page) => {
             await page.fill('#angle', '31');
@@ -48,7 +55,10 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
             assert.equal((await stillPicture(back)).digest, shown.digest);
             assert.equal(await back.inputValue('#angle'), '31');
             assert.match(await text(back, '#toast'), /where you left off/);
-            await until(() => back.evaluate(() => location.hash.includes('angle=31')), 'the address says what is shown');
+            await until(
+                () => back.evaluate(() => location.hash.includes('angle=31')),
+                'the address says what is shown',
+            );
             await back.reload();
             await ready(back);
             assert.equal(await back.locator('#toast.shown').count(), 0);
@@ -93,7 +103,10 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
 
             await page.click('#open-favourites');
             assert.deepEqual(await names(page), ['An island', 'Koch']);
-            await until(async () => (await page.locator('#favourite-cards .thumb.inked').count()) === 2, 'the small pictures');
+            await until(
+                async () => (await page.locator('#favourite-cards .thumb.inked').count()) === 2,
+                'the small pictures',
+            );
             await page.locator('#favourite-cards .card', { hasText: 'Koch' }).click();
             assert.equal(await page.inputValue('#axiom'), 'F');
             await page.click('#undo');
@@ -101,7 +114,10 @@ for (const [device, options] of /** @type {const} */ ([['desktop', DESKTOP], ['p
 
             await page.click('#open-favourites');
             await page.getByRole('button', { name: 'Rename Koch' }).click();
-            assert.equal(await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).value), 'Koch');
+            assert.equal(
+                await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).value),
+                'Koch',
+            );
             await page.keyboard.type('Snow');
             await page.keyboard.press('Escape');
             assert.ok(await page.isVisible('#favourites'));
@@ -181,7 +197,8 @@ test('favourites are exported to one file and imported from it: chosen, opened a
         assert.equal(download.suggestedFilename(), 'favourites.json');
         const file = await readFile(String(await download.path()));
         const before = await stored(page);
-        const links = (/** @type {{name: string, link: string}[]} */ list) => list.map(({ name, link }) => ({ name, link }));
+        const links = (/** @type {{name: string, link: string}[]} */ list) =>
+            list.map(({ name, link }) => ({ name, link }));
         assert.match(before[1].link, /view=/);
 
         const clear = async () => {
@@ -192,13 +209,28 @@ test('favourites are exported to one file and imported from it: chosen, opened a
         await page.click('#open-favourites');
         assert.ok(await page.isVisible('#no-favourites'));
         assert.ok(await page.isDisabled('#export-favourites'));
-        await page.setInputFiles('#favourites-file', { name: 'favourites.json', mimeType: 'application/json', buffer: file });
+        await page.setInputFiles('#favourites-file', {
+            name: 'favourites.json',
+            mimeType: 'application/json',
+            buffer: file,
+        });
         await until(async () => (await text(page, '#favourites-status')) === 'Added 2 favourites.', 'they are back');
         assert.deepEqual(links(await stored(page)), links(before));
-        await page.setInputFiles('#favourites-file', { name: 'favourites.json', mimeType: 'application/json', buffer: file });
+        await page.setInputFiles('#favourites-file', {
+            name: 'favourites.json',
+            mimeType: 'application/json',
+            buffer: file,
+        });
         await until(async () => (await text(page, '#favourites-status')).includes('2 were already there'), 'not twice');
-        await page.setInputFiles('#favourites-file', { name: 'x.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": "F"}') });
-        await until(async () => (await text(page, '#favourites-status')).includes('contains no favourites'), 'the refusal');
+        await page.setInputFiles('#favourites-file', {
+            name: 'x.json',
+            mimeType: 'application/json',
+            buffer: Buffer.from('{"initial": "F"}'),
+        });
+        await until(
+            async () => (await text(page, '#favourites-status')).includes('contains no favourites'),
+            'the refusal',
+        );
         await clear();
         await page.setInputFiles('#file', { name: 'mine.json', mimeType: 'application/json', buffer: file });
         await until(async () => (await text(page, '#toast')).includes('Added 2'), 'opened like a system');
@@ -207,7 +239,8 @@ test('favourites are exported to one file and imported from it: chosen, opened a
         await page.evaluate((content) => {
             const dataTransfer = new DataTransfer();
             dataTransfer.items.add(new File([content], 'mine.json'));
-            for (const type of ['dragenter', 'dragover', 'drop']) document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+            for (const type of ['dragenter', 'dragover', 'drop'])
+                document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
         }, file.toString());
         await until(async () => (await stored(page)).length === 2, 'dropped');
         assert.equal(await page.inputValue('#axiom'), 'F-F-F-F');
@@ -223,7 +256,10 @@ test('names and storage may contain anything', () =>
         assert.equal(await page.locator('#favourites img').count(), 0);
         await page.click('#close-favourites');
         await page.evaluate(() => {
-            localStorage.setItem('l-systems:favourites', '[{"id": "a\\"]", "name": "odd", "link": "nothing"}, 7, null]');
+            localStorage.setItem(
+                'l-systems:favourites',
+                '[{"id": "a\\"]", "name": "odd", "link": "nothing"}, 7, null]',
+            );
             localStorage.setItem('l-systems:sessions', '{"not": "a list"');
         });
         await page.goto('about:blank');
@@ -236,7 +272,10 @@ test('names and storage may contain anything', () =>
         assert.deepEqual(await names(page), []);
     }));
 
-for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full', 'full']])) {
+for (const [what, area] of /** @type {const} */ ([
+    ['refused', 'refused'],
+    ['full', 'full'],
+])) {
     test(`storage that is ${what} is no error`, () =>
         withPage(
             {
@@ -266,11 +305,21 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
                     assert.ok(!(await page.isVisible('#add-favourite')));
                     assert.match(await text(page, '#favourites-refused'), /stores nothing/);
                     assert.ok(await page.isVisible('#favourites-refused'));
-                    await page.setInputFiles('#file', { name: 'mine.json', mimeType: 'application/json', buffer: Buffer.from('{"format": "l-systems favourites", "favourites": []}') });
-                    await until(async () => (await text(page, '#toast')).includes('cannot store favourites'), 'the refusal');
+                    await page.setInputFiles('#file', {
+                        name: 'mine.json',
+                        mimeType: 'application/json',
+                        buffer: Buffer.from('{"format": "l-systems favourites", "favourites": []}'),
+                    });
+                    await until(
+                        async () => (await text(page, '#toast')).includes('cannot store favourites'),
+                        'the refusal',
+                    );
                 } else {
                     await page.click('#add-favourite');
-                    await until(async () => (await text(page, '#toast')).includes('storage for this page is full'), 'the refusal');
+                    await until(
+                        async () => (await text(page, '#toast')).includes('storage for this page is full'),
+                        'the refusal',
+                    );
                 }
                 await until(() => page.evaluate(() => location.hash.includes('angle=50')), 'the address follows');
                 await page.reload();
@@ -283,7 +332,12 @@ for (const [what, area] of /** @type {const} */ ([['refused', 'refused'], ['full
 test('a sandboxed frame without storage works and says so', () =>
     withPage({ hash: KOCH, expected: /Permissions policy/ }, async (page) => {
         const frame = `${ADDRESS}frame.html`;
-        await page.route(frame, (route) => route.fulfill({ contentType: 'text/html', body: `<iframe sandbox="allow-scripts" width="1200" height="700" src="playground.html${KOCH}"></iframe>` }));
+        await page.route(frame, (route) =>
+            route.fulfill({
+                contentType: 'text/html',
+                body: `<iframe sandbox="allow-scripts" width="1200" height="700" src="playground.html${KOCH}"></iframe>`,
+            }),
+        );
         await page.goto(frame);
         const inside = page.frameLocator('iframe');
         await inside.locator('#stage.inked').waitFor();
@@ -291,7 +345,10 @@ test('a sandboxed frame without storage works and says so', () =>
         await inside.locator('#tab-save').click();
         assert.ok(await inside.locator('#favourites-refused').isVisible());
         await inside.locator('#copy-link').click();
-        await until(async () => (await inside.locator('#share-status').textContent()) !== '', 'the dialog, or the clipboard');
+        await until(
+            async () => (await inside.locator('#share-status').textContent()) !== '',
+            'the dialog, or the clipboard',
+        );
         assert.match(await inside.locator('#share-link').inputValue(), /angle=50/);
     }));
 
@@ -309,7 +366,11 @@ test('undo and redo cover the gallery, links, favourites, files and changes betw
         const angle = await page.inputValue('#angle');
         await page.evaluate((hash) => (location.hash = hash), ISLAND);
         await until(async () => (await axiom()) === 'F-F-F-F', 'the link is open');
-        await page.setInputFiles('#file', { name: 'a.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": "A+A", "turtle": {}}') });
+        await page.setInputFiles('#file', {
+            name: 'a.json',
+            mimeType: 'application/json',
+            buffer: Buffer.from('{"initial": "A+A", "turtle": {}}'),
+        });
         await until(async () => (await axiom()) === 'A+A', 'the file is open');
         await page.click('#open-favourites');
         await page.locator('#favourite-cards .card').click();

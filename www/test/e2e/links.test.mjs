@@ -7,7 +7,14 @@ import { close, picture, stillPicture, until, withModules, withPage } from './br
 
 after(close);
 
-const LONG = clean({ title: 'Long', axiom: 'F', rules: `${'// 100 % of this is a comment & nothing else\n'.repeat(80)}F -> F+F--F+F`, iterations: 3, angle: 60, view: { x: 0.1, y: 0.05, zoom: 2 } });
+const LONG = clean({
+    title: 'Long',
+    axiom: 'F',
+    rules: `${'// 100 % of this is a comment & nothing else\n'.repeat(80)}F -> F+F--F+F`,
+    iterations: 3,
+    angle: 60,
+    view: { x: 0.1, y: 0.05, zoom: 2 },
+});
 
 /** @param {import('playwright-core').Page} page */
 const hash = (page) => page.evaluate(() => location.hash);
@@ -27,8 +34,13 @@ test('a long system has a compressed address, which opens the same system', asyn
         assert.match(turned, /^#v=1&z=[\w-]+$/);
         await page.fill('#angle', '60');
         await until(async () => (await stillPicture(page)).digest === shown.digest, 'the same picture');
-        const again = await until(async () => ((await hash(page)) === turned ? null : hash(page)), 'the address follows');
-        await withPage({ hash: again }, async (other) => assert.equal((await stillPicture(other)).digest, shown.digest));
+        const again = await until(
+            async () => ((await hash(page)) === turned ? null : hash(page)),
+            'the address follows',
+        );
+        await withPage({ hash: again }, async (other) =>
+            assert.equal((await stillPicture(other)).digest, shown.digest),
+        );
     });
 });
 
@@ -56,17 +68,24 @@ test('every system of the gallery reads back from its readable and compressed li
         const wrong = await page.evaluate(async () => {
             /** @param {string} path */
             const load = (path) => import(new URL(path, document.baseURI).href);
-            const [{ clean, FIELDS, same }, { writeLink }, { openLink, shortestLink }] = await Promise.all(['js/state.js', 'js/link.js', 'js/packed.js'].map(load));
+            const [{ clean, FIELDS, same }, { writeLink }, { openLink, shortestLink }] = await Promise.all(
+                ['js/state.js', 'js/link.js', 'js/packed.js'].map(load),
+            );
             const entries = await (await fetch('gallery.json')).json();
             /** @type {string[]} */
             const failed = entries.length > 80 ? [] : ['few systems'];
             for (const { path, definition } of entries) {
                 for (const view of [null, { x: 0.1, y: -1 / 3, zoom: 40 }]) {
                     const state = clean({ ...definition, view });
-                    if (Object.keys(definition).some((field) => !same(definition[field], state[field]))) failed.push(`${path} is not a valid state`);
+                    if (Object.keys(definition).some((field) => !same(definition[field], state[field])))
+                        failed.push(`${path} is not a valid state`);
                     for (const link of [writeLink(state), await shortestLink(state)]) {
                         const opened = await openLink(link);
-                        if (opened.problems.length > 0 || !FIELDS.every((/** @type {string} */ field) => same(opened.state[field], state[field]))) failed.push(`${path} ${link}`);
+                        if (
+                            opened.problems.length > 0 ||
+                            !FIELDS.every((/** @type {string} */ field) => same(opened.state[field], state[field]))
+                        )
+                            failed.push(`${path} ${link}`);
                     }
                 }
             }
@@ -104,7 +123,10 @@ test('the content of a link is shown and never run', () =>
         page.on('dialog', (dialog) => assert.fail(`a script ran: ${dialog.message()}`));
         for (const script of SCRIPTS) {
             const words = encodeURIComponent(script);
-            await page.evaluate((pasted) => (location.hash = pasted), `#v=1&axiom=${words}&rules=${words}&title=${words}&name=${words}&source=${words}&do=${words}&notes=${words}`);
+            await page.evaluate(
+                (pasted) => (location.hash = pasted),
+                `#v=1&axiom=${words}&rules=${words}&title=${words}&name=${words}&source=${words}&do=${words}&notes=${words}`,
+            );
             await until(async () => (await page.inputValue('#axiom')) === script, script);
             assert.equal(await text(page, '#specimen-title'), script);
             assert.equal(await page.locator('main script, main img, main iframe').count(), 0);

@@ -25,7 +25,13 @@ async function caretBehind(page, at) {
 }
 
 /** The corners of the marked part, in CSS pixels. @param {Page} page */
-const markedCorners = (page) => page.evaluate(() => (document.querySelector('#mark-part')?.hasAttribute('hidden') || document.querySelector('#marks')?.hasAttribute('hidden') ? 0 : (document.querySelector('#mark-part .line')?.getAttribute('d')?.match(/[ML]/g) ?? []).length));
+const markedCorners = (page) =>
+    page.evaluate(() =>
+        document.querySelector('#mark-part')?.hasAttribute('hidden') ||
+        document.querySelector('#marks')?.hasAttribute('hidden')
+            ? 0
+            : (document.querySelector('#mark-part .line')?.getAttribute('d')?.match(/[ML]/g) ?? []).length,
+    );
 
 /** Moves the mouse to a line of the drawing. @param {Page} page @returns {Promise<{x: number, y: number}>} */
 async function findLine(page) {
@@ -55,20 +61,32 @@ test('a symbol of the rules says what it does and marks what it became', () =>
         assert.match(await text(page, '#symbol-note'), /^F draws one step.*What it became is marked/);
         const stem = await page.getAttribute('#mark-part .line', 'd');
         await caretBehind(page, 8);
-        await until(async () => (await page.getAttribute('#mark-part .line', 'd')) !== stem && (await markedCorners(page)) > 2, 'another part is marked for another F');
+        await until(
+            async () => (await page.getAttribute('#mark-part .line', 'd')) !== stem && (await markedCorners(page)) > 2,
+            'another part is marked for another F',
+        );
         await page.keyboard.press('ArrowLeft');
-        await until(async () => /turns left.*Its place is marked/.test(await text(page, '#symbol-note')), 'a turn has a place');
+        await until(
+            async () => /turns left.*Its place is marked/.test(await text(page, '#symbol-note')),
+            'a turn has a place',
+        );
         await page.keyboard.type('+');
         assert.equal(await markedCorners(page), 0, 'nothing is marked while one types');
     }));
 
 test('a symbol of the axiom marks its own part, also by chance and in space', async () => {
-    for (const hash of ['#v=1&axiom=F-F&rules=F%20-%3E%20F%5B+F%5DF%20:%201%0AF%20-%3E%20F%20:%201&n=4&angle=40', '#v=1&axiom=F&rules=F%20-%3E%20F%5B%26F%5D/F&n=1&angle=40']) {
+    for (const hash of [
+        '#v=1&axiom=F-F&rules=F%20-%3E%20F%5B+F%5DF%20:%201%0AF%20-%3E%20F%20:%201&n=4&angle=40',
+        '#v=1&axiom=F&rules=F%20-%3E%20F%5B%26F%5D/F&n=1&angle=40',
+    ]) {
         await withPage({ hash }, async (page) => {
             await page.focus('#axiom');
             await page.keyboard.press('Home');
             await page.keyboard.press('ArrowRight');
-            await until(async () => (await markedCorners(page)) > 0 || /its place/i.test(await text(page, '#symbol-note')), 'a part or a place is marked');
+            await until(
+                async () => (await markedCorners(page)) > 0 || /its place/i.test(await text(page, '#symbol-note')),
+                'a part or a place is marked',
+            );
         });
     }
 });
@@ -171,7 +189,13 @@ test('the card leaves the buttons free', () =>
                     const card = document.getElementById('card')?.getBoundingClientRect();
                     return [...document.querySelectorAll('#stage .tools:not([hidden])')].some((bar) => {
                         const box = bar.getBoundingClientRect();
-                        return card && box.left < card.right && box.right > card.left && box.top < card.bottom && box.bottom > card.top;
+                        return (
+                            card &&
+                            box.left < card.right &&
+                            box.right > card.left &&
+                            box.top < card.bottom &&
+                            box.bottom > card.top
+                        );
                     });
                 });
                 assert.ok(!covered, `${across} ${down}`);
@@ -184,10 +208,16 @@ test('growth shows its position, can be moved, and ends with the bar', () =>
     withPage({ options: MOVING }, async (page) => {
         await page.click('#open-playback');
         await page.click('#grow');
-        await until(async () => /^generation [1-4]\.\d of 5$/.test(await text(page, '#play-total')), 'growth tells its generation');
+        await until(
+            async () => /^generation [1-4]\.\d of 5$/.test(await text(page, '#play-total')),
+            'growth tells its generation',
+        );
         assert.ok(Number(await page.inputValue('#play-slider')) < 10_000);
         await page.fill('#play-slider', '4000');
-        await until(async () => (await text(page, '#play-total')) === 'generation 2.0 of 5', 'growth is where the slider is');
+        await until(
+            async () => (await text(page, '#play-total')) === 'generation 2.0 of 5',
+            'growth is where the slider is',
+        );
         assert.equal(await page.getAttribute('#play', 'aria-label'), 'Play');
         await page.keyboard.press('Escape');
         assert.ok(!(await page.isVisible('#playback')));
@@ -222,7 +252,11 @@ test('a JSON file that is no L-system changes nothing', () =>
     withPage({}, async (page) => {
         await page.fill('#rules', 'F -> F[+F]F');
         const address = page.url();
-        await page.setInputFiles('#file', { name: 'package.json', mimeType: 'application/json', buffer: Buffer.from('{"name": "page", "version": "1.0.0", "license": "MIT"}') });
+        await page.setInputFiles('#file', {
+            name: 'package.json',
+            mimeType: 'application/json',
+            buffer: Buffer.from('{"name": "page", "version": "1.0.0", "license": "MIT"}'),
+        });
         await until(async () => /no L-system/.test(await text(page, '#toast')), 'the refusal');
         assert.doesNotMatch(await text(page, '#toast'), /`/);
         assert.equal(await page.inputValue('#rules'), 'F -> F[+F]F');

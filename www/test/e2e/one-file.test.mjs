@@ -25,7 +25,10 @@ after(async () => {
     await rm(folder, { recursive: true });
 });
 
-for (const [name, options] of /** @type {const} */ ([['a desktop', {}], ['a phone', { options: PHONE }]])) {
+for (const [name, options] of /** @type {const} */ ([
+    ['a desktop', {}],
+    ['a phone', { options: PHONE }],
+])) {
     test(`draws from a file on ${name}, and the address contains the state`, () =>
         withPage({ address, hash: KOCH, ...options }, async (page) => {
             assert.equal(page.url(), address + KOCH);
@@ -59,7 +62,7 @@ test('requests nothing, and contains the gallery and the exports', () =>
 
 test('finds the rules of a picture', () =>
     withPage({ address }, async (page) => {
-        await page.click('#section-rules [data-find]');
+        await page.click('#section-rules [data-opens=find]');
         await page.click('[data-example=hexerode]');
         await page.waitForSelector('#find-verdict.found', { timeout: 90_000 });
     }));
@@ -67,7 +70,10 @@ test('finds the rules of a picture', () =>
 test('has no links to files that are not beside it', () =>
     withPage({ address, hash: KOCH }, async (page) => {
         const links = await page.locator('a').evaluateAll((all) => all.map((link) => link.getAttribute('href') ?? ''));
-        assert.deepEqual(links.filter((link) => !/^(#|https?:|data:)/.test(link)), []);
+        assert.deepEqual(
+            links.filter((link) => !/^(#|https?:|data:)/.test(link)),
+            [],
+        );
         assert.equal(await page.isVisible('.foot'), false);
     }));
 

@@ -2,7 +2,19 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
-import { PHONE, close, drag, nextPicture, picture, ready, sameAgain, saveFile, stillPicture, until, withPage } from './browser.mjs';
+import {
+    PHONE,
+    close,
+    drag,
+    nextPicture,
+    picture,
+    ready,
+    sameAgain,
+    saveFile,
+    stillPicture,
+    until,
+    withPage,
+} from './browser.mjs';
 
 after(close);
 
@@ -31,7 +43,10 @@ test('every control has a name', () =>
                 .filter((element) => {
                     const labels = 'labels' in element ? /** @type {HTMLInputElement} */ (element).labels : null;
                     const named = element.getAttribute('aria-labelledby') ?? '';
-                    const words = element.getAttribute('aria-label') ?? document.getElementById(named)?.textContent ?? [...(labels ?? [])].map((label) => label.textContent).join('') + element.textContent;
+                    const words =
+                        element.getAttribute('aria-label') ??
+                        document.getElementById(named)?.textContent ??
+                        [...(labels ?? [])].map((label) => label.textContent).join('') + element.textContent;
                     return element.getAttribute('type') !== 'file' && words.trim() === '';
                 })
                 .map((element) => element.outerHTML),
@@ -39,15 +54,23 @@ test('every control has a name', () =>
         assert.deepEqual(nameless, []);
     }));
 
-test('a first picture needs at most 480 KB of compressed files', async () => {
+test('a first picture needs at most 420 KB of compressed files', async () => {
     /** @type {string[]} */
     const asked = [];
-    await withPage({ before: async (page) => void page.on('request', (request) => asked.push(request.url())) }, async () => {
-        assert.ok(asked.some((url) => url.endsWith('lsystem.wasm')), asked.join('\n'));
-        const bodies = await Promise.all(asked.map(async (url) => Buffer.from(await (await fetch(url)).arrayBuffer())));
-        const sent = bodies.map((body) => brotliCompressSync(body).length).reduce((a, b) => a + b, 0);
-        assert.ok(sent <= 480_000, `${sent} bytes by brotli`);
-    });
+    await withPage(
+        { before: async (page) => void page.on('request', (request) => asked.push(request.url())) },
+        async () => {
+            assert.ok(
+                asked.some((url) => url.endsWith('lsystem.wasm')),
+                asked.join('\n'),
+            );
+            const bodies = await Promise.all(
+                asked.map(async (url) => Buffer.from(await (await fetch(url)).arrayBuffer())),
+            );
+            const sent = bodies.map((body) => brotliCompressSync(body).length).reduce((a, b) => a + b, 0);
+            assert.ok(sent <= 420_000, `${sent} bytes by brotli`);
+        },
+    );
 });
 
 test('the page says when lines are not exact, until they are exact again', () =>
@@ -62,10 +85,19 @@ test('printing shows the drawing and its system, without controls', () =>
     withPage({ hash: KOCH }, async (page) => {
         assert.equal(await page.isVisible('#sheet'), false);
         await page.emulateMedia({ media: 'print' });
-        for (const hidden of ['#panel', '.tools-view', '#undo']) assert.equal(await page.isVisible(hidden), false, hidden);
+        for (const hidden of ['#panel', '.tools-view', '#undo'])
+            assert.equal(await page.isVisible(hidden), false, hidden);
         assert.match(await page.innerText('#sheet'), /F -> F\+F--F\+F/);
-        const [stage, canvas] = await Promise.all(['#stage', '#drawing'].map((name) => page.locator(name).boundingBox()));
-        assert.ok(canvas && stage && canvas.width > 1200 && canvas.width <= stage.width + 1 && canvas.height <= stage.height + 1);
+        const [stage, canvas] = await Promise.all(
+            ['#stage', '#drawing'].map((name) => page.locator(name).boundingBox()),
+        );
+        assert.ok(
+            canvas &&
+                stage &&
+                canvas.width > 1200 &&
+                canvas.width <= stage.width + 1 &&
+                canvas.height <= stage.height + 1,
+        );
         assert.match(await page.innerText('.caption'), /Koch/);
     }));
 
@@ -86,7 +118,10 @@ test('a system can be opened from the gallery', () =>
         assert.equal(await text(page, '#specimen-title'), title);
         await page.click('#undo');
         await sameAgain(page, before);
-        assert.ok((await page.isHidden('#edited')) && (await page.isDisabled('#reset')), 'the first plant is as it was');
+        assert.ok(
+            (await page.isHidden('#edited')) && (await page.isDisabled('#reset')),
+            'the first plant is as it was',
+        );
     }));
 
 test('every system of the gallery draws or says why it does not', () =>
@@ -97,35 +132,45 @@ test('every system of the gallery draws or says why it does not', () =>
         await page.waitForSelector('.card');
         await page.click('#close-gallery');
         // All of it runs in the page: the driver's part would take longer than the page's.
-        const wrong = await page.evaluate(async (paths) => {
-            const element = (/** @type {string} */ name) => /** @type {HTMLElement} */ (document.querySelector(name));
-            const sheet = new OffscreenCanvas(1, 1);
-            const context = /** @type {OffscreenCanvasRenderingContext2D} */ (sheet.getContext('2d', { willReadFrequently: true }));
-            const digest = () => {
-                const source = /** @type {HTMLCanvasElement} */ (element('#drawing'));
-                [sheet.width, sheet.height] = [source.width, source.height];
-                context.drawImage(source, 0, 0);
-                return new Uint32Array(context.getImageData(0, 0, sheet.width, sheet.height).data.buffer).reduce((hash, word) => (Math.imul(hash, 31) + word) | 0, 0);
-            };
-            // The note of the former system stays until the page has drawn the next one.
-            const isEmpty = () => !element('#empty').hidden && element('#stage').getAttribute('aria-busy') !== 'true';
-            const wrong = [];
-            let before = digest();
-            for (const path of paths) {
-                const pictures = /** @type {any} */ (globalThis).pictures;
-                element(`.card[data-path="${path}"]`).click();
-                const begun = performance.now();
-                let now = before;
-                do {
-                    await new Promise(requestAnimationFrame);
-                    if (/** @type {any} */ (globalThis).pictures > pictures) now = digest();
-                } while (now === before && !isEmpty() && performance.now() - begun < 20_000);
-                if (now === before && !isEmpty()) wrong.push(`${path} is not drawn`);
-                if (document.querySelector('.problems .error')) wrong.push(`${path} has errors`);
-                before = now;
-            }
-            return wrong;
-        }, entries.map((/** @type {{path: string}} */ { path }) => path));
+        const wrong = await page.evaluate(
+            async (paths) => {
+                const element = (/** @type {string} */ name) =>
+                    /** @type {HTMLElement} */ (document.querySelector(name));
+                const sheet = new OffscreenCanvas(1, 1);
+                const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+                    sheet.getContext('2d', { willReadFrequently: true })
+                );
+                const digest = () => {
+                    const source = /** @type {HTMLCanvasElement} */ (element('#drawing'));
+                    [sheet.width, sheet.height] = [source.width, source.height];
+                    context.drawImage(source, 0, 0);
+                    return new Uint32Array(context.getImageData(0, 0, sheet.width, sheet.height).data.buffer).reduce(
+                        (hash, word) => (Math.imul(hash, 31) + word) | 0,
+                        0,
+                    );
+                };
+                // The note of the former system stays until the page has drawn the next one.
+                const isEmpty = () =>
+                    !element('#empty').hidden && element('#stage').getAttribute('aria-busy') !== 'true';
+                const wrong = [];
+                let before = digest();
+                for (const path of paths) {
+                    const pictures = /** @type {any} */ (globalThis).pictures;
+                    element(`.card[data-path="${path}"]`).click();
+                    const begun = performance.now();
+                    let now = before;
+                    do {
+                        await new Promise(requestAnimationFrame);
+                        if (/** @type {any} */ (globalThis).pictures > pictures) now = digest();
+                    } while (now === before && !isEmpty() && performance.now() - begun < 20_000);
+                    if (now === before && !isEmpty()) wrong.push(`${path} is not drawn`);
+                    if (document.querySelector('.problems .error')) wrong.push(`${path} has errors`);
+                    before = now;
+                }
+                return wrong;
+            },
+            entries.map((/** @type {{path: string}} */ { path }) => path),
+        );
         assert.deepEqual(wrong, []);
     }));
 
@@ -156,7 +201,8 @@ test('rules typed over the first plant draw plain lines, and New starts with one
         assert.equal(await page.evaluate(() => document.activeElement?.id), 'rules');
         await page.keyboard.type('F -> F+F--F+F');
         await until(async () => (await text(page, '#segments')) === '256', 'what was typed is drawn');
-        for (let steps = 0; steps < 9 && (await page.inputValue('#axiom')) !== 'F--F--F'; steps++) await page.click('#undo');
+        for (let steps = 0; steps < 9 && (await page.inputValue('#axiom')) !== 'F--F--F'; steps++)
+            await page.click('#undo');
         await sameAgain(page, koch);
     }));
 
@@ -170,7 +216,11 @@ test('an error is underlined and explained, and the picture stays', () =>
         assert.match(await text(page, '#rules-problems'), /Line 2, column/);
         assert.equal(await page.getAttribute('#rules', 'aria-invalid'), 'true');
         await page.click('#rules-problems .problem');
-        assert.ok((await page.evaluate(() => /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules')).selectionStart)) >= 14);
+        assert.ok(
+            (await page.evaluate(
+                () => /** @type {HTMLTextAreaElement} */ (document.querySelector('#rules')).selectionStart,
+            )) >= 14,
+        );
         assert.equal(await page.evaluate(() => document.activeElement?.id), 'rules');
         assert.equal((await stillPicture(page)).digest, before.digest);
         await page.fill('#rules', 'F -> F+F--F+F');
@@ -242,8 +292,15 @@ test('dragging a slider queues no states: the last state is shown', () =>
         async (page) => {
             await stillPicture(page);
             const first = await page.evaluate(() => /** @type {any} */ (globalThis).defines.length);
-            await drag(page, '#angle-slider', Array.from({ length: 300 }, (_, at) => at + 1));
-            await until(async () => (await page.evaluate(() => /** @type {any} */ (globalThis).defines.at(-1))) === 150, 'the last angle is sent');
+            await drag(
+                page,
+                '#angle-slider',
+                Array.from({ length: 300 }, (_, at) => at + 1),
+            );
+            await until(
+                async () => (await page.evaluate(() => /** @type {any} */ (globalThis).defines.at(-1))) === 150,
+                'the last angle is sent',
+            );
             const sent = (await page.evaluate(() => /** @type {any} */ (globalThis).defines.length)) - first;
             assert.ok(sent <= 5, `${sent} of 300 were sent`);
             const shown = await stillPicture(page);
@@ -292,15 +349,21 @@ test('undo and redo cover every control', () =>
             ['#rules', () => page.fill('#rules', 'F -> FF+F')],
             ['#iterations', () => page.fill('#iterations', '5')],
             ['#angle', () => page.fill('#angle', '33.3')],
-            ['#two-angles', async () => {
-                await page.click('#tab-grow');
-                await page.check('#two-angles');
-            }],
+            [
+                '#two-angles',
+                async () => {
+                    await page.click('#tab-grow');
+                    await page.check('#two-angles');
+                },
+            ],
             ['#seed', () => page.fill('#seed', '7')],
-            ['#dialect', async () => {
-                await page.click('#tab-turtle');
-                await page.selectOption('#dialect', 'every-letter');
-            }],
+            [
+                '#dialect',
+                async () => {
+                    await page.click('#tab-turtle');
+                    await page.selectOption('#dialect', 'every-letter');
+                },
+            ],
             ['#overrides', () => page.fill('#overrides', 'G: move')],
             ['#heading', () => page.fill('#heading', '45')],
             ['#step', () => page.fill('#step', '2')],
@@ -376,9 +439,17 @@ test('Safari’s events for a pinch on a track pad zoom the picture, not the pag
             const canvas = /** @type {HTMLElement} */ (document.querySelector('#drawing'));
             const pinch = (/** @type {string} */ type, /** @type {number} */ scale) => {
                 const event = new MouseEvent(type, { clientX: 400, clientY: 400, bubbles: true, cancelable: true });
-                return canvas.dispatchEvent(Object.assign(event, { scale })) ? null : parseInt(String(document.querySelector('#zoom')?.textContent), 10);
+                return canvas.dispatchEvent(Object.assign(event, { scale }))
+                    ? null
+                    : parseInt(String(document.querySelector('#zoom')?.textContent), 10);
             };
-            return [pinch('gesturestart', 1), pinch('gesturechange', 1.5), pinch('gesturechange', 2), pinch('gesturestart', 1), pinch('gesturechange', 0.5)];
+            return [
+                pinch('gesturestart', 1),
+                pinch('gesturechange', 1.5),
+                pinch('gesturechange', 2),
+                pinch('gesturestart', 1),
+                pinch('gesturechange', 0.5),
+            ];
         });
         assert.deepEqual(zooms, [100, 150, 200, 200, 100]);
     }));
@@ -397,7 +468,13 @@ test('the picture moves with the pointer before a new picture is drawn', () =>
         });
         const [x, y] = (/translate\(([-\d.e]+)px, ([-\d.e]+)px\)/.exec(transform) ?? []).slice(1).map(Number);
         assert.ok(Math.abs(Number(x) - 40) < 0.01 && Math.abs(Number(y) - 10) < 0.01, transform);
-        await until(async () => (await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('#drawing')).style.transform)) === 'none', 'the new picture stands where the old one was moved');
+        await until(
+            async () =>
+                (await page.evaluate(
+                    () => /** @type {HTMLElement} */ (document.querySelector('#drawing')).style.transform,
+                )) === 'none',
+            'the new picture stands where the old one was moved',
+        );
     }));
 
 test('the view stays while angle and iterations change', () =>
@@ -544,23 +621,55 @@ test('saved files open again, and other files are refused with a message', () =>
             const bytes = await readFile(String(await picture.path()));
             await page.click('#tab-rules');
             await page.fill('#axiom', 'F+F');
-            await page.setInputFiles('#file', { name: picture.suggestedFilename(), mimeType: 'image/any', buffer: bytes });
+            await page.setInputFiles('#file', {
+                name: picture.suggestedFilename(),
+                mimeType: 'image/any',
+                buffer: bytes,
+            });
             await until(async () => (await page.inputValue('#axiom')) === 'F', `the ${format} is open`);
             assert.equal((await stillPicture(page)).digest, before.digest, format);
         }
-        const course = '{"name": "course", "initial": "A", "rules": {"A": "AB", "B": [{"p": 0.5, "e": "A"}, {"p": 0.5, "e": "B"}],}, "num_iters": 3, "angle_deg": 90}';
-        await page.setInputFiles('#file', { name: 'course.json', mimeType: 'application/json', buffer: Buffer.from(course) });
+        const course =
+            '{"name": "course", "initial": "A", "rules": {"A": "AB", "B": [{"p": 0.5, "e": "A"}, {"p": 0.5, "e": "B"}],}, "num_iters": 3, "angle_deg": 90}';
+        await page.setInputFiles('#file', {
+            name: 'course.json',
+            mimeType: 'application/json',
+            buffer: Buffer.from(course),
+        });
         await until(async () => (await page.inputValue('#axiom')) === 'A', 'the course file is open');
         assert.equal(await page.inputValue('#dialect'), 'every-letter');
-        await page.setInputFiles('#file', { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": ') });
+        await page.setInputFiles('#file', {
+            name: 'broken.json',
+            mimeType: 'application/json',
+            buffer: Buffer.from('{"initial": '),
+        });
         await until(async () => (await text(page, '#toast')).includes('broken.json could not be read'), 'the refusal');
         const wide = Buffer.from('\ufeff{"initial": "F",\r\n "angle_deg": "60"}', 'utf16le');
-        for (const [name, buffer] of /** @type {const} */ ([['little', wide], ['big', Buffer.from(wide).swap16()]])) {
+        for (const [name, buffer] of /** @type {const} */ ([
+            ['little', wide],
+            ['big', Buffer.from(wide).swap16()],
+        ])) {
             await page.setInputFiles('#file', { name: `${name}.json`, mimeType: 'application/json', buffer });
-            await until(async () => (await text(page, '#toast')).startsWith(`${name}.json could not be read. Line 2, column 15: angle_deg must be a number`), 'the refusal of UTF-16 says where');
+            await until(
+                async () =>
+                    (await text(page, '#toast')).startsWith(
+                        `${name}.json could not be read. Line 2, column 15: angle_deg must be a number`,
+                    ),
+                'the refusal of UTF-16 says where',
+            );
         }
-        await page.setInputFiles('#file', { name: 'words.json', mimeType: 'application/json', buffer: Buffer.from('{"initial": "F",\r\n "angle_deg": "60"}') });
-        await until(async () => (await text(page, '#toast')).startsWith('words.json could not be read. Line 2, column 15: angle_deg must be a number'), 'the refusal says where');
+        await page.setInputFiles('#file', {
+            name: 'words.json',
+            mimeType: 'application/json',
+            buffer: Buffer.from('{"initial": "F",\r\n "angle_deg": "60"}'),
+        });
+        await until(
+            async () =>
+                (await text(page, '#toast')).startsWith(
+                    'words.json could not be read. Line 2, column 15: angle_deg must be a number',
+                ),
+            'the refusal says where',
+        );
         assert.match(await text(page, '#file-problems'), /Line 2, column 15/);
         assert.equal(await page.inputValue('#axiom'), 'A');
     }));
@@ -570,21 +679,28 @@ test('a dropped file opens', () =>
         await page.evaluate(() => {
             const dataTransfer = new DataTransfer();
             dataTransfer.items.add(new File(['{"initial": "FF", "rules": {}, "num_iters": 1}'], 'two.json'));
-            for (const type of ['dragenter', 'dragover', 'drop']) document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+            for (const type of ['dragenter', 'dragover', 'drop'])
+                document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
         });
         await until(async () => (await page.inputValue('#axiom')) === 'FF', 'the file is open');
         assert.equal(await text(page, '#specimen-title'), 'two');
     }));
 
 test('Copy link copies the address of the shown picture', () =>
-    withPage({ hash: KOCH, options: { viewport: { width: 1280, height: 800 }, permissions: ['clipboard-read', 'clipboard-write'] } }, async (page) => {
-        await page.fill('#iterations', '2');
-        await page.click('#tab-save');
-        await page.click('#copy-link');
-        await until(async () => (await text(page, '#toast')) === 'Link copied', 'the note');
-        const copied = await page.evaluate(() => navigator.clipboard.readText());
-        assert.equal(new URL(copied).hash, KOCH.replace('n=4', 'n=2'));
-    }));
+    withPage(
+        {
+            hash: KOCH,
+            options: { viewport: { width: 1280, height: 800 }, permissions: ['clipboard-read', 'clipboard-write'] },
+        },
+        async (page) => {
+            await page.fill('#iterations', '2');
+            await page.click('#tab-save');
+            await page.click('#copy-link');
+            await until(async () => (await text(page, '#toast')) === 'Link copied', 'the note');
+            const copied = await page.evaluate(() => navigator.clipboard.readText());
+            assert.equal(new URL(copied).hash, KOCH.replace('n=4', 'n=2'));
+        },
+    ));
 
 test('a worker that fails is replaced, and the page continues', () =>
     withPage(
@@ -606,7 +722,11 @@ test('a worker that fails is replaced, and the page continues', () =>
             const before = await stillPicture(page);
             const started = () => page.evaluate(() => /** @type {any} */ (globalThis).workers.length);
             const hired = await started();
-            await page.evaluate(() => /** @type {any} */ (globalThis).workers[0].onmessage({ data: { type: 'fatal', message: 'unreachable' } }));
+            await page.evaluate(() =>
+                /** @type {any} */ (globalThis).workers[0].onmessage({
+                    data: { type: 'fatal', message: 'unreachable' },
+                }),
+            );
             await until(async () => (await started()) > hired, 'a fresh worker starts');
             assert.equal((await stillPicture(page)).digest, before.digest);
             await page.fill('#iterations', '2');
@@ -617,7 +737,8 @@ test('a worker that fails is replaced, and the page continues', () =>
 test('on a phone in landscape the middle of the drawing is free, and the panel fits', () =>
     withPage({ options: { ...PHONE, viewport: { width: 844, height: 390 } } }, async (page) => {
         const left = async (/** @type {string} */ part) => (await page.locator(part).boundingBox())?.x ?? 0;
-        const right = async (/** @type {string} */ part) => (await left(part)) + ((await page.locator(part).boundingBox())?.width ?? 0);
+        const right = async (/** @type {string} */ part) =>
+            (await left(part)) + ((await page.locator(part).boundingBox())?.width ?? 0);
         const middle = (await right('#stage')) / 2;
         for (const tools of ['.tools-view', '.tools-read']) assert.ok((await left(tools)) > middle + 60, tools);
         assert.ok(!(await page.isVisible('#undo')));
@@ -630,7 +751,11 @@ test('on a phone everything is within reach', () =>
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
         assert.equal(wide, 390);
         // Phones zoom into fields with smaller type.
-        const small = await page.evaluate(() => [...document.querySelectorAll('[inputmode], [type=text], [type=search], textarea')].filter((field) => field.matches(':read-write') && parseFloat(getComputedStyle(field).fontSize) < 16).map(({ id }) => id));
+        const small = await page.evaluate(() =>
+            [...document.querySelectorAll('[inputmode], [type=text], [type=search], textarea')]
+                .filter((field) => field.matches(':read-write') && parseFloat(getComputedStyle(field).fontSize) < 16)
+                .map(({ id }) => id),
+        );
         assert.deepEqual(small, []);
         for (const [tab, control] of [
             ['rules', '#rules'],
@@ -642,7 +767,10 @@ test('on a phone everything is within reach', () =>
             if ((await page.getAttribute(`#tab-${tab}`, 'aria-selected')) !== 'true') await page.tap(`#tab-${tab}`);
             await page.locator(String(control)).scrollIntoViewIfNeeded();
             const box = await page.locator(String(control)).boundingBox();
-            assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.y > 300 && box.y + box.height <= 844, `${control} ${JSON.stringify(box)}`);
+            assert.ok(
+                box && box.x >= 0 && box.x + box.width <= 390 && box.y > 300 && box.y + box.height <= 844,
+                `${control} ${JSON.stringify(box)}`,
+            );
         }
         assert.ok(await page.isVisible('#fit'));
         // Undo is hidden while there is nothing to undo.
@@ -664,7 +792,8 @@ test('two fingers zoom about the point between them', () =>
         const before = await stillPicture(page);
         const touch = await page.context().newCDPSession(page);
         /** @param {'touchStart' | 'touchMove' | 'touchEnd'} type @param {number[]} xs */
-        const send = (type, ...xs) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: xs.map((x, id) => ({ x, y: 200, id })) });
+        const send = (type, ...xs) =>
+            touch.send('Input.dispatchTouchEvent', { type, touchPoints: xs.map((x, id) => ({ x, y: 200, id })) });
         await send('touchStart', 150, 250);
         for (let apart = 60; apart <= 100; apart += 10) await send('touchMove', 200 - apart, 200 + apart);
         await send('touchEnd');

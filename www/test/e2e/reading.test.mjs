@@ -1,6 +1,18 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, DESKTOP, inkedRows, nextPicture, onPixels, PHONE, picture, quiet, stillPicture, until, withPage } from './browser.mjs';
+import {
+    close,
+    DESKTOP,
+    inkedRows,
+    nextPicture,
+    onPixels,
+    PHONE,
+    picture,
+    quiet,
+    stillPicture,
+    until,
+    withPage,
+} from './browser.mjs';
 
 after(close);
 
@@ -16,7 +28,19 @@ const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%20:%200.5%0AF%20-%3E%20
 const SHRINKING = `#v=1&axiom=A(1)&rules=${encodeURIComponent('A(l) : l > 0.3 -> F(l)[+A(l*0.7)]A(l*0.5)')}&n=4&angle=25`;
 /** ABOP, figure 1.31a. */
 const SIGNALS = `#v=1&axiom=F1F1F1&rules=${encodeURIComponent(
-    ['ignore: +-F', '0 < 0 > 0 -> 0', '0 < 0 > 1 -> 1[+F1F1]', '0 < 1 > 0 -> 1', '0 < 1 > 1 -> 1', '1 < 0 > 0 -> 0', '1 < 0 > 1 -> 1F1', '1 < 1 > 0 -> 0', '1 < 1 > 1 -> 0', '+ -> -', '- -> +'].join('\n'),
+    [
+        'ignore: +-F',
+        '0 < 0 > 0 -> 0',
+        '0 < 0 > 1 -> 1[+F1F1]',
+        '0 < 1 > 0 -> 1',
+        '0 < 1 > 1 -> 1',
+        '1 < 0 > 0 -> 0',
+        '1 < 0 > 1 -> 1F1',
+        '1 < 1 > 0 -> 0',
+        '1 < 1 > 1 -> 0',
+        '+ -> -',
+        '- -> +',
+    ].join('\n'),
 )}&n=30&angle=22.5`;
 
 /** @param {Page} page @param {string} selector */
@@ -40,8 +64,10 @@ const flatPlace = (page) =>
         for (let top = Math.floor(height / 4); top < height * 0.75; top++) {
             for (let left = Math.floor(width / 4); left < width * 0.75; left++) {
                 const first = words[top * width + left];
-                const same = (/** @type {number} */ at) => words[(top + Math.floor(at / size)) * width + left + (at % size)] === first;
-                if (first !== words[0] && Array.from({ length: size * size }, (_, at) => at).every(same)) return /** @type {[number, number]} */ ([left + size / 2, top + size / 2]);
+                const same = (/** @type {number} */ at) =>
+                    words[(top + Math.floor(at / size)) * width + left + (at % size)] === first;
+                if (first !== words[0] && Array.from({ length: size * size }, (_, at) => at).every(same))
+                    return /** @type {[number, number]} */ ([left + size / 2, top + size / 2]);
             }
         }
         throw new Error('nothing is filled');
@@ -66,7 +92,7 @@ test('the whole string is shown, generation by generation', () =>
         assert.ok(await page.isDisabled('#reader-back'));
         await page.click('#reader-on');
         await until(async () => (await symbols(page)) === derive(1), 'generation 1 again');
-        assert.equal(await page.locator('.cells .t-bracket').count() > 0, true);
+        assert.equal((await page.locator('.cells .t-bracket').count()) > 0, true);
         // The open string view follows the rules.
         await page.fill('#rules', 'X -> FX');
         await until(async () => (await symbols(page)) === 'FX', 'the new string');
@@ -97,9 +123,14 @@ test('a string of 10^19 symbols scrolls by rows, by pages and to its ends', () =
         await until(async () => (await firstPlace(page)) !== '1', 'the wheel scrolls');
         await until(async () => /^F{400}/.test(await symbols(page)), 'rows are filled');
         // The scroll bar goes to any part of the string.
-        const bar = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#reader-bar').boundingBox());
+        const bar = /** @type {{x: number, y: number, width: number, height: number}} */ (
+            await page.locator('#reader-bar').boundingBox()
+        );
         await page.mouse.click(bar.x + bar.width / 2, bar.y + bar.height / 2);
-        await until(async () => Math.abs(Number(await page.getAttribute('#reader-bar', 'aria-valuenow')) - 50) < 2, 'half way');
+        await until(
+            async () => Math.abs(Number(await page.getAttribute('#reader-bar', 'aria-valuenow')) - 50) < 2,
+            'half way',
+        );
         await until(async () => (await symbols(page)).length > columns * 3, 'rows are filled again');
     }));
 
@@ -108,11 +139,17 @@ test('Go to jumps to a position, and a symbol shows its origin and its part of t
         await page.click('#open-reader');
         await goTo(page, '10^12');
         await until(async () => (await page.locator('.cells .chosen').count()) === 1, 'the symbol is chosen');
-        await until(async () => /F at step 40, by rule 2, (first|second) symbol/.test(await text(page, '#reader-path')), 'its origin');
+        await until(
+            async () => /F at step 40, by rule 2, (first|second) symbol/.test(await text(page, '#reader-path')),
+            'its origin',
+        );
         assert.match(await text(page, '#reader-where'), /999,999,999,\d{3} to 1\.00.×.10¹² of 7\.90.×.10¹⁹/u);
         assert.ok(await page.isVisible('#mark-part'));
         await goTo(page, '100 %');
-        await until(async () => (await text(page, '#reader-path')).startsWith('XX at step 40, by rule 1, twelfth symbol'), 'the last symbol');
+        await until(
+            async () => (await text(page, '#reader-path')).startsWith('XX at step 40, by rule 1, twelfth symbol'),
+            'the last symbol',
+        );
         assert.match(await text(page, '#reader-path'), /Draws no segment/);
         await goTo(page, 'nowhere');
         assert.ok(await page.locator('#reader-goto[data-wrong]').count());
@@ -120,7 +157,10 @@ test('Go to jumps to a position, and a symbol shows its origin and its part of t
         await page.click('#reader-back');
         await until(async () => (await text(page, '#reader-path')).startsWith('XX at step 39'), 'its parent');
         await page.click('#reader-on');
-        await until(async () => (await text(page, '#reader-path')).startsWith('FF at step 40, by rule 1, first symbol'), 'the first it became');
+        await until(
+            async () => (await text(page, '#reader-path')).startsWith('FF at step 40, by rule 1, first symbol'),
+            'the first it became',
+        );
         await page.click('.links li:last-child button');
         await until(async () => (await text(page, '#reader-generation')) === 'n = 0', 'the axiom');
         await until(async () => (await symbols(page)) === 'X', 'its one symbol');
@@ -131,8 +171,12 @@ test('a click in the string selects exactly that symbol', () =>
     withPage({ hash: SMALL }, async (page) => {
         await page.click('#open-reader');
         await until(async () => (await symbols(page)) === derive(3), 'the string');
-        const cells = /** @type {{x: number, y: number}} */ (await page.locator('.row-line .cells').first().boundingBox());
-        const width = await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50);
+        const cells = /** @type {{x: number, y: number}} */ (
+            await page.locator('.row-line .cells').first().boundingBox()
+        );
+        const width = await page.evaluate(
+            () => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50,
+        );
         await page.mouse.click(cells.x + width * 9.5, cells.y + 8);
         await until(async () => (await page.locator('.cells .chosen').count()) === 1, 'a symbol is chosen');
         assert.equal(await page.locator('.cells .chosen').textContent(), derive(3)[9]);
@@ -147,15 +191,23 @@ test('the pointer on the drawing shows the segment and its symbol, and highlight
         await page.click('#open-reader');
         await until(async () => (await symbols(page)) === 'FFFFFFFF', 'the string');
         await stillPicture(page);
-        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (
+            await page.locator('#stage').boundingBox()
+        );
         const shown = await inkedRows(page);
         const at = (/** @type {number} */ part) => box.y + shown.bottom - (shown.bottom - shown.top) * part;
         await page.mouse.move(box.x + box.width / 2 + 2, at(2.5 / 8));
         await page.waitForSelector('#card:visible');
-        assert.match(await text(page, '#card'), /^Fstep 3, by rule 1, first symbol.*Segment 3, heading 90°.*Symbol 3$/s);
+        assert.match(
+            await text(page, '#card'),
+            /^Fstep 3, by rule 1, first symbol.*Segment 3, heading 90°.*Symbol 3$/s,
+        );
         // WebKit sends pointerleave when a button is released.
         const left = { pointerType: 'mouse', clientX: box.x + box.width / 2 + 2, clientY: at(2.5 / 8) };
-        await page.evaluate((told) => document.querySelector('#drawing')?.dispatchEvent(new PointerEvent('pointerleave', told)), left);
+        await page.evaluate(
+            (told) => document.querySelector('#drawing')?.dispatchEvent(new PointerEvent('pointerleave', told)),
+            left,
+        );
         assert.ok(await page.isVisible('#card'));
         assert.equal(await page.getAttribute('#mark-found', 'hidden'), null);
         await until(async () => (await page.locator('.cells .lit').count()) === 1, 'it is lit');
@@ -165,14 +217,22 @@ test('the pointer on the drawing shows the segment and its symbol, and highlight
         await page.click('#reader-back');
         await page.mouse.move(box.x + box.width / 2 + 2, at(6.5 / 8));
         await until(async () => (await text(page, '#card')).includes('Segment 7'), 'the seventh');
-        await until(async () => (await page.evaluate(() => document.querySelector('.cells .lit')?.previousSibling?.textContent)) === 'FFF', 'its parent, the fourth');
+        await until(
+            async () =>
+                (await page.evaluate(() => document.querySelector('.cells .lit')?.previousSibling?.textContent)) ===
+                'FFF',
+            'its parent, the fourth',
+        );
         await page.mouse.move(box.x + 40, box.y + box.height / 2);
         await until(async () => !(await page.isVisible('#card')), 'the card is gone');
         assert.notEqual(await page.getAttribute('#mark-found', 'hidden'), null);
         assert.equal(await page.locator('.cells .lit').count(), 0);
     }));
 
-for (const [title, own] of /** @type {const} */ ([['Lime twig', 'L'], ['Bush with leaves', '{']])) {
+for (const [title, own] of /** @type {const} */ ([
+    ['Lime twig', 'L'],
+    ['Bush with leaves', '{'],
+])) {
     test(`a leaf is described, marked and selected: ${title}`, () =>
         withPage({}, async (page) => {
             const before = await stillPicture(page);
@@ -192,10 +252,15 @@ for (const [title, own] of /** @type {const} */ ([['Lime twig', 'L'], ['Bush wit
             assert.ok(words.startsWith(own), words);
             assert.match(words, /step \d, by rule \d, .* symbol.*Polygon [\d,]+, filled, .*colour \d+Symbol [\d,]+$/s);
             // The pointer is within the outline.
-            const corners = ((await page.getAttribute('#mark-found .line', 'd')) ?? '').match(/-?[\d.]+/g)?.map(Number) ?? [];
+            const corners =
+                ((await page.getAttribute('#mark-found .line', 'd')) ?? '').match(/-?[\d.]+/g)?.map(Number) ?? [];
             assert.ok(corners.length >= 12, String(corners));
             const [xs, ys] = [0, 1].map((axis) => corners.filter((_, at) => at % 2 === axis));
-            for (const [values, at] of /** @type {const} */ ([[xs, x], [ys, y]])) assert.ok(Math.min(...(values ?? [])) < at && at < Math.max(...(values ?? [])), `${at} in ${values}`);
+            for (const [values, at] of /** @type {const} */ ([
+                [xs, x],
+                [ys, y],
+            ]))
+                assert.ok(Math.min(...(values ?? [])) < at && at < Math.max(...(values ?? [])), `${at} in ${values}`);
             await page.mouse.click(box.x + x, box.y + y);
             await until(async () => (await page.locator('.cells .chosen').count()) === 1, 'it is chosen in the string');
             assert.equal(await page.locator('.cells .chosen').textContent(), own);
@@ -207,10 +272,20 @@ test('a single step of a drawing 10^19 steps high is found, marked and highlight
         await page.click('#open-reader');
         await until(async () => (await symbols(page)).startsWith('F+F-F-F+F+F+F-F'), 'the string');
         await stillPicture(page);
-        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (
+            await page.locator('#stage').boundingBox()
+        );
         const middle = [box.x + box.width / 2, box.y + box.height / 2];
         // The first step goes up through the middle of the picture; the second goes left from its end.
-        const line = () => page.evaluate(() => (document.querySelector('#mark-found .line')?.getAttribute('d')?.match(/-?[\d.]+/g) ?? []).map(Number));
+        const line = () =>
+            page.evaluate(() =>
+                (
+                    document
+                        .querySelector('#mark-found .line')
+                        ?.getAttribute('d')
+                        ?.match(/-?[\d.]+/g) ?? []
+                ).map(Number),
+            );
         await page.mouse.move(Number(middle[0]) + 2, Number(middle[1]));
         await page.waitForSelector('#card:visible');
         assert.match(await text(page, '#card'), /^Fstep 40, by rule 1, first symbol.*Segment 1, heading 90°Symbol 1$/s);
@@ -227,7 +302,10 @@ test('a single step of a drawing 10^19 steps high is found, marked and highlight
         await until(async () => (await text(page, '#reader-path')).includes('Segment 2, marked'), 'the symbol');
         const outline = await page.evaluate(() => document.querySelector('#mark-part .line')?.getAttribute('d') ?? '');
         const [ax = 0, ay = 0, bx = 0, by = 0] = (outline.match(/-?[\d.]+/g) ?? []).map(Number);
-        assert.ok(Math.abs(Math.abs(ax - bx) - (y1 - y2)) < 0.5 && Math.abs(ay - by) < 0.5 && Math.abs(ay - y2) < 0.5, outline);
+        assert.ok(
+            Math.abs(Math.abs(ax - bx) - (y1 - y2)) < 0.5 && Math.abs(ay - by) < 0.5 && Math.abs(ay - y2) < 0.5,
+            outline,
+        );
     }));
 
 test('hovering asks one question at a time, and without hovering none is asked', () =>
@@ -239,12 +317,19 @@ test('hovering asks one question at a time, and without hovering none is asked',
                     const seen = /** @type {any} */ (globalThis);
                     Object.assign(seen, { sent: 0, answered: 0, most: 0 });
                     // Chromium may move its own pointer after a layout, which is no question of this test.
-                    addEventListener('pointermove', (event) => event.isTrusted && event.stopImmediatePropagation(), true);
+                    addEventListener(
+                        'pointermove',
+                        (event) => event.isTrusted && event.stopImmediatePropagation(),
+                        true,
+                    );
                     const Real = Worker;
                     globalThis.Worker = class extends Real {
                         constructor(/** @type {string | URL} */ url) {
                             super(url);
-                            this.addEventListener('message', ({ data }) => data.type === 'pick' && (seen.answered += 1));
+                            this.addEventListener(
+                                'message',
+                                ({ data }) => data.type === 'pick' && (seen.answered += 1),
+                            );
                         }
                         /** @param {any} message @param {any} [options] */
                         postMessage(message, options) {
@@ -259,11 +344,23 @@ test('hovering asks one question at a time, and without hovering none is asked',
         },
         async (page) => {
             await stillPicture(page);
-            const counts = () => page.evaluate(() => ({ sent: Number(/** @type {any} */ (globalThis).sent), most: Number(/** @type {any} */ (globalThis).most) }));
+            const counts = () =>
+                page.evaluate(() => ({
+                    sent: Number(/** @type {any} */ (globalThis).sent),
+                    most: Number(/** @type {any} */ (globalThis).most),
+                }));
             assert.equal((await counts()).sent, 0);
             await page.evaluate(() => {
                 const canvas = /** @type {HTMLElement} */ (document.querySelector('#drawing'));
-                for (let at = 0; at < 300; at++) canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: 300 + at, clientY: 400, pointerType: 'mouse', bubbles: true }));
+                for (let at = 0; at < 300; at++)
+                    canvas.dispatchEvent(
+                        new PointerEvent('pointermove', {
+                            clientX: 300 + at,
+                            clientY: 400,
+                            pointerType: 'mouse',
+                            bubbles: true,
+                        }),
+                    );
             });
             await until(async () => (await counts()).sent >= 2, 'the first and the last are asked');
             await quiet(100, 'further questions would be asked');
@@ -275,11 +372,19 @@ test('hovering asks one question at a time, and without hovering none is asked',
 test('symbols and segments of random systems are traced', () =>
     withPage({ hash: CHANCE }, async (page) => {
         await stillPicture(page);
-        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        const box = /** @type {{x: number, y: number, width: number, height: number}} */ (
+            await page.locator('#stage').boundingBox()
+        );
         await page.click('#open-reader');
         await until(async () => /^F[F+\-[\]]+$/.test(await symbols(page)), 'the string');
         await goTo(page, '1');
-        await until(async () => /^FF at step 4, by rule [12], first symbolDraws one step.*Segment 1, marked/.test(await text(page, '#reader-path')), 'where it comes from');
+        await until(
+            async () =>
+                /^FF at step 4, by rule [12], first symbolDraws one step.*Segment 1, marked/.test(
+                    await text(page, '#reader-path'),
+                ),
+            'where it comes from',
+        );
         assert.equal(await page.locator('.links li').count(), 5);
         await page.click('.links li:last-child button');
         await until(async () => (await symbols(page)) === 'F', 'the axiom');
@@ -300,17 +405,38 @@ test('symbols and segments of random systems are traced', () =>
 test('modules with parameters are shown with their numbers, and traced', () =>
     withPage({ hash: SHRINKING }, async (page) => {
         await page.click('#open-reader');
-        await until(async () => (await symbols(page)).startsWith('F(1)[+F(0.7)[+F(0.49)[+F(0.343)[+A(0.2401)]'), 'the string');
+        await until(
+            async () => (await symbols(page)).startsWith('F(1)[+F(0.7)[+F(0.49)[+F(0.343)[+A(0.2401)]'),
+            'the string',
+        );
         await until(async () => (await text(page, '#reader-where')).endsWith('of 36'), 'modules are counted');
         // No row is cut off.
-        const widths = await page.locator('.row-line').evaluateAll((rows) => rows.map((row) => [row.scrollWidth, row.clientWidth]));
-        assert.ok(widths.every(([content = 0, room = 0]) => content <= room), String(widths));
-        const place = /** @type {{x: number, y: number}} */ (await page.locator('.row-line .cells').first().boundingBox());
-        const width = await page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50);
+        const widths = await page
+            .locator('.row-line')
+            .evaluateAll((rows) => rows.map((row) => [row.scrollWidth, row.clientWidth]));
+        assert.ok(
+            widths.every(([content = 0, room = 0]) => content <= room),
+            String(widths),
+        );
+        const place = /** @type {{x: number, y: number}} */ (
+            await page.locator('.row-line .cells').first().boundingBox()
+        );
+        const width = await page.evaluate(
+            () => /** @type {HTMLElement} */ (document.querySelector('.ruler')).getBoundingClientRect().width / 50,
+        );
         // In the middle of `F(0.7)`, the fourth module.
         await page.mouse.click(place.x + width * 9, place.y + 8);
-        await until(async () => /^F\(0\.7\)step 2, by rule 1, first symbolDraws l.*Segment 2, marked/.test(await text(page, '#reader-path')), 'its origin');
-        assert.match(await text(page, '#reader-path'), /A\(0\.7\)step 1, by rule 1, fourth symbolA\(1\)first symbol of the axiom/);
+        await until(
+            async () =>
+                /^F\(0\.7\)step 2, by rule 1, first symbolDraws l.*Segment 2, marked/.test(
+                    await text(page, '#reader-path'),
+                ),
+            'its origin',
+        );
+        assert.match(
+            await text(page, '#reader-path'),
+            /A\(0\.7\)step 1, by rule 1, fourth symbolA\(1\)first symbol of the axiom/,
+        );
         await page.keyboard.press('ArrowLeft');
         await until(async () => /^\+\+ at step 1/.test(await text(page, '#reader-path')), 'its neighbour');
         await page.click('#reader-back');
@@ -323,7 +449,13 @@ test('the string of a context-sensitive system is read at any generation', () =>
         await page.click('#open-reader');
         await until(async () => (await text(page, '#reader-where')).endsWith('of 6,910'), 'the string');
         await goTo(page, '5000');
-        await until(async () => /at step \d+, by rule \d+, .*first symbol of the axiom|symbol of the axiom/s.test(await text(page, '#reader-path')), 'where it comes from');
+        await until(
+            async () =>
+                /at step \d+, by rule \d+, .*first symbol of the axiom|symbol of the axiom/s.test(
+                    await text(page, '#reader-path'),
+                ),
+            'where it comes from',
+        );
         assert.equal(await page.locator('.cells .chosen').count(), 1);
         await page.fill('#reader-step', '0');
         await until(async () => (await symbols(page)) === 'F1F1F1', 'the axiom');
@@ -349,7 +481,10 @@ test('playback goes from nothing to the whole picture, and shows the turtle’s 
         assert.ok(await page.isVisible('#mark-turtle'));
         await page.fill('#play-place', '50 %');
         await page.press('#play-place', 'Enter');
-        await until(async () => /^At 0, 513, heading 90°|^At 0, 512, heading 90°/.test(await text(page, '#play-pose')), 'half way');
+        await until(
+            async () => /^At 0, 513, heading 90°|^At 0, 512, heading 90°/.test(await text(page, '#play-pose')),
+            'half way',
+        );
         const half = await stillPicture(page);
         assert.ok(half.ink > 0);
         await page.press('#play-place', 'ArrowUp');
@@ -406,7 +541,9 @@ test('another system ends playback and shows its whole picture; other colours do
 test('on a phone the string, a tapped segment and playback are within reach', () =>
     withPage({ hash: PLANT, options: PHONE }, async (page) => {
         await stillPicture(page);
-        const stage = /** @type {{x: number, y: number, width: number, height: number}} */ (await page.locator('#stage').boundingBox());
+        const stage = /** @type {{x: number, y: number, width: number, height: number}} */ (
+            await page.locator('#stage').boundingBox()
+        );
         await page.touchscreen.tap(stage.x + stage.width / 2, stage.y + stage.height * 0.75);
         await page.waitForSelector('#card:visible');
         assert.match(await text(page, '#card'), /step 40, by rule 2/);

@@ -23,23 +23,43 @@ test('every system of the gallery reads back from its saved files', () =>
                     worker.postMessage({ ...request, id: ++id });
                 });
             await ask({ type: 'init', wasm }, 'ready');
-            worker.postMessage({ type: 'view', id: ++id, width: 64, height: 64, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, upto: null });
+            worker.postMessage({
+                type: 'view',
+                id: ++id,
+                width: 64,
+                height: 64,
+                ratio: 1,
+                view: { x: 0, y: 0, zoom: 1 },
+                upto: null,
+            });
             const entries = await (await fetch('gallery.json')).json();
             /** @type {string[]} */
             const wrong = [];
             for (const entry of entries) {
                 // Files are the same for any number of iterations, and small drawings are written quickly.
-                const definition = definitionOf(clean({ ...entry.definition, iterations: Math.min(3, entry.definition.iterations) }));
-                await ask({ type: 'define', definition, upto: null }, 'report', ({ report }) => report.memoised !== null || !report.ok);
+                const definition = definitionOf(
+                    clean({ ...entry.definition, iterations: Math.min(3, entry.definition.iterations) }),
+                );
+                await ask(
+                    { type: 'define', definition, upto: null },
+                    'report',
+                    ({ report }) => report.memoised !== null || !report.ok,
+                );
                 const files = [];
                 for (const format of ['json', 'svg', 'svg-compact', 'png']) {
-                    const { blob } = await make({ definition, format, options: format === 'png' ? { size: '64x64' } : {}, camera: null });
+                    const { blob } = await make({
+                        definition,
+                        format,
+                        options: format === 'png' ? { size: '64x64' } : {},
+                        camera: null,
+                    });
                     files.push({ format, bytes: blob === null ? new ArrayBuffer(0) : await blob.arrayBuffer() });
                 }
                 for (const { format, bytes } of files) {
                     const read = (await ask({ type: 'read', file: new Blob([bytes]) }, 'read')).definition;
                     const back = read && clean(read);
-                    if (!back || !Object.keys(definition).every((field) => same(back[field], definition[field]))) wrong.push(`${entry.path} as ${format}`);
+                    if (!back || !Object.keys(definition).every((field) => same(back[field], definition[field])))
+                        wrong.push(`${entry.path} as ${format}`);
                 }
             }
             worker.terminate();

@@ -14,7 +14,9 @@ import { fileURLToPath } from 'node:url';
 /** Tests wait more than they work, but more browsers at once would compete for few cores. */
 const FILES_AT_ONCE = 2;
 /** The files that take longest. They begin first, so that no core is idle at the end. */
-const LONGEST = ['access', 'shares', 'exercises', 'page', 'find', 'embed', 'docs', 'svg', 'watchdog'].map((name) => `${name}.test.mjs`);
+const LONGEST = ['access', 'shares', 'exercises', 'page', 'find', 'embed', 'docs', 'svg', 'watchdog'].map(
+    (name) => `${name}.test.mjs`,
+);
 /** How many of the slowest tests are told. */
 const TOLD = 10;
 
@@ -31,7 +33,8 @@ const begun = performance.now();
 const times = [];
 let failures = 0;
 /** @param {{name: string, file?: string, details: {duration_ms: number}}} event */
-const ended = ({ name, file = '', details }) => times.push({ seconds: details.duration_ms / 1000, name: `${basename(file)}: ${name}` });
+const ended = ({ name, file = '', details }) =>
+    times.push({ seconds: details.duration_ms / 1000, name: `${basename(file)}: ${name}` });
 
 const events = run({ files: chosen.map((name) => join(folder, name)), concurrency: FILES_AT_ONCE });
 events.on('test:pass', ended);
@@ -45,8 +48,11 @@ process.once('beforeExit', () => {
     const sum = times.reduce((total, { seconds }) => total + seconds, 0);
     console.log(`\nThe slowest of ${times.length} tests:`);
     for (const { seconds, name } of times.slice(0, TOLD)) console.log(`${seconds.toFixed(1).padStart(6)} s  ${name}`);
-    if (process.env.LSYSTEM_TIMES) writeFileSync(process.env.LSYSTEM_TIMES, times.map(({ seconds, name }) => `${seconds} ${name}\n`).join(''));
-    console.log(`${failures} failed. ${sum.toFixed(0)} s of tests in ${((performance.now() - begun) / 1000).toFixed(0)} s.`);
+    if (process.env.LSYSTEM_TIMES)
+        writeFileSync(process.env.LSYSTEM_TIMES, times.map(({ seconds, name }) => `${seconds} ${name}\n`).join(''));
+    console.log(
+        `${failures} failed. ${sum.toFixed(0)} s of tests in ${((performance.now() - begun) / 1000).toFixed(0)} s.`,
+    );
     process.exitCode = failures > 0 || times.length === 0 ? 1 : 0;
 });
 events.compose(new spec()).pipe(process.stdout);

@@ -26,7 +26,12 @@ const size = (page) => page.innerText('#save-size');
 test('the dialog shows the file, its name and its size', () =>
     withPage({ hash: WEED }, async (page) => {
         await open(page);
-        assert.deepEqual(await page.locator('#save-purposes .save-tile').allInnerTexts(), groupsOf([{ name: 'film', purposes: ['film'], label: 'Film', help: '', action: '', open: () => {} }]).map(({ label }) => label));
+        assert.deepEqual(
+            await page.locator('#save-purposes .save-tile').allInnerTexts(),
+            groupsOf([{ name: 'film', purposes: ['film'], label: 'Film', help: '', action: '', open: () => {} }]).map(
+                ({ label }) => label,
+            ),
+        );
         await until(async () => /^\d+ kB$/.test(await size(page)), 'the size of the SVG is known');
         assert.equal(await page.innerText('#save-name'), 'Weed_n4.svg');
         assert.ok((await page.getAttribute('#save-preview img', 'src'))?.startsWith('blob:'));
@@ -35,7 +40,13 @@ test('the dialog shows the file, its name and its size', () =>
         await until(async () => /× \d+ pixels$/.test(await size(page)), 'the size of the picture');
         await choose(page, 'data');
         await choose(page, 'csv');
-        await until(async () => (await page.locator('#save-preview pre').allInnerTexts())[0]?.startsWith('x0,y0,x1,y1,level,colour\n0,0,') ?? false, 'the first lines are shown');
+        await until(
+            async () =>
+                (await page.locator('#save-preview pre').allInnerTexts())[0]?.startsWith(
+                    'x0,y0,x1,y1,level,colour\n0,0,',
+                ) ?? false,
+            'the first lines are shown',
+        );
         const told = await size(page);
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
         const bytes = await readFile(String(await download.path()));
@@ -117,7 +128,11 @@ test('a large file shows its progress, and can be stopped', () =>
         await open(page);
         await choose(page, 'data');
         await choose(page, 'csv');
-        await until(async () => /^More than/.test(await size(page)), 'the file is too large for the background', 60_000);
+        await until(
+            async () => /^More than/.test(await size(page)),
+            'the file is too large for the background',
+            60_000,
+        );
         await page.click('#save-now');
         await page.waitForSelector('#save-bar:visible');
         await until(async () => /so far$/.test(await size(page)), 'progress is told');
@@ -138,7 +153,8 @@ test('the dialog is used with the keyboard alone', () =>
         await page.keyboard.press('Control+s');
         await page.waitForSelector('#save-dialog[open]');
         assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('value')), 'screen');
-        for (let steps = 0; steps < 10 && !(await page.isChecked('[name=save-purpose][value=data]')); steps++) await page.keyboard.press('ArrowRight');
+        for (let steps = 0; steps < 10 && !(await page.isChecked('[name=save-purpose][value=data]')); steps++)
+            await page.keyboard.press('ArrowRight');
         await page.keyboard.press('Tab');
         await page.keyboard.press('ArrowDown');
         assert.ok(await page.isChecked('[name=save-format][value=txt]'));
@@ -150,7 +166,12 @@ test('the dialog is used with the keyboard alone', () =>
         await page.waitForSelector('#save-dialog[open]');
         await page.keyboard.press('Escape');
         await page.waitForSelector('#save-dialog', { state: 'hidden' });
-        assert.equal(await page.evaluate(() => document.querySelectorAll('#save-dialog input:not([id]):not([name]):not([aria-label])').length), 0);
+        assert.equal(
+            await page.evaluate(
+                () => document.querySelectorAll('#save-dialog input:not([id]):not([name]):not([aria-label])').length,
+            ),
+            0,
+        );
     }));
 
 test('on a phone the dialog fills the screen and nothing is cut', () =>
@@ -160,20 +181,38 @@ test('on a phone the dialog fills the screen and nothing is cut', () =>
         await page.waitForSelector('#save-preview img');
         for (const value of ['png', 'data', 'mesh']) await page.tap(`.save-tile:has([value=${value}])`);
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
-        const wide = await page.evaluate(() => [...document.querySelectorAll('#save-dialog *')].filter((element) => element.getBoundingClientRect().right > 391).length);
+        const wide = await page.evaluate(
+            () =>
+                [...document.querySelectorAll('#save-dialog *')].filter(
+                    (element) => element.getBoundingClientRect().right > 391,
+                ).length,
+        );
         assert.equal(wide, 0);
         const button = await page.locator('#save-now').boundingBox();
         assert.ok(button && button.y + button.height <= 844 && button.height >= 30);
     }));
 
 test('works where the browser stores nothing', () =>
-    withPage({ hash: WEED, before: (page) => page.addInitScript(() => Object.defineProperty(window, 'localStorage', { get: () => { throw new Error('refused'); } })) }, async (page) => {
-        await page.click('#tab-save');
-        assert.equal((await saveFile(page, 'json')).suggestedFilename(), 'Weed_n4.json');
-        // The choices hold for this visit.
-        await page.click('#open-save');
-        assert.ok(await page.isChecked('[name=save-format][value=json]'));
-    }));
+    withPage(
+        {
+            hash: WEED,
+            before: (page) =>
+                page.addInitScript(() =>
+                    Object.defineProperty(window, 'localStorage', {
+                        get: () => {
+                            throw new Error('refused');
+                        },
+                    }),
+                ),
+        },
+        async (page) => {
+            await page.click('#tab-save');
+            assert.equal((await saveFile(page, 'json')).suggestedFilename(), 'Weed_n4.json');
+            // The choices hold for this visit.
+            await page.click('#open-save');
+            assert.ok(await page.isChecked('[name=save-format][value=json]'));
+        },
+    ));
 
 /** The part of the pixels in which a saved PNG differs from the picture on the page. @param {import('playwright-core').Page} page */
 async function difference(page) {
@@ -183,7 +222,9 @@ async function difference(page) {
         const shown = /** @type {HTMLCanvasElement} */ (document.querySelector('#drawing'));
         const saved = await createImageBitmap(new Blob([new Uint8Array(file)], { type: 'image/png' }));
         const [a, b] = [shown, saved].map((source) => {
-            const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(source.width, source.height).getContext('2d'));
+            const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+                new OffscreenCanvas(source.width, source.height).getContext('2d')
+            );
             context.drawImage(source, 0, 0);
             return new Uint32Array(context.getImageData(0, 0, source.width, source.height).data.buffer);
         });

@@ -19,7 +19,10 @@ const copied = (page) => page.evaluate(() => navigator.clipboard.readText());
 /** Opens the dialog and waits for its content. @param {import('playwright-core').Page} page */
 async function share(page) {
     await page.click('#share');
-    await until(async () => (await page.inputValue('#share-link')) !== '' && (await text(page, '#qr-note')) !== '', 'the dialog is filled');
+    await until(
+        async () => (await page.inputValue('#share-link')) !== '' && (await text(page, '#qr-note')) !== '',
+        'the dialog is filled',
+    );
 }
 
 /** Opens the part with code for other pages. @param {import('playwright-core').Page} page */
@@ -84,9 +87,15 @@ for (const [device, options] of /** @type {const} */ ([
                 assert.equal(await copied(page), link);
                 const scanned = await scan(page);
                 assert.ok(scanned?.startsWith(`${ADDRESS}#`), scanned);
-                assert.deepEqual((await openLink(new URL(String(scanned)).hash))?.state, (await openLink(new URL(link).hash))?.state);
+                assert.deepEqual(
+                    (await openLink(new URL(String(scanned)).hash))?.state,
+                    (await openLink(new URL(link).hash))?.state,
+                );
                 await page.click('#share-send');
-                assert.deepEqual(await page.evaluate(() => /** @type {any} */ (globalThis).shared), { title: 'Koch', url: link });
+                assert.deepEqual(await page.evaluate(() => /** @type {any} */ (globalThis).shared), {
+                    title: 'Koch',
+                    url: link,
+                });
                 await page.keyboard.press('Escape');
                 assert.ok(!(await page.isVisible('#share-dialog')));
                 assert.equal(await page.evaluate(() => document.activeElement?.id), 'share');
@@ -108,41 +117,68 @@ test('the current view is shared or not', () =>
     }));
 
 test('embed code has the state and the chosen controls', () =>
-    withPage({ hash: `${KOCH}&title=${encodeURIComponent('"Koch" <&>')}&do=X:%20turn%20left%2090%0AY:%20move`, options: { ...DESKTOP, ...CLIPBOARD, bypassCSP: true } }, async (page) => {
-        await share(page);
-        await embed(page);
-        await page.check('input[name=controls][value=rules]');
-        await page.uncheck('input[name=controls][value=n]');
-        await until(async () => (await page.inputValue('#embed-code')).includes('controls=angle,rules'), 'the controls');
-        await page.click('#copy-code');
-        await until(async () => (await text(page, '#share-status')) === 'Code copied', 'it is told');
-        const frame = await copied(page);
-        assert.match(frame, /^<iframe .*<\/iframe>$/);
-        const parsed = await page.evaluate((code) => {
-            const element = new DOMParser().parseFromString(code, 'text/html').querySelector('iframe');
-            return { src: String(element?.getAttribute('src')), title: element?.title };
-        }, frame);
-        assert.equal(parsed.title, '"Koch" <&>');
-        assert.ok(parsed.src.startsWith(`${ADDRESS}embed.html#v=1&`));
-        const state = (await openLink(new URL(parsed.src).hash))?.state;
-        assert.equal(state?.title, '"Koch" <&>');
-        assert.equal(state?.overrides, 'X: turn left 90\nY: move');
-        assert.equal(state?.iterations, 4);
+    withPage(
+        {
+            hash: `${KOCH}&title=${encodeURIComponent('"Koch" <&>')}&do=X:%20turn%20left%2090%0AY:%20move`,
+            options: { ...DESKTOP, ...CLIPBOARD, bypassCSP: true },
+        },
+        async (page) => {
+            await share(page);
+            await embed(page);
+            await page.check('input[name=controls][value=rules]');
+            await page.uncheck('input[name=controls][value=n]');
+            await until(
+                async () => (await page.inputValue('#embed-code')).includes('controls=angle,rules'),
+                'the controls',
+            );
+            await page.click('#copy-code');
+            await until(async () => (await text(page, '#share-status')) === 'Code copied', 'it is told');
+            const frame = await copied(page);
+            assert.match(frame, /^<iframe .*<\/iframe>$/);
+            const parsed = await page.evaluate((code) => {
+                const element = new DOMParser().parseFromString(code, 'text/html').querySelector('iframe');
+                return { src: String(element?.getAttribute('src')), title: element?.title };
+            }, frame);
+            assert.equal(parsed.title, '"Koch" <&>');
+            assert.ok(parsed.src.startsWith(`${ADDRESS}embed.html#v=1&`));
+            const state = (await openLink(new URL(parsed.src).hash))?.state;
+            assert.equal(state?.title, '"Koch" <&>');
+            assert.equal(state?.overrides, 'X: turn left 90\nY: move');
+            assert.equal(state?.iterations, 4);
 
-        await page.check('#embed-element');
-        await until(async () => (await page.inputValue('#embed-code')).includes('<l-system'), 'the element');
-        const element = await page.evaluate((code) => {
-            const parts = new DOMParser().parseFromString(code, 'text/html');
-            const found = parts.querySelector('l-system');
-            const attributes = Object.fromEntries([...(found?.attributes ?? [])].map(({ name, value }) => [name, value]));
-            return { script: parts.querySelector('script')?.getAttribute('src'), rules: found?.textContent?.trim(), attributes };
-        }, await page.inputValue('#embed-code'));
-        assert.deepEqual(element, {
-            script: `${ADDRESS}l-system.js`,
-            rules: 'F -> F+F--F+F',
-            attributes: { caption: '"Koch" <&>', axiom: 'F', n: '4', angle: '60', heading: '0', do: 'X: turn left 90\nY: move', controls: 'angle,rules', style: 'width: 480px; max-width: 100%; height: 360px; aspect-ratio: auto' },
-        });
-    }));
+            await page.check('#embed-element');
+            await until(async () => (await page.inputValue('#embed-code')).includes('<l-system'), 'the element');
+            const element = await page.evaluate(
+                (code) => {
+                    const parts = new DOMParser().parseFromString(code, 'text/html');
+                    const found = parts.querySelector('l-system');
+                    const attributes = Object.fromEntries(
+                        [...(found?.attributes ?? [])].map(({ name, value }) => [name, value]),
+                    );
+                    return {
+                        script: parts.querySelector('script')?.getAttribute('src'),
+                        rules: found?.textContent?.trim(),
+                        attributes,
+                    };
+                },
+                await page.inputValue('#embed-code'),
+            );
+            assert.deepEqual(element, {
+                script: `${ADDRESS}l-system.js`,
+                rules: 'F -> F+F--F+F',
+                attributes: {
+                    caption: '"Koch" <&>',
+                    axiom: 'F',
+                    n: '4',
+                    angle: '60',
+                    heading: '0',
+                    do: 'X: turn left 90\nY: move',
+                    controls: 'angle,rules',
+                    style: 'width: 480px; max-width: 100%; height: 360px; aspect-ratio: auto',
+                },
+            });
+        },
+    ));
 
 test('the preview is loaded when asked for and follows the choices', () =>
     withPage({ hash: KOCH }, async (page) => {
@@ -151,14 +187,23 @@ test('the preview is loaded when asked for and follows the choices', () =>
         await embed(page);
         const frame = await previewed(page);
         assert.equal(await frame.textContent('#caption-title'), 'Koch');
-        const box = () => page.locator('#embed-preview > iframe').evaluate((each) => [each.clientWidth, each.clientHeight]);
+        const box = () =>
+            page.locator('#embed-preview > iframe').evaluate((each) => [each.clientWidth, each.clientHeight]);
         assert.deepEqual(await box(), [480, 360]);
         assert.match(await page.inputValue('#embed-code'), /width="480" height="360"/);
         await page.selectOption('#embed-size', 'small');
         await until(async () => String(await box()) === '320,240', 'a small frame');
-        assert.deepEqual([await page.inputValue('#embed-width'), await page.inputValue('#embed-height')], ['320', '240']);
+        assert.deepEqual(
+            [await page.inputValue('#embed-width'), await page.inputValue('#embed-height')],
+            ['320', '240'],
+        );
         await page.fill('#embed-width', '500');
-        await until(async () => (await page.inputValue('#embed-size')) === 'custom' && /width="500" height="240"/.test(await page.inputValue('#embed-code')), 'a size of their own');
+        await until(
+            async () =>
+                (await page.inputValue('#embed-size')) === 'custom' &&
+                /width="500" height="240"/.test(await page.inputValue('#embed-code')),
+            'a size of their own',
+        );
         await page.fill('#embed-height', '7');
         await page.locator('#embed-height').blur();
         await until(async () => (await page.inputValue('#embed-height')) === '200', 'the smallest height');
@@ -172,13 +217,19 @@ test('the preview is loaded when asked for and follows the choices', () =>
         assert.equal(await page.evaluate(() => history.length), 2, 'the preview adds nothing to the history');
 
         await page.check('#embed-markdown');
-        await until(async () => (await page.inputValue('#embed-code')) === `[Koch](${ADDRESS}${KOCH})`, 'a link with the title');
+        await until(
+            async () => (await page.inputValue('#embed-code')) === `[Koch](${ADDRESS}${KOCH})`,
+            'a link with the title',
+        );
         assert.ok((await page.isHidden('#embed-options')) && (await page.isHidden('#embed-shown')));
         assert.equal(page.frames().length, 1);
         await page.check('#embed-frame');
         await previewed(page);
         const guide = page.locator('#share-embed a');
-        assert.deepEqual([await guide.textContent(), await guide.getAttribute('href'), await guide.getAttribute('target')], ['How embedding works', 'docs/embedding.html', '_blank']);
+        assert.deepEqual(
+            [await guide.textContent(), await guide.getAttribute('href'), await guide.getAttribute('target')],
+            ['How embedding works', 'docs/embedding.html', '_blank'],
+        );
         await page.click('#close-share');
         await until(() => page.frames().length === 1, 'the drawing of the preview stops');
     }));
@@ -190,7 +241,10 @@ test('a preview wider than its place is scaled down, and has the scheme of the p
         const frame = await previewed(page);
         assert.equal(await frame.evaluate(() => document.documentElement.dataset.theme), 'dark');
         await page.selectOption('#embed-size', 'large');
-        await until(async () => /^640 × 480 pixels, shown at \d\d %$/.test(await text(page, '#embed-preview-note')), 'the scale');
+        await until(
+            async () => /^640 × 480 pixels, shown at \d\d %$/.test(await text(page, '#embed-preview-note')),
+            'the scale',
+        );
         const box = await page.locator('#embed-preview > iframe').boundingBox();
         assert.ok(box && box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
     }));
@@ -204,7 +258,10 @@ test('the QR code is enlarged by a click and closed first', () =>
             const box = await page.locator('#qr-large').boundingBox();
             assert.deepEqual(box, { x: 0, y: 0, ...DESKTOP.viewport });
             const code = await page.locator('#qr-full').boundingBox();
-            assert.ok(code && Math.abs(code.height - DESKTOP.viewport.height) < 2 && Math.abs(code.width - code.height) < 2, JSON.stringify(code));
+            assert.ok(
+                code && Math.abs(code.height - DESKTOP.viewport.height) < 2 && Math.abs(code.width - code.height) < 2,
+                JSON.stringify(code),
+            );
             const scanned = await scan(page, '#qr-full');
             assert.deepEqual((await openLink(new URL(String(scanned)).hash))?.state, (await openLink(KOCH))?.state);
             await leave();
@@ -222,7 +279,9 @@ test('if the clipboard is refused, the older method is tried and the text select
                 hash: KOCH,
                 before: (page) =>
                     page.addInitScript((works) => {
-                        Object.defineProperty(navigator, 'clipboard', { value: { writeText: () => Promise.reject(new DOMException('refused', 'NotAllowedError')) } });
+                        Object.defineProperty(navigator, 'clipboard', {
+                            value: { writeText: () => Promise.reject(new DOMException('refused', 'NotAllowedError')) },
+                        });
                         if (!works) document.execCommand = () => false;
                     }, older),
             },
@@ -241,16 +300,20 @@ test('if the clipboard is refused, the older method is tried and the text select
                     return;
                 }
                 assert.match(await text(page, '#share-status'), /selected: press (Ctrl\+|⌘)C/);
-                const selected = () => page.evaluate(() => {
-                    const field = /** @type {HTMLInputElement} */ (document.activeElement);
-                    return field.value.slice(field.selectionStart ?? 0, field.selectionEnd ?? 0);
-                });
+                const selected = () =>
+                    page.evaluate(() => {
+                        const field = /** @type {HTMLInputElement} */ (document.activeElement);
+                        return field.value.slice(field.selectionStart ?? 0, field.selectionEnd ?? 0);
+                    });
                 assert.equal(await selected(), ADDRESS + KOCH);
                 await page.click('#close-share');
                 // The button in Save has no text field.
                 await page.click('#tab-save');
                 await page.click('#copy-link');
-                await until(async () => (await text(page, '#share-status')).includes('selected'), 'the dialog opens for it');
+                await until(
+                    async () => (await text(page, '#share-status')).includes('selected'),
+                    'the dialog opens for it',
+                );
                 assert.equal(await selected(), ADDRESS + KOCH);
             },
         );
@@ -261,7 +324,9 @@ test('a link too long for a QR code shows a message; the QR code of a long link 
     withPage({ hash: KOCH }, async (page) => {
         await stillPicture(page);
         let seed = 1;
-        const noise = Array.from({ length: 4000 }, () => String.fromCharCode(33 + ((seed = (seed * 48271) % 2147483647) % 90))).join('');
+        const noise = Array.from({ length: 4000 }, () =>
+            String.fromCharCode(33 + ((seed = (seed * 48271) % 2147483647) % 90)),
+        ).join('');
         await page.fill('#rules', `// ${'the same words again, '.repeat(100)}\nF -> F+F`);
         await share(page);
         assert.match(await page.inputValue('#share-link'), /#v=1&z=[\w-]+$/);
@@ -272,7 +337,10 @@ test('a link too long for a QR code shows a message; the QR code of a long link 
         await until(async () => (await text(page, '#qr-note')).includes('too long'), 'the refusal');
         assert.ok(!(await page.isVisible('#qr')) && !(await page.isVisible('#save-qr')));
         assert.match(await text(page, '#share-link-note'), /\d,\d{3} characters/);
-        assert.deepEqual((await openLink(new URL(await page.inputValue('#share-link')).hash))?.state, clean({ title: 'Koch', axiom: 'F', rules: `// ${noise}\nF -> F+F`, iterations: 4, angle: 60, heading: 0 }));
+        assert.deepEqual(
+            (await openLink(new URL(await page.inputValue('#share-link')).hash))?.state,
+            clean({ title: 'Koch', axiom: 'F', rules: `// ${noise}\nF -> F+F`, iterations: 4, angle: 60, heading: 0 }),
+        );
     }));
 
 test('the QR code can be saved as a picture', () =>
@@ -280,7 +348,10 @@ test('the QR code can be saved as a picture', () =>
         await share(page);
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-qr')]);
         assert.equal(download.suggestedFilename(), 'Koch_n4_qr.svg');
-        assert.match(await readFile(String(await download.path()), 'utf8'), /^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg" .*<\/svg>\n$/);
+        assert.match(
+            await readFile(String(await download.path()), 'utf8'),
+            /^<svg xmlns="http:\/\/www\.w3\.org\/2000\/svg" .*<\/svg>\n$/,
+        );
     }));
 
 test('the keyboard reaches every control of the dialog in order and stays inside', () =>
@@ -295,9 +366,36 @@ test('the keyboard reaches every control of the dialog in order and stays inside
         const order = [];
         for (let step = 0; step < 32; step++) {
             await page.keyboard.press('Tab');
-            order.push(await page.evaluate(() => document.activeElement?.id || /** @type {HTMLInputElement | null} */ (document.activeElement)?.value || document.activeElement?.nodeName || ''));
+            order.push(
+                await page.evaluate(
+                    () =>
+                        document.activeElement?.id ||
+                        /** @type {HTMLInputElement | null} */ (document.activeElement)?.value ||
+                        document.activeElement?.nodeName ||
+                        '',
+                ),
+            );
         }
-        for (const id of ['qr-frame', 'save-qr', 'SUMMARY', 'embed-frame', 'embed-size', 'embed-width', 'embed-height', 'embed-theme', 'angle', 'n', 'rules', 'string', 'play', 'embed-code', 'copy-code', 'close-share', 'share-link']) assert.ok(order.includes(id), `${id} in ${order}`);
+        for (const id of [
+            'qr-frame',
+            'save-qr',
+            'SUMMARY',
+            'embed-frame',
+            'embed-size',
+            'embed-width',
+            'embed-height',
+            'embed-theme',
+            'angle',
+            'n',
+            'rules',
+            'string',
+            'play',
+            'embed-code',
+            'copy-code',
+            'close-share',
+            'share-link',
+        ])
+            assert.ok(order.includes(id), `${id} in ${order}`);
         assert.ok(!order.some((id) => ['axiom', 'drawing', 'share'].includes(id)));
     }));
 

@@ -4,8 +4,10 @@ import { close, nextPicture, picture, quiet, stillPicture, until, withPage } fro
 
 after(close);
 
-const TREE = '#v=1&axiom=T&rules=T%20-%3E%20TF%0AF%20-%3E%20F%5B+F%5D%5B-FF%5D%5B%3CF%5D%5B%3EFF%5D%5B%26F%5D&n=8&angle=40&turtle=practical';
-const CHANCE = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5D%5B%26F%5DF%20:%201%0AF%20-%3E%20F%5B-F%5D%5B%5EF%5DF%20:%201&n=9&angle=25';
+const TREE =
+    '#v=1&axiom=T&rules=T%20-%3E%20TF%0AF%20-%3E%20F%5B+F%5D%5B-FF%5D%5B%3CF%5D%5B%3EFF%5D%5B%26F%5D&n=8&angle=40&turtle=practical';
+const CHANCE =
+    '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5D%5B%26F%5DF%20:%201%0AF%20-%3E%20F%5B-F%5D%5B%5EF%5DF%20:%201&n=9&angle=25';
 const BUSH = '#v=1&axiom=F&rules=F%20-%3E%20FF-%5B-F+F+F%5D+%5B+F-F-F%5D&n=12&angle=22.5';
 const LEAF = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF&n=4&angle=25';
 
@@ -35,7 +37,17 @@ async function compare({ definition, lost = false, drags = 0 }) {
     let id = 0;
     worker.postMessage({ type: 'define', id: ++id, definition, upto: null });
     /** @param {number} zoom */
-    const look = (zoom) => worker.postMessage({ type: 'view', id: ++id, width: 640, height: 480, ratio: 2, view: { x: 0, y: 0, zoom: 1 }, camera: { azimuth: 20, elevation: 12, zoom, x: 0, y: 0, z: 0, perspective: true, fade: 0 }, upto: null });
+    const look = (zoom) =>
+        worker.postMessage({
+            type: 'view',
+            id: ++id,
+            width: 640,
+            height: 480,
+            ratio: 2,
+            view: { x: 0, y: 0, zoom: 1 },
+            camera: { azimuth: 20, elevation: 12, zoom, x: 0, y: 0, z: 0, perspective: true, fade: 0 },
+            upto: null,
+        });
     /** The finished picture of the last view. @returns {Promise<Uint8ClampedArray>} */
     const finished = () =>
         new Promise((resolve, reject) => {
@@ -72,8 +84,21 @@ async function compare({ definition, lost = false, drags = 0 }) {
     return { mean: sum / alone.length, ink: ink / alone.length, made, stopped };
 }
 
-const WOOD = { axiom: 'T', rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]', dialect: 'practical', angle: 40, iterations: 8, colourBy: 'level' };
-const LEAVES = { axiom: 'A', rules: "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-f+f+f-|-f+f+f]", angle: 22.5, width: 0.1, iterations: 8 };
+const WOOD = {
+    axiom: 'T',
+    rules: 'T -> TF\nF -> F[+F][-FF][<F][>FF][&F]',
+    dialect: 'practical',
+    angle: 40,
+    iterations: 8,
+    colourBy: 'level',
+};
+const LEAVES = {
+    axiom: 'A',
+    rules: "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-f+f+f-|-f+f+f]",
+    angle: 22.5,
+    width: 0.1,
+    iterations: 8,
+};
 
 test('pictures drawn with a mate equal pictures drawn alone', () =>
     withPage({}, async (page) => {
@@ -134,7 +159,11 @@ test('the page hires mates for a slow picture, and the picture is the same witho
             const moved = await nextPicture(page, first);
             seen.push([first.digest, moved.digest]);
             if (cores === 1) return;
-            await page.evaluate(() => /** @type {any} */ (globalThis).workers.slice(-3).forEach((/** @type {Worker} */ mate) => mate.terminate()));
+            await page.evaluate(() =>
+                /** @type {any} */ (globalThis).workers
+                    .slice(-3)
+                    .forEach((/** @type {Worker} */ mate) => mate.terminate()),
+            );
             await page.keyboard.press('Shift+ArrowRight');
             await until(async () => (await picture(page)).digest === first.digest, 'the first picture again', 30_000);
             await page.evaluate((next) => (location.hash = next), LEAF);

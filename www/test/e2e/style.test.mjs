@@ -18,7 +18,10 @@ test('colours follow the choice of Colour by', () =>
             await page.selectOption('#colour-by', mode);
             before = await nextPicture(page, before);
             digests.add(before.digest);
-            await until(() => page.evaluate((name) => location.hash.includes(`colour=${name}`), mode), 'the address follows');
+            await until(
+                () => page.evaluate((name) => location.hash.includes(`colour=${name}`), mode),
+                'the address follows',
+            );
         }
         assert.equal(digests.size, 4);
         assert.ok(await page.isVisible('#turns-row'));
@@ -48,7 +51,7 @@ test('additive ink adds up and follows the exposure', () =>
     }));
 
 test('drawings in space say that they are opaque', () =>
-    withPage({ hash: PLANT.replace('%2BX', '%26X') + '&ink=density' }, async (page) => {
+    withPage({ hash: `${PLANT.replace('%2BX', '%26X')}&ink=density` }, async (page) => {
         await stillPicture(page);
         await tab(page, 'look');
         await until(() => page.isDisabled('#ink'), 'the choice is out of reach');
@@ -64,9 +67,16 @@ test('nine seeds can be compared', () =>
         const cards = page.locator('#seed-cards .card');
         assert.equal(await cards.count(), 9);
         await until(async () => (await page.locator('#seed-cards .thumb.inked').count()) === 9, 'all nine are drawn');
-        assert.equal(new Set(await cards.evaluateAll((all) => all.map((card) => /** @type {HTMLButtonElement} */ (card).value))).size, 9);
+        assert.equal(
+            new Set(await cards.evaluateAll((all) => all.map((card) => /** @type {HTMLButtonElement} */ (card).value)))
+                .size,
+            9,
+        );
         // The current seed has the focus; arrow keys move from there.
-        assert.match((await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))) ?? '', /Seed 7, current/);
+        assert.match(
+            (await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))) ?? '',
+            /Seed 7, current/,
+        );
         await page.keyboard.press('ArrowRight');
         const chosen = await page.evaluate(() => /** @type {HTMLButtonElement} */ (document.activeElement).value);
         await page.keyboard.press('Enter');

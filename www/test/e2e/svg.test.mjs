@@ -32,15 +32,21 @@ async function compare({ definition, size }) {
         await image.decode();
         URL.revokeObjectURL(image.src);
         const scale = size / Math.max(image.naturalWidth, image.naturalHeight);
-        const canvas = new OffscreenCanvas(Math.ceil(image.naturalWidth * scale), Math.ceil(image.naturalHeight * scale));
-        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext('2d', { willReadFrequently: true }));
+        const canvas = new OffscreenCanvas(
+            Math.ceil(image.naturalWidth * scale),
+            Math.ceil(image.naturalHeight * scale),
+        );
+        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (
+            canvas.getContext('2d', { willReadFrequently: true })
+        );
         context.drawImage(image, 0, 0, image.naturalWidth * scale, image.naturalHeight * scale);
         return context.getImageData(0, 0, canvas.width, canvas.height);
     };
     const [flat, compact] = await global.exports(definition);
     if (flat === compact) return null;
     const [a, b] = [await pixels(flat), await pixels(compact)];
-    if (a.width !== b.width || a.height !== b.height) throw new Error(`${a.width}x${a.height} and ${b.width}x${b.height}`);
+    if (a.width !== b.width || a.height !== b.height)
+        throw new Error(`${a.width}x${a.height} and ${b.width}x${b.height}`);
     let mean = 0;
     let ink = 0;
     const columns = Math.ceil(a.width / 8);
@@ -50,7 +56,8 @@ async function compare({ definition, size }) {
         if (words?.[pixel] !== words?.[0]) ink++;
         if (words?.[pixel] === others?.[pixel]) continue;
         let difference = 0;
-        for (let at = 4 * pixel; at < 4 * pixel + 3; at++) difference += Math.abs(Number(a.data[at]) - Number(b.data[at])) / 3;
+        for (let at = 4 * pixel; at < 4 * pixel + 3; at++)
+            difference += Math.abs(Number(a.data[at]) - Number(b.data[at])) / 3;
         mean += difference;
         const tile = Math.floor(pixel / a.width / 8) * columns + Math.floor((pixel % a.width) / 8);
         tiles[tile] = /** @type {number} */ (tiles[tile]) + difference / 64;
@@ -74,7 +81,10 @@ test('compact SVG pictures look like flat ones', () =>
         const found = [];
         for (const { path, definition } of entries) {
             const n = Math.min(definition.iterations, 6);
-            const difference = await page.evaluate(compare, { definition: { ...definition, iterations: n }, size: 1024 });
+            const difference = await page.evaluate(compare, {
+                definition: { ...definition, iterations: n },
+                size: 1024,
+            });
             if (difference) found.push({ path, n, ...difference });
         }
         if (process.env.LSYSTEM_FIGURES) console.table(found.sort((a, b) => b.tile - a.tile));

@@ -116,7 +116,10 @@ const before = new WeakMap();
 async function passSilence(way, page, frame = page) {
     if (way === 'CRASH') return;
     const known = before.get(frame) ?? 0;
-    await until(async () => (await frame.evaluate(() => /** @type {any} */ (globalThis).faults)) > known, 'a worker is silent');
+    await until(
+        async () => (await frame.evaluate(() => /** @type {any} */ (globalThis).faults)) > known,
+        'a worker is silent',
+    );
     before.set(frame, known + 1);
     await page.clock.runFor(SILENT_FOR);
 }
@@ -170,7 +173,15 @@ test('a text typed while a worker hangs is drawn by the next worker', () =>
 test('a state that stopped a worker is not drawn at once on the next visit or from a link', () =>
     withPage({ hash: WEED, before: withFaultsAndClock }, async (page) => {
         await typeUntilTold(page, 'HANG', 'FHANG');
-        await until(() => page.evaluate(() => location.hash.includes('FHANG') && localStorage.getItem('l-systems:sessions')?.includes('FHANG')), 'the address and the visit are saved');
+        await until(
+            () =>
+                page.evaluate(
+                    () =>
+                        location.hash.includes('FHANG') &&
+                        localStorage.getItem('l-systems:sessions')?.includes('FHANG'),
+                ),
+            'the address and the visit are saved',
+        );
         for (const address of [page.url(), ADDRESS]) {
             await page.goto('about:blank');
             await page.goto(address);
@@ -186,23 +197,29 @@ test('a state that stopped a worker is not drawn at once on the next visit or fr
     }));
 
 test('a link that hangs is reported, and a reload meanwhile does not draw it again', () =>
-    withPage({ hash: WEED.replace('axiom=F', 'axiom=FHANG'), drawing: null, before: withFaultsAndClock }, async (page) => {
-        await passSilence('HANG', page);
-        await page.waitForSelector('#trouble:not([hidden])');
-        assert.ok(await page.isHidden('#trouble-back'));
-        await page.click('#trouble-again');
-        await until(async () => (await page.evaluate(() => /** @type {any} */ (globalThis).faults)) === 2, 'the worker hangs again');
-        // Long enough for a doubt, too short for a message.
-        await page.clock.runFor(SILENCE / 2);
-        assert.ok(await page.isHidden('#trouble'));
-        await page.reload();
-        await page.waitForSelector('#trouble:not([hidden])');
-        assert.match(await page.innerText('#trouble'), /was not started/);
-        before.delete(page);
-        await page.click('#trouble-again');
-        await passSilence('HANG', page);
-        await until(async () => /restarted/.test(await page.innerText('#trouble')), 'it is told again');
-    }));
+    withPage(
+        { hash: WEED.replace('axiom=F', 'axiom=FHANG'), drawing: null, before: withFaultsAndClock },
+        async (page) => {
+            await passSilence('HANG', page);
+            await page.waitForSelector('#trouble:not([hidden])');
+            assert.ok(await page.isHidden('#trouble-back'));
+            await page.click('#trouble-again');
+            await until(
+                async () => (await page.evaluate(() => /** @type {any} */ (globalThis).faults)) === 2,
+                'the worker hangs again',
+            );
+            // Long enough for a doubt, too short for a message.
+            await page.clock.runFor(SILENCE / 2);
+            assert.ok(await page.isHidden('#trouble'));
+            await page.reload();
+            await page.waitForSelector('#trouble:not([hidden])');
+            assert.match(await page.innerText('#trouble'), /was not started/);
+            before.delete(page);
+            await page.click('#trouble-again');
+            await passSilence('HANG', page);
+            await until(async () => /restarted/.test(await page.innerText('#trouble')), 'it is told again');
+        },
+    ));
 
 test('a worker that ends while idle is replaced when it is needed', () =>
     withPage(
@@ -226,7 +243,9 @@ test('a worker that ends while idle is replaced when it is needed', () =>
         },
         async (page) => {
             const before = await stillPicture(page);
-            await page.evaluate(() => /** @type {any} */ (globalThis).workers.forEach((/** @type {Worker} */ worker) => worker.terminate()));
+            await page.evaluate(() =>
+                /** @type {any} */ (globalThis).workers.forEach((/** @type {Worker} */ worker) => worker.terminate()),
+            );
             await page.fill('#axiom', 'F+F');
             await page.clock.runFor(SILENT_FOR);
             await until(async () => (await picture(page)).digest !== before.digest, 'the system is drawn');
@@ -256,7 +275,10 @@ for (const way of WAYS) {
                 const before = await stillPicture(page);
                 await page.click('#open-gallery');
                 await passSilence(way, page);
-                await until(async () => (await page.locator('#gallery [data-path] .thumb.inked').count()) === 5, 'all but one');
+                await until(
+                    async () => (await page.locator('#gallery [data-path] .thumb.inked').count()) === 5,
+                    'all but one',
+                );
                 assert.ok(await page.isHidden('#trouble'));
                 await page.keyboard.press('Escape');
                 assert.equal((await stillPicture(page)).digest, before.digest);
@@ -312,26 +334,55 @@ for (const way of WAYS) {
         const address = server.address();
         const host = `http://localhost:${typeof address === 'object' ? address?.port : ''}/`;
         try {
-            await withPage({ address: host, also: ADDRESS, drawing: null, before: withFaultsAndClock }, async (page) => {
-                const frame = await until(() => page.frames().find((each) => each.url().includes('embed.html')), 'the frame');
-                await until(() => frame.evaluate(() => document.querySelector('#stage.inked')?.getAttribute('aria-busy') === 'false'), 'the drawing', 20_000);
-                const before = await picture(frame);
-                /** @param {object} message */
-                const say = (message) => page.evaluate((what) => /** @type {HTMLIFrameElement} */ (document.querySelector('#frame')).contentWindow?.postMessage(what, '*'), message);
-                const errors = () => page.evaluate(() => /** @type {any} */ (globalThis).heard.filter((/** @type {any} */ { lsystem }) => lsystem === 'error').length);
-                let told = 0;
-                for (const link of [WEED.replace('axiom=F', `axiom=${way}`), WEED.replace('axiom=F', `axiom=F${way}`)]) {
-                    await say({ lsystem: 'open', link });
-                    await passSilence(way, page, frame);
-                    await until(async () => (await errors()) > told, 'the page is told');
-                    told = await errors();
-                    assert.ok(await frame.isVisible('#trouble'));
-                    assert.equal((await picture(frame)).digest, before.digest);
-                }
-                await say({ lsystem: 'open', link: '#v=1&axiom=F+F&n=0&angle=60' });
-                await until(async () => (await picture(frame)).digest !== before.digest, 'the next drawing');
-                await until(() => frame.isHidden('#trouble'), 'the note is gone');
-            });
+            await withPage(
+                { address: host, also: ADDRESS, drawing: null, before: withFaultsAndClock },
+                async (page) => {
+                    const frame = await until(
+                        () => page.frames().find((each) => each.url().includes('embed.html')),
+                        'the frame',
+                    );
+                    await until(
+                        () =>
+                            frame.evaluate(
+                                () => document.querySelector('#stage.inked')?.getAttribute('aria-busy') === 'false',
+                            ),
+                        'the drawing',
+                        20_000,
+                    );
+                    const before = await picture(frame);
+                    /** @param {object} message */
+                    const say = (message) =>
+                        page.evaluate(
+                            (what) =>
+                                /** @type {HTMLIFrameElement} */ (
+                                    document.querySelector('#frame')
+                                ).contentWindow?.postMessage(what, '*'),
+                            message,
+                        );
+                    const errors = () =>
+                        page.evaluate(
+                            () =>
+                                /** @type {any} */ (globalThis).heard.filter(
+                                    (/** @type {any} */ { lsystem }) => lsystem === 'error',
+                                ).length,
+                        );
+                    let told = 0;
+                    for (const link of [
+                        WEED.replace('axiom=F', `axiom=${way}`),
+                        WEED.replace('axiom=F', `axiom=F${way}`),
+                    ]) {
+                        await say({ lsystem: 'open', link });
+                        await passSilence(way, page, frame);
+                        await until(async () => (await errors()) > told, 'the page is told');
+                        told = await errors();
+                        assert.ok(await frame.isVisible('#trouble'));
+                        assert.equal((await picture(frame)).digest, before.digest);
+                    }
+                    await say({ lsystem: 'open', link: '#v=1&axiom=F+F&n=0&angle=60' });
+                    await until(async () => (await picture(frame)).digest !== before.digest, 'the next drawing');
+                    await until(() => frame.isHidden('#trouble'), 'the note is gone');
+                },
+            );
         } finally {
             server.close();
         }

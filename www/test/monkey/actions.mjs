@@ -24,12 +24,77 @@ const TEXTS = [
     ['#title', (roll) => pick(roll, ['Weed', '', '<b>x</b>', 'T'.repeat(300), '\u202ename'.repeat(3)]), 200],
 ];
 
-const NUMBERS = ['#iterations', '#angle', '#right', '#length-factor', '#angle-variation', '#length-variation', '#seed', '#heading', '#step', '#start-x', '#start-y', '#elasticity', '#tropism-x', '#tropism-y', '#pitch-down', '#roll-right', '#exposure', '#width', '#width-factor', '#min-width', '#left-colour', '#play-place', '#reader-goto', '#constants-list .number'];
-const SLIDERS = ['#iterations-slider', '#angle-slider', '#right-slider', '#length-factor-slider', '#angle-variation-slider', '#width-slider', '#min-width-slider', '#exposure-slider', '#fade', '#play-slider', '#play-speed', '#reader-step', '#constants-list input[type=range]'];
+const NUMBERS = [
+    '#iterations',
+    '#angle',
+    '#right',
+    '#length-factor',
+    '#angle-variation',
+    '#length-variation',
+    '#seed',
+    '#heading',
+    '#step',
+    '#start-x',
+    '#start-y',
+    '#elasticity',
+    '#tropism-x',
+    '#tropism-y',
+    '#pitch-down',
+    '#roll-right',
+    '#exposure',
+    '#width',
+    '#width-factor',
+    '#min-width',
+    '#left-colour',
+    '#play-place',
+    '#reader-goto',
+    '#constants-list .number',
+];
+const SLIDERS = [
+    '#iterations-slider',
+    '#angle-slider',
+    '#right-slider',
+    '#length-factor-slider',
+    '#angle-variation-slider',
+    '#width-slider',
+    '#min-width-slider',
+    '#exposure-slider',
+    '#fade',
+    '#play-slider',
+    '#play-speed',
+    '#reader-step',
+    '#constants-list input[type=range]',
+];
 /** The part of a slider’s range that is used, because high values make drawings too slow for a test. */
 const REACH = 0.35;
 
-const KEYS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', '+', '-', '0', ' ', 'Escape', 'Enter', 'Tab', 'Home', 'End', 'PageDown', '?', 'Shift+ArrowLeft', 'Shift+ArrowUp', 'Alt+ArrowRight', 'Control+z', 'Control+Shift+z', 'Control+y', 'Backspace', 'Delete', 'a', 'F'];
+const KEYS = [
+    'ArrowLeft',
+    'ArrowRight',
+    'ArrowUp',
+    'ArrowDown',
+    '+',
+    '-',
+    '0',
+    ' ',
+    'Escape',
+    'Enter',
+    'Tab',
+    'Home',
+    'End',
+    'PageDown',
+    '?',
+    'Shift+ArrowLeft',
+    'Shift+ArrowUp',
+    'Alt+ArrowRight',
+    'Control+z',
+    'Control+Shift+z',
+    'Control+y',
+    'Backspace',
+    'Delete',
+    'a',
+    'F',
+];
 
 /** @param {string} text as a text area keeps it */
 const asKept = (text) => text.replace(/\r\n?/g, '\n');
@@ -57,7 +122,8 @@ async function write(place, roll) {
     }
     const after = await valueOf(frame, selector);
     const one = selector === '#rules' || selector === '#overrides';
-    if (way >= 0.3 && one && text.length <= most && after !== asKept(text)) throw new Fault(`${selector} holds other text than was typed: ${show(after)} for ${show(text)}`);
+    if (way >= 0.3 && one && text.length <= most && after !== asKept(text))
+        throw new Fault(`${selector} holds other text than was typed: ${show(after)} for ${show(text)}`);
     await page.waitForTimeout(howLong);
     await same(place, selector, after, 'a while after it was typed');
     // An embedded drawing has no undo.
@@ -74,11 +140,13 @@ async function write(place, roll) {
 /** @param {Place} place @param {string} selector @param {string} expected @param {string} when */
 async function same({ frame }, selector, expected, when) {
     const now = await valueOf(frame, selector);
-    if (now !== expected) throw new Fault(`lost text: ${selector} ${when} holds ${show(now)} and not ${show(expected)}`);
+    if (now !== expected)
+        throw new Fault(`lost text: ${selector} ${when} holds ${show(now)} and not ${show(expected)}`);
 }
 
 /** A text for the log. @param {string} text */
-export const show = (text) => `${JSON.stringify(text.slice(0, 50))}${text.length > 50 ? ` (${text.length} characters)` : ''}`;
+export const show = (text) =>
+    `${JSON.stringify(text.slice(0, 50))}${text.length > 50 ? ` (${text.length} characters)` : ''}`;
 
 /** @type {readonly Action[]} */
 export const COMMON = [
@@ -87,7 +155,11 @@ export const COMMON = [
         kind: 'number',
         weight: 8,
         async act(place, roll) {
-            const [selector, text, end] = [pick(roll, NUMBERS), numberText(roll), pick(roll, ['Enter', 'Tab', 'ArrowUp', 'ArrowDown', 'Shift+ArrowUp', ''])];
+            const [selector, text, end] = [
+                pick(roll, NUMBERS),
+                numberText(roll),
+                pick(roll, ['Enter', 'Tab', 'ArrowUp', 'ArrowDown', 'Shift+ArrowUp', '']),
+            ];
             if (!(await enter(place, selector))) return NOTHING;
             await place.page.keyboard.press('Control+a');
             await (text === '' ? place.page.keyboard.press('Delete') : place.page.keyboard.insertText(text));
@@ -102,7 +174,12 @@ export const COMMON = [
             const { frame } = place;
             const selector = pick(roll, SLIDERS);
             await open(place, selector);
-            const most = Number(await frame.evaluate((name) => /** @type {HTMLInputElement | null} */ (document.querySelector(name))?.max ?? 0, selector));
+            const most = Number(
+                await frame.evaluate(
+                    (name) => /** @type {HTMLInputElement | null} */ (document.querySelector(name))?.max ?? 0,
+                    selector,
+                ),
+            );
             const positions = Array.from({ length: 1 + whole(roll, 20) }, () => Math.floor(roll() * REACH * most));
             return (await set(frame, selector, positions)) ? `${selector} to ${positions.at(-1)} of ${most}` : NOTHING;
         },
@@ -112,7 +189,10 @@ export const COMMON = [
         weight: 8,
         async act(place, roll) {
             const keys = Array.from({ length: 1 + whole(roll, 5) }, () => pick(roll, KEYS));
-            if (roll() < 0.7) await place.frame.evaluate(() => /** @type {HTMLElement | null} */ (document.querySelector('#drawing'))?.focus());
+            if (roll() < 0.7)
+                await place.frame.evaluate(() =>
+                    /** @type {HTMLElement | null} */ (document.querySelector('#drawing'))?.focus(),
+                );
             for (const key of keys) await place.page.keyboard.press(key);
             return keys.join(' ');
         },
@@ -156,12 +236,20 @@ export const COMMON = [
         weight: 4,
         async act(place, roll) {
             const opened = await click(place, '#open-reader');
-            const done = await click(place, pick(roll, ['#reader-back', '#reader-on', '#reader-text span', '#reader-bar', '#close-reader']), whole(roll, 50));
+            const done = await click(
+                place,
+                pick(roll, ['#reader-back', '#reader-on', '#reader-text span', '#reader-bar', '#close-reader']),
+                whole(roll, 50),
+            );
             await place.page.keyboard.press(pick(roll, ['ArrowRight', 'PageDown', 'End', 'Home', 'ArrowDown']));
             return `${opened}, ${done}`;
         },
     },
-    { kind: 'view', weight: 3, act: (place, roll) => click(place, pick(roll, ['#zoom-in', '#zoom-out', '#fit', '#turntable', '#perspective'])) },
+    {
+        kind: 'view',
+        weight: 3,
+        act: (place, roll) => click(place, pick(roll, ['#zoom-in', '#zoom-out', '#fit', '#turntable', '#perspective'])),
+    },
     { kind: 'reset', weight: 1, act: (place) => click(place, '#reset') },
     {
         kind: 'stop a worker',

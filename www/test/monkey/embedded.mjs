@@ -9,7 +9,8 @@ import { SYSTEMS, axiomText, hash, numberText, pick, rulesText, whole } from './
 /** @typedef {import('./actions.mjs').Action} Action */
 /** @typedef {import('playwright-core').Page} Page */
 
-const STYLE = 'body { min-height: 3000px } iframe, l-system { display: block; width: 700px; max-width: 100%; height: 460px; border: 0; aspect-ratio: auto }';
+const STYLE =
+    'body { min-height: 3000px } iframe, l-system { display: block; width: 700px; max-width: 100%; height: 460px; border: 0; aspect-ratio: auto }';
 const WEED = 'v=1&title=Weed&axiom=F&rules=F%20-%3E%20F%5B+F%5DF%5B-F%5DF&n=4&angle=25';
 
 /** The same functions for both forms: `say` sends a message, `ask` returns the state of the drawing. */
@@ -47,23 +48,48 @@ export async function serveHost(address) {
     await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
     const port = /** @type {import('node:net').AddressInfo} */ (server.address()).port;
     return {
-        address: (element, controls) => `http://localhost:${port}/${element ? 'element' : 'frame'}?controls=${controls}`,
+        address: (element, controls) =>
+            `http://localhost:${port}/${element ? 'element' : 'frame'}?controls=${controls}`,
         close: () => server.close(),
     };
 }
 
 /** The state of the drawing, within the time limit. @param {Page} page @returns {Promise<{link: string, values: Record<string, unknown>}>} */
 export async function ask(page) {
-    const state = await within(page.evaluate(() => /** @type {any} */ (window).ask()), 10_000, 'an embedded drawing answers its host');
-    if (typeof state?.link !== 'string' || typeof state.values !== 'object') throw new Fault(`an embedded drawing answers ${JSON.stringify(state).slice(0, 100)}`);
+    const state = await within(
+        page.evaluate(() => /** @type {any} */ (window).ask()),
+        10_000,
+        'an embedded drawing answers its host',
+    );
+    if (typeof state?.link !== 'string' || typeof state.values !== 'object')
+        throw new Fault(`an embedded drawing answers ${JSON.stringify(state).slice(0, 100)}`);
     return state;
 }
 
 /** @param {Page} page @param {unknown} message */
-const say = (page, message) => page.evaluate((words) => void /** @type {any} */ (window).say(words), message);
+const say = (page, message) => page.evaluate((words) => void (/** @type {any} */ (window).say(words)), message);
 
 /** Invalid messages. @type {readonly unknown[]} */
-const JUNK = [null, 7, 'set', [], {}, { lsystem: 7 }, { lsystem: '__proto__' }, { lsystem: 'toString' }, { lsystem: { toString: 7 } }, { lsystem: 'controls', controls: { toString: 7 } }, { lsystem: 'set' }, { lsystem: 'set', values: 7 }, { lsystem: 'set', values: { n: 'x', __proto__: 1, constructor: 2 } }, { lsystem: 'open' }, { lsystem: 'open', link: 7 }, { lsystem: 'controls', controls: { a: 1 } }, { lsystem: 'get', id: { deep: [1] } }, { lsystem: 'hello' }];
+const JUNK = [
+    null,
+    7,
+    'set',
+    [],
+    {},
+    { lsystem: 7 },
+    { lsystem: '__proto__' },
+    { lsystem: 'toString' },
+    { lsystem: { toString: 7 } },
+    { lsystem: 'controls', controls: { toString: 7 } },
+    { lsystem: 'set' },
+    { lsystem: 'set', values: 7 },
+    { lsystem: 'set', values: { n: 'x', __proto__: 1, constructor: 2 } },
+    { lsystem: 'open' },
+    { lsystem: 'open', link: 7 },
+    { lsystem: 'controls', controls: { a: 1 } },
+    { lsystem: 'get', id: { deep: [1] } },
+    { lsystem: 'hello' },
+];
 const CONTROLS = ['', 'all', 'n', 'angle,rules', 'string play', 'nothing', 'rules'];
 
 /** @type {readonly Action[]} */
@@ -98,7 +124,12 @@ export const EMBEDDED = [
         kind: 'other message',
         weight: 5,
         async act({ page }, roll) {
-            const message = pick(roll, [{ lsystem: 'reset' }, { lsystem: 'play' }, { lsystem: 'pause' }, { lsystem: 'controls', controls: pick(roll, CONTROLS) }]);
+            const message = pick(roll, [
+                { lsystem: 'reset' },
+                { lsystem: 'play' },
+                { lsystem: 'pause' },
+                { lsystem: 'controls', controls: pick(roll, CONTROLS) },
+            ]);
             await say(page, message);
             return JSON.stringify(message);
         },
@@ -107,15 +138,36 @@ export const EMBEDDED = [
         kind: 'flood of messages',
         weight: 2,
         act: ({ page }, roll) =>
-            page.evaluate((first) => {
-                for (let at = 0; at < 300; at++) /** @type {any} */ (window).say({ lsystem: 'set', values: { angle: first + at / 10, n: at % 5 } });
-            }, whole(roll, 90)),
+            page.evaluate(
+                (first) => {
+                    for (let at = 0; at < 300; at++)
+                        /** @type {any} */ (window).say({
+                            lsystem: 'set',
+                            values: { angle: first + at / 10, n: at % 5 },
+                        });
+                },
+                whole(roll, 90),
+            ),
     },
     {
         kind: 'attribute',
         weight: 5,
         async act({ page }, roll) {
-            const [name, value] = pick(roll, /** @type {const} */ ([['angle', '30'], ['n', '3'], ['n', 'x'], ['rules', 'F -> F+F'], ['controls', 'all'], ['theme', 'dark'], ['theme', ''], ['link', '#v=1&axiom=F&rules=F%20-%3E%20F-F&n=3&angle=30'], ['loading', 'eager'], ['palette', '#ff0000,#00ff00']]));
+            const [name, value] = pick(
+                roll,
+                /** @type {const} */ ([
+                    ['angle', '30'],
+                    ['n', '3'],
+                    ['n', 'x'],
+                    ['rules', 'F -> F+F'],
+                    ['controls', 'all'],
+                    ['theme', 'dark'],
+                    ['theme', ''],
+                    ['link', '#v=1&axiom=F&rules=F%20-%3E%20F-F&n=3&angle=30'],
+                    ['loading', 'eager'],
+                    ['palette', '#ff0000,#00ff00'],
+                ]),
+            );
             const done = await page.evaluate(
                 ([key, text]) => {
                     const element = document.querySelector('l-system');
@@ -149,7 +201,14 @@ export const EMBEDDED = [
         kind: 'size',
         weight: 3,
         async act({ page }, roll) {
-            const [width, height] = pick(roll, /** @type {const} */ ([[1280, 800], [390, 844], [700, 500]]));
+            const [width, height] = pick(
+                roll,
+                /** @type {const} */ ([
+                    [1280, 800],
+                    [390, 844],
+                    [700, 500],
+                ]),
+            );
             await page.setViewportSize({ width, height });
             return `${width} x ${height}`;
         },

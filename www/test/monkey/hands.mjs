@@ -35,14 +35,20 @@ export const NOTHING = 'nothing there';
 export async function reach(frame, selector, which = 0) {
     const handle = await frame.evaluateHandle(
         ([name, at]) => {
-            const seen = [...document.querySelectorAll(String(name))].filter((each) => each.checkVisibility({ visibilityProperty: true }) && each.getClientRects().length > 0);
+            const seen = [...document.querySelectorAll(String(name))].filter(
+                (each) => each.checkVisibility({ visibilityProperty: true }) && each.getClientRects().length > 0,
+            );
             const element = seen[Number(at) % Math.max(1, seen.length)];
             if (!(element instanceof HTMLElement)) return null;
             element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
             const box = element.getBoundingClientRect();
             const top = document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
             // A label or icon counts as its control; an element on top of another hides it.
-            const own = top && (element.contains(top) || top.contains(element) || /** @type {HTMLLabelElement | null} */ (top.closest('label'))?.control === element);
+            const own =
+                top &&
+                (element.contains(top) ||
+                    top.contains(element) ||
+                    /** @type {HTMLLabelElement | null} */ (top.closest('label'))?.control === element);
             return own ? element : null;
         },
         /** @type {const} */ ([selector, which]),
@@ -55,7 +61,9 @@ export async function click({ page, frame }, selector, which = 0) {
     const element = await reach(frame, selector, which);
     const box = await element?.boundingBox();
     if (!element || !box) return NOTHING;
-    const name = await element.evaluate((each) => each.id || each.getAttribute('aria-label') || each.textContent?.trim().slice(0, 30) || each.tagName);
+    const name = await element.evaluate(
+        (each) => each.id || each.getAttribute('aria-label') || each.textContent?.trim().slice(0, 30) || each.tagName,
+    );
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
     return `clicked ${name}`;
 }
@@ -83,7 +91,8 @@ export async function open(place, selector) {
 }
 
 /** Removes the focus from any field. @param {Frame} frame */
-export const leave = (frame) => frame.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
+export const leave = (frame) =>
+    frame.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
 
 /** Longer texts, in UTF-16 units, are set at once: Chromium needs a minute to type some thousand lines. */
 const TYPED = 200;
@@ -105,7 +114,11 @@ export async function paste({ page, frame }, selector, text) {
 }
 
 /** The text of a field. @param {Frame} frame @param {string} selector @returns {Promise<string>} */
-export const valueOf = (frame, selector) => frame.evaluate((name) => /** @type {HTMLInputElement | null} */ (document.querySelector(name))?.value ?? '', selector);
+export const valueOf = (frame, selector) =>
+    frame.evaluate(
+        (name) => /** @type {HTMLInputElement | null} */ (document.querySelector(name))?.value ?? '',
+        selector,
+    );
 
 /** Sets a slider, a choice or a colour with the events of its widget. @param {Frame} frame @param {string} selector @param {(string | number)[]} values one after the other */
 export function set(frame, selector, values) {
@@ -143,7 +156,8 @@ export function drop(frame, { name, mimeType, buffer }) {
             const transfer = new DataTransfer();
             transfer.items.add(new File([bytes], String(title), { type: String(type) }));
             const stage = /** @type {Element} */ (document.querySelector('#stage'));
-            for (const kind of ['dragenter', 'dragover', 'drop']) stage.dispatchEvent(new DragEvent(kind, { bubbles: true, cancelable: true, dataTransfer: transfer }));
+            for (const kind of ['dragenter', 'dragover', 'drop'])
+                stage.dispatchEvent(new DragEvent(kind, { bubbles: true, cancelable: true, dataTransfer: transfer }));
         },
         [name, mimeType, buffer.toString('base64')],
     );

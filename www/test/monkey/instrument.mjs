@@ -19,7 +19,8 @@ export function instrument() {
     Object.assign(window, { monkey: { workers, tasks, reads } });
     try {
         new PerformanceObserver((list) => {
-            for (const { startTime, duration } of list.getEntries()) tasks.push({ start: performance.timeOrigin + startTime, duration });
+            for (const { startTime, duration } of list.getEntries())
+                tasks.push({ start: performance.timeOrigin + startTime, duration });
         }).observe({ type: 'longtask', buffered: true });
     } catch {
         // A frame that is not loaded yet cannot be observed.
@@ -47,7 +48,9 @@ export function instrument() {
     window.Worker = class extends Real {
         /** @param {string | URL} address @param {WorkerOptions} [options] */
         constructor(address, options) {
-            const script = blobs.get(String(address)) ?? `importScripts(${JSON.stringify(new URL(address, document.baseURI).href)});`;
+            const script =
+                blobs.get(String(address)) ??
+                `importScripts(${JSON.stringify(new URL(address, document.baseURI).href)});`;
             super(addressOf.call(URL, new Blob([`${head}\n`, script], { type: 'text/javascript' })), options);
             workers.push(this);
         }
@@ -63,7 +66,9 @@ export function instrument() {
 /** Runs in the page: the long tasks since the last call, without tasks of the monkey. @returns {Task[]} */
 export function longTasks() {
     const { tasks, reads } = /** @type {Watched} */ (/** @type {unknown} */ (window)).monkey;
-    const found = tasks.splice(0).filter(({ start, duration }) => !reads.some(([from, to]) => from < start + duration && start < to));
+    const found = tasks
+        .splice(0)
+        .filter(({ start, duration }) => !reads.some(([from, to]) => from < start + duration && start < to));
     reads.splice(0, reads.length - 20);
     return found;
 }

@@ -76,11 +76,18 @@ export class Log {
     report() {
         const counts = [...this.counts].sort(([, a], [, b]) => b.done - a.done);
         const actions = counts.reduce((sum, [, { done }]) => sum + done, 0);
-        console.log(`\n${actions} actions, ${this.checks} pictures beside those of a fresh page (${[...this.pictures].map(([kind, count]) => `${kind} ${count}`).join(', ')}), ${this.faults.length} faults`);
-        console.log(counts.map(([kind, { done, idle }]) => `${kind} ${done}${idle ? ` (and ${idle} in vain)` : ''}`).join(', '));
+        console.log(
+            `\n${actions} actions, ${this.checks} pictures beside those of a fresh page (${[...this.pictures].map(([kind, count]) => `${kind} ${count}`).join(', ')}), ${this.faults.length} faults`,
+        );
+        console.log(
+            counts.map(([kind, { done, idle }]) => `${kind} ${done}${idle ? ` (and ${idle} in vain)` : ''}`).join(', '),
+        );
         const longest = this.tasks.toSorted((a, b) => b.duration - a.duration);
-        console.log(`\ntasks on the main thread longer than ${FELT} ms: ${longest.filter(({ duration }) => duration > FELT).length}; the longest:`);
-        for (const { duration, cause } of longest.slice(0, TOLD)) console.log(`${duration.toFixed(0).padStart(6)} ms  ${cause}`);
+        console.log(
+            `\ntasks on the main thread longer than ${FELT} ms: ${longest.filter(({ duration }) => duration > FELT).length}; the longest:`,
+        );
+        for (const { duration, cause } of longest.slice(0, TOLD))
+            console.log(`${duration.toFixed(0).padStart(6)} ms  ${cause}`);
         for (const fault of this.faults) console.log(`\nFAULT ${fault}`);
     }
 }

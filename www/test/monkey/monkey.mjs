@@ -14,7 +14,14 @@ import { serveHost } from './embedded.mjs';
 import { Log } from './log.mjs';
 import { playRound } from './round.mjs';
 
-const { values } = parseArgs({ options: { seed: { type: 'string' }, minutes: { type: 'string', default: '1' }, actions: { type: 'string' }, verbose: { type: 'boolean', default: false } } });
+const { values } = parseArgs({
+    options: {
+        seed: { type: 'string' },
+        minutes: { type: 'string', default: '1' },
+        actions: { type: 'string' },
+        verbose: { type: 'boolean', default: false },
+    },
+});
 const seed = Number(values.seed ?? Math.floor(Math.random() * 1e6));
 const end = Date.now() + Number(values.minutes) * 60_000;
 if (!Number.isInteger(seed) || Number.isNaN(end)) throw new Error('--seed takes a whole number, --minutes a number');
@@ -23,14 +30,34 @@ if (!Number.isInteger(seed) || Number.isNaN(end)) throw new Error('--seed takes 
 const MOST_ACTIONS = 60;
 
 const address = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell', args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'] });
+const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell',
+    args: [
+        '--headless',
+        '--no-sandbox',
+        '--disable-gpu',
+        '--disable-quic',
+        '--no-first-run',
+        '--disable-background-networking',
+        '--disable-component-update',
+        '--disable-sync',
+    ],
+});
 const host = await serveHost(address);
 const log = new Log(values.verbose);
 try {
     console.log(`seed ${seed}`);
     const actions = values.actions === undefined ? MOST_ACTIONS : Number(values.actions);
     for (let round = seed; ; round++) {
-        await playRound(browser, { seed: round, actions, until: values.actions === undefined ? end : Infinity, address, host, log, dice });
+        await playRound(browser, {
+            seed: round,
+            actions,
+            until: values.actions === undefined ? end : Infinity,
+            address,
+            host,
+            log,
+            dice,
+        });
         if (values.actions !== undefined || Date.now() >= end) break;
     }
 } finally {

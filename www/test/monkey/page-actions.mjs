@@ -15,7 +15,28 @@ const SIZES = [
     [1000, 1400],
 ];
 
-const BUTTONS = ['#undo', '#redo', '#start-anew', '#two-angles', '#symbols', '#segments', '#dice', '#theme', '#add-colour', '#remove-colour', '#inks button', '#palette-holds', '#copy-link', '#add-favourite', 'summary', '#renew-later', '.toast-act', '.toast-close', '.problems button', '#legend button'];
+const BUTTONS = [
+    '#undo',
+    '#redo',
+    '#start-anew',
+    '#two-angles',
+    '#symbols',
+    '#segments',
+    '#dice',
+    '#theme',
+    '#add-colour',
+    '#remove-colour',
+    '#inks button',
+    '#palette-holds',
+    '#copy-link',
+    '#add-favourite',
+    'summary',
+    '#renew-later',
+    '.toast-act',
+    '.toast-close',
+    '.problems button',
+    '#legend button',
+];
 const CHOICES = /** @type {const} */ ([
     ['#dialect', ['abop', 'every-letter', 'practical', 'lowercase', 'axes']],
     ['#colour-by', ['symbol', 'level', 'generation', 'path', 'turn', 'density', 'single']],
@@ -60,7 +81,9 @@ export const PAGE = [
         kind: 'undo and redo',
         weight: 5,
         async act({ page }, roll) {
-            const keys = Array.from({ length: 1 + whole(roll, 8) }, () => pick(roll, ['Control+z', 'Control+z', 'Control+y']));
+            const keys = Array.from({ length: 1 + whole(roll, 8) }, () =>
+                pick(roll, ['Control+z', 'Control+z', 'Control+y']),
+            );
             for (const key of keys) await page.keyboard.press(key);
             return keys.join(' ');
         },
@@ -79,7 +102,9 @@ export const PAGE = [
         weight: 3,
         act: ({ frame }, roll) =>
             frame.evaluate((back) => {
-                const { canGoBack, canGoForward } = /** @type {{canGoBack: boolean, canGoForward: boolean}} */ (/** @type {any} */ (window).navigation);
+                const { canGoBack, canGoForward } = /** @type {{canGoBack: boolean, canGoForward: boolean}} */ (
+                    /** @type {any} */ (window).navigation
+                );
                 if (back ? !canGoBack : !canGoForward) return 'no more pages there';
                 if (back) history.back();
                 else history.forward();
@@ -92,7 +117,8 @@ export const PAGE = [
         async act(place, roll) {
             const [which, searches, card] = [whole(roll, 90), roll() < 0.3, roll() < 0.85];
             if ((await click(place, '#open-gallery')) === NOTHING) return NOTHING;
-            if (searches && (await enter(place, '#search'))) await place.page.keyboard.type(pick(roll, ['koch', 'tree', 'zzz', 'space', '<b>']));
+            if (searches && (await enter(place, '#search')))
+                await place.page.keyboard.type(pick(roll, ['koch', 'tree', 'zzz', 'space', '<b>']));
             // The cards appear once the gallery's list is loaded.
             await place.page.waitForTimeout(100);
             return click(place, card ? '#gallery .card' : pick(roll, ['#chips button', '#close-gallery']), which);
@@ -103,7 +129,18 @@ export const PAGE = [
         weight: 2,
         async act(place, roll) {
             if ((await click(place, '#share')) === NOTHING) return NOTHING;
-            return click(place, pick(roll, ['#copy-share', '#share-view', '#embed-element', '#share-dialog input[name=controls]', '#save-qr', '#close-share']), whole(roll, 5));
+            return click(
+                place,
+                pick(roll, [
+                    '#copy-share',
+                    '#share-view',
+                    '#embed-element',
+                    '#share-dialog input[name=controls]',
+                    '#save-qr',
+                    '#close-share',
+                ]),
+                whole(roll, 5),
+            );
         },
     },
     {
@@ -123,7 +160,11 @@ export const PAGE = [
             await open(place, save);
             const clicked = await click(place, save);
             if (save !== '#open-save' || clicked === NOTHING) return clicked;
-            await click(place, pick(roll, ['#save-purposes .save-tile', '#save-formats .save-tile', '#save-options input']), whole(roll, 5));
+            await click(
+                place,
+                pick(roll, ['#save-purposes .save-tile', '#save-formats .save-tile', '#save-options input']),
+                whole(roll, 5),
+            );
             return click(place, pick(roll, ['#save-now', '#save-cancel', '#close-save']));
         },
     },
@@ -164,7 +205,10 @@ export const PAGE = [
             const before = await texts(frame);
             await page.reload({ waitUntil: 'load', timeout: 20_000 });
             const after = await texts(frame);
-            if (JSON.stringify(before) !== JSON.stringify(after)) throw new Fault(`lost text: a reload made ${JSON.stringify(after).slice(0, 400)} of ${JSON.stringify(before).slice(0, 400)}`);
+            if (JSON.stringify(before) !== JSON.stringify(after))
+                throw new Fault(
+                    `lost text: a reload made ${JSON.stringify(after).slice(0, 400)} of ${JSON.stringify(before).slice(0, 400)}`,
+                );
             return 'loaded anew';
         },
     },

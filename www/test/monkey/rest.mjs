@@ -52,7 +52,8 @@ export async function atRest(frame, whose) {
         if (now !== last) since = Date.now();
         last = now;
         if (!busy && Date.now() - since >= STILL) return inked ? picture : null;
-        if (Date.now() > end) throw new Fault(`${whose} does not come to rest in ${PATIENCE} ms${busy ? `: ${busy}` : ''}`);
+        if (Date.now() > end)
+            throw new Fault(`${whose} does not come to rest in ${PATIENCE} ms${busy ? `: ${busy}` : ''}`);
         await new Promise((resolve) => setTimeout(resolve, 100));
     }
 }
@@ -65,10 +66,16 @@ export async function atRest(frame, whose) {
 async function recovered(frame) {
     for (let times = 0; ; times++) {
         const picture = await atRest(frame, 'the page');
-        const words = await frame.evaluate(() => (document.querySelector('#trouble')?.checkVisibility() ? document.querySelector('#trouble-words')?.textContent : null));
+        const words = await frame.evaluate(() =>
+            document.querySelector('#trouble')?.checkVisibility()
+                ? document.querySelector('#trouble-words')?.textContent
+                : null,
+        );
         if (!words) return picture;
         if (times === RETRIES) throw new Fault(`the drawing stays given up: ${words}`);
-        await frame.evaluate(() => /** @type {HTMLElement | null} */ (document.querySelector('#trouble-again'))?.click());
+        await frame.evaluate(() =>
+            /** @type {HTMLElement | null} */ (document.querySelector('#trouble-again'))?.click(),
+        );
     }
 }
 
@@ -83,9 +90,21 @@ function look() {
     const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d', { willReadFrequently: true }));
     context.drawImage(source, 0, 0);
     let digest = 0;
-    for (const word of new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer)) digest = (Math.imul(digest, 31) + word) | 0;
-    const busy = [stage.getAttribute('aria-busy') === 'true' && 'a newer drawing is under way', document.querySelector('#busy')?.checkVisibility() && 'a finer one is'].filter(Boolean).join(', ');
-    const picture = { width: source.width, height: source.height, stage: { width: stage.clientWidth, height: stage.clientHeight }, ratio: Math.min(3, devicePixelRatio), digest };
+    for (const word of new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer))
+        digest = (Math.imul(digest, 31) + word) | 0;
+    const busy = [
+        stage.getAttribute('aria-busy') === 'true' && 'a newer drawing is under way',
+        document.querySelector('#busy')?.checkVisibility() && 'a finer one is',
+    ]
+        .filter(Boolean)
+        .join(', ');
+    const picture = {
+        width: source.width,
+        height: source.height,
+        stage: { width: stage.clientWidth, height: stage.clientHeight },
+        ratio: Math.min(3, devicePixelRatio),
+        digest,
+    };
     /** @type {any} */ (window).monkey?.reads.push([began, performance.timeOrigin + performance.now()]);
     return { busy, inked: stage.classList.contains('inked'), picture };
 }
@@ -111,7 +130,9 @@ function pixels() {
  * @param {number} width of both, in pixels
  */
 export async function difference(one, other, width) {
-    const [a, b] = (await Promise.all([one.evaluate(pixels), other.evaluate(pixels)])).map((text) => Buffer.from(text, 'base64'));
+    const [a, b] = (await Promise.all([one.evaluate(pixels), other.evaluate(pixels)])).map((text) =>
+        Buffer.from(text, 'base64'),
+    );
     if (!a || !b || a.length !== b.length) return { mean: 255, worst: 255 };
     const columns = Math.ceil(width / SQUARE);
     /** @type {{sum: number, count: number}[]} */
@@ -119,12 +140,17 @@ export async function difference(one, other, width) {
     let all = 0;
     for (let at = 0; at < a.length; at += 4) {
         const apart = [0, 1, 2].reduce((sum, part) => sum + Math.abs((a[at + part] ?? 0) - (b[at + part] ?? 0)), 0) / 3;
-        const square = (squares[Math.floor(at / 4 / width / SQUARE) * columns + Math.floor(((at / 4) % width) / SQUARE)] ??= { sum: 0, count: 0 });
+        const square = (squares[
+            Math.floor(at / 4 / width / SQUARE) * columns + Math.floor(((at / 4) % width) / SQUARE)
+        ] ??= { sum: 0, count: 0 });
         square.sum += apart;
         square.count += 1;
         all += apart;
     }
-    return { mean: (4 * all) / a.length, worst: squares.reduce((most, { sum, count }) => Math.max(most, sum / count), 0) };
+    return {
+        mean: (4 * all) / a.length,
+        worst: squares.reduce((most, { sum, count }) => Math.max(most, sum / count), 0),
+    };
 }
 
 /** How often “Try again” is pressed. */
@@ -153,19 +179,38 @@ export async function comparePicture({ page, frame }, fresh, link) {
     await fresh.goto(link);
     await fresh.evaluate((size) => {
         const stage = /** @type {HTMLElement} */ (document.querySelector('#stage'));
-        for (const [name, value] of Object.entries({ position: 'fixed', inset: '0 auto auto 0', margin: '0', border: '0', padding: '0', 'max-width': 'none', 'max-height': 'none', 'min-width': '0', 'min-height': '0', width: `${size.width}px`, height: `${size.height}px` })) stage.style.setProperty(name, value, 'important');
+        for (const [name, value] of Object.entries({
+            position: 'fixed',
+            inset: '0 auto auto 0',
+            margin: '0',
+            border: '0',
+            padding: '0',
+            'max-width': 'none',
+            'max-height': 'none',
+            'min-width': '0',
+            'min-height': '0',
+            width: `${size.width}px`,
+            height: `${size.height}px`,
+        }))
+            stage.style.setProperty(name, value, 'important');
     }, mine?.stage ?? { width: 600, height: 400 });
     const theirs = await atRest(fresh.mainFrame(), `a fresh page with the link ${link}`);
     if (!theirs) {
         // The state has errors: the last good drawing stays, and the page must say why.
-        if (!(await frame.evaluate(() => document.querySelector('.problems li, #mistake:not([hidden])')))) throw new Fault('nothing can be drawn, and the page does not say why');
+        if (!(await frame.evaluate(() => document.querySelector('.problems li, #mistake:not([hidden])'))))
+            throw new Fault('nothing can be drawn, and the page does not say why');
         return 'cannot be drawn';
     }
     if (!mine) throw new Fault('nothing is drawn, a fresh page draws');
-    if (mine.width !== theirs.width || mine.height !== theirs.height) throw new Fault(`the picture is ${mine.width} x ${mine.height}, that of a fresh page ${theirs.width} x ${theirs.height}; the stages are ${JSON.stringify([mine.stage, theirs.stage])}`);
+    if (mine.width !== theirs.width || mine.height !== theirs.height)
+        throw new Fault(
+            `the picture is ${mine.width} x ${mine.height}, that of a fresh page ${theirs.width} x ${theirs.height}; the stages are ${JSON.stringify([mine.stage, theirs.stage])}`,
+        );
     if (mine.digest === theirs.digest) return 'same';
     const { mean, worst } = await difference(frame, fresh.mainFrame(), mine.width);
-    const most = (await fresh.evaluate(() => document.querySelector('#rough')?.hasAttribute('hidden') === false)) ? ROUGH : SAME;
+    const most = (await fresh.evaluate(() => document.querySelector('#rough')?.hasAttribute('hidden') === false))
+        ? ROUGH
+        : SAME;
     const words = `${mean.toFixed(3)} levels off in the mean, ${worst.toFixed(1)} in the worst square`;
     if (mean > most.mean || worst > most.worst) throw new Fault(`stuck picture: ${words} from that of a fresh page`);
     return words;
@@ -182,10 +227,19 @@ export async function compareTexts(frame, link) {
     if (!opened) return;
     const { state, problems } = opened;
     if (problems.length > 0) throw new Fault(`the page wrote a link that it cannot read: ${problems.join(' ')}`);
-    for (const [selector, text] of [['#axiom', state.axiom], ['#rules', state.rules], ['#overrides', state.overrides], ['#iterations', plain(state.iterations)], ['#angle', plain(state.angle)], ['#seed', plain(state.seed)], ['#step', plain(state.step)]]) {
+    for (const [selector, text] of [
+        ['#axiom', state.axiom],
+        ['#rules', state.rules],
+        ['#overrides', state.overrides],
+        ['#iterations', plain(state.iterations)],
+        ['#angle', plain(state.angle)],
+        ['#seed', plain(state.seed)],
+        ['#step', plain(state.step)],
+    ]) {
         if (!selector || text === undefined || !(await frame.$(selector))) continue;
         const shown = await valueOf(frame, selector);
-        if (shown !== text) throw new Fault(`lost text: ${selector} shows ${show(shown)}, the link holds ${show(text)}`);
+        if (shown !== text)
+            throw new Fault(`lost text: ${selector} shows ${show(shown)}, the link holds ${show(text)}`);
     }
 }
 
@@ -201,7 +255,10 @@ export async function within(promise, milliseconds, what) {
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     let timer;
     promise.catch(() => {});
-    const late = new Promise((_, reject) => (timer = setTimeout(() => reject(new Fault(`not within ${milliseconds} ms: ${what}`)), milliseconds)));
+    const late = new Promise(
+        (_, reject) =>
+            (timer = setTimeout(() => reject(new Fault(`not within ${milliseconds} ms: ${what}`)), milliseconds)),
+    );
     try {
         return /** @type {T} */ (await Promise.race([promise, late]));
     } finally {

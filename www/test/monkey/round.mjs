@@ -46,7 +46,12 @@ export async function playRound(browser, round) {
     const { seed, log, dice, address } = round;
     const roll = dice(seed);
     const embedded = seed % 3 === 2;
-    const [options, calm, element, controls] = [seed % 3 === 1 ? PHONE : DESKTOP, roll() < 0.5, roll() < 0.5, pick(roll, ['all', 'rules,n,angle', ''])];
+    const [options, calm, element, controls] = [
+        seed % 3 === 1 ? PHONE : DESKTOP,
+        roll() < 0.5,
+        roll() < 0.5,
+        pick(roll, ['all', 'rules,n,angle', '']),
+    ];
     log.round(`--seed ${seed}`);
     const motion = /** @type {const} */ ({ reducedMotion: calm ? 'reduce' : 'no-preference' });
     /** @type {Page | undefined} */
@@ -70,7 +75,10 @@ export async function playRound(browser, round) {
         };
         await act(round, place, embedded ? EMBEDDED : PAGE, wrong, check);
     } catch (error) {
-        const message = error instanceof Fault ? error.message : `the monkey failed: ${error instanceof Error ? error.stack : error}`;
+        const message =
+            error instanceof Fault
+                ? error.message
+                : `the monkey failed: ${error instanceof Error ? error.stack : error}`;
         log.fault(`${message}\n    at ${page?.url().slice(0, 500)}`);
     } finally {
         // Closing the page ends a worker in an endless loop.
@@ -86,7 +94,9 @@ function placeOf(page, embedded) {
         for (;;) {
             const frame = page.frames().find((each) => each.url().includes('embed.html') && !each.isDetached());
             // The frame accepts messages once it has a theme and a state.
-            const there = await frame?.evaluate(() => document.readyState === 'complete' && document.title !== '').catch(() => false);
+            const there = await frame
+                ?.evaluate(() => document.readyState === 'complete' && document.title !== '')
+                .catch(() => false);
             if (frame && there) return { page, frame };
             if (Date.now() > end) throw new Fault('the frame of the drawing is not there');
             await page.waitForTimeout(50);
@@ -119,7 +129,13 @@ async function attempt(kind, where, roll) {
     try {
         return await kind.act(where, roll);
     } catch (error) {
-        if (error instanceof Error && /context was destroyed|Frame was detached|frame got detached|Target closed|not attached|Execution context/.test(error.message)) return 'the page went away meanwhile';
+        if (
+            error instanceof Error &&
+            /context was destroyed|Frame was detached|frame got detached|Target closed|not attached|Execution context/.test(
+                error.message,
+            )
+        )
+            return 'the page went away meanwhile';
         throw error;
     }
 }
@@ -127,7 +143,13 @@ async function attempt(kind, where, roll) {
 /** Checks that the page answers, and collects its long tasks. @param {() => Promise<Place>} place @param {import('./log.mjs').Log} log */
 async function settled(place, log) {
     const { frame } = await place();
-    log.long(await within(frame.evaluate(longTasks).catch(() => []), ANSWER, 'the page answers'));
+    log.long(
+        await within(
+            frame.evaluate(longTasks).catch(() => []),
+            ANSWER,
+            'the page answers',
+        ),
+    );
 }
 
 /** @param {Place} place @param {Page} fresh @param {string} address @param {boolean} embedded */
@@ -166,8 +188,12 @@ async function written({ page, frame }) {
 function listen(page, roll) {
     /** @type {string[]} */
     const wrong = [];
-    const note = (/** @type {string} */ words) => void (OWN.test(words) || (OFFLINE.test(words) && wasOffline(page.context())) || wrong.push(words));
-    page.on('console', (message) => ['error', 'warning'].includes(message.type()) && note(`console: ${message.text()}`));
+    const note = (/** @type {string} */ words) =>
+        void (OWN.test(words) || (OFFLINE.test(words) && wasOffline(page.context())) || wrong.push(words));
+    page.on(
+        'console',
+        (message) => ['error', 'warning'].includes(message.type()) && note(`console: ${message.text()}`),
+    );
     page.on('pageerror', (error) => note(`uncaught: ${error.stack ?? error}`));
     page.on('crash', () => wrong.push('the page crashed'));
     page.on('dialog', (dialog) => {

@@ -1,6 +1,17 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { FRONT, axes, isWhole, midway, orbit, seen as projected, slide, turned, whole, zoomed } from '../../js/camera.js';
+import {
+    FRONT,
+    axes,
+    isWhole,
+    midway,
+    orbit,
+    seen as projected,
+    slide,
+    turned,
+    whole,
+    zoomed,
+} from '../../js/camera.js';
 import { clean } from '../../js/state.js';
 import { dice } from './random.mjs';
 
@@ -9,17 +20,29 @@ import { dice } from './random.mjs';
 /** Projects a point, in fitted extents, without perspective: CSS pixels right of and above the middle. @param {Camera} camera @param {number[]} point */
 function seen(camera, point, scale = 700) {
     const away = [camera.x, camera.y, camera.z].map((c, i) => Number(point[i]) - c);
-    return axes(camera).slice(0, 2).map((axis) => scale * camera.zoom * axis.reduce((sum, c, i) => sum + c * Number(away[i]), 0));
+    return axes(camera)
+        .slice(0, 2)
+        .map((axis) => scale * camera.zoom * axis.reduce((sum, c, i) => sum + c * Number(away[i]), 0));
 }
 
 /** @param {number} degrees */
 const short = (degrees) => Math.round(degrees * 1e6) / 1e6;
 
 /** @param {() => number} roll @returns {Camera} */
-const random = (roll) => ({ azimuth: short(roll() * 360 - 180), elevation: short(roll() * 180 - 90), zoom: 10 ** (roll() * 4 - 1), x: roll() - 0.5, y: roll() - 0.5, z: roll() - 0.5, perspective: roll() < 0.5, fade: roll() });
+const random = (roll) => ({
+    azimuth: short(roll() * 360 - 180),
+    elevation: short(roll() * 180 - 90),
+    zoom: 10 ** (roll() * 4 - 1),
+    x: roll() - 0.5,
+    y: roll() - 0.5,
+    z: roll() - 0.5,
+    perspective: roll() < 0.5,
+    fade: roll(),
+});
 
 /** @param {number[]} a @param {number[]} b @param {number} within */
-const near = (a, b, within) => a.forEach((value, i) => assert.ok(Math.abs(value - Number(b[i])) <= within, `${a} is not ${b}`));
+const near = (a, b, within) =>
+    a.forEach((value, i) => assert.ok(Math.abs(value - Number(b[i])) <= within, `${a} is not ${b}`));
 
 test('axes are orthogonal, and up never points below the horizon', () => {
     const roll = dice(1);
@@ -27,7 +50,8 @@ test('axes are orthogonal, and up never points below the horizon', () => {
     near(axes({ ...FRONT, azimuth: 90, elevation: 0 })[2], [1, 0, 0], 1e-12);
     for (let round = 0; round < 200; round++) {
         const [r, u, b] = axes(random(roll));
-        const dot = (/** @type {number[]} */ p, /** @type {number[]} */ q) => p.reduce((sum, c, i) => sum + c * Number(q[i]), 0);
+        const dot = (/** @type {number[]} */ p, /** @type {number[]} */ q) =>
+            p.reduce((sum, c, i) => sum + c * Number(q[i]), 0);
         near([dot(r, r), dot(u, u), dot(b, b), dot(r, u), dot(u, b), dot(b, r)], [1, 1, 1, 0, 0, 0], 1e-12);
         assert.ok(u[1] > -1e-12);
     }
@@ -66,8 +90,14 @@ test('interpolation takes the shorter way round and reaches both ends', () => {
 
 test('an untrusted camera becomes valid or null', () => {
     assert.deepEqual(clean({ camera: FRONT }).camera, FRONT);
-    assert.deepEqual(clean({ camera: { ...FRONT, elevation: 500, zoom: 1e99, fade: 7 } }).camera, { ...FRONT, elevation: 90, zoom: 1e4, fade: 1 });
-    for (const nonsense of [1, 'x', {}, { ...FRONT, azimuth: NaN }, { ...FRONT, perspective: 1 }]) assert.equal(clean({ camera: nonsense }).camera, null);
+    assert.deepEqual(clean({ camera: { ...FRONT, elevation: 500, zoom: 1e99, fade: 7 } }).camera, {
+        ...FRONT,
+        elevation: 90,
+        zoom: 1e4,
+        fade: 1,
+    });
+    for (const nonsense of [1, 'x', {}, { ...FRONT, azimuth: NaN }, { ...FRONT, perspective: 1 }])
+        assert.equal(clean({ camera: nonsense }).camera, null);
 });
 
 test('with perspective, points nearer to the eye are projected farther from the middle', () => {

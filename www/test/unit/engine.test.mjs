@@ -30,8 +30,16 @@ function statesOf() {
     /** @type {[number | undefined, boolean][]} */
     const doubts = [];
     const newest = createNewest();
-    const outbox = createOutbox(newest, { post: (message) => posted.push(message), ready: () => true, nextId: () => ++id, sent: () => {}, settled: () => {} });
-    const fallback = createFallback(newest, outbox, ({ definition }, doubtful) => doubts.push([definition?.angle, doubtful]));
+    const outbox = createOutbox(newest, {
+        post: (message) => posted.push(message),
+        ready: () => true,
+        nextId: () => ++id,
+        sent: () => {},
+        settled: () => {},
+    });
+    const fallback = createFallback(newest, outbox, ({ definition }, doubtful) =>
+        doubts.push([definition?.angle, doubtful]),
+    );
     newest.look(LOOK);
     /** @param {number} angle */
     const define = (angle) => {
@@ -77,7 +85,10 @@ test('a state that stops the worker is replaced by the last good state and not s
         assert.ok(fallback.giveUp());
         assert.ok(fallback.gaveUp);
         assert.equal(newest.state.definition?.angle, 1);
-        assert.deepEqual(doubts, [[1, false], [2, true]]);
+        assert.deepEqual(doubts, [
+            [1, false],
+            [2, true],
+        ]);
         newest.unsend();
         outbox.forget();
         outbox.send();

@@ -13,13 +13,19 @@ import { DEFAULTS, definitionOf } from '../../js/state.js';
 /** A picture of `size` pixels each way with a frame of ink, one pixel wide, at a distance of two. @param {number} size @param {number} ink @param {number} paper */
 function framed(size, ink, paper) {
     const grey = new Uint8Array(size * size).fill(paper);
-    for (let at = 2; at < size - 2; at++) for (const edge of [2, size - 3]) grey[at * size + edge] = grey[edge * size + at] = ink;
+    for (let at = 2; at < size - 2; at++)
+        for (const edge of [2, size - 3]) grey[at * size + edge] = grey[edge * size + at] = ink;
     return { grey, width: size, height: size };
 }
 const whole = { left: 0, top: 0, right: 20, bottom: 20 };
 
 test('ink is told from paper, whichever is darker', () => {
-    for (const [ink, paper, isDark] of /** @type {[number, number, boolean][]} */ ([[0, 255, true], [255, 0, false], [90, 130, true], [200, 60, false]])) {
+    for (const [ink, paper, isDark] of /** @type {[number, number, boolean][]} */ ([
+        [0, 255, true],
+        [255, 0, false],
+        [90, 130, true],
+        [200, 60, false],
+    ])) {
         const picture = framed(20, ink, paper);
         const level = levelOf(picture, whole);
         assert.ok(level >= Math.min(ink, paper) && level < Math.max(ink, paper), `${level}`);
@@ -58,21 +64,40 @@ test('thin lines stay visible in a small preview', () => {
 });
 
 test('colours become levels of grey', () => {
-    assert.deepEqual([...greyOf(new Uint8ClampedArray([255, 255, 255, 255, 0, 0, 0, 255, 0, 255, 0, 255]), 3, 1).grey], [255, 0, 149]);
+    assert.deepEqual(
+        [...greyOf(new Uint8ClampedArray([255, 255, 255, 255, 0, 0, 0, 255, 0, 255, 0, 255]), 3, 1).grey],
+        [255, 0, 149],
+    );
 });
 
 /** @param {string} rules @param {number} agreement @param {number} symbols @returns {import('../../js/protocol.js').Candidate} */
-const candidate = (rules, agreement, symbols) => ({ definition: { ...definitionOf(DEFAULTS), rules }, agreement, symbols, isFound: agreement >= 0.985 });
+const candidate = (rules, agreement, symbols) => ({
+    definition: { ...definitionOf(DEFAULTS), rules },
+    agreement,
+    symbols,
+    isFound: agreement >= 0.985,
+});
 
 test('what several workers found is one list: the shortest that are found, or the closest', () => {
     const slow = { candidates: [candidate('F -> FF', 0.9, 3)], searched: 'little', work: 10, isMore: true };
-    const quick = { candidates: [candidate('F -> F+F', 0.95, 4), candidate('F -> FF', 0.91, 3)], searched: 'much', work: 20, isMore: false };
+    const quick = {
+        candidates: [candidate('F -> F+F', 0.95, 4), candidate('F -> FF', 0.91, 3)],
+        searched: 'much',
+        work: 20,
+        isMore: false,
+    };
     const close = merged([quick, slow]);
-    assert.deepEqual(close.candidates.map(({ agreement }) => agreement), [0.95, 0.91]);
+    assert.deepEqual(
+        close.candidates.map(({ agreement }) => agreement),
+        [0.95, 0.91],
+    );
     assert.deepEqual([close.searched, close.work, close.isMore], ['little', 10, true]);
     assert.match(verdict(close, false), /None of the searched systems draws this picture. The closest/);
     const found = { ...slow, candidates: [candidate('F -> F-F-F', 1, 6), candidate('F -> F-F', 0.99, 4)] };
-    assert.deepEqual(merged([quick, found]).candidates.map(({ symbols }) => symbols), [4, 6]);
+    assert.deepEqual(
+        merged([quick, found]).candidates.map(({ symbols }) => symbols),
+        [4, 6],
+    );
     assert.equal(verdict(merged([found]), false), 'Two systems draw the same picture.');
     assert.equal(verdict({ candidates: [candidate('A -> AB', 1, 3)] }, true), 'One system derives the string.');
     assert.match(verdict({ candidates: [] }, false), /None of the searched/);
@@ -84,38 +109,73 @@ test('percents are rounded down, and numbers begin sentences as words', () => {
 });
 
 test('one core is left to the page, and at most four workers search', () => {
-    assert.deepEqual([{}, { hardwareConcurrency: 1 }, { hardwareConcurrency: 2 }, { hardwareConcurrency: 4 }, { hardwareConcurrency: 64 }].map(workersOn), [1, 1, 1, 3, 4]);
+    assert.deepEqual(
+        [
+            {},
+            { hardwareConcurrency: 1 },
+            { hardwareConcurrency: 2 },
+            { hardwareConcurrency: 4 },
+            { hardwareConcurrency: 64 },
+        ].map(workersOn),
+        [1, 1, 1, 3, 4],
+    );
 });
 
 test('files that look like pictures are offered', () => {
     const named = (/** @type {string} */ name, type = '') => new File([], name, { type });
-    assert.deepEqual([named('a.JPG'), named('a.webp'), named('a', 'image/png'), named('a.json'), named('a.svg.txt')].map(isPicture), [true, true, true, false, false]);
+    assert.deepEqual(
+        [named('a.JPG'), named('a.webp'), named('a', 'image/png'), named('a.json'), named('a.svg.txt')].map(isPicture),
+        [true, true, true, false, false],
+    );
 });
 
 test('an exercise asks for what its students do not know', () => {
-    const target = { ...definitionOf(DEFAULTS), axiom: 'X', rules: 'X -> F[+X]-X\nF -> FF', angle: 25, iterations: 4, overrides: 'X: draw\nG: nothing' };
+    const target = {
+        ...definitionOf(DEFAULTS),
+        axiom: 'X',
+        rules: 'X -> F[+X]-X\nF -> FF',
+        angle: 25,
+        iterations: 4,
+        overrides: 'X: draw\nG: nothing',
+    };
     /** @type {any} */
     const exercise = { target, axiom: 'shown', angle: 'hidden', n: 'free', turtle: 'shown' };
     assert.deepEqual(questionOf(exercise), { axiom: 'X', angle: 25, n: null, heading: 90, draws: 'FX' });
     assert.equal(questionOf({ ...exercise, turtle: 'free' }).draws, null);
     assert.equal(drawsOf({ dialect: 'lowercase', overrides: '' }).length, 26);
-    const answer = answerOf({ ...target, rules: 'X -> F[-X]X\nF -> F', iterations: 3 }, { fixed: { ...target, rules: 'F -> FF' }, free: ['iterations'] });
+    const answer = answerOf(
+        { ...target, rules: 'X -> F[-X]X\nF -> F', iterations: 3 },
+        { fixed: { ...target, rules: 'F -> FF' }, free: ['iterations'] },
+    );
     assert.deepEqual([answer.rules, answer.iterations], ['X -> F[-X]X\nF->FF', 3]);
 });
 
 test('an SVG gets a size, and loses what may take any time', () => {
     const start = '<?xml version="1.0"?><!-- <a> --><svg xmlns="http://www.w3.org/2000/svg"';
     for (const [given, expected] of [
-        [`${start} viewBox="0 0 200 100" width="100%"><path d="M0 0"/></svg>`, `${start} viewBox="0 0 200 100" width="1024" height="512"><path d="M0 0"/></svg>`],
+        [
+            `${start} viewBox="0 0 200 100" width="100%"><path d="M0 0"/></svg>`,
+            `${start} viewBox="0 0 200 100" width="1024" height="512"><path d="M0 0"/></svg>`,
+        ],
         [`${start} width='30mm' height="60mm"/>`, `${start} width="512" height="1024" viewBox="0 0 30 60"/>`],
         [`${start} viewBox="0 0 0 9"><g/></svg>`, `${start} viewBox="0 0 0 9" width="1024" height="1024"><g/></svg>`],
-        [`${start} viewBox="0 0 1 1"><filter id="f"><filter/><feBlend/></filter><s:image/><g title=">"/></svg>`, `${start} viewBox="0 0 1 1" width="1024" height="1024"><g title=">"/></svg>`],
-    ]) assert.equal(drawableSvg(given ?? ''), expected);
-    assert.match(drawableSvg('<!DOCTYPE svg [<!ENTITY ns "http://ns.example/">]><svg xmlns:a="&ns;"></svg>'), /^<!DOCTYPE.*width="1024"/);
+        [
+            `${start} viewBox="0 0 1 1"><filter id="f"><filter/><feBlend/></filter><s:image/><g title=">"/></svg>`,
+            `${start} viewBox="0 0 1 1" width="1024" height="1024"><g title=">"/></svg>`,
+        ],
+    ])
+        assert.equal(drawableSvg(given ?? ''), expected);
+    assert.match(
+        drawableSvg('<!DOCTYPE svg [<!ENTITY ns "http://ns.example/">]><svg xmlns:a="&ns;"></svg>'),
+        /^<!DOCTYPE.*width="1024"/,
+    );
 });
 
 test('an SVG that would stall the page is refused, in a moment', () => {
-    const uses = Array.from({ length: 40 }, (_, at) => `<g id="g${at + 1}"><use href="#g${at}"/><use xlink:href='#g${at}'/></g>`).join('');
+    const uses = Array.from(
+        { length: 40 },
+        (_, at) => `<g id="g${at + 1}"><use href="#g${at}"/><use xlink:href='#g${at}'/></g>`,
+    ).join('');
     for (const [inside, said] of /** @type {[string, RegExp][]} */ ([
         [`<path id="g0"/>${uses}<use href="#g40"/>`, /more than 200,000/],
         ['<g id="a"><use href="#a"/></g>', /more than 200,000/],
@@ -131,5 +191,14 @@ test('an SVG that would stall the page is refused, in a moment', () => {
         assert.throws(() => drawableSvg(`<svg>${inside}</svg>`), said, inside.slice(0, 20));
         assert.ok(performance.now() - start < 3000, inside.slice(0, 20));
     }
-    for (const text of ['', '<html></html>', '<svg>', '<svg/><svg/>', '<!DOCTYPE svg [<!ENTITY a "&b;">]><svg/>', "<!DOCTYPE svg [<!ENTITY a '<g/>'>]><svg/>", '<!DOCTYPE svg [']) assert.throws(() => drawableSvg(text), /damaged|entities/, text);
+    for (const text of [
+        '',
+        '<html></html>',
+        '<svg>',
+        '<svg/><svg/>',
+        '<!DOCTYPE svg [<!ENTITY a "&b;">]><svg/>',
+        "<!DOCTYPE svg [<!ENTITY a '<g/>'>]><svg/>",
+        '<!DOCTYPE svg [',
+    ])
+        assert.throws(() => drawableSvg(text), /damaged|entities/, text);
 });

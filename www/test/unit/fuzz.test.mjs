@@ -5,7 +5,16 @@ import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { CONTROLS, readControls, readOptions } from '../../js/embed/options.js';
 import { fieldsOf, valuesOf } from '../../js/embed/values.js';
-import { LONGEST_NAME, MOST_FAVOURITES, favourite, isFavouritesFile, readFavourites, readFile, rename, writeFile } from '../../js/favourites.js';
+import {
+    LONGEST_NAME,
+    MOST_FAVOURITES,
+    favourite,
+    isFavouritesFile,
+    readFavourites,
+    readFile,
+    rename,
+    writeFile,
+} from '../../js/favourites.js';
 import { readLink, writeLink } from '../../js/link.js';
 import { plain, readNumber } from '../../js/numerals.js';
 import { bestLink, openLink, shortestLink } from '../../js/packed.js';
@@ -89,7 +98,11 @@ fuzz('states: cleaning twice equals cleaning once', (roll) => {
 
 fuzz('sessions: a damaged list gives valid visits, up to the maximum', (roll) => {
     const list = keepSession([], 'a', randomState(roll), randomState(roll), 1);
-    const given = pick(roll, [() => junk(roll), () => list.map((one) => ({ ...one, ...junkObject(roll) })), () => Array(whole(roll, 40)).fill(list[0])])();
+    const given = pick(roll, [
+        () => junk(roll),
+        () => list.map((one) => ({ ...one, ...junkObject(roll) })),
+        () => Array(whole(roll, 40)).fill(list[0]),
+    ])();
     const read = readSessions(given);
     assert.ok(read.length <= MOST_SESSIONS);
     for (const one of read) {
@@ -102,11 +115,24 @@ fuzz('sessions: a damaged list gives valid visits, up to the maximum', (roll) =>
 fuzz('storage: any stored value starts a visit with a valid state or none', (roll) => {
     const state = randomState(roll);
     const sessions = JSON.stringify(keepSession([], 'a', state, state, 1));
-    const entry = (/** @type {string} */ whole) => pick(roll, [() => whole, () => damaged(roll, whole), () => json(junk(roll)), () => junkText(roll)])();
-    const kept = new Map([['l-systems:sessions', entry(sessions)], ['l-systems:tab', entry('{"id":"a","hash":""}')], ['l-systems:suspects', entry('["a"]')]]);
-    const area = /** @type {any} */ ({ length: kept.size, getItem: (/** @type {string} */ key) => kept.get(key) ?? null, setItem: () => {}, removeItem: () => {} });
+    const entry = (/** @type {string} */ whole) =>
+        pick(roll, [() => whole, () => damaged(roll, whole), () => json(junk(roll)), () => junkText(roll)])();
+    const kept = new Map([
+        ['l-systems:sessions', entry(sessions)],
+        ['l-systems:tab', entry('{"id":"a","hash":""}')],
+        ['l-systems:suspects', entry('["a"]')],
+    ]);
+    const area = /** @type {any} */ ({
+        length: kept.size,
+        getItem: (/** @type {string} */ key) => kept.get(key) ?? null,
+        setItem: () => {},
+        removeItem: () => {},
+    });
     const storage = createStorage(() => area);
-    const session = createSession(storage, createStorage(() => area));
+    const session = createSession(
+        storage,
+        createStorage(() => area),
+    );
     const begun = session.start(pick(roll, ['', '#v=1', writeLink(state)]), roll() < 0.5 ? null : state);
     if (begun) assert.deepEqual([clean(begun.state), clean(begun.origin)], [begun.state, begun.origin]);
     session.others().map(openSession);
@@ -114,9 +140,22 @@ fuzz('storage: any stored value starts a visit with a valid state or none', (rol
 });
 
 fuzz('favourites: a damaged file gives valid favourites, or an error above a limit', async (roll) => {
-    const list = Array.from({ length: whole(roll, 6) }, (_, at) => favourite(junkText(roll), at % 2 ? randomState(roll) : clean({ axiom: junkText(roll) })));
+    const list = Array.from({ length: whole(roll, 6) }, (_, at) =>
+        favourite(junkText(roll), at % 2 ? randomState(roll) : clean({ axiom: junkText(roll) })),
+    );
     const file = writeFile(list);
-    const text = pick(roll, [() => damaged(roll, file), () => json({ favourites: junk(roll) }), () => json({ format: 'l-systems favourites', favourites: Array.from({ length: whole(roll, 20) }, () => ({ name: junk(roll, 1), link: pick(roll, [junkLink(roll), junk(roll, 1)]) })) })])();
+    const text = pick(roll, [
+        () => damaged(roll, file),
+        () => json({ favourites: junk(roll) }),
+        () =>
+            json({
+                format: 'l-systems favourites',
+                favourites: Array.from({ length: whole(roll, 20) }, () => ({
+                    name: junk(roll, 1),
+                    link: pick(roll, [junkLink(roll), junk(roll, 1)]),
+                })),
+            }),
+    ])();
     isFavouritesFile(text);
     const read = await readFile(list, text);
     for (const { name, link } of read?.list ?? []) {
@@ -129,15 +168,31 @@ fuzz('favourites: a damaged file gives valid favourites, or an error above a lim
 });
 
 fuzz('messages: values of any kind give valid fields', (roll) => {
-    const values = pick(roll, [() => junk(roll), () => junkObject(roll), () => ({ ...valuesOf(randomState(roll)), ...junkObject(roll, 2) }), () => Object.fromEntries(Object.entries(valuesOf(randomState(roll))).map(([key, value]) => [key, roll() < 0.5 ? String(value) : value]))])();
+    const values = pick(roll, [
+        () => junk(roll),
+        () => junkObject(roll),
+        () => ({ ...valuesOf(randomState(roll)), ...junkObject(roll, 2) }),
+        () =>
+            Object.fromEntries(
+                Object.entries(valuesOf(randomState(roll))).map(([key, value]) => [
+                    key,
+                    roll() < 0.5 ? String(value) : value,
+                ]),
+            ),
+    ])();
     const { fields, problems } = fieldsOf(values);
     const state = clean({ ...DEFAULTS, ...fields });
-    for (const [field, value] of Object.entries(fields)) assert.deepEqual(state[/** @type {keyof typeof state} */ (field)], value);
+    for (const [field, value] of Object.entries(fields))
+        assert.deepEqual(state[/** @type {keyof typeof state} */ (field)], value);
     assert.ok(problems.every((words) => words.length < 200));
 });
 
 fuzz('options: any address gives known controls, a theme or null, and an origin or null', (roll) => {
-    const hash = pick(roll, [() => junkLink(roll), () => `#v=1&controls=${junkText(roll)}&theme=${junkText(roll)}&host=${junkText(roll)}`, () => damaged(roll, '#v=1&controls=all&theme=dark&host=https%3A%2F%2Fexample.org%3A8080')])();
+    const hash = pick(roll, [
+        () => junkLink(roll),
+        () => `#v=1&controls=${junkText(roll)}&theme=${junkText(roll)}&host=${junkText(roll)}`,
+        () => damaged(roll, '#v=1&controls=all&theme=dark&host=https%3A%2F%2Fexample.org%3A8080'),
+    ])();
     const { controls, theme, host } = readOptions(hash);
     assert.ok(controls.every((one) => CONTROLS.includes(one)));
     assert.ok([null, 'light', 'dark'].includes(theme));
@@ -148,7 +203,9 @@ fuzz('options: any address gives known controls, a theme or null, and an origin 
 fuzz('numbers: a written number reads back the same, and other text gives null', (roll) => {
     const value = (roll() - 0.5) * 10 ** (whole(roll, 60) - 30);
     assert.equal(readNumber(plain(value)), Number(value.toPrecision(12)));
-    const read = readNumber(pick(roll, [() => junkText(roll), () => damaged(roll, plain(value)), () => `${plain(value)} °`])());
+    const read = readNumber(
+        pick(roll, [() => junkText(roll), () => damaged(roll, plain(value)), () => `${plain(value)} °`])(),
+    );
     assert.ok(read === null || typeof read === 'number');
     assert.ok(!Number.isNaN(read));
 });

@@ -5,8 +5,16 @@ import { DEFAULTS, definitionOf } from '../../js/state.js';
 
 test('generations are a continuous value', () => {
     const definition = { ...definitionOf(DEFAULTS), iterations: 7 };
-    const found = [0, 0.25, 1, 2.5, 7].map((grown) => at(definition, grown)).map(({ iterations, growth }) => [iterations, growth]);
-    assert.deepEqual(found, [[0, 1], [1, 0.25], [1, 1], [3, 0.5], [7, 1]]);
+    const found = [0, 0.25, 1, 2.5, 7]
+        .map((grown) => at(definition, grown))
+        .map(({ iterations, growth }) => [iterations, growth]);
+    assert.deepEqual(found, [
+        [0, 1],
+        [1, 0.25],
+        [1, 1],
+        [3, 0.5],
+        [7, 1],
+    ]);
 });
 
 test('growth takes a few seconds for any number of iterations', () => {

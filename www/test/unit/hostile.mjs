@@ -11,25 +11,84 @@ const WHOLE = 'axiom=X&rules=X -> F[+X]F[-X]+X\nF -> FF&n=5&angle=25.7&palette=0
 const PACKED = pack(WHOLE);
 
 /** Property names of object prototypes, and other special names. */
-const WORDS = ['__proto__', 'constructor', 'prototype', 'hasOwnProperty', 'toString', 'valueOf', 'undefined', 'null', 'NaN', 'true'];
+const WORDS = [
+    '__proto__',
+    'constructor',
+    'prototype',
+    'hasOwnProperty',
+    'toString',
+    'valueOf',
+    'undefined',
+    'null',
+    'NaN',
+    'true',
+];
 
-const HUGE = ['1e999', '-1e999', '9'.repeat(41), `${'1'.repeat(400_000)}x`, `1e${'9'.repeat(400_000)}`, `.${'0'.repeat(400_000)}1`, '-'.repeat(400_000)];
+const HUGE = [
+    '1e999',
+    '-1e999',
+    '9'.repeat(41),
+    `${'1'.repeat(400_000)}x`,
+    `1e${'9'.repeat(400_000)}`,
+    `.${'0'.repeat(400_000)}1`,
+    '-'.repeat(400_000),
+];
 
-const NO_NUMBERS = ['', ' ', 'abc', '0x10', '1_000', '1e', 'e5', '--5', '1 2', '٣', '½', '1,5', 'Infinity', '-Infinity', '[1]', '{"valueOf":1}', '1;alert(1)', '0b11', '1n'];
+const NO_NUMBERS = [
+    '',
+    ' ',
+    'abc',
+    '0x10',
+    '1_000',
+    '1e',
+    'e5',
+    '--5',
+    '1 2',
+    '٣',
+    '½',
+    '1,5',
+    'Infinity',
+    '-Infinity',
+    '[1]',
+    '{"valueOf":1}',
+    '1;alert(1)',
+    '0b11',
+    '1n',
+];
 
 /** Invalid UTF-8 and percent escapes. */
-const JUNK = ['%', '%2', '%zz', '%E0%A4%A', '%C0%AF', '%ED%A0%80', '%F4%90%80%80', '%80', '%FF%FE', '%u0041', 'F%', `${'%'.repeat(300_000)}`, `${'%F0%9F'.repeat(60_000)}`];
+const JUNK = [
+    '%',
+    '%2',
+    '%zz',
+    '%E0%A4%A',
+    '%C0%AF',
+    '%ED%A0%80',
+    '%F4%90%80%80',
+    '%80',
+    '%FF%FE',
+    '%u0041',
+    'F%',
+    `${'%'.repeat(300_000)}`,
+    `${'%F0%9F'.repeat(60_000)}`,
+];
 
 /** @param {string} name @param {string} hash @param {object} [keeps] @returns {Hostile} */
 const link = (name, hash, keeps = {}) => ({ name, hash, keeps });
 
 /** Each of them is told to the reader. @type {Hostile[]} */
 export const DAMAGED = [
-    ...['n', 'angle', 'right', 'heading', 'step', 'seed', 'width', 'thin'].map((key) => link(`${key} is no number`, `#v=1&axiom=F&${key}=x`, { axiom: 'F' })),
+    ...['n', 'angle', 'right', 'heading', 'step', 'seed', 'width', 'thin'].map((key) =>
+        link(`${key} is no number`, `#v=1&axiom=F&${key}=x`, { axiom: 'F' }),
+    ),
     ...NO_NUMBERS.map((value) => link(`angle=${value}`, `#v=1&axiom=F&angle=${value}`, { axiom: 'F' })),
     ...HUGE.map((value) => link(`n=${value}`, `#v=1&axiom=F&n=${value}`, { axiom: 'F' })),
     ...JUNK.map((value) => link(`rules=${value}`, `#v=1&axiom=F&rules=${value}`, { axiom: 'F' })),
-    ...WORDS.flatMap((word) => [link(`turtle=${word}`, `#v=1&axiom=F&turtle=${word}&__proto__=1`, { axiom: 'F' }), link(`colour=${word}`, `#v=1&colour=${word}&constructor=x`), link(`bg=${word}`, `#bg=${word}`)]),
+    ...WORDS.flatMap((word) => [
+        link(`turtle=${word}`, `#v=1&axiom=F&turtle=${word}&__proto__=1`, { axiom: 'F' }),
+        link(`colour=${word}`, `#v=1&colour=${word}&constructor=x`),
+        link(`bg=${word}`, `#bg=${word}`),
+    ]),
     link('n beyond its bounds', '#v=1&n=1001', { iterations: 1000 }),
     link('n below its bounds', '#v=1&n=-1', { iterations: 0 }),
     link('n no whole number', '#v=1&n=3.5', { iterations: 4 }),
@@ -57,9 +116,9 @@ export const DAMAGED = [
     link('a title too long', `#v=1&title=${'T'.repeat(201)}`, { title: 'T'.repeat(200) }),
     link('half a surrogate pair', '#v=1&axiom=F\ud800F&title=\udc00', { axiom: 'F\ufffdF', title: '\ufffd' }),
     link('longer than any link', `#v=1&axiom=${'F'.repeat(600_000)}`),
-    link('longer than any link, in parts', '#v=1' + '&axiom=F'.repeat(100_000)),
-    link('many fields, each damaged', '#v=1' + '&axiom=%'.repeat(60_000)),
-    link('many versions', '#v=2' + '&v=2'.repeat(100_000)),
+    link('longer than any link, in parts', `#v=1${'&axiom=F'.repeat(100_000)}`),
+    link('many fields, each damaged', `#v=1${'&axiom=%'.repeat(60_000)}`),
+    link('many versions', `#v=2${'&v=2'.repeat(100_000)}`),
     link('another version', '#v=99&axiom=F', { axiom: 'F' }),
     link('a negative version', '#v=-1'),
     link('a version in words', '#v=one'),
@@ -83,11 +142,16 @@ export const DAMAGED = [
     link('packed: many small fields', `#v=1&z=${pack('n=x&'.repeat(120 << 10))}`),
     link('packed: a text too long', `#v=1&z=${pack(`axiom=${'F'.repeat(30_000)}`)}`, { axiom: 'F'.repeat(20_000) }),
     link('packed: a number too long', `#v=1&z=${pack(`n=${'1'.repeat(500_000)}x`)}`),
-    ...Array.from({ length: 12 }, (_, at) => link(`packed: cut after ${at}/12`, `#v=1&z=${PACKED.slice(0, Math.floor((PACKED.length * at) / 12))}`)),
+    ...Array.from({ length: 12 }, (_, at) =>
+        link(`packed: cut after ${at}/12`, `#v=1&z=${PACKED.slice(0, Math.floor((PACKED.length * at) / 12))}`),
+    ),
     ...Array.from({ length: 12 }, (_, at) => {
         const place = 3 + Math.floor(((PACKED.length - 6) * at) / 12);
         const other = PACKED[place] === 'A' ? 'Q' : 'A';
-        return link(`packed: changed at ${place}`, `#v=1&z=${PACKED.slice(0, place)}${other}${PACKED.slice(place + 1)}`);
+        return link(
+            `packed: changed at ${place}`,
+            `#v=1&z=${PACKED.slice(0, place)}${other}${PACKED.slice(place + 1)}`,
+        );
     }),
 ];
 

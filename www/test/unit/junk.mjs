@@ -13,19 +13,123 @@ export const pick = (roll, choices) => /** @type {T} */ (choices[Math.floor(roll
 /** A whole number from 0 to `most` - 1. @param {Roll} roll @param {number} most */
 export const whole = (roll, most) => Math.floor(roll() * most);
 
-const NAMES = ['__proto__', 'constructor', 'toString', 'id', 'name', 'link', 'origin', 'time', 'hash', 'favourites', 'format', 'lsystem', 'values', 'controls', 'v', 'z', ...KEYS.flatMap(([key, field]) => [key, field])];
-const PIECES = ['&', '=', '%', '%2', '%25', '%zz', '%FF', '%F0%9F%8C%BF', '#', '#v=1', '&v=1', '&v=9', '&z=', '&z=eJ', '+', ',', ',,,,', '-', '.', 'e', '1e999', '-1e-999', '0x1', 'NaN', 'Infinity', 'null', '\0', '\n', '\r\n', ' ', '\u202e', '\ud800', '\udc00', '🌿', '٣', '−', '"', '{', '}', '[', ']', ':', '\\', '\\u0000', ...SCRIPTS];
+const NAMES = [
+    '__proto__',
+    'constructor',
+    'toString',
+    'id',
+    'name',
+    'link',
+    'origin',
+    'time',
+    'hash',
+    'favourites',
+    'format',
+    'lsystem',
+    'values',
+    'controls',
+    'v',
+    'z',
+    ...KEYS.flatMap(([key, field]) => [key, field]),
+];
+const PIECES = [
+    '&',
+    '=',
+    '%',
+    '%2',
+    '%25',
+    '%zz',
+    '%FF',
+    '%F0%9F%8C%BF',
+    '#',
+    '#v=1',
+    '&v=1',
+    '&v=9',
+    '&z=',
+    '&z=eJ',
+    '+',
+    ',',
+    ',,,,',
+    '-',
+    '.',
+    'e',
+    '1e999',
+    '-1e-999',
+    '0x1',
+    'NaN',
+    'Infinity',
+    'null',
+    '\0',
+    '\n',
+    '\r\n',
+    ' ',
+    '\u202e',
+    '\ud800',
+    '\udc00',
+    '🌿',
+    '٣',
+    '−',
+    '"',
+    '{',
+    '}',
+    '[',
+    ']',
+    ':',
+    '\\',
+    '\\u0000',
+    ...SCRIPTS,
+];
 
 /** A text of pieces with a special meaning somewhere. @param {Roll} roll @param {number} [most] pieces */
-export const junkText = (roll, most = 12) => Array.from({ length: whole(roll, most) }, () => (roll() < 0.6 ? pick(roll, PIECES) : roll() < 0.5 ? pick(roll, NAMES) : String.fromCharCode(whole(roll, 0x10000)))).join('');
+export const junkText = (roll, most = 12) =>
+    Array.from({ length: whole(roll, most) }, () =>
+        roll() < 0.6
+            ? pick(roll, PIECES)
+            : roll() < 0.5
+              ? pick(roll, NAMES)
+              : String.fromCharCode(whole(roll, 0x10000)),
+    ).join('');
 
 /** Any value that JSON or a message can carry. @param {Roll} roll @param {number} [depth] @returns {any} */
 export function junk(roll, depth = 3) {
     const kind = whole(roll, depth > 0 ? 12 : 8);
-    if (kind < 2) return pick(roll, [null, undefined, true, false, 0, -0, 1, -1, NaN, Infinity, -Infinity, 1e308, 5e-324, 2 ** 53, 1n]);
+    if (kind < 2)
+        return pick(roll, [
+            null,
+            undefined,
+            true,
+            false,
+            0,
+            -0,
+            1,
+            -1,
+            NaN,
+            Infinity,
+            -Infinity,
+            1e308,
+            5e-324,
+            2 ** 53,
+            1n,
+        ]);
     if (kind < 4) return (roll() - 0.5) * 10 ** (whole(roll, 40) - 20);
     if (kind < 6) return junkText(roll);
-    if (kind < 7) return pick(roll, ['abop', 'level', 'density', '#ff0000', '#FFF', 'solid', '25', '1,2', '1,2,3', 'F -> FF', 'hello', 'set', 'open', 'get']);
+    if (kind < 7)
+        return pick(roll, [
+            'abop',
+            'level',
+            'density',
+            '#ff0000',
+            '#FFF',
+            'solid',
+            '25',
+            '1,2',
+            '1,2,3',
+            'F -> FF',
+            'hello',
+            'set',
+            'open',
+            'get',
+        ]);
     if (kind < 8) return writeLink(randomState(roll)).slice(0, whole(roll, 400));
     if (kind < 10) return Array.from({ length: whole(roll, 6) }, () => junk(roll, depth - 1));
     return junkObject(roll, depth);
@@ -60,11 +164,13 @@ export function junkLink(roll) {
     const kind = roll();
     const state = randomState(roll);
     if (kind < 0.3) return damaged(roll, writeLink(state));
-    if (kind < 0.4) return `#${Array.from({ length: whole(roll, 8) }, () => `${pick(roll, NAMES)}=${junkText(roll)}`).join('&')}`;
+    if (kind < 0.4)
+        return `#${Array.from({ length: whole(roll, 8) }, () => `${pick(roll, NAMES)}=${junkText(roll)}`).join('&')}`;
     if (kind < 0.41) return damaged(roll, pick(roll, DAMAGED).hash, 1);
     const fields = writeFields(state, (text) => text.replace(/[%&]/g, encodeURIComponent)).join('&');
     const bytes = deflateSync(Buffer.from(roll() < 0.5 ? fields : damaged(roll, fields)), { level: whole(roll, 10) });
-    for (let times = whole(roll, 3); times > 0 && kind < 0.8; times--) bytes[whole(roll, bytes.length)] = whole(roll, 256);
+    for (let times = whole(roll, 3); times > 0 && kind < 0.8; times--)
+        bytes[whole(roll, bytes.length)] = whole(roll, 256);
     const code = bytes.subarray(0, roll() < 0.8 ? bytes.length : whole(roll, bytes.length)).toString('base64url');
     return `#v=1&z=${roll() < 0.8 ? code : damaged(roll, code)}${roll() < 0.8 ? '' : `&${pick(roll, NAMES)}=${junkText(roll)}`}`;
 }

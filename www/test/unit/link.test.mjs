@@ -44,9 +44,18 @@ test('long states are compressed, and the longest state can be opened', async ()
     assert.match(best, /^#v=1&z=[\w-]+$/);
     assert.ok(best.length < LONG && LONG < writeLink(long).length);
     const roll = dice(4);
-    const odd = (/** @type {number} */ most) => Array.from({ length: most }, () => String.fromCharCode(0x4e00 + Math.floor(roll() * 0x5000))).join('');
+    const odd = (/** @type {number} */ most) =>
+        Array.from({ length: most }, () => String.fromCharCode(0x4e00 + Math.floor(roll() * 0x5000))).join('');
     for (const letters of [odd, (/** @type {number} */ most) => '%'.repeat(most)]) {
-        const longest = clean({ title: letters(200), name: letters(200), source: letters(1000), notes: letters(10_000), axiom: letters(20_000), rules: letters(50_000), overrides: letters(20_000) });
+        const longest = clean({
+            title: letters(200),
+            name: letters(200),
+            source: letters(1000),
+            notes: letters(10_000),
+            axiom: letters(20_000),
+            rules: letters(50_000),
+            overrides: letters(20_000),
+        });
         assert.equal(longest.rules.length, 50_000);
         await gives(await bestLink(longest), longest);
     }
@@ -111,14 +120,21 @@ test('hostile links give a message and their valid parts, in bounded time and me
         const link = await openLink(hash);
         const { user, system } = process.cpuUsage(start);
         const milliseconds = (user + system) / 1000;
-        costs.push({ name: name.slice(0, 40), length: hash.length, milliseconds, megabytes: Math.max(0, memory() - before) / 2 ** 20 });
+        costs.push({
+            name: name.slice(0, 40),
+            length: hash.length,
+            milliseconds,
+            megabytes: Math.max(0, memory() - before) / 2 ** 20,
+        });
         assert.ok(link && link.problems.length > 0, name);
         assert.ok(link.problems.join('').length < 5000, name);
         assert.deepEqual(link.state, { ...DEFAULTS, ...keeps }, name.slice(0, 80));
     }
     const by = (/** @type {'milliseconds' | 'megabytes'} */ cost) => costs.toSorted((a, b) => b[cost] - a[cost]);
     const [slowest, largest] = [by('milliseconds'), by('megabytes')];
-    context.diagnostic(`${costs.length} hostile links; median ${slowest[costs.length >> 1]?.milliseconds.toFixed(2)} ms`);
+    context.diagnostic(
+        `${costs.length} hostile links; median ${slowest[costs.length >> 1]?.milliseconds.toFixed(2)} ms`,
+    );
     for (const { name, length, milliseconds, megabytes } of new Set([...slowest.slice(0, 5), ...largest.slice(0, 5)])) {
         context.diagnostic(`${milliseconds.toFixed(1)} ms, ${megabytes.toFixed(1)} MB, ${length} characters: ${name}`);
     }
@@ -127,7 +143,10 @@ test('hostile links give a message and their valid parts, in bounded time and me
 
 test('texts in links stay text', async () => {
     for (const script of SCRIPTS) {
-        for (const hash of [`#v=1&axiom=${encodeURIComponent(script)}&title=${encodeURIComponent(script)}`, await shortestLink(clean({ axiom: script, title: script }))]) {
+        for (const hash of [
+            `#v=1&axiom=${encodeURIComponent(script)}&title=${encodeURIComponent(script)}`,
+            await shortestLink(clean({ axiom: script, title: script })),
+        ]) {
             await gives(hash, clean({ axiom: script, title: script }));
         }
     }

@@ -47,7 +47,10 @@ const live = () => /** @type {any} */ (globalThis).live;
 function master() {
     /** @type {number[]} */
     const told = [];
-    const worker = /** @type {any} */ ({ postMessage: (/** @type {any} */ { ports }, /** @type {any} */ moved) => told.push(ports.length) && moved?.forEach((/** @type {MessagePort} */ port) => port.close()) });
+    const worker = /** @type {any} */ ({
+        postMessage: (/** @type {any} */ { ports }, /** @type {any} */ moved) =>
+            told.push(ports.length) && moved?.forEach((/** @type {MessagePort} */ port) => port.close()),
+    });
     return { worker, told };
 }
 

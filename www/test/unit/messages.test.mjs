@@ -16,8 +16,14 @@ function message(roll, id) {
     return pick(roll, [
         () => junk(roll),
         () => ({ lsystem: junk(roll, 1), ...junkObject(roll, 2) }),
-        () => ({ lsystem: 'set', values: pick(roll, [junk(roll), junkObject(roll), { angle: roll() * 90, n: whole(roll, 9) }]) }),
-        () => ({ lsystem: 'open', link: pick(roll, [junkLink(roll), junk(roll, 1), damaged(roll, writeLink(randomState(roll)))]) }),
+        () => ({
+            lsystem: 'set',
+            values: pick(roll, [junk(roll), junkObject(roll), { angle: roll() * 90, n: whole(roll, 9) }]),
+        }),
+        () => ({
+            lsystem: 'open',
+            link: pick(roll, [junkLink(roll), junk(roll, 1), damaged(roll, writeLink(randomState(roll)))]),
+        }),
         () => ({ lsystem: pick(roll, ['reset', 'play', 'pause', 'hello']), id: junk(roll, 1) }),
         () => ({ lsystem: 'controls', controls: junk(roll, 2) }),
         () => ({ lsystem: 'theme', theme: pick(roll, ['light', 'dark', '', junk(roll, 1)]) }),
@@ -31,10 +37,20 @@ test('after any messages the drawing is valid and answers', async (context) => {
     /** @type {(event: any) => void} */
     let hear = () => {};
     const holder = { postMessage: (/** @type {any} */ words) => void said.push(structuredClone(words)) };
-    Object.assign(globalThis, { window: globalThis, parent: holder, addEventListener: (/** @type {string} */ _, /** @type {typeof hear} */ listener) => (hear = listener) });
+    Object.assign(globalThis, {
+        window: globalThis,
+        parent: holder,
+        addEventListener: (/** @type {string} */ _, /** @type {typeof hear} */ listener) => (hear = listener),
+    });
     const { connectHost } = await import('../../js/embed/messages.js');
     const store = createStore(clean({ axiom: 'F', rules: 'F -> F+F', iterations: 3 }));
-    connectHost(store, { host: null, offer: (controls) => assert.ok(controls.every((one) => CONTROLS.includes(one))), theme: (theme) => assert.ok(theme === null || theme === 'light' || theme === 'dark'), play: (on) => assert.equal(typeof on, 'boolean'), facts: () => ({ description: '', symbols: null, segments: null }) });
+    connectHost(store, {
+        host: null,
+        offer: (controls) => assert.ok(controls.every((one) => CONTROLS.includes(one))),
+        theme: (theme) => assert.ok(theme === null || theme === 'light' || theme === 'dark'),
+        play: (on) => assert.equal(typeof on, 'boolean'),
+        facts: () => ({ description: '', symbols: null, segments: null }),
+    });
     // An object without a text form used to throw.
     for (const name of [{ toString: 7 }, [{ toString: 7 }]]) {
         hear({ source: holder, origin: 'null', data: { lsystem: name } });

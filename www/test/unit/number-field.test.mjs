@@ -34,7 +34,10 @@ class Field {
 }
 
 /** @type {{activeElement: unknown, createElement: () => object}} */
-const page = { activeElement: null, createElement: () => ({ setAttribute() {}, append() {}, remove() {}, isConnected: false }) };
+const page = {
+    activeElement: null,
+    createElement: () => ({ setAttribute() {}, append() {}, remove() {}, isConnected: false }),
+};
 Object.assign(globalThis, { document: page });
 
 /** The ranges of the state's fields. */
@@ -47,7 +50,13 @@ const RANGES = [
 ];
 
 /** @param {() => number} roll */
-const text = (roll) => pick(roll, [() => junkText(roll, 6), () => String((roll() - 0.5) * 10 ** whole(roll, 30)), () => damaged(roll, String(roll() * 1000), 2), () => pick(roll, ['', ' ', '1e999', '-1e999', '9'.repeat(400), '25,7', '−5', '5.', '60°', '-0'])])();
+const text = (roll) =>
+    pick(roll, [
+        () => junkText(roll, 6),
+        () => String((roll() - 0.5) * 10 ** whole(roll, 30)),
+        () => damaged(roll, String(roll() * 1000), 2),
+        () => pick(roll, ['', ' ', '1e999', '-1e999', '9'.repeat(400), '25,7', '−5', '5.', '60°', '-0']),
+    ])();
 
 test('a number field gives only numbers within its range, and shows the last number when it loses focus', (context) => {
     for (let round = 0; round < ROUNDS; round++) {
@@ -56,7 +65,12 @@ test('a number field gives only numbers within its range, and shows the last num
         const field = new Field();
         /** @type {(number | null)[]} */
         const given = [range.low];
-        const how = { ...range, expected: 'a number', settle: () => {}, change: (/** @type {number | null} */ value) => void given.push(value) };
+        const how = {
+            ...range,
+            expected: 'a number',
+            settle: () => {},
+            change: (/** @type {number | null} */ value) => void given.push(value),
+        };
         const element = /** @type {HTMLInputElement} */ (/** @type {unknown} */ (field));
         const write = optional ? optionalField(element, how) : numberField(element, how);
         write(range.low, 90);
@@ -65,15 +79,31 @@ test('a number field gives only numbers within its range, and shows the last num
             field.does('focus');
             field.value = text(roll);
             field.does('input');
-            if (roll() < 0.4) field.does('keydown', { key: pick(roll, ['ArrowUp', 'ArrowDown', 'Enter', 'x']), shiftKey: roll() < 0.3, altKey: roll() < 0.3 });
+            if (roll() < 0.4)
+                field.does('keydown', {
+                    key: pick(roll, ['ArrowUp', 'ArrowDown', 'Enter', 'x']),
+                    shiftKey: roll() < 0.3,
+                    altKey: roll() < 0.3,
+                });
             page.activeElement = null;
             field.does('blur');
             const last = given.at(-1);
             for (const value of given) {
                 if (value === null) assert.ok(optional);
-                else assert.ok(value !== undefined && value >= range.low && value <= range.high && (!range.whole || optional || Number.isInteger(value)), `case ${round}: ${value}`);
+                else
+                    assert.ok(
+                        value !== undefined &&
+                            value >= range.low &&
+                            value <= range.high &&
+                            (!range.whole || optional || Number.isInteger(value)),
+                        `case ${round}: ${value}`,
+                    );
             }
-            assert.equal(field.value === '' ? null : Number(field.value), last === null || last === undefined ? null : Number(last.toPrecision(12)), `case ${round}`);
+            assert.equal(
+                field.value === '' ? null : Number(field.value),
+                last === null || last === undefined ? null : Number(last.toPrecision(12)),
+                `case ${round}`,
+            );
         }
     }
     context.diagnostic(`${ROUNDS} fields`);

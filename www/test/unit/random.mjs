@@ -25,9 +25,14 @@ export function randomState(roll) {
     /** @template T @param {readonly T[]} choices */
     const pick = (choices) => /** @type {T} */ (choices[Math.floor(roll() * choices.length)]);
     const characters = [...'FGXYfgAB+-[]{}()<>|!#%&\\/^$\'",;:.=* \n\t?~`@→ε−🌿é'];
-    const text = (/** @type {number} */ most) => Array.from({ length: Math.floor(roll() * most) }, () => pick(characters)).join('');
-    const number = () => pick([0, 1, -1, 25.7, 22.5, 1 / 3, 1e-7, 123456.789, (roll() - 0.5) * 10 ** Math.floor(roll() * 12)]);
-    const colour = () => `#${Math.floor(roll() * 2 ** 24).toString(16).padStart(6, '0')}`;
+    const text = (/** @type {number} */ most) =>
+        Array.from({ length: Math.floor(roll() * most) }, () => pick(characters)).join('');
+    const number = () =>
+        pick([0, 1, -1, 25.7, 22.5, 1 / 3, 1e-7, 123456.789, (roll() - 0.5) * 10 ** Math.floor(roll() * 12)]);
+    const colour = () =>
+        `#${Math.floor(roll() * 2 ** 24)
+            .toString(16)
+            .padStart(6, '0')}`;
     return clean({
         name: text(12),
         title: text(20),
@@ -64,7 +69,27 @@ export function randomState(roll) {
         minWidth: Math.abs(number()),
         ink: pick(wordsOf('ink')),
         exposure: roll() * 20 - 10,
-        camera: roll() < 0.5 ? null : { azimuth: number(), elevation: number(), zoom: 10 ** (roll() * 6 - 2), x: number(), y: number(), z: number(), perspective: roll() < 0.5, fade: roll() },
-        view: roll() < 0.5 ? null : { x: number(), y: number(), zoom: 10 ** (roll() * 26 - 2), ...(roll() < 0.5 ? {} : { fx: roll() * 1e-17, fy: -roll() * 1e-17 }) },
+        camera:
+            roll() < 0.5
+                ? null
+                : {
+                      azimuth: number(),
+                      elevation: number(),
+                      zoom: 10 ** (roll() * 6 - 2),
+                      x: number(),
+                      y: number(),
+                      z: number(),
+                      perspective: roll() < 0.5,
+                      fade: roll(),
+                  },
+        view:
+            roll() < 0.5
+                ? null
+                : {
+                      x: number(),
+                      y: number(),
+                      zoom: 10 ** (roll() * 26 - 2),
+                      ...(roll() < 0.5 ? {} : { fx: roll() * 1e-17, fy: -roll() * 1e-17 }),
+                  },
     });
 }

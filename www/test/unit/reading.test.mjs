@@ -1,8 +1,32 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { latest } from '../../js/latest.js';
-import { REACH, lastTop, marginText, paceText, portion, ratio, readPlace, revealed, rowsOf, scrolled, within } from '../../js/reading/places.js';
-import { birth, birthOf, coordinate, descent, filledText, modulesOf, ordinal, origin, partsOf, strokeText, visible } from '../../js/reading/words.js';
+import {
+    REACH,
+    lastTop,
+    marginText,
+    paceText,
+    portion,
+    ratio,
+    readPlace,
+    revealed,
+    rowsOf,
+    scrolled,
+    within,
+} from '../../js/reading/places.js';
+import {
+    birth,
+    birthOf,
+    coordinate,
+    descent,
+    filledText,
+    modulesOf,
+    ordinal,
+    origin,
+    partsOf,
+    strokeText,
+    visible,
+} from '../../js/reading/words.js';
 import { dice } from './random.mjs';
 
 const LONG = 10n ** 30n;
@@ -32,7 +56,10 @@ test('fractions are exact at both ends and stay within the whole', () => {
 });
 
 test('rows contain every symbol once', () => {
-    assert.deepEqual([0n, 1n, 10n, 11n].map((length) => rowsOf(length, 10)), [0n, 1n, 1n, 2n]);
+    assert.deepEqual(
+        [0n, 1n, 10n, 11n].map((length) => rowsOf(length, 10)),
+        [0n, 1n, 1n, 2n],
+    );
     assert.equal(rowsOf(LONG, 60), LONG / 60n + 1n);
 });
 
@@ -85,7 +112,8 @@ test('positions are read as people write them, counted from 1', () => {
     ])) {
         assert.equal(readPlace(text, LONG), place, text);
     }
-    for (const text of ['', 'x', '-5', '10^', '1e', '%', '1e99999', '5 symbols', '0x10', '1..2']) assert.equal(readPlace(text, LONG), null, text);
+    for (const text of ['', 'x', '-5', '10^', '1e', '%', '1e99999', '5 symbols', '0x10', '1..2'])
+        assert.equal(readPlace(text, LONG), null, text);
     assert.equal(readPlace('7', 0n), 0n);
 });
 
@@ -109,7 +137,16 @@ test('the origin of a symbol is described in words', () => {
     assert.deepEqual(descent(chain).map(birth), ['step 1, by rule 1, third symbol', 'second symbol of the axiom']);
     assert.equal(origin(chain.slice(0, 1)), 'Y, second symbol of the axiom');
     assert.equal(origin([]), '');
-    assert.deepEqual([0, 11, 12, 20, 21, 110, 111, 1000].map(ordinal), ['first', 'twelfth', '13th', '21st', '22nd', '111th', '112th', '1,001st']);
+    assert.deepEqual([0, 11, 12, 20, 21, 110, 111, 1000].map(ordinal), [
+        'first',
+        'twelfth',
+        '13th',
+        '21st',
+        '22nd',
+        '111th',
+        '112th',
+        '1,001st',
+    ]);
     assert.equal(coordinate(-2.5), '−2.5');
     assert.equal(coordinate(1.6934e12), '1.693·10¹²');
     assert.equal(coordinate(-1e-5), '−1.000·10⁻⁵');
@@ -120,10 +157,25 @@ test('modules are shown with their arguments, numbers to four digits', () => {
     assert.deepEqual(modulesOf('A(1,2)\n[\n`(`\n', true), ['A(1,2)', '[', '`(`']);
     assert.deepEqual(modulesOf('', true), []);
     assert.deepEqual(partsOf('B(0.32805000000000006,-7.069999999999999)'), ['B', '(0.3281,-7.07)']);
-    for (const [module, shown] of /** @type {[string, string][]} */ ([['F', 'F'], ['(', '('], [')', ')'], ['`', '`'], [' ', '␣'], ['`(`', '('], ['` `(2)', '␣(2)'], ['`U+0A`', 'U+0A'], ['+(137.5)', '+(137.5)'], ['!(1.25e-7,123456.789,12345678)', '!(1.25e-7,123457,12345700)'], ['😀(1)', '😀(1)']])) {
+    for (const [module, shown] of /** @type {[string, string][]} */ ([
+        ['F', 'F'],
+        ['(', '('],
+        [')', ')'],
+        ['`', '`'],
+        [' ', '␣'],
+        ['`(`', '('],
+        ['` `(2)', '␣(2)'],
+        ['`U+0A`', 'U+0A'],
+        ['+(137.5)', '+(137.5)'],
+        ['!(1.25e-7,123456.789,12345678)', '!(1.25e-7,123457,12345700)'],
+        ['😀(1)', '😀(1)'],
+    ])) {
         assert.equal(visible(module), shown, module);
     }
-    assert.equal(birthOf([{ generation: 0, symbol: 'A(1)', index: '0', production: null, position: 0 }]), 'first symbol of the axiom');
+    assert.equal(
+        birthOf([{ generation: 0, symbol: 'A(1)', index: '0', production: null, position: 0 }]),
+        'first symbol of the axiom',
+    );
     assert.equal(birthOf([]), '');
 });
 
@@ -133,7 +185,8 @@ test('one question is asked at a time, and only the newest waits', async () => {
     /** @type {number[][]} */
     const answers = [];
     const ask = latest(
-        (/** @type {number} */ _value) => new Promise((/** @type {(value: number) => void} */ resolve) => open.push(resolve)),
+        (/** @type {number} */ _value) =>
+            new Promise((/** @type {(value: number) => void} */ resolve) => open.push(resolve)),
         (answer, value) => answers.push([answer, value]),
     );
     for (let at = 0; at < 100; at++) ask(at);
@@ -143,7 +196,10 @@ test('one question is asked at a time, and only the newest waits', async () => {
     assert.equal(open.length, 2);
     open[1]?.(8);
     await new Promise(setImmediate);
-    assert.deepEqual(answers, [[7, 0], [8, 99]]);
+    assert.deepEqual(answers, [
+        [7, 0],
+        [8, 99],
+    ]);
     assert.equal(open.length, 2);
 });
 

@@ -1,23 +1,62 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { admits, choicesFrom, defaultOf, groupsOf, optionOf, pixelSize, rowOf, savedName, sizeOf, sizeWords, valuesFor } from '../../js/save/choices.js';
+import {
+    admits,
+    choicesFrom,
+    defaultOf,
+    groupsOf,
+    optionOf,
+    pixelSize,
+    rowOf,
+    savedName,
+    sizeOf,
+    sizeWords,
+    valuesFor,
+} from '../../js/save/choices.js';
 import { createMaking } from '../../js/save/making.js';
 import { firstLines, sheetOf } from '../../js/save/preview.js';
-import { FILE_OPTIONS, FORMATS, PURPOSES } from '../../js/tables.js';
+import { FILE_OPTIONS, FORMATS, PURPOSES } from '../../js/late-tables.js';
 import { Cancelled } from '../../js/tool.js';
 
 /** @typedef {import('../../js/save/making.js').Made} Made */
 
-const film = { name: 'film', purposes: [/** @type {const} */ ('film')], label: 'Film', help: 'Growth', action: 'Make a film…', open: () => {} };
+const film = {
+    name: 'film',
+    purposes: [/** @type {const} */ ('film')],
+    label: 'Film',
+    help: 'Growth',
+    action: 'Make a film…',
+    open: () => {},
+};
 
 test('every format stands in the groups of its purposes, and dialogs of their own stand among them', () => {
     const groups = groupsOf([]);
     const placed = groups.flatMap(({ purpose, rows }) => rows.map(({ name }) => `${name} ${purpose}`));
-    assert.deepEqual(placed.sort(), Object.entries(FORMATS).flatMap(([name, { purposes }]) => purposes.map((purpose) => `${name} ${purpose}`)).sort());
+    assert.deepEqual(
+        placed.sort(),
+        Object.entries(FORMATS)
+            .flatMap(([name, { purposes }]) => purposes.map((purpose) => `${name} ${purpose}`))
+            .sort(),
+    );
     assert.ok(groups.every(({ rows }) => rows.length > 0));
-    assert.deepEqual(groupsOf([film]).map(({ purpose }) => purpose), Object.keys(PURPOSES));
-    for (const purpose of ['screen', 'print']) assert.equal(groupsOf([]).find((group) => group.purpose === purpose)?.rows.some(({ name }) => name === 'png'), true);
-    assert.deepEqual(groupsOf([film]).find(({ purpose }) => purpose === 'film')?.rows.map(({ name }) => name).includes('film'), true);
+    assert.deepEqual(
+        groupsOf([film]).map(({ purpose }) => purpose),
+        Object.keys(PURPOSES),
+    );
+    for (const purpose of ['screen', 'print'])
+        assert.equal(
+            groupsOf([])
+                .find((group) => group.purpose === purpose)
+                ?.rows.some(({ name }) => name === 'png'),
+            true,
+        );
+    assert.deepEqual(
+        groupsOf([film])
+            .find(({ purpose }) => purpose === 'film')
+            ?.rows.map(({ name }) => name)
+            .includes('film'),
+        true,
+    );
 });
 
 test('remembered choices are kept as far as they are possible', () => {
@@ -25,10 +64,18 @@ test('remembered choices are kept as far as they are possible', () => {
     const none = choicesFrom(undefined, groups);
     assert.deepEqual(none, { purpose: 'screen', formats: {}, values: {} });
     assert.equal(rowOf(none, groups).name, 'svg');
-    const some = choicesFrom({ purpose: 'data', formats: { data: 'csv', screen: 'gone' }, values: { margin: 500, landscape: true, sheet: 'a99', size: '2048', flavour: 1 } }, groups);
+    const some = choicesFrom(
+        {
+            purpose: 'data',
+            formats: { data: 'csv', screen: 'gone' },
+            values: { margin: 500, landscape: true, sheet: 'a99', size: '2048', flavour: 1 },
+        },
+        groups,
+    );
     assert.deepEqual(some, { purpose: 'data', formats: { data: 'csv' }, values: { landscape: true, size: '2048' } });
     assert.equal(rowOf(some, groups).name, 'csv');
-    for (const junk of [null, 7, 'x', [], { purpose: {}, formats: 3, values: null }]) assert.equal(choicesFrom(junk, groups).purpose, 'screen');
+    for (const junk of [null, 7, 'x', [], { purpose: {}, formats: 3, values: null }])
+        assert.equal(choicesFrom(junk, groups).purpose, 'screen');
 });
 
 test('every option admits its default, and only differing values of a format are sent', () => {
@@ -42,7 +89,8 @@ test('every option admits its default, and only differing values of a format are
 test('sizes are within the limits, in the proportions of the drawing unless both sides are given', () => {
     const limits = { most: 4096 };
     assert.deepEqual(sizeOf('1600x1200', limits), [1600, 1200]);
-    for (const wrong of ['', '0x5', '4097x1', '5', '-3x3', '1e3x4', '3x4x5']) assert.equal(sizeOf(wrong, limits), null, wrong);
+    for (const wrong of ['', '0x5', '4097x1', '5', '-3x3', '1e3x4', '3x4x5'])
+        assert.equal(sizeOf(wrong, limits), null, wrong);
     assert.equal(pixelSize('', { width: 900, height: 600 }), '900x600');
     assert.equal(pixelSize('2048', { width: 600, height: 900 }), '1365x2048');
     assert.equal(pixelSize('30x20', { width: 600, height: 900 }), '30x20');
@@ -54,7 +102,15 @@ test('sizes are within the limits, in the proportions of the drawing unless both
 test('names and sizes in words', () => {
     assert.equal(savedName('koch_n4', 'svg-compact'), 'koch_n4_compact.svg');
     assert.equal(savedName('koch_n4', 'glb'), 'koch_n4.glb');
-    assert.deepEqual([1, 999, 1000, 9960, 123_456, 2_500_000, 3e9].map(sizeWords), ['1 byte', '999 bytes', '1.0 kB', '10 kB', '123 kB', '2.5 MB', '3.0 GB']);
+    assert.deepEqual([1, 999, 1000, 9960, 123_456, 2_500_000, 3e9].map(sizeWords), [
+        '1 byte',
+        '999 bytes',
+        '1.0 kB',
+        '10 kB',
+        '123 kB',
+        '2.5 MB',
+        '3.0 GB',
+    ]);
 });
 
 test('previews show the first lines of texts, and sheets as they lie', async () => {

@@ -20,7 +20,8 @@ test('the newest visits are kept, each once', () => {
     /** @type {import('../../js/sessions.js').Session[]} */
     let list = [];
     for (let visit = 0; visit < 20; visit++) {
-        for (const angle of [visit, visit + 0.5]) list = keepSession(list, `visit ${visit}`, clean({ angle }), clean({}), visit);
+        for (const angle of [visit, visit + 0.5])
+            list = keepSession(list, `visit ${visit}`, clean({ angle }), clean({}), visit);
     }
     assert.equal(list.length, MOST_SESSIONS);
     assert.deepEqual(list.map(({ link }) => link).slice(0, 2), ['#v=1&angle=19.5', '#v=1&angle=18.5']);
@@ -29,7 +30,17 @@ test('the newest visits are kept, each once', () => {
 });
 
 test('visits are read from any stored value', () => {
-    for (const value of [undefined, null, 7, 'text', {}, [null], [{}], [{ id: 'a', time: 'now', link: '#', origin: '#' }]]) assert.deepEqual(readSessions(value), []);
+    for (const value of [
+        undefined,
+        null,
+        7,
+        'text',
+        {},
+        [null],
+        [{}],
+        [{ id: 'a', time: 'now', link: '#', origin: '#' }],
+    ])
+        assert.deepEqual(readSessions(value), []);
     assert.equal(openSession({ id: 'a', time: 0, link: 'no link', origin: '' }), null);
 });
 
@@ -51,7 +62,12 @@ function area(room = Infinity) {
 }
 
 test('refused, full or damaged storage is no error', () => {
-    for (const refused of [() => { throw new DOMException('refused', 'SecurityError'); }, () => /** @type {any} */ (null)]) {
+    for (const refused of [
+        () => {
+            throw new DOMException('refused', 'SecurityError');
+        },
+        () => /** @type {any} */ (null),
+    ]) {
         const storage = createStorage(refused);
         assert.equal(storage.available, false);
         assert.equal(storage.write('a', 1), false);
@@ -101,7 +117,12 @@ test('a link typed after a change is what a quick reload shows', (t) => {
     const tab = createStorage(() => area());
     const [typed, linked] = [clean({ axiom: 'F', rules: 'F -> FF' }), clean({ axiom: 'A' })];
     let change = () => {};
-    const store = { state: clean({ axiom: 'F' }), origin: clean({ axiom: 'F' }), subscribe: (/** @type {() => void} */ call) => void (change = call), open: (/** @type {any} */ state) => void (store.state = state) };
+    const store = {
+        state: clean({ axiom: 'F' }),
+        origin: clean({ axiom: 'F' }),
+        subscribe: (/** @type {() => void} */ call) => void (change = call),
+        open: (/** @type {any} */ state) => void (store.state = state),
+    };
     const session = createSession(storage, tab);
     session.follow(/** @type {any} */ (store));
     store.state = typed;

@@ -8,7 +8,14 @@ test('defaults are valid and unchanged by cleaning', () => {
 });
 
 test('a value out of range becomes the nearest valid value', () => {
-    const state = clean({ iterations: 1e9, seed: -5, step: 0, minWidth: 1e9, angle: 25.7, view: { x: 0, y: 9e99, zoom: 1e99 } });
+    const state = clean({
+        iterations: 1e9,
+        seed: -5,
+        step: 0,
+        minWidth: 1e9,
+        angle: 25.7,
+        view: { x: 0, y: 9e99, zoom: 1e99 },
+    });
     assert.equal(state.iterations, 1000);
     assert.equal(state.seed, 0);
     assert.equal(state.step, 1e-9);
@@ -39,7 +46,15 @@ test('problems of values are described in words', () => {
     assert.equal(problemOf('growth', 'half'), 'must be a number from 0 to 1; it was left out');
     assert.match(problemOf('palette', []) ?? '', /^must be a list of 1 to 256 colours/);
     assert.match(problemOf('notes', 'x'.repeat(10_001)) ?? '', /at most 10,000 characters; the nearest/);
-    for (const [field, value] of /** @type {[import('../../js/state.js').FieldName, unknown][]} */ ([['angle', 1e9], ['rightAngle', null], ['rules', 'a\r\nb'], ['background', '#ABCDEF'], ['start', [-0, 1]], ['view', { x: 0, y: 1, zoom: 2 }], ['view', null]])) {
+    for (const [field, value] of /** @type {[import('../../js/state.js').FieldName, unknown][]} */ ([
+        ['angle', 1e9],
+        ['rightAngle', null],
+        ['rules', 'a\r\nb'],
+        ['background', '#ABCDEF'],
+        ['start', [-0, 1]],
+        ['view', { x: 0, y: 1, zoom: 2 }],
+        ['view', null],
+    ])) {
         assert.equal(problemOf(field, value), null, field);
     }
 });

@@ -4,7 +4,12 @@ import { between, pan, placement, zoomAt } from '../../js/view.js';
 import { dice } from './random.mjs';
 
 /** Projects a point, in fitted extents from the fitted centre: CSS pixels right of and below the canvas's centre. */
-const seen = (/** @type {any} */ view, /** @type {number} */ scale, /** @type {number} */ x, /** @type {number} */ y) => [(x - view.x) * scale * view.zoom, (view.y - y) * scale * view.zoom];
+const seen = (
+    /** @type {any} */ view,
+    /** @type {number} */ scale,
+    /** @type {number} */ x,
+    /** @type {number} */ y,
+) => [(x - view.x) * scale * view.zoom, (view.y - y) * scale * view.zoom];
 
 /** @param {number[]} a @param {number[]} b @param {number} within */
 function near(a, b, within) {
@@ -53,12 +58,19 @@ test('an old picture is moved to where its points are in the new view', () => {
         const [then, now] = [randomView(roll), randomView(roll)];
         const at = placement(then, now, 700);
         const [x, y] = seen(then, 700, 0.3, -0.4);
-        near([Number(x) * at.factor + at.x, Number(y) * at.factor + at.y], seen(now, 700, 0.3, -0.4), 1e-6 * now.zoom * Math.max(1, 1 / then.zoom));
+        near(
+            [Number(x) * at.factor + at.x, Number(y) * at.factor + at.y],
+            seen(now, 700, 0.3, -0.4),
+            1e-6 * now.zoom * Math.max(1, 1 / then.zoom),
+        );
     }
 });
 
 test('interpolation reaches both ends', () => {
-    const [from, to] = [{ x: 0.2, y: -0.3, zoom: 500 }, { x: 0, y: 0, zoom: 1 }];
+    const [from, to] = [
+        { x: 0.2, y: -0.3, zoom: 500 },
+        { x: 0, y: 0, zoom: 1 },
+    ];
     near(Object.values(between(from, to, 0)), Object.values(from), 1e-9);
     near(Object.values(between(from, to, 1)), Object.values(to), 1e-9);
     near(Object.values(between({ ...from, zoom: 1 }, to, 0.5)), [0.1, -0.15, 1], 1e-12);

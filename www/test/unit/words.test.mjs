@@ -18,7 +18,20 @@ test('counts are shown in full up to nine digits, and shortened beyond', () => {
 });
 
 test('numbers are read as people write them', () => {
-    for (const [text, value] of /** @type {[string, number | null][]} */ ([['25,7', 25.7], [' 22.5° ', 22.5], ['−30', -30], ['.5', 0.5], ['1e3', 1000], ['2 px', 2], ['50 %', 50], ['', null], ['1.2.3', null], ['ten', null], ['0x10', null], ['Infinity', null]])) {
+    for (const [text, value] of /** @type {[string, number | null][]} */ ([
+        ['25,7', 25.7],
+        [' 22.5° ', 22.5],
+        ['−30', -30],
+        ['.5', 0.5],
+        ['1e3', 1000],
+        ['2 px', 2],
+        ['50 %', 50],
+        ['', null],
+        ['1.2.3', null],
+        ['ten', null],
+        ['0x10', null],
+        ['Infinity', null],
+    ])) {
         assert.equal(readNumber(text), value, text);
     }
     assert.equal(plain(0.1 + 0.2), '0.3');
@@ -79,10 +92,19 @@ test('scales follow the value', () => {
         assert.ok(stops.length >= 50 && stops.length <= 600, `${value}: ${stops.length}`);
         stops.forEach((stop, at) => assert.ok(at === 0 || stop > /** @type {number} */ (stops[at - 1]), String(value)));
         assert.ok(!needsNewScale(stops, value), String(value));
-        assert.ok(Math.abs(/** @type {number} */ (stops[nearest(stops, value)]) - value) <= Math.abs(value) / 50, String(value));
+        assert.ok(
+            Math.abs(/** @type {number} */ (stops[nearest(stops, value)]) - value) <= Math.abs(value) / 50,
+            String(value),
+        );
     }
-    for (const value of [5e-324, 1e-300, Number.MAX_VALUE, -Number.MAX_VALUE]) assert.ok(scaleAbout(value).every(Number.isFinite), String(value));
-    assert.ok(needsNewScale(scaleAbout(1), 2) && needsNewScale(scaleAbout(1), -0.1) && needsNewScale(scaleAbout(1), 0.01) && !needsNewScale(scaleAbout(1), 0));
+    for (const value of [5e-324, 1e-300, Number.MAX_VALUE, -Number.MAX_VALUE])
+        assert.ok(scaleAbout(value).every(Number.isFinite), String(value));
+    assert.ok(
+        needsNewScale(scaleAbout(1), 2) &&
+            needsNewScale(scaleAbout(1), -0.1) &&
+            needsNewScale(scaleAbout(1), 0.01) &&
+            !needsNewScale(scaleAbout(1), 0),
+    );
 });
 
 test('numbers are written in the style of the numbers they replace', () => {
@@ -94,7 +116,10 @@ test('numbers are written in the style of the numbers they replace', () => {
 
 test('problems are cut at line ends, and a problem without width marks the symbol before it', () => {
     /** @param {string} text @param {number} start @param {number} end */
-    const marked = (text, start, end) => linesOf(text, [{ field: 'rules', severity: 'error', message: '', hint: null, fix: null, start, end }]).flatMap((line) => line.marks.map((mark) => line.text.slice(mark.start, mark.end)));
+    const marked = (text, start, end) =>
+        linesOf(text, [{ field: 'rules', severity: 'error', message: '', hint: null, fix: null, start, end }]).flatMap(
+            (line) => line.marks.map((mark) => line.text.slice(mark.start, mark.end)),
+        );
     assert.deepEqual(marked('ab\ncd', 1, 4), ['b\n', 'c']);
     assert.deepEqual(marked('ab\ncd', 5, 5), ['d']);
     assert.deepEqual(marked('ab', 0, 0), ['a']);
@@ -103,6 +128,11 @@ test('problems are cut at line ends, and a problem without width marks the symbo
     const roll = dice(5);
     for (let round = 0; round < 200; round++) {
         const { rules } = randomState(roll);
-        assert.equal(linesOf(rules, []).map((line) => line.text).join(''), rules);
+        assert.equal(
+            linesOf(rules, [])
+                .map((line) => line.text)
+                .join(''),
+            rules,
+        );
     }
 });

@@ -32,7 +32,7 @@ export const calls = {
     },
     *search({ until }) {
         let last = performance.now();
-        while (search && search.isMore && search.work < until) {
+        while (search?.isMore && search.work < until) {
             const end = performance.now() + STEP_MS;
             do {
                 search.isMore = search.finder.step(search.share);

@@ -1,0 +1,85 @@
+/** Opens the parts of the page that load late (parts.js): by keys, and by elements with `data-opens` that name a part. */
+
+import { createLate } from './late.js';
+
+/** @typedef {import('./state.js').Definition} Definition */
+/**
+ * What the parts need of the page.
+ * @typedef {object} Page
+ * @property {import('./store.js').Store} store
+ * @property {import('./engine.js').Engine} engine
+ * @property {import('./storage.js').SafeStorage} storage
+ * @property {ReturnType<typeof import('./session.js').createSession>} session
+ * @property {ReturnType<typeof import('./favourites/stored.js').createStored>} favourites
+ * @property {{readonly space: boolean, resolution: () => import('./protocol.js').Canvas}} stage
+ * @property {(index: bigint) => void} readAt opens the string at a symbol
+ * @property {() => string} theme its name
+ * @property {(definition: Definition) => Definition} restyle gives a system with default colours the theme's colours
+ * @property {<K extends keyof Parts>(name: K, ...words: Parameters<Parts[K]['open']>) => Promise<void>} open opens another part
+ */
+
+/** @typedef {typeof import('./parts.js').PARTS} Rows */
+/** @typedef {{[K in keyof Rows]: ReturnType<Rows[K]>}} Parts */
+
+/** The part that a key opens outside of dialogs, if any. @param {KeyboardEvent} event @returns {keyof Parts | null} */
+function partOfKey(event) {
+    const command = event.ctrlKey || event.metaKey;
+    if (event.altKey) return null;
+    if (event.key === '?' && !command && !isTypedInto(event.target)) return 'shortcuts';
+    return event.key.toLowerCase() === 's' && command && !event.shiftKey ? 'save' : null;
+}
+
+/** Whether an element accepts typed text. @param {EventTarget | null} target */
+function isTypedInto(target) {
+    if (target instanceof HTMLInputElement)
+        return !['range', 'checkbox', 'color', 'button', 'file'].includes(target.type);
+    return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+}
+
+/** The part that an element opens, if any. @param {EventTarget | null} target */
+const openerOf = (target) => (target instanceof Element ? target.closest('[data-opens]') : null);
+
+/** @param {Omit<Page, 'open'>} own */
+export function createDialogs(own) {
+    /** @type {Page} */
+    const page = { ...own, open };
+    const load = createLate(async () => (await import('./parts.js')).PARTS);
+    /** The parts that were needed so far. @type {Partial<Parts>} */
+    const made = {};
+
+    /** A part of the page; null if it could not be loaded. @template {keyof Parts} K @param {K} name @returns {Promise<Parts[K] | null>} */
+    async function part(name) {
+        const parts = await load();
+        if (!parts) return null;
+        const make = /** @type {(page: Page) => Parts[K]} */ (parts[name]);
+        return (made[name] ??= make(page));
+    }
+
+    /** @template {keyof Parts} K @param {K} name @param {Parameters<Parts[K]['open']>} words */
+    async function open(name, ...words) {
+        const opens = /** @type {((...words: any[]) => unknown) | undefined} */ ((await part(name))?.open);
+        await opens?.(...words);
+    }
+
+    // A pointer on the way to an opener loads the parts, so that they open at once.
+    document.addEventListener(
+        'pointerover',
+        ({ target }) => openerOf(target) && void import('./parts.js').catch(() => {}),
+        { passive: true },
+    );
+    document.addEventListener('click', (event) => {
+        const opener = openerOf(event.target);
+        if (!(opener instanceof HTMLElement)) return;
+        opener.closest('dialog')?.close();
+        void open(/** @type {keyof Parts} */ (opener.dataset['opens']));
+    });
+    addEventListener('keydown', (event) => {
+        const name = partOfKey(event);
+        const isFree = !document.querySelector('dialog[open]');
+        if (!name || (name === 'shortcuts' && !isFree)) return;
+        event.preventDefault();
+        if (isFree) void open(name);
+    });
+
+    return { part, open };
+}

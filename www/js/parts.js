@@ -1,0 +1,36 @@
+/**
+ * The parts of the page that load with the first of them, most of them dialogs: a row for each. Each script brings its
+ * own elements and styles. Its function gets the page once, and returns how to open the part.
+ */
+
+import { createCheck } from './course/check.js';
+import { createMaker } from './course/maker.js';
+import { createMathematics } from './course/mathematics.js';
+import { createFavourites } from './favourites/dialog.js';
+import { createFilms } from './film/films.js';
+import { createFinding } from './find/finding.js';
+import { createGallery } from './gallery.js';
+import { createImporting } from './importing.js';
+import { createKeeping } from './keeping.js';
+import { createSave } from './save/save.js';
+import { createSeeds } from './seeds.js';
+import { createShare } from './share.js';
+import { createShortcuts } from './shortcuts.js';
+import { createStepsDialog } from './steps/dialog.js';
+
+export const PARTS = {
+    gallery: createGallery,
+    seeds: createSeeds,
+    steps: createStepsDialog,
+    mathematics: createMathematics,
+    save: createSave,
+    share: createShare,
+    favourites: createFavourites,
+    film: createFilms,
+    find: createFinding,
+    import: createImporting,
+    maker: createMaker,
+    check: createCheck,
+    shortcuts: createShortcuts,
+    offline: createKeeping,
+};

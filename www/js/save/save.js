@@ -1,0 +1,55 @@
+/** Saving: the dialog, and files saved at once with the options last chosen. */
+
+import { toast } from '../announce.js';
+import { download, fileName } from '../download.js';
+import { rememberedChoices, savedName, valuesFor } from './choices.js';
+import { createExports } from './exports.js';
+import { createSaveDialog } from './save-dialog.js';
+import { createSaveFile } from './save-file.js';
+
+/** @typedef {import('../protocol.js').Format} Format */
+
+/** @param {import('../dialogs.js').Page} page */
+export function createSave({ store, engine, storage, stage, open }) {
+    /** Dialogs of their own, which appear among the formats. @type {import('./choices.js').CustomRow[]} */
+    const custom = [
+        {
+            name: 'film',
+            purposes: ['film'],
+            label: 'Film',
+            help: "Growth, the turtle's way, a turn, or any numbers that change: as GIF or video",
+            action: 'Make a film…',
+            open: () => void open('film'),
+        },
+    ];
+    const canvas = stage.resolution;
+    const remembered = rememberedChoices(storage, custom);
+    const exports = createExports();
+    const files = createSaveFile({ store, engine, exports, canvas });
+    const dialog = createSaveDialog({ store, remembered, exports, files, canvas, custom });
+
+    return {
+        open: dialog.open,
+
+        /** Saves a file at once. @param {Format} format */
+        async save(format) {
+            const name = savedName(fileName(store.state), format);
+            try {
+                const { blob, diagnostics } = await files.make({
+                    format,
+                    values: valuesFor(format, remembered.choices),
+                });
+                const [first] = diagnostics;
+                const words = [first?.message, first?.hint].filter(Boolean).join(' ');
+                if (!blob) return toast(`Not saved: ${words || 'the file could not be made.'}`);
+                download(blob, name);
+                // A remark about the file, such as that it opens slowly.
+                if (words) toast(words);
+            } catch (error) {
+                toast(`Not saved: ${error instanceof Error ? error.message : error}.`);
+            } finally {
+                exports.leave();
+            }
+        },
+    };
+}
