@@ -2,7 +2,7 @@
 
 use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
 use lsystem_base::{LimitName, Limits, Progress};
-use lsystem_drawing::{Drawing, Figure, FigureDrawer, Outlook, Projection, Solid, System, expand};
+use lsystem_drawing::{Drawer, Drawing, Figure, Outlook, Projection, Solid, System, expand};
 use lsystem_render::{Camera, Vantage, Viewport, fit};
 use lsystem_syntax::{Definition, Diagnostic, Halt, Work, run_steps};
 use std::sync::Arc;
@@ -111,28 +111,30 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
 
 impl FileTask<'_> {
     fn figure(&self, work: &mut dyn Work) -> Result<Figure, Halt> {
-        self.drawn(Figure::drawer(self.system, self.definition.iterations, self.limits.drawing), work)
+        let mut drawer = Figure::drawer(self.system, self.definition.iterations, self.limits.drawing);
+        self.draw(work, |units| (drawer.step(units), drawer.bytes()))?;
+        Ok(drawer.finish()?)
     }
 
     /// The drawing in space, also of a system that does not leave the plane.
     fn in_space(&self, work: &mut dyn Work) -> Result<Arc<Drawing<Solid>>, Halt> {
-        let drawer = Figure::drawer_in_space(self.system, self.definition.iterations, self.limits.drawing);
-        match self.drawn(drawer, work)? {
-            Figure::Space(drawing) => Ok(drawing),
-            Figure::Plane(_) => Err(Halt::Stopped),
-        }
+        let mut drawer = Drawer::new(self.system, self.definition.iterations, self.limits.drawing);
+        self.draw(work, |units| (drawer.step(units), drawer.bytes()))?;
+        Ok(Arc::new(drawer.finish()?))
     }
 
-    fn drawn(&self, mut drawer: FigureDrawer, work: &mut dyn Work) -> Result<Figure, Halt> {
-        let most = self.limits.drawing_bytes;
-        run_steps(work, |units| match drawer.step(units) {
-            Progress::More if drawer.bytes() <= most => Progress::More,
-            _ => Progress::Done,
+    /// Runs a drawer, whose `step` returns its progress and its bytes, within the limit of memory.
+    fn draw(&self, work: &mut dyn Work, mut step: impl FnMut(u64) -> (Progress, u64)) -> Result<(), Halt> {
+        let (most, mut held) = (self.limits.drawing_bytes, 0);
+        run_steps(work, |units| {
+            let (progress, bytes) = step(units);
+            held = bytes;
+            if bytes <= most { progress } else { Progress::Done }
         })?;
-        if drawer.bytes() > most {
+        if held > most {
             return Err(Diagnostic::limit(LimitName::Memory, most, None).into());
         }
-        Ok(drawer.finish()?)
+        Ok(())
     }
 
     /// The drawing in the plane, or its projection. The drawing in space is dropped, to save memory.
