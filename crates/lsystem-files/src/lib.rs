@@ -41,7 +41,6 @@ pub use option_table::{FILE_OPTIONS, FileOption, OptionKind, OptionValue};
 pub use options::FileOptions;
 pub use paper::{bibtex, latex, markdown};
 pub use plot_svg::write_plot;
-pub use png::tag_png;
 pub use png_writer::{PngOptions, write_png};
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use sink::{Owner, Sink, collect};
