@@ -17,6 +17,7 @@
 
 use crate::draft::{Draft, production};
 use crate::rules::split_rule;
+use lsystem_base::decimal;
 use lsystem_base::number::number;
 use lsystem_syntax::{Grammar, Module};
 
@@ -83,9 +84,9 @@ fn system(text: &str, draft: &mut Draft) {
             match key.as_str() {
                 "axiom" | "start" => grammar.axiom = word(value).into_iter().map(Module::from).collect(),
                 "depth" => draft.iterations(at, value),
-                "angle" => match value.parse::<f64>() {
-                    Ok(angle) => draft.definition.angle = angle,
-                    Err(_) => draft.refuse(at, line, "The angle is not a number"),
+                "angle" => match decimal::read(value) {
+                    Some(angle) => draft.definition.angle = angle,
+                    None => draft.refuse(at, line, "The angle is not a number"),
                 },
                 "direction" => direction(value, at, draft),
                 "rules" | "production rules" => section = "rules".into(),
@@ -136,7 +137,7 @@ fn system(text: &str, draft: &mut Draft) {
 fn action(text: &str) -> Result<String, bool> {
     let (name, rest) = text.split_once('(').ok_or(false)?;
     let argument = rest.trim_end().strip_suffix(')').ok_or(false)?.trim();
-    let value = if argument.is_empty() { None } else { Some(argument.parse::<f64>().map_err(|_| false)?) };
+    let value = if argument.is_empty() { None } else { Some(decimal::read(argument).ok_or(false)?) };
     let length = |word: &str| match value {
         None | Some(10.0) => word.to_owned(),
         Some(length) => format!("{word} {}", number(length)),
@@ -155,9 +156,9 @@ fn action(text: &str) -> Result<String, bool> {
 }
 
 fn direction(value: &str, line: usize, draft: &mut Draft) {
-    let numbers = value.trim_matches(['[', ']', ' ']).split(',').map(|part| part.trim().parse::<f64>());
-    match numbers.collect::<Result<Vec<f64>, _>>().as_deref() {
-        Ok([x, y] | [x, y, 0.0]) if (*x != 0.0 || *y != 0.0) && x.is_finite() && y.is_finite() => {
+    let numbers = value.trim_matches(['[', ']', ' ']).split(',').map(|part| decimal::read(part.trim()));
+    match numbers.collect::<Option<Vec<f64>>>().as_deref() {
+        Some([x, y] | [x, y, 0.0]) if (*x != 0.0 || *y != 0.0) && x.is_finite() && y.is_finite() => {
             let degrees = libm::atan2(*y, *x).to_degrees();
             draft.definition.heading = libm::round(degrees * 1e9) / 1e9;
         }

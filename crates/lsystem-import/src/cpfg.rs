@@ -18,6 +18,7 @@
 use crate::assignments::inlined;
 use crate::decomposition::Decomposition;
 use crate::draft::{Draft, FreeSymbols};
+use lsystem_base::decimal;
 use lsystem_syntax::{Diagnostic, parse};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -249,7 +250,7 @@ fn other(at: usize, line: &str, kind: Kind, parts: &mut Parts, draft: &mut Draft
         return draft.refuse(at, line, "This line cannot be read");
     }
     if let Some((_, rest)) = line.split_once("setAngleIncrement(") {
-        match rest.split(')').next().and_then(|angle| angle.trim().parse().ok()) {
+        match rest.split(')').next().and_then(|angle| decimal::read(angle.trim())) {
             Some(angle) => {
                 draft.definition.angle = angle;
                 draft.meaning('\0', "");
@@ -261,7 +262,8 @@ fn other(at: usize, line: &str, kind: Kind, parts: &mut Parts, draft: &mut Draft
     let harmless = ["from ", "import ", "module ", "\"\"\"", "__lpy_code_version__", "context()"];
     match line.split_once('=') {
         Some((name, value))
-            if value.trim().parse::<f64>().is_ok() && name.trim().chars().all(|c| c.is_alphanumeric() || c == '_') =>
+            if decimal::read(value.trim()).is_some()
+                && name.trim().chars().all(|c| c.is_alphanumeric() || c == '_') =>
         {
             parts.constants.push((name.trim().to_owned(), value.trim().to_owned()));
         }

@@ -13,6 +13,7 @@
 //! the place of the turtle in rules.
 
 use crate::draft::Draft;
+use lsystem_base::decimal;
 use lsystem_syntax::parse;
 
 /// The actions of Houdini's symbols.
@@ -70,9 +71,9 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
         match *label {
             "premise" => draft.definition.axiom = (*value).to_owned(),
             "rule" => rules.extend(rule(value, *at, &mut draft)),
-            "angle" => match value.parse() {
-                Ok(angle) => draft.definition.angle = angle,
-                Err(_) => draft.refuse(*at, value, "The angle is not a number"),
+            "angle" => match decimal::read(value) {
+                Some(angle) => draft.definition.angle = angle,
+                None => draft.refuse(*at, value, "The angle is not a number"),
             },
             "generations" => draft.iterations(*at, value),
             "ignore" => rules.insert(0, format!("ignore: {value}")),

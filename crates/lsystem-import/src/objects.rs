@@ -489,7 +489,7 @@ impl Reader<'_> {
             Value::Number(value, unit) => Some((*value, *unit)),
             Value::Text(text) => {
                 let degrees = text.trim().trim_end_matches(['°', 'º']).trim_end_matches("deg").trim();
-                degrees.parse().ok().map(|value| (value, Unit::Unknown))
+                lsystem_base::decimal::read(degrees).map(|value| (value, Unit::Unknown))
             }
             _ => None,
         };
@@ -511,7 +511,8 @@ impl Reader<'_> {
         if let Some(code) = code {
             let source = self.source(code);
             let numbers = source.split(|c: char| !c.is_ascii_digit() && c != '.');
-            let mut numbers: Vec<f64> = numbers.filter_map(|n| n.parse().ok()).filter(|n| *n != 180.0).collect();
+            let mut numbers: Vec<f64> =
+                numbers.filter_map(lsystem_base::decimal::read).filter(|n| *n != 180.0).collect();
             numbers.dedup();
             if let [angle] = numbers[..]
                 && angle > 6.3

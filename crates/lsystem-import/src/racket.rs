@@ -12,12 +12,14 @@
 //! θ=22.5
 //! ```
 //!
-//! Several systems are separated by a line of `-`. Racket code follows a line of `=`; it decides what the symbols do and
-//! is not run. With the library `lindenmayer/turtle` the symbols are known: F draws and f moves by 2, the numbers of + and
+//! Several systems are separated by a line of `-`. Racket code follows a line of `=`; it decides what the symbols do
+//! and is not run. With the library `lindenmayer/turtle` the symbols are known: F draws and f moves by 2, the numbers
+//! of + and
 //! - are factors of θ, and ! sets the width.
 
 use crate::draft::Draft;
 use crate::rules::split_rule;
+use lsystem_base::decimal;
 use std::collections::BTreeSet;
 
 pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
@@ -48,7 +50,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Draft>> {
     }
     let code = Code::new(code);
     parts.retain(|part| !part.1.is_empty());
-    // One more than the limit, which is then told.
+    // One more than the limit, so that the limit is reported.
     parts.truncate(super::MAX_ENTRIES + 1);
     Some(parts.iter().map(|(line, lines)| system(*line, lines, &code)).collect())
 }
@@ -66,7 +68,7 @@ struct Code<'a> {
 impl<'a> Code<'a> {
     fn new(code: &'a str) -> Self {
         // `(define (+ turtles variables) (turn 90 turtles))`
-        let turns = code.split("(turn ").skip(1).filter_map(|rest| rest.split([' ', ')']).next()?.parse::<f64>().ok());
+        let turns = code.split("(turn ").skip(1).filter_map(|rest| decimal::read(rest.split([' ', ')']).next()?));
         Self {
             first: code.trim().lines().next().unwrap_or_default(),
             library: code.contains("lindenmayer/turtle") || code.trim().is_empty(),
@@ -165,7 +167,7 @@ fn angle(draft: &mut Draft, variables: &[(String, String)], code: &Code<'_>) {
     let library = code.library;
     let variable = |names: &[&str]| {
         let found = names.iter().find_map(|name| variables.iter().find(|(own, _)| own == name))?;
-        found.1.parse::<f64>().ok()
+        decimal::read(&found.1)
     };
     let found = variable(if library { &["θ"] } else { &["θ", "δ", "angle", "theta", "delta"] });
     draft.definition.angle = match found {

@@ -368,7 +368,7 @@ impl<'a> Scanner<'a> {
                 while self.peek().is_some_and(|c| c.is_ascii_digit() || c == '.') {
                     self.bump()?;
                 }
-                self.text[from..self.at].parse().ok()
+                lsystem_base::decimal::read(&self.text[from..self.at])
             }
             'π' => {
                 self.bump()?;
