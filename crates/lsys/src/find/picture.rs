@@ -3,7 +3,7 @@
 use super::{Known, MAX_LISTED};
 use crate::{CommandFailure, print};
 use lsystem::files::{SegmentForm, read_segments};
-use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, merged};
+use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, merged};
 use serde::Serialize;
 use std::io::Cursor;
 use std::sync::Arc;
@@ -87,7 +87,7 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     let Known { axiom, angle, heading, n, draws, .. } = known;
     let question = Question { axiom: axiom.clone(), angle: *angle, heading: *heading, n: *n, draws: draws.clone() };
     let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get) as u64;
-    let parts = (0..cores).map(|part| Finder::new(&picture, &question, (part, cores)));
+    let parts = (0..cores).map(|part| Finder::new(&picture, &question, Share { index: part, count: cores }));
     let parts = parts.collect::<Result<Vec<_>, _>>().map_err(said)?;
     let limit = Duration::from_secs(known.seconds.into());
     let parts: Vec<Finder> = thread::scope(|scope| {
