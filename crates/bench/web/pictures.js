@@ -8,7 +8,7 @@ const AIMS = [40, 16];
 const CUT = 2000;
 /** Rows are measured once only after so many milliseconds in all, so that the whole ends in time. */
 const PATIENCE = 240_000;
-/** The way of everyone else is given up past this many segments: a hundred times what fits in a frame. */
+/** The most segments drawn as single lines of the canvas: a hundred times as many as a frame has time for. */
 const MOST = 20_000_000;
 
 const timed = (run) => {
@@ -19,7 +19,7 @@ const timed = (run) => {
 
 const median = (times) => times.sort((a, b) => a - b)[times.length >> 1];
 
-/** All medians, and all of the best runs beside them: whatever else the machine is at makes the two differ. */
+/** The sums of all medians and of all best runs. Their ratio grows with the load of the machine by other programs. */
 const sums = { typical: 0, best: 0 };
 
 /** The median of five runs, or of as many as take a quarter of a second; one where `once`. */
@@ -70,7 +70,7 @@ globalThis.pictures = async (base64, files) => {
         const what = `${about.name} n=${n} zoom=${zoom}`;
         const once = performance.now() - began > PATIENCE;
         rows++;
-        // As after a change of the system: without any tile.
+        // Without stored tiles, as after a change of the system.
         let ended = true;
         const ms = typical(() => (pictures.load(), timed(() => (ended &&= pictures.picture(zoom, 0, CUT)))), once);
         const stats = pictures.stats();
@@ -85,14 +85,14 @@ globalThis.pictures = async (base64, files) => {
           slow.push(`${what}: ${ms.toFixed(1)} ms`);
         }
         if (n === 12) first[zoom] = ended ? ms : undefined;
-        // Below two milliseconds it is the clock that tells.
+        // Times below 2 ms are within the error of the clock.
         if (n === 40 && first[zoom] !== undefined && ms > 2 && ms / Math.max(first[zoom], 1) > worst.ratio) {
           worst = { ratio: ms / Math.max(first[zoom], 1), what: `${about.name} zoom=${zoom}: ${first[zoom].toFixed(1)} -> ${ms.toFixed(1)} ms` };
         }
         if (n === 40 && first[zoom] !== undefined && ms > 2 * first[zoom] && ms > 2) {
           growth.push(`${about.name} zoom=${zoom}: ${first[zoom].toFixed(1)} -> ${ms.toFixed(1)} ms`);
         }
-        // It never shrinks: what is told is where it grew last.
+        // The memory never shrinks, so the last growth names the largest picture.
         if (memory.buffer.byteLength > largest.bytes) largest = { bytes: memory.buffer.byteLength, what };
       }
     }
@@ -108,7 +108,7 @@ globalThis.pictures = async (base64, files) => {
   await print(`worst ratio of n = 40 to n = 12: ${worst.ratio.toFixed(1)} (${worst.what})`);
   await print(`largest wasm memory: ${(largest.bytes / 2 ** 20).toFixed(0)} MiB (${largest.what})`);
 
-  // The way of everyone else: every segment a line of the canvas, at the largest n that ends within ten seconds.
+  // For comparison, every segment as a line of the canvas, at the largest n that ends within ten seconds.
   await print('\nevery segment as a line of the same canvas, in paths of 1,000, beside our picture of the same n:');
   for (let index = 0; index < 7; index++) {
     let last;

@@ -15,7 +15,7 @@ const LEAST: u32 = 128;
 /// The number of symbols of a string that are written at a time.
 const SYMBOLS: usize = 1 << 15;
 
-/// What a file is made of.
+/// The content, the format and the limits of a file.
 #[derive(Clone, Copy, Debug)]
 pub struct FileTask<'a> {
     /// The definition.
@@ -51,7 +51,8 @@ pub struct FileView {
 pub struct FileLimits {
     /// The limits of the drawing.
     pub drawing: Limits,
-    /// The most bytes of the drawing, at most those of `drawing`. Limits decide how a drawing is made, but this one does not.
+    /// The most bytes of the drawing, at most those of `drawing`. Limits decide how a drawing is made, but this one
+    /// does not.
     pub drawing_bytes: u64,
     /// The limits of the string.
     pub string: Limits,
@@ -149,7 +150,8 @@ impl FileTask<'_> {
         Ok(Arc::new(projection.finish(&drawing)))
     }
 
-    /// The drawing in words, if they are asked for. The number of segments is counted where the drawing does not tell.
+    /// The drawing in words, if they are asked for. The number of segments is counted where the drawing does not have
+    /// it.
     fn description(&self, figure: &Figure, work: &mut dyn Work) -> Result<String, Halt> {
         if !self.view.is_described {
             return Ok(String::new());
