@@ -1,4 +1,4 @@
-//! Processor time, which does not depend on the load of the machine. Other systems than Unix tell the time on the wall.
+//! Processor time, which does not depend on the load of the machine. Systems other than Unix use the time on the wall.
 
 use std::time::Duration;
 

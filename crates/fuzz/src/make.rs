@@ -1,8 +1,10 @@
 //! Random inputs from a row of bytes.
 mod definition;
+mod field;
 mod text;
 mod view;
 
 pub(crate) use definition::{definition, limits, system};
+pub(crate) use field::style;
 pub(crate) use text::{expression, overrides, random_pieces};
-pub(crate) use view::{camera, style, upto, view, viewport};
+pub(crate) use view::{camera, upto, view, viewport};

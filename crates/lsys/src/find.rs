@@ -18,7 +18,7 @@ const MAX_AXIOMS: usize = 8;
 /// The most systems that are listed.
 const MAX_LISTED: usize = 10;
 
-/// What was found, as JSON.
+/// The result as JSON.
 #[derive(Serialize)]
 struct Answer {
     candidates: Vec<Candidate>,
@@ -33,7 +33,7 @@ struct Candidate {
     symbols: usize,
 }
 
-/// What is known of the system.
+/// The known properties of the system.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Known {
     pub(crate) axiom: Option<String>,

@@ -97,7 +97,7 @@ fn entries_of(bytes: &[u8]) -> Result<Vec<Entry>, String> {
         return Ok(entries);
     }
     let FileContent { definition, mut diagnostics, .. } = read_file(bytes);
-    // Other notations begin with a brace too, so only JSON that has parts of a system is told to be wrong.
+    // Other notations begin with a brace too, so only JSON that has parts of a system is reported as wrong.
     let is_json = definition.is_some() || bytes.windows(9).any(|part| part == b"\"initial\"");
     if let Some(definition) = &definition {
         diagnostics.extend(System::new(definition).1);

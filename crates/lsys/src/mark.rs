@@ -58,7 +58,7 @@ fn marked_by(marker: &mut Marker, answer: Answer, with_picture: bool) -> Marked 
     }
 }
 
-/// What is wrong with an answer, as the student is told.
+/// The sentence that explains a mark to the student.
 fn said(marker: &Marker, student: &Definition, mark: &Grade) -> String {
     if let Some(error) = mark.errors.first() {
         return error.message();

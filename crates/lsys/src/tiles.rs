@@ -47,7 +47,7 @@ pub(crate) fn tiles(file: &Path, to: &Path, options: &TileOptions, changes: &Cha
     print(|out| writeln!(out, "{tally}"))
 }
 
-/// What was done.
+/// The counts of tiles made, kept and left out.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
     made: u64,

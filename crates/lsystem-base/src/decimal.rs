@@ -1,6 +1,7 @@
 //! Decimal numbers, read exactly: the nearest double, ties to even.
 //!
-//! The standard library gives the same results, but its tables are a fortieth of the page's wasm.
+//! The standard library gives the same results, but its tables make the page's wasm 13 KB larger, and 11 KB compressed,
+//! since they do not compress. So all numbers that the wasms read are read here.
 
 use core::cmp::Ordering;
 

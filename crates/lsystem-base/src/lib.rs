@@ -1,14 +1,16 @@
-//! What every part counts and sorts with: limits, counted work, small sorts and numbers as texts.
+//! Limits, counted work, and numbers as texts: the ground that all other crates stand on.
 //!
-//! Each limit is checked before the allocation that it guards, and every loop whose length depends on input charges a
-//! [`Meter`].
+//! Each of the [`Limits`] is checked before the allocation that it guards. Every loop whose length depends on input
+//! charges a [`Meter`], and work that takes long runs in steps that return a [`Progress`]. [`decimal`], [`number`] and
+//! [`sorted`] read numbers, write numbers and sort lists in few bytes of compiled code.
 //!
 //! ```
-//! use lsystem_base::Meter;
+//! use lsystem_base::{Meter, decimal};
 //!
 //! let mut meter = Meter::new(10);
 //! meter.charge(8);
 //! assert_eq!((meter.is_spent(), meter.left()), (false, 2));
+//! assert_eq!(decimal::read("25.7"), Some(25.7));
 //! ```
 
 pub mod decimal;

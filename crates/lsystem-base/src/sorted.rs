@@ -1,7 +1,7 @@
 //! Sorting with small compiled code, for lists that are sorted once and then searched.
 //!
-//! The standard library's sorts and trees take several kilobytes of wasm for each type of element, too much for short
-//! or rarely sorted lists.
+//! The standard library's sorts take several kilobytes of wasm for each type of element: here they would make the page's
+//! wasm 54 KB larger, and 15 KB compressed.
 
 /// Sorts in place without allocating: a heap sort (Williams, 1964). The sort is not stable.
 pub fn sort<T: Ord>(list: &mut [T]) {

@@ -1,4 +1,4 @@
-//! What a program printed, compared with a generation of a system: its string, or its segments.
+//! The output of a program, compared with a generation of a system: its string, or its segments.
 //!
 //! The comparison names the first difference. Before that it looks for the usual reasons: another generation, rules
 //! applied one after another instead of all at once, a picture that is turned, mirrored, or in another order.
@@ -28,7 +28,7 @@ const LIMITS: Limits =
 /// The result of a comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What the output was read as.
+    /// The kind of output that was recognised.
     pub output: Output,
     /// The generation that was asked for.
     pub generation: u32,
@@ -59,7 +59,7 @@ pub enum Verdict {
     /// The same segments in another order, or with repeats. The picture is right.
     Reordered,
     /// The same segments, but the picture is turned by this many degrees counter-clockwise, after it was mirrored left
-    /// to right if so told.
+    /// to right if `is_mirrored`.
     Placed {
         /// 0, 90, 180 or 270.
         degrees: u32,

@@ -14,7 +14,7 @@ const MAX_WORDS: usize = 5_000;
 /// Mixed into the bytes of an exercise, so that a decoder for base64 and zlib alone does not show its rules.
 const VEIL: &[u8] = b"Lindenmayer 1968";
 
-/// What a student sees of a part of the target.
+/// How much of a part of the target a student sees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Given {
@@ -27,7 +27,7 @@ pub enum Given {
     Hidden,
 }
 
-/// What must be the same.
+/// The property in which an answer must equal the target.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Asks {
@@ -132,7 +132,7 @@ pub struct Exercise {
     pub rules: Vec<Given>,
     /// Where the student starts.
     pub first: First,
-    /// What must be the same.
+    /// The property in which an answer must equal the target.
     pub asks: Asks,
     /// The most symbols that the student's rules may have.
     pub most_symbols: Option<u32>,

@@ -19,7 +19,7 @@ const ANGLES: [f64; 12] = [15.0, 18.0, 20.0, 22.5, 25.0, 30.0, 36.0, 45.0, 60.0,
 const NEAR: f64 = 1e-6;
 
 impl Marker {
-    /// What is probably wrong with an answer; `None` if nothing usual is.
+    /// The probable mistake in an answer, in words; `None` if no usual mistake explains it.
     #[must_use]
     pub fn hint(&self, student: &Definition) -> Option<String> {
         let exercise = self.exercise();

@@ -1,5 +1,19 @@
 //! Teaching with L-systems: exercises and their marks, the output of other programs checked, how the generations
 //! [grow](growth), and derivations and turtles [step by step](steps).
+//!
+//! An [`Exercise`] is a target system with the parts that are given, shown or free. A [`Marker`] compares answers with
+//! the target by string, picture or distribution, and its hint names a usual mistake. [`check`] compares the output of
+//! a student's program with a generation of a system and names the first difference.
+//!
+//! ```
+//! use lsystem_course::{Verdict, check};
+//! use lsystem_syntax::Definition;
+//!
+//! let rules = "A -> AB\nB -> A".into();
+//! let algae = Definition { axiom: "A".into(), rules, iterations: 4, ..Definition::default() };
+//! assert!(check(&algae, "ABAABABA").is_right());
+//! assert_eq!(check(&algae, "ABAAB").verdict, Verdict::Generation(3));
+//! ```
 
 mod check;
 mod compiled;

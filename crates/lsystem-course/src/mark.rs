@@ -245,7 +245,7 @@ impl Marker {
         if self.outline.is_none() {
             self.outline = target.outline();
         }
-        // An empty picture has no outline that could tell it from points.
+        // An empty picture has no outline that could distinguish it from points.
         if own.mask.is_empty() != self.target.mask.is_empty() {
             return Some(false);
         }

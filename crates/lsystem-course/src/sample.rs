@@ -12,7 +12,7 @@ const LIMITS: Limits = Limits { symbols: 1 << 18, modules: 1 << 16, segments: 10
 /// Two samples of the same system are farther apart than this once in a thousand times (Kolmogorov-Smirnov).
 const FAR: f64 = 1.95 * core::f64::consts::SQRT_2 / 20.0;
 
-/// What is measured of each drawing: segments, width and height.
+/// The measures of each drawing: segments, width and height.
 const MEASURES: usize = 3;
 
 /// Measures of drawings with one seed each, sorted.

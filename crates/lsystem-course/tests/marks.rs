@@ -6,7 +6,7 @@ use lsystem_base::Limits;
 use naive::is_same;
 use naive::systems::{one_symbol_edits, rewritings, systems};
 
-/// The reference accepts what must be the same by construction, and tells most edits apart.
+/// The reference accepts what must be the same by construction, and rejects most edits.
 #[test]
 fn the_reference_is_right() {
     let mut accepted = 0;

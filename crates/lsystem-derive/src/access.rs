@@ -1,6 +1,6 @@
 //! Random access into a generation that may be too long to store.
 //!
-//! The counts of each letter's derivation tell which letter contains a given position. A search therefore goes down
+//! The counts of each letter's derivation show which letter contains a given position. A search therefore goes down
 //! from the axiom, one generation at a time, however long the string is.
 
 use crate::counts::Depths;

@@ -11,9 +11,9 @@ use lsystem_syntax::{Grammar, Module, Pattern, Production};
 
 impl Rules {
     /// Compiles `grammar`. `spans` are the spans of its productions in the text, followed by the spans of its
-    /// productions for drawing. `cuts` tells which symbols cut off the rest of their branch. If the grammar is plain,
-    /// productions for drawing are left out, because the drawing gives their actions to the letters; `apart` compiles
-    /// them nevertheless.
+    /// productions for drawing. `cuts` marks the symbols that cut off the rest of their branch. If the grammar is
+    /// plain, productions for drawing are left out, because the drawing gives their actions to the letters; `apart`
+    /// compiles them nevertheless.
     ///
     /// # Errors
     /// If an expression has an unknown name or is nested too deeply.

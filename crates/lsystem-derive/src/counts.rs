@@ -180,7 +180,7 @@ pub(crate) fn counts_until(
     Ok(generations)
 }
 
-/// Calls `nonzero(generation, is_nonzero)` for generations 0 to `last`. `is_nonzero` tells whether the sum of `weight`
+/// Calls `nonzero(generation, is_nonzero)` for generations 0 to `last`. `is_nonzero`: the sum of `weight`
 /// over the generation's letters is above 0; `None` if it is unknown. Stops if `nonzero` returns true. Returns false if
 /// the meter was spent first.
 pub fn weigh_until(

@@ -41,16 +41,10 @@ impl Figure {
     #[must_use]
     pub fn drawer(system: &System, n: u32, limits: Limits) -> FigureDrawer {
         if system.is_solid() {
-            Self::drawer_in_space(system, n, limits)
+            FigureDrawer::Space(Box::new(Drawer::new(system, n, limits)))
         } else {
             FigureDrawer::Plane(Box::new(Drawer::new(system, n, limits)))
         }
-    }
-
-    /// Prepares to draw generation `n` in space, also of a system that does not leave the plane: for meshes.
-    #[must_use]
-    pub fn drawer_in_space(system: &System, n: u32, limits: Limits) -> FigureDrawer {
-        FigureDrawer::Space(Box::new(Drawer::new(system, n, limits)))
     }
 
     /// Whether the drawing lies in space.

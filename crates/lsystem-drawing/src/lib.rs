@@ -1,11 +1,23 @@
-//! L-systems drawn.
-//!
-//! The input is a [`Definition`](lsystem_syntax::Definition). The output is a [`Drawing`], a small graph of shared
+//! Drawings of L-systems: from a [`Definition`](lsystem_syntax::Definition) to a [`Drawing`], a small graph of shared
 //! blocks.
 //!
 //! A [`System`] is a checked and compiled definition. Its rules derive strings ([`expand`], [`count_symbols`]). A
-//! [`Turtle`] reads the symbols, in the [`Plane`] or in space ([`Solid`]). A [`Drawer`] makes the blocks in steps.
-//! A [`Figure`] is a drawing in the space of its system, for readers to whom the space makes no difference.
+//! [`Turtle`] reads the symbols, in the [`Plane`] or in space ([`Solid`]). A [`Drawer`] makes the blocks in steps: one
+//! block for each letter and number of derivation steps, or, where chance or contexts forbid sharing, a tree of the
+//! whole string. A [`Figure`] is a drawing in the space of its system, for readers to whom the space makes no
+//! difference. Bounds, counts, segments, projections and the triangles of a [`Mesh`] are read from the graph.
+//!
+//! ```
+//! use lsystem_base::Limits;
+//! use lsystem_drawing::{Figure, System};
+//! use lsystem_syntax::Definition;
+//!
+//! let koch = Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
+//! let system = System::new(&koch).0.expect("no diagnostic is an error");
+//! let figure = Figure::draw(&system, 40, &Limits::default()).unwrap();
+//! assert_eq!(figure.segment_count(), 1 << 80);
+//! assert!(figure.block_count() < 1_000);
+//! ```
 
 // In the order of the data.
 mod chunks;

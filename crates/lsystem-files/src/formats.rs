@@ -87,7 +87,7 @@ impl Purpose {
     }
 }
 
-/// What is worth knowing about a written file.
+/// Remarks on a written file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Notes {
     /// A warning about the file.

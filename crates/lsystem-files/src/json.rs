@@ -1,8 +1,9 @@
 //! Systems as JSON files.
 //!
-//! A file is one object. Comments, trailing commas and unquoted keys are accepted. It needs `initial`, `rules`, `turtle`
-//! or `style`, to be told from other JSON; all other keys are optional. [`FIELDS`] lists them with their defaults and ranges, and README shows the list. The objects `turtle` and `style` are members
-//! of the file's object. The key `stochastic` has no effect, because the rules decide.
+//! A file is one object. Comments, trailing commas and unquoted keys are accepted. It needs `initial`, `rules`,
+//! `turtle` or `style`, to differ from other JSON; all other keys are optional. [`FIELDS`] lists them with their
+//! defaults and ranges, and README shows the list. The objects `turtle` and `style` are members of the file's object.
+//! The key `stochastic` has no effect, because the rules decide.
 //!
 //! In the course's files `rules` is an object: `{"F": "F+F", "X": [{"p": 0.5, "e": "XF"}, {"p": 0.5, "e": "X"}]}`. The
 //! strings in it and `initial` are then plain characters: each character is a symbol, including white space.

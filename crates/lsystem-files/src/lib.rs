@@ -1,5 +1,20 @@
-//! File formats: systems as JSON, in links and typeset, drawings as SVG, PDF, TikZ and CSV, meshes as OBJ and glTF, and
-//! pictures that hold their system.
+//! File formats: systems as JSON, in links and typeset; drawings as SVG, PDF, TikZ, CSV and plots; meshes as OBJ, glTF
+//! and STL; PNG pictures.
+//!
+//! [`FORMATS`] is the table of all formats that are written, [`FILE_OPTIONS`] that of the choices for them. [`make`]
+//! writes a file of any format from a definition and its system. It is straight code over a [`Sink`], which hands
+//! pieces of the file to an [`Owner`], counts work and may stop it. [`read_file`] reads the system back from JSON and
+//! from pictures that hold it, [`read_link`] from a link of the page, and [`read_segments`] reads the drawings of other
+//! programs.
+//!
+//! ```
+//! use lsystem_files::{read_json, write_json};
+//! use lsystem_syntax::Definition;
+//!
+//! let koch = Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
+//! let (read, diagnostics) = read_json(&write_json(&koch));
+//! assert_eq!((read, diagnostics), (Some(koch), vec![]));
+//! ```
 
 mod compact;
 mod csv;
@@ -41,7 +56,6 @@ pub use option_table::{FILE_OPTIONS, FileOption, OptionKind, OptionValue};
 pub use options::FileOptions;
 pub use paper::{bibtex, latex, markdown};
 pub use plot_svg::write_plot;
-pub use png::tag_png;
 pub use png_writer::{PngOptions, write_png};
 pub use segments::{SegmentError, SegmentFile, SegmentForm, read_segments};
 pub use sink::{Owner, Sink, collect};

@@ -1,5 +1,5 @@
-//! Links of our own page: `#v=1&axiom=F&rules=F%20-%3E%20FF`, in the readable and in the compressed form. The page reads
-//! them in the same way; `docs/links.md` describes the format.
+//! Links of our own page: `#v=1&axiom=F&rules=F%20-%3E%20FF`, in the readable and in the compressed form. The page
+//! reads them in the same way; `docs/links.md` describes the format.
 
 use super::packed::unpack;
 use lsystem_base::{MAX_PALETTE, decimal};
@@ -21,8 +21,8 @@ const MOST_PROBLEMS: usize = 100;
 pub struct Link {
     /// The system in the link. Fields that the link leaves out have their defaults.
     pub definition: Definition,
-    /// The fields of the link that are not part of a definition, decoded, in the order of the link. `v` and `z` are left
-    /// out. A key is listed once, with its last value.
+    /// The fields of the link that are not part of a definition, decoded, in the order of the link. `v` and `z` are
+    /// left out. A key is listed once, with its last value.
     pub others: Vec<(String, String)>,
     /// Fields that were left out or changed.
     pub problems: Vec<LinkProblem>,
@@ -33,7 +33,7 @@ pub struct Link {
 pub struct LinkProblem {
     /// An excerpt of the value; of the link if the link as a whole is meant.
     pub text: String,
-    /// What is wrong.
+    /// The problem, in words.
     pub message: String,
 }
 
@@ -52,7 +52,7 @@ impl Link {
 }
 
 /// Reads a link: a full address, its part from `#` on, or the fields alone. Every link is read; damaged fields are left
-/// out and told. Returns `None` if the text is no link: it has neither a version nor a known field.
+/// out and reported. Returns `None` if the text is no link: it has neither a version nor a known field.
 #[must_use]
 pub fn read_link(text: &str) -> Option<Link> {
     let text = text.trim();

@@ -2,7 +2,7 @@
 
 use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
 use lsystem_base::{LimitName, Limits, Progress};
-use lsystem_drawing::{Drawing, Figure, FigureDrawer, Outlook, Projection, Solid, System, expand};
+use lsystem_drawing::{Drawer, Drawing, Figure, Outlook, Projection, Solid, System, expand};
 use lsystem_render::{Camera, Vantage, Viewport, fit};
 use lsystem_syntax::{Definition, Diagnostic, Halt, Work, run_steps};
 use std::sync::Arc;
@@ -15,7 +15,7 @@ const LEAST: u32 = 128;
 /// The number of symbols of a string that are written at a time.
 const SYMBOLS: usize = 1 << 15;
 
-/// What a file is made of.
+/// The content, the format and the limits of a file.
 #[derive(Clone, Copy, Debug)]
 pub struct FileTask<'a> {
     /// The definition.
@@ -51,7 +51,8 @@ pub struct FileView {
 pub struct FileLimits {
     /// The limits of the drawing.
     pub drawing: Limits,
-    /// The most bytes of the drawing, at most those of `drawing`. Limits decide how a drawing is made, but this one does not.
+    /// The most bytes of the drawing, at most those of `drawing`. Limits decide how a drawing is made, but this one
+    /// does not.
     pub drawing_bytes: u64,
     /// The limits of the string.
     pub string: Limits,
@@ -111,28 +112,30 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
 
 impl FileTask<'_> {
     fn figure(&self, work: &mut dyn Work) -> Result<Figure, Halt> {
-        self.drawn(Figure::drawer(self.system, self.definition.iterations, self.limits.drawing), work)
+        let mut drawer = Figure::drawer(self.system, self.definition.iterations, self.limits.drawing);
+        self.draw(work, |units| (drawer.step(units), drawer.bytes()))?;
+        Ok(drawer.finish()?)
     }
 
     /// The drawing in space, also of a system that does not leave the plane.
     fn in_space(&self, work: &mut dyn Work) -> Result<Arc<Drawing<Solid>>, Halt> {
-        let drawer = Figure::drawer_in_space(self.system, self.definition.iterations, self.limits.drawing);
-        match self.drawn(drawer, work)? {
-            Figure::Space(drawing) => Ok(drawing),
-            Figure::Plane(_) => Err(Halt::Stopped),
-        }
+        let mut drawer = Drawer::new(self.system, self.definition.iterations, self.limits.drawing);
+        self.draw(work, |units| (drawer.step(units), drawer.bytes()))?;
+        Ok(Arc::new(drawer.finish()?))
     }
 
-    fn drawn(&self, mut drawer: FigureDrawer, work: &mut dyn Work) -> Result<Figure, Halt> {
-        let most = self.limits.drawing_bytes;
-        run_steps(work, |units| match drawer.step(units) {
-            Progress::More if drawer.bytes() <= most => Progress::More,
-            _ => Progress::Done,
+    /// Runs a drawer, whose `step` returns its progress and its bytes, within the limit of memory.
+    fn draw(&self, work: &mut dyn Work, mut step: impl FnMut(u64) -> (Progress, u64)) -> Result<(), Halt> {
+        let (most, mut held) = (self.limits.drawing_bytes, 0);
+        run_steps(work, |units| {
+            let (progress, bytes) = step(units);
+            held = bytes;
+            if bytes <= most { progress } else { Progress::Done }
         })?;
-        if drawer.bytes() > most {
+        if held > most {
             return Err(Diagnostic::limit(LimitName::Memory, most, None).into());
         }
-        Ok(drawer.finish()?)
+        Ok(())
     }
 
     /// The drawing in the plane, or its projection. The drawing in space is dropped, to save memory.
@@ -147,7 +150,8 @@ impl FileTask<'_> {
         Ok(Arc::new(projection.finish(&drawing)))
     }
 
-    /// The drawing in words, if they are asked for. The number of segments is counted where the drawing does not tell.
+    /// The drawing in words, if they are asked for. The number of segments is counted where the drawing does not have
+    /// it.
     fn description(&self, figure: &Figure, work: &mut dyn Work) -> Result<String, Halt> {
         if !self.view.is_described {
             return Ok(String::new());

@@ -3,8 +3,8 @@
 //! A new choice needs a member of [`FileOptions`], a row here, and its name in the rows of the formats that read it.
 
 use crate::FileOptions;
-use lsystem_base::MAX_PICTURE_SIDE;
 use lsystem_base::number::number;
+use lsystem_base::{MAX_PICTURE_SIDE, decimal};
 use lsystem_plot::{Corner, SHEETS, Sheet};
 use lsystem_syntax::message::grouped;
 use serde::Deserialize;
@@ -268,7 +268,7 @@ impl FileOption {
         FILE_OPTIONS.iter().find(|option| option.name == name)
     }
 
-    /// What a value must be, in words.
+    /// The expected values, in words.
     #[must_use]
     pub fn expected_words(&self) -> String {
         match self.kind {
@@ -293,11 +293,11 @@ impl FileOption {
     /// A value from text, as on a command line.
     ///
     /// # Errors
-    /// What was expected, in words.
+    /// The expected values, in words.
     pub fn parse(&self, text: &str) -> Result<OptionValue, String> {
         let value = match self.kind {
             OptionKind::Flag => text.parse().ok().map(OptionValue::Flag),
-            OptionKind::Number { .. } => text.parse().ok().map(OptionValue::Number),
+            OptionKind::Number { .. } => decimal::read(text).map(OptionValue::Number),
             OptionKind::Word { .. } | OptionKind::Size | OptionKind::Sheet { .. } => {
                 Some(OptionValue::Text(text.to_owned()))
             }
@@ -339,7 +339,7 @@ impl OptionValue {
     /// A width and a height.
     fn sides(&self) -> Option<[f64; 2]> {
         let (width, height) = self.text().split_once('x')?;
-        Some([width.parse().ok()?, height.parse().ok()?])
+        Some([decimal::read(width)?, decimal::read(height)?])
     }
 
     /// The width and the height, if this is a size within the limits.

@@ -2,7 +2,7 @@
 
 use lsystem_plot::{PlotOptions, Sheet};
 
-/// What a file holds beside the drawing, and how the drawing is laid out.
+/// The content of a file beside the drawing, and the layout of the drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileOptions {
     /// The title; empty for none.
@@ -22,7 +22,7 @@ pub struct FileOptions {
     pub sheet: Sheet,
     /// The width and the height of formats of pixels; `None` for the size that suits the drawing.
     pub size: Option<[u32; 2]>,
-    /// Pixels of an inch on paper, told in the file; `None` if the file tells no resolution.
+    /// Pixels of an inch on paper, written into the file; `None` for a file without resolution.
     pub dpi: Option<f64>,
     /// Whether the background is left out.
     pub transparent: bool,

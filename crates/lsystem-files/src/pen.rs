@@ -1,4 +1,4 @@
-//! Names of colours, to tell pens apart.
+//! Names of colours, to distinguish pens.
 
 /// The names of twelve hues, from red on, 30 degrees apart.
 const HUES: [&str; 12] =

@@ -10,33 +10,6 @@ pub(super) fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(&SIGNATURE)
 }
 
-/// Stores a system, a text of [`write_json`](crate::write_json), in a PNG file for [`read_file`](crate::read_file). A
-/// system already in the file is replaced. `None` if `png` is not a PNG file.
-#[must_use]
-pub fn tag_png(png: &[u8], system: &str) -> Option<Vec<u8>> {
-    let mut chunks = PngChunks::new(png)?;
-    let header = chunks.next().filter(|chunk| chunk.kind == *b"IHDR")?;
-    // No compression, no language, no translated keyword.
-    let data = [KEYWORD.as_bytes(), &[0; 5], system.as_bytes()].concat();
-    let mut tagged = Vec::with_capacity(png.len() + data.len() + 12);
-    tagged.extend(SIGNATURE);
-    tagged.extend(header.whole);
-    tagged.extend(u32::try_from(data.len()).ok()?.to_be_bytes());
-    let start = tagged.len();
-    tagged.extend(b"iTXt");
-    tagged.extend(data);
-    tagged.extend(crc32(&tagged[start..]).to_be_bytes());
-    let mut rest = chunks.rest;
-    while let Some(chunk) = chunks.next() {
-        if chunk.system().is_none() {
-            tagged.extend(chunk.whole);
-        }
-        rest = chunks.rest;
-    }
-    tagged.extend(rest);
-    Some(tagged)
-}
-
 /// The system in a PNG file.
 pub(super) fn system_in(png: &[u8]) -> Option<Cow<'_, str>> {
     PngChunks::new(png)?.find_map(|chunk| chunk.system())
@@ -45,8 +18,6 @@ pub(super) fn system_in(png: &[u8]) -> Option<Cow<'_, str>> {
 struct Chunk<'a> {
     kind: [u8; 4],
     data: &'a [u8],
-    /// The chunk with its length and checksum.
-    whole: &'a [u8],
 }
 
 impl<'a> Chunk<'a> {
@@ -86,26 +57,13 @@ impl<'a> Iterator for PngChunks<'a> {
         let (whole, rest) = self.rest.split_at_checked(length.checked_add(12)?)?;
         let (kind, _) = whole[4..].split_first_chunk::<4>()?;
         self.rest = rest;
-        Some(Chunk { kind: *kind, data: &whole[8..8 + length], whole })
+        Some(Chunk { kind: *kind, data: &whole[8..8 + length] })
     }
-}
-
-/// The checksum of a chunk's kind and data (PNG specification, annex D).
-fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte), |crc: u32, _| if crc & 1 == 0 { crc >> 1 } else { 0xedb8_8320 ^ crc >> 1 })
-    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn checksums() {
-        assert_eq!(crc32(b"123456789"), 0xcbf4_3926);
-        assert_eq!(crc32(b"IEND"), 0xae42_6082);
-    }
 
     /// A chunk with a wrong checksum, which is never verified.
     fn chunk(kind: &[u8; 4], data: &[u8]) -> Vec<u8> {
@@ -113,26 +71,26 @@ mod tests {
     }
 
     #[test]
-    fn one_text_in_front() {
+    fn the_text_under_the_keyword() {
         let header = [SIGNATURE.as_slice(), &chunk(b"IHDR", &[0; 13])].concat();
         let rest = [chunk(b"tEXt", b"Software\0x"), chunk(b"IDAT", b"123"), chunk(b"IEND", b"")].concat();
-        let plain = [header.clone(), rest.clone()].concat();
-        assert_eq!(system_in(&plain), None);
-        let tagged = tag_png(&plain, "{é}").unwrap();
-        assert_eq!(system_in(&tagged).as_deref(), Some("{é}"));
-        assert!(tagged.starts_with(&header) && tagged.ends_with(&rest));
-        let again = tag_png(&tagged, "{}").unwrap();
-        assert_eq!(again.len(), tagged.len() - "é".len());
-        assert_eq!(system_in(&again).as_deref(), Some("{}"));
-        // Bytes after the last whole chunk stay.
-        assert!(tag_png(&plain[..plain.len() - 1], "").unwrap().ends_with(&rest[..rest.len() - 1]));
-
-        let latin = [header, chunk(b"tEXt", b"L-system\0{\xe9}")].concat();
-        assert_eq!(system_in(&latin).as_deref(), Some("{é}"));
-        for end in 0..tagged.len() {
-            // A file cut anywhere must not panic.
-            let _ = (system_in(&tagged[..end]), tag_png(&tagged[..end], ""));
+        assert_eq!(system_in(&[header.clone(), rest.clone()].concat()), None);
+        let texts: [(&[u8; 4], &[u8], Option<&str>); 4] = [
+            (b"iTXt", b"L-system\0\0\0\0\0{\xc3\xa9}", Some("{é}")),
+            // Compressed.
+            (b"iTXt", b"L-system\0\x01\0\0\0{}", None),
+            (b"tEXt", b"L-system\0{\xe9}", Some("{é}")),
+            (b"zTXt", b"L-system\0\0{}", None),
+        ];
+        for (kind, data, expected) in texts {
+            let file = [header.clone(), chunk(kind, data), rest.clone()].concat();
+            assert_eq!(system_in(&file).as_deref(), expected, "{data:?}");
+            for end in 0..file.len() {
+                // A file cut anywhere must not panic, and shows a text only if its chunk is whole.
+                let is_whole = end >= file.len() - rest.len();
+                assert_eq!(system_in(&file[..end]).as_deref(), expected.filter(|_| is_whole), "{end}");
+            }
         }
-        assert_eq!(tag_png(b"GIF89a", ""), None);
+        assert_eq!(system_in(b"GIF89a"), None);
     }
 }

@@ -1,4 +1,5 @@
-//! PNG pictures of any size, painted band by band while the file is written, so that memory does not grow with the picture.
+//! PNG pictures of any size, painted band by band while the file is written, so that memory does not grow with the
+//! picture.
 
 use super::Sink;
 use super::embed::KEYWORD;
@@ -22,12 +23,12 @@ const WORK: u64 = 1 << 14;
 pub struct PngOptions {
     /// The size: at most [`MAX_PICTURE_SIDE`](lsystem_base::MAX_PICTURE_SIDE) pixels each way.
     pub viewport: Viewport,
-    /// Pixels of an inch on paper; none if the file tells no resolution.
+    /// Pixels of an inch on paper; `None` for a file without resolution.
     pub dpi: Option<f64>,
     /// Whether the background is left out, as by [`FigureRenderer::transparent`].
     pub is_transparent: bool,
-    /// The system as a text of [`write_json`](crate::write_json), stored in the file for [`read_file`](crate::read_file);
-    /// empty for none.
+    /// The system as a text of [`write_json`](crate::write_json), stored in the file for
+    /// [`read_file`](crate::read_file); empty for none.
     pub system: String,
     /// If given, only the first `upto` segments are shown.
     pub upto: Option<u128>,
@@ -138,7 +139,7 @@ fn size_of(options: &PngOptions) -> Viewport {
     Viewport { width: width.max(1), height: height.max(1), ratio }
 }
 
-/// The resolution as the file tells it: pixels of a metre (PNG specification, section 11.3.4.3).
+/// The resolution in the unit of the file: pixels of a metre (PNG specification, section 11.3.4.3).
 fn resolution(dpi: f64) -> png::PixelDimensions {
     let per_metre = libm::round(dpi * 1000.0 / INCH).clamp(1.0, f64::from(i32::MAX)) as u32;
     png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter }

@@ -31,8 +31,8 @@ pub enum SegmentForm {
 /// Reads segments. Returns `None` if the text is neither XML nor a table of numbers.
 ///
 /// # Errors
-/// What cannot be read, and the line of the text (from 1): a file with a part that is not understood is not read at all,
-/// so that no segment is left out unnoticed. Files with more than `most` segments are not read.
+/// The first part that cannot be read, and its line of the text (from 1): a file with a part that is not understood is
+/// not read at all, so that no segment is left out unnoticed. Files with more than `most` segments are not read.
 #[must_use]
 pub fn read_segments(text: &str, most: usize) -> Option<Result<SegmentFile, SegmentError>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -56,7 +56,7 @@ pub fn read_segments(text: &str, most: usize) -> Option<Result<SegmentFile, Segm
 pub struct SegmentError {
     /// The line in the text, from 1.
     pub line: usize,
-    /// What is not understood.
+    /// The problem, in words.
     pub message: String,
 }
 

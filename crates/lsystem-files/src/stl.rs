@@ -1,8 +1,8 @@
 //! Meshes as binary STL, the format of printers in space.
 //!
-//! STL has no corners of its own: programs join the corners of triangles by their places. Two tubes may begin at the same
-//! place, and joined corners would give edges with four triangles. So no two corners of the mesh get the same place: the
-//! file is as closed as the mesh.
+//! STL has no corners of its own: programs join the corners of triangles by their places. Two tubes may begin at the
+//! same place, and joined corners would give edges with four triangles. So no two corners of the mesh get the same
+//! place: the file is as closed as the mesh.
 
 use crate::Sink;
 use lsystem_drawing::Mesh;
@@ -11,7 +11,7 @@ use std::collections::HashMap;
 
 /// The longest side of the mesh, in millimetres. STL has no units, and programs read its numbers as millimetres.
 const LONGEST: f64 = 100.0;
-/// The places for corners in a millimetre: more than any printer tells apart, and few enough for `f32`.
+/// The places for corners in a millimetre: more than any printer resolves, and few enough for `f32`.
 const PLACES: f64 = 10_000.0;
 /// The first 80 bytes. They must not begin with `solid`, which marks the text form of the format.
 const HEADER: &[u8; 80] = b"Binary STL, millimetres, z up                                                   ";

@@ -5,7 +5,7 @@ use crate::{Easing, Ending};
 use core::fmt;
 use core::ops::Range;
 
-/// What is wrong in a script.
+/// A mistake in a script.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ScriptProblem {
     /// The text is longer than [`MAX_SCRIPT`] bytes.
@@ -81,7 +81,7 @@ impl fmt::Display for ScriptProblem {
 /// A problem in a script, and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ScriptError {
-    /// What is wrong.
+    /// The mistake.
     pub problem: ScriptProblem,
     /// The part that is wrong, in bytes of the text.
     pub span: Range<usize>,

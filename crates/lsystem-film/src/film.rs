@@ -19,7 +19,7 @@ pub struct Film {
     constants: Vec<(usize, Range<usize>)>,
 }
 
-/// What a frame shows.
+/// The content of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// The system.
@@ -77,7 +77,7 @@ impl Film {
         self.frame_at(self.script.time_of(number))
     }
 
-    /// What the film shows at a time, in seconds.
+    /// The frame at a time in seconds.
     #[must_use]
     pub fn frame_at(&self, time: f64) -> Frame {
         let Self { script, definition, vantage, .. } = self;

@@ -1,6 +1,6 @@
 //! Films of L-systems.
 //!
-//! A [`Script`] tells how long a film is, how large, and which numbers change with time: the generation, angles, the
+//! A [`Script`] gives a film's length and size, and the numbers that change with time: the generation, angles, the
 //! seed, constants, numbers of the style, the view, the camera, and the part of the segments that is drawn. A script is
 //! a short text, which links and files hold:
 //!
@@ -21,8 +21,8 @@
 //!
 //! A [`Film`] is a script with the system and the view that it begins with. [`Film::frame`] makes a frame's definition
 //! and view from the number of the frame alone, so that frames can be made in any order, by any number of workers. A
-//! [`Painter`] makes pixels of a frame, and [`GifWriter`] a file of pixels. All frames are streamed: the memory does not
-//! depend on the length of a film.
+//! [`Painter`] makes pixels of a frame, and [`GifWriter`] a file of pixels. All frames are streamed: the memory does
+//! not depend on the length of a film.
 //!
 //! Equal films have equal frames on all machines, because a frame's numbers and pixels depend on counted work and on
 //! functions of `libm` only.

@@ -13,7 +13,7 @@ pub const LIMITS: Limits = Limits::PAGE;
 /// The length of the longer side, in pixels, at which a stroke's least width is in pixels. Larger pictures scale it.
 const USUAL: f64 = 1024.0;
 
-/// What the painter works on.
+/// The present work of the painter.
 enum Task {
     /// The frame's drawing.
     Drawing(FigureDrawer),
@@ -22,8 +22,8 @@ enum Task {
     Done,
 }
 
-/// Makes pixels of frames, one after the other, in the same memory. A frame's drawing is the drawing of the frame before
-/// if only the view, the style or the drawn part differ.
+/// Makes pixels of frames, one after the other, in the same memory. A frame's drawing is the drawing of the frame
+/// before if only the view, the style or the drawn part differ.
 ///
 /// The pixels do not depend on the frames before: each frame is painted by a renderer that remembers nothing.
 pub struct Painter {

@@ -21,7 +21,7 @@ pub(crate) const MIN_SIDE: u32 = 16;
 /// The most pixels of a frame: those of 3840 x 2160, and a little more.
 pub(crate) const MAX_FRAME_PIXELS: u32 = 1 << 23;
 
-/// What follows the last key.
+/// The continuation after the last key.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ending {
     /// The film ends with the values at its end.
@@ -62,7 +62,7 @@ pub struct Script {
     pub rate: u32,
     /// The width and the height of a frame, in pixels.
     pub size: [u32; 2],
-    /// What follows the end.
+    /// The continuation after the end.
     pub ending: Ending,
     /// The pace of keys that have none of their own in the text form.
     pub easing: Easing,

@@ -5,7 +5,7 @@ use lsystem_base::MAX_ITERATIONS;
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
 
-/// What a track changes.
+/// The number that a track changes.
 #[derive(Clone, Debug)]
 pub enum Subject {
     /// The generation, as a continuous number: 2.25 is a quarter of the way from generation 2 to 3.

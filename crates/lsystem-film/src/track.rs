@@ -18,7 +18,7 @@ pub struct Keyframe {
 /// A subject, and its values in time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// What changes.
+    /// The changing number.
     pub subject: Subject,
     /// The keys, at ascending times; at least one. The first value holds before the first key, and the last value after
     /// the last key.

@@ -1,4 +1,4 @@
-//! The angles that a picture's strokes suggest.
+//! Estimates of the turning angle, from the directions of a picture's strokes.
 
 use crate::picture::Picture;
 use lsystem_render::mask::SIDE;
@@ -34,7 +34,7 @@ pub(crate) fn suggested(picture: &Picture, headings: &[f64]) -> Vec<f64> {
     others
 }
 
-/// How much of the strokes has headings that an angle leads to, more than by chance.
+/// The share of the strokes whose headings are multiples of an angle, minus the share expected by chance.
 fn score(histogram: &[f64; 180], angle: f64, heading: f64) -> f64 {
     let is_led_to = |direction: usize| {
         (-TURNS..=TURNS).any(|turns| {

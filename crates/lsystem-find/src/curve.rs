@@ -1,14 +1,14 @@
 //! Successors of curves, read from the edges that a turtle walks along.
 //!
-//! A curve that goes along each edge of a lattice once begins with the word of a letter after one step. So the lines and
-//! turns of a word are read from the first edges. Which letters they are, and where letters are that do not draw, is told
-//! by the edges after them: there the curve is the same word after two steps. Then the whole curve is derived along the
-//! edges. The number of edges tells how many letters a word has.
+//! A curve that goes along each edge of a lattice once begins with the word of a letter after one step. So the lines
+//! and turns of a word are read from the first edges. The letters of these lines, and the places of letters that do not
+//! draw, follow from the edges after them: there the curve is the same word after two steps. Then the whole curve is
+//! derived along the edges. The number of edges gives the number of letters of a word.
 
-use crate::curve_letters::{LINE, Telling};
+use crate::curve_letters::{LINE, LetterSearch};
 use crate::family::{Family, Rule, mirrored};
 use crate::lattice::{Lattice, Walker};
-use crate::source::Told;
+use crate::source::Advance;
 use crate::words::{Alphabet, Symbol};
 use std::collections::HashSet;
 use std::iter::once;
@@ -38,7 +38,7 @@ pub(crate) struct CurveSearch {
     /// Where the turtle is before each of them, and after the last one.
     walk: Vec<Place>,
     is_begun: bool,
-    told: HashSet<Vec<Symbol>>,
+    known: HashSet<Vec<Symbol>>,
     words: Vec<Vec<Symbol>>,
     /// The edges that are taken, and how many.
     taken: Vec<bool>,
@@ -47,7 +47,7 @@ pub(crate) struct CurveSearch {
     symbols: usize,
 }
 
-/// What a letter is.
+/// The kind of a letter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Letter {
     /// Its word is searched, or that word as a mirror shows it, maybe from its end.
@@ -124,7 +124,7 @@ impl CurveSearch {
             lines: Vec::new(),
             walk: Vec::new(),
             is_begun: false,
-            told: HashSet::new(),
+            known: HashSet::new(),
             words: Vec::new(),
             taken: vec![false; lattice.edges],
             count: 0,
@@ -132,15 +132,15 @@ impl CurveSearch {
         })
     }
 
-    /// Works for some milliseconds at most.
-    pub(crate) fn advance(&mut self) -> Told {
+    /// Does a few milliseconds of work.
+    pub(crate) fn advance(&mut self) -> Advance {
         self.symbols = 0;
         while self.symbols < SHARE {
             if let Some(word) = self.words.pop() {
-                return Told::Word(word);
+                return Advance::Word(word);
             }
             self.symbols += 1;
-            let Some(&shape) = self.shapes.last() else { return Told::Done };
+            let Some(&shape) = self.shapes.last() else { return Advance::Done };
             let Some(&node) = self.starts.get(self.at.0) else {
                 self.shapes.pop();
                 self.at = (0, 0);
@@ -160,10 +160,10 @@ impl CurveSearch {
                 continue;
             }
             if self.walk.last().is_some_and(|place| place.drawn == shape.drawn) {
-                self.tell(shape, node);
+                self.find_words(shape, node);
             }
         }
-        Told::More
+        Advance::More
     }
 
     /// Goes to the next lines and turns; each comes before the longer ones that begin with it.
@@ -199,8 +199,8 @@ impl CurveSearch {
         (is_short && self.lines.last() != Some(&other)).then_some(Place { edge: None, ..place })
     }
 
-    /// Tells the words with the present lines that lead to the whole curve.
-    fn tell(&mut self, shape: Shape, start: u32) {
+    /// Finds the words with the present lines that derive the whole curve.
+    fn find_words(&mut self, shape: Shape, start: u32) {
         let mirror = self.letters.iter().find_map(|letter| match *letter {
             Letter::Mirrored { is_reversed } => Some(is_reversed),
             _ => None,
@@ -220,10 +220,11 @@ impl CurveSearch {
                 let words = match shape.n {
                     1 => vec![lines[second].clone()],
                     _ => {
-                        let mut telling = Telling::new(&self.lattice, self.alphabet, &lines, shape.undrawn, constant);
-                        telling.tell(&lines[second], begin, first as Symbol);
-                        self.symbols += telling.symbols;
-                        telling.words
+                        let mut search =
+                            LetterSearch::new(&self.lattice, self.alphabet, &lines, shape.undrawn, constant);
+                        search.run(&lines[second], begin, first as Symbol);
+                        self.symbols += search.symbols;
+                        search.words
                     }
                 };
                 for word in words {
@@ -231,8 +232,8 @@ impl CurveSearch {
                         Some(is_reversed) if second == 1 => mirrored(self.alphabet, &word, is_reversed),
                         _ => word,
                     };
-                    if !self.told.contains(&word) && self.is_whole(&word, shape.n, start) {
-                        self.told.insert(word.clone());
+                    if !self.known.contains(&word) && self.is_whole(&word, shape.n, start) {
+                        self.known.insert(word.clone());
                         self.words.push(word);
                     }
                 }

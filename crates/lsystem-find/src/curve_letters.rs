@@ -1,4 +1,4 @@
-//! Which letters the lines of a word are, and where letters are that do not draw.
+//! The letters of a word, given its lines: which letter each line is, and the places of letters that do not draw.
 
 use crate::lattice::{Lattice, Walker};
 use crate::words::{Alphabet, Symbol};
@@ -6,8 +6,8 @@ use crate::words::{Alphabet, Symbol};
 /// A line of a word whose letters are not known yet.
 pub(crate) const LINE: Symbol = 0;
 
-/// What tells the letters of a word, by the edges of the word after two steps.
-pub(crate) struct Telling<'a> {
+/// Assigns letters to the lines of a word, from the edges of the curve after two derivation steps.
+pub(crate) struct LetterSearch<'a> {
     lattice: &'a Lattice,
     alphabet: Alphabet,
     /// The lines and turns of the word of each letter with a rule.
@@ -17,7 +17,7 @@ pub(crate) struct Telling<'a> {
     /// The letter of each line where letters with rules do not draw.
     constant: Option<Symbol>,
     word: Vec<Symbol>,
-    told: usize,
+    inserted: usize,
     /// The edges of the word after two steps.
     taken: Vec<u32>,
     pub(crate) words: Vec<Vec<Symbol>>,
@@ -25,7 +25,7 @@ pub(crate) struct Telling<'a> {
     pub(crate) symbols: usize,
 }
 
-impl<'a> Telling<'a> {
+impl<'a> LetterSearch<'a> {
     pub(crate) fn new(
         lattice: &'a Lattice,
         alphabet: Alphabet,
@@ -34,22 +34,22 @@ impl<'a> Telling<'a> {
         constant: Option<Symbol>,
     ) -> Self {
         let (word, taken, words) = (Vec::new(), Vec::new(), Vec::new());
-        Self { lattice, alphabet, lines, undrawn, constant, word, told: 0, taken, words, symbols: 0 }
+        Self { lattice, alphabet, lines, undrawn, constant, word, inserted: 0, taken, words, symbols: 0 }
     }
 
-    /// Tells all words with these lines and turns. The first letter with a rule is known, and where its word begins.
-    pub(crate) fn tell(&mut self, lines: &[Symbol], begin: Walker, first: Symbol) {
+    /// Finds all words with these lines and turns. The first letter with a rule and the start of its word are known.
+    pub(crate) fn run(&mut self, lines: &[Symbol], begin: Walker, first: Symbol) {
         self.from(lines, true, Err((begin, first)));
     }
 
-    /// Tells the letters from here on. `at` is where the word after two steps has come, or where it begins and with which
-    /// letter. Of letters that do not draw, no two stand side by side.
+    /// Assigns the letters from here on. `at` is the end of the word after two steps so far, or its start and its first
+    /// letter. Two letters that do not draw never stand side by side.
     fn from(&mut self, lines: &[Symbol], may_insert: bool, at: Result<Walker, (Walker, Symbol)>) {
-        if self.constant.is_some() && may_insert && self.told < self.undrawn {
+        if self.constant.is_some() && may_insert && self.inserted < self.undrawn {
             self.letters(lines, at);
         }
         let Some((&symbol, rest)) = lines.split_first() else {
-            if self.constant.is_none() || self.told == self.undrawn {
+            if self.constant.is_none() || self.inserted == self.undrawn {
                 self.words.push(self.word.clone());
             }
             return;
@@ -98,9 +98,9 @@ impl<'a> Telling<'a> {
             };
             if is_followed {
                 self.word.push(letter);
-                self.told += 1;
+                self.inserted += 1;
                 self.from(rest, false, Ok(walker));
-                self.told -= 1;
+                self.inserted -= 1;
                 self.word.pop();
             }
             self.taken.truncate(before);

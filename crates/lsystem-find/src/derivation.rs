@@ -17,7 +17,7 @@ const SHARE: u64 = 4096;
 /// The most symbols of one successor.
 const MAX_SUCCESSOR: usize = 64;
 
-/// How far a search has come.
+/// The state of a search after a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Searched {
     /// There is more to search.
@@ -36,7 +36,7 @@ pub struct Search {
     found: Vec<Found>,
 }
 
-/// What all tasks search for.
+/// The problem that all tasks share.
 #[derive(Debug)]
 struct Problem {
     axiom: Vec<u8>,
@@ -52,7 +52,7 @@ struct Problem {
 #[derive(Clone, Debug)]
 struct Task {
     problem: Arc<Problem>,
-    /// Which symbols have rules, and how many.
+    /// The symbols that have rules, and their number.
     letters: Vec<bool>,
     size: usize,
     /// The number of symbols of all successors in this round.
@@ -62,7 +62,7 @@ struct Task {
     state: State,
 }
 
-/// What a rule is known to begin with.
+/// The known beginning of a rule.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Rule {
     successor: Vec<u8>,
@@ -72,7 +72,7 @@ struct Rule {
 /// A place in the derivation: the next symbol of a successor, or of the axiom.
 #[derive(Clone, Copy, Debug)]
 struct Level {
-    /// Whose successor is read; `None` for the axiom.
+    /// The letter whose successor is read; `None` for the axiom.
     of: Option<u8>,
     at: usize,
     /// The derivation steps that are left for its symbols.
@@ -199,10 +199,10 @@ impl Search {
     }
 }
 
-/// What a step of a task leads to.
+/// The result of a step of a task.
 enum Advance {
     More,
-    /// Rules were found; the round is over if so told.
+    /// Rules were found; the flag says whether the round is over.
     Found(Found, bool),
     /// The round is over.
     Done,
@@ -217,7 +217,7 @@ impl Task {
         };
     }
 
-    /// Goes on by one symbol.
+    /// Reads one symbol.
     fn advance(&mut self) -> Advance {
         let Some(&Level { of, at, depth }) = self.state.stack.last() else {
             let is_whole = self.state.read == self.problem.text.len();
@@ -305,7 +305,7 @@ impl Task {
         Advance::Done
     }
 
-    /// Puts everything back to what it was before a choice.
+    /// Restores the state from before a choice.
     fn restore(&mut self, choice: &Choice) {
         let Choice { of, length, used, read, ref stack, ref unknown, ref ended, .. } = *choice;
         self.state.used = used;

@@ -9,7 +9,7 @@ use lsystem_drawing::{Plane, draw};
 use lsystem_syntax::{Definition, Dialect};
 use std::iter::once;
 
-/// From this agreement on a system is told as found.
+/// The least agreement of a system that counts as found.
 pub const FOUND: f64 = 0.985;
 /// Of systems that draw the picture, those whose agreement is less than the best one's by at least this come after the
 /// others, however short they are.
@@ -22,7 +22,7 @@ const MAX_CONFIRMED: u64 = 100_000;
 /// A system that draws the picture, or nearly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// What its derivation begins with.
+    /// The axiom.
     pub axiom: String,
     /// Its rules and the number of derivation steps.
     pub found: Found,

@@ -37,8 +37,8 @@ pub(crate) struct Family {
     /// The successors of the free letters.
     words: Vec<Words>,
     pub(crate) tried: u64,
-    /// A family gets a part of the work that is smaller by this factor than that of the most usual ones, or of those with
-    /// all its systems.
+    /// A family gets a part of the work that is smaller by this factor than that of the most usual ones, or of those
+    /// with all its systems.
     pub(crate) rank: u64,
 }
 
@@ -50,7 +50,7 @@ impl Family {
         }
     }
 
-    /// Goes to the next system. The first word changes first, so that the blocks of the other one are used again.
+    /// Moves to the next system. The first word changes fastest, so that the blocks of the second one are reused.
     pub(crate) fn advance(&mut self) {
         self.tried += 1;
         while self.round <= MAX_SYMBOLS {
@@ -88,7 +88,8 @@ impl Family {
         }
     }
 
-    /// The successors of all letters if the first one's is this. Other letters without a rule of their own are constant.
+    /// The successors of all letters if the first one's is this. Other letters without a rule of their own are
+    /// constant.
     pub(crate) fn successors(&self, first: &[Symbol]) -> Vec<Vec<Symbol>> {
         let successor = |(at, (_, _, rule)): (usize, &(char, bool, Rule))| match rule {
             Rule::Fixed(word) => word.clone(),
@@ -99,8 +100,8 @@ impl Family {
         self.letters.iter().enumerate().map(successor).collect()
     }
 
-    /// Writes the successors of all letters. Whether the system is worth a try: all letters with rules that are searched
-    /// are used.
+    /// Writes the successors of all letters. Whether the system is worth a try: all letters with rules that are
+    /// searched are used.
     pub(crate) fn set_successors(&self, all: &mut Vec<Vec<Symbol>>) -> bool {
         let mut free = self.words.iter();
         let Some(first) = self.words.first().map(Words::word) else { return false };
@@ -136,7 +137,7 @@ pub(crate) fn mirrored(abc: Alphabet, word: &[Symbol], is_reversed: bool) -> Vec
     word
 }
 
-/// The other one of the first two letters, or of the two turns.
+/// Exchanges the first two letters, and the two turns.
 const fn swapped(abc: Alphabet, symbol: Symbol) -> Symbol {
     match symbol {
         0 => 1,

@@ -1,8 +1,8 @@
-//! The search for the rules of a picture of which something is known, and the rest is to be found out.
+//! The search for the rules of a picture, of whose system some properties are known.
 
 use crate::angles::suggested;
 use crate::drawn::{Drawn, FOUND, keep};
-use crate::{Known, Picture, PictureSearch, Searched};
+use crate::{Known, Picture, PictureSearch, Searched, Share};
 use std::sync::Arc;
 
 /// The first headings that are tried where none is known, in degrees.
@@ -16,7 +16,7 @@ const SIDES: [usize; 2] = [3, 6];
 /// The number of systems that a search tries before the next search's turn.
 const SHARE: u64 = 2048;
 
-/// What is known of a picture's system; `None` is to be found out.
+/// The known properties of a picture's system; `None` stands for an unknown one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Question {
     /// Letters, turns and branches.
@@ -49,16 +49,16 @@ struct Part {
     axiom: String,
     angle: f64,
     search: PictureSearch,
-    /// How unusual the axiom and the angle are.
+    /// The rank of the axiom and the angle: 0 for the most usual ones.
     rank: u64,
 }
 
 impl Finder {
-    /// `part` is which of how many searches beside each other this one is, such as (0, 1).
+    /// A search that tries its share of the systems.
     ///
     /// # Errors
     /// Why this cannot be searched.
-    pub fn new(picture: &Arc<Picture>, question: &Question, part: (u64, u64)) -> Result<Self, &'static str> {
+    pub fn new(picture: &Arc<Picture>, question: &Question, share: Share) -> Result<Self, &'static str> {
         let headings = question.heading.map_or(HEADINGS.to_vec(), |heading| vec![heading]);
         let angles = question.angle.map_or_else(
             || {
@@ -75,7 +75,7 @@ impl Finder {
             for (axiom, rank) in axioms.into_iter().zip(1..) {
                 let (headings, steps, draws) = (headings.clone(), steps.clone(), question.draws.clone());
                 let known = Known { axiom: axiom.clone(), angle, headings, steps, draws };
-                let search = PictureSearch::new(picture.clone(), known, part)?;
+                let search = PictureSearch::new(picture.clone(), known, share)?;
                 searches.push(Part { axiom, angle, search, rank: rank * usual });
             }
         }
@@ -107,8 +107,8 @@ impl Finder {
         Searched::More
     }
 
-    /// The number of systems that all searches beside each other tried, if each is as far as this one. Those that tried as
-    /// many tried the same.
+    /// The number of systems tried by all parallel searches, if each is as far as this one. Equal numbers stand for
+    /// equal systems.
     #[must_use]
     pub fn tried(&self) -> u64 {
         self.searches.iter().map(|part| part.search.tried()).sum()
@@ -126,7 +126,7 @@ impl Finder {
         self.kept.first().is_some_and(|drawn| drawn.agreement >= FOUND)
     }
 
-    /// What was searched, in words.
+    /// The extent of the search, in words.
     #[must_use]
     pub fn searched(&self) -> String {
         merged(&[self]).1
@@ -155,8 +155,8 @@ fn closing_angle(axiom: &str) -> Option<f64> {
     (sides >= SIDES[0] && is_regular).then(|| 360.0 / (sides * corner.len()) as f64)
 }
 
-/// What searches beside each other found: the systems that draw the picture, or the closest ones if none does, best
-/// first; and in words what all of them together searched.
+/// The merged result of searches that ran in parallel: the systems that draw the picture, or the closest ones if none
+/// does, best first; and the extent of all searches together, in words.
 #[must_use]
 pub fn merged(finders: &[&Finder]) -> (Vec<Drawn>, String) {
     let mut kept = Vec::new();

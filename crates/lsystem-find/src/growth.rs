@@ -2,13 +2,13 @@
 //!
 //! A branch in brackets moves nothing else, so the drawing of a word is a part of the drawing of the same word with one
 //! more branch, after any number of steps. A branch that leaves the ink is therefore in no successor that has the other
-//! branches too. So words grow from their trunk: each branch that stays on the ink is tried, those first after which most
-//! of the ink is covered. The scale is that of the trunk, whose end lies somewhere straight ahead of the base.
+//! branches too. So words grow from their trunk: each branch that stays on the ink is tried, those first after which
+//! most of the ink is covered. The scale is that of the trunk, whose end lies somewhere straight ahead of the base.
 
 use crate::family::{Family, Rule};
 use crate::hull::{Fit, Hulls, System, Target};
 use crate::picture::Picture;
-use crate::source::Told;
+use crate::source::Advance;
 use crate::strokes::{Strokes, pixel};
 use crate::words::{Alphabet, Symbol};
 use lsystem_render::mask::SIDE;
@@ -28,7 +28,7 @@ const MAX_BEND: i32 = 4;
 const MAX_LETTERS: usize = 12;
 /// One in this many places of the ink may be uncovered.
 const UNCOVERED: usize = 40;
-/// The number of places that tell how much is covered.
+/// The number of sampled places of ink, from which the covered share is estimated.
 const PLACES: usize = 1024;
 /// The most words of one trunk, and the most branches that are tried after each of them.
 const MAX_WORDS: usize = 40;
@@ -39,7 +39,7 @@ const STROKES: usize = 64;
 /// One in this many places of a straight line may lie beside the ink.
 const GAPS: usize = 10;
 
-/// What a plant is made of.
+/// The parts of a plant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     /// Copies of itself, which the turtle leaves at their ends: `F -> F[+F]F[-F]F`.
@@ -61,10 +61,11 @@ pub(crate) struct GrowthSearch {
     kind: Kind,
     /// Where the turtle begins, in the frame of the first heading, in pixels.
     base: [f64; 2],
-    /// The places of the ink that tell how much is covered.
+    /// The sampled places of the ink, from which the covered share is estimated.
     places: Vec<[usize; 2]>,
-    /// The trunks that are still to be tried, each with the work so far: those whose lines are a few pixels long, as in most
-    /// pictures, come first in one row, and those with the longest lines, which have the fewest strokes, in the other one.
+    /// The trunks that are still to be tried, each with the work so far: those whose lines are a few pixels long, as in
+    /// most pictures, come first in one row, and those with the longest lines, which have the fewest strokes, in the
+    /// other one.
     trunks: [(Vec<Trunk>, usize); 2],
     tried: HashSet<Trunk>,
     /// The row of the present trunk.
@@ -120,8 +121,8 @@ struct Plant {
 }
 
 impl GrowthSearch {
-    /// A search for words of a family whose axiom is one letter that draws, or one that does not with another letter that
-    /// is doubled.
+    /// A search for words of a family whose axiom is one letter that draws, or one that does not with another letter
+    /// that is doubled.
     pub(crate) fn new(picture: &Arc<Picture>, family: &Family, target: &Target, steps: &[u32]) -> Option<Self> {
         let kind = match &family.letters[..] {
             [(_, true, Rule::Free)] => Kind::Copies,
@@ -177,11 +178,11 @@ impl GrowthSearch {
     }
 
     /// Works for some milliseconds at most.
-    pub(crate) fn advance(&mut self) -> Told {
+    pub(crate) fn advance(&mut self) -> Advance {
         self.tested = 0;
         while self.tested < SHARE {
             if let Some(word) = self.covering.pop() {
-                return Told::Word(word);
+                return Advance::Word(word);
             }
             if let Some(plant) = self.open.pop().filter(|_| self.left > 0) {
                 self.left -= 1;
@@ -189,13 +190,13 @@ impl GrowthSearch {
                 continue;
             }
             self.row = usize::from(self.trunks[1].1 < self.trunks[0].1);
-            let Some(trunk) = self.trunks[self.row].0.pop() else { return Told::Done };
+            let Some(trunk) = self.trunks[self.row].0.pop() else { return Advance::Done };
             if self.tried.insert(trunk) {
                 self.left = MAX_WORDS;
                 self.begin(trunk);
             }
         }
-        Told::More
+        Advance::More
     }
 
     fn scale_of(&self, trunk: Trunk) -> Scale {
@@ -339,8 +340,8 @@ impl GrowthSearch {
         (0..=steps).filter(is_missing).count() * GAPS <= steps
     }
 
-    /// The word of a tree. The turtle leaves a plant of copies at the end of its trunk; elsewhere it does not come back from
-    /// the last branch.
+    /// The word of a tree. The turtle leaves a plant of copies at the end of its trunk; elsewhere it does not come back
+    /// from the last branch.
     fn word(&self, branches: &[Branch]) -> Vec<Symbol> {
         let mut word = Vec::new();
         self.write(branches, None, 0, &mut word);
@@ -386,8 +387,8 @@ impl GrowthSearch {
     }
 }
 
-/// Where a turtle begins, in the frame of the first heading: at the ink that reaches furthest against its heading, if that
-/// is one stroke.
+/// Where a turtle begins, in the frame of the first heading: at the ink that reaches furthest against its heading, if
+/// that is one stroke.
 fn base(ink: &[[usize; 2]], target: &Target, stroke: f64) -> Option<[f64; 2]> {
     let (cos, sin) = target.first;
     let place = |&[x, y]: &[usize; 2]| (x as f64 + 0.5, -(y as f64 + 0.5));

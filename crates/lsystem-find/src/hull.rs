@@ -1,8 +1,8 @@
 //! Convex hulls of drawings, found without drawing them.
 //!
-//! A hull is given by how far it reaches in some directions (its support function). The hull of a word is the hull of the
-//! moved hulls of its symbols, so the hulls of all letters after `n` steps need work for `n` times the symbols of the
-//! rules, however many segments are drawn. Places are in steps, with the first heading along the x axis.
+//! A hull is given by how far it reaches in some directions (its support function). The hull of a word is the hull of
+//! the moved hulls of its symbols, so the hulls of all letters after `n` steps need work for `n` times the symbols of
+//! the rules, however many segments are drawn. Places are in steps, with the first heading along the x axis.
 
 use crate::picture::Picture;
 use crate::words::{Alphabet, Symbol};
@@ -60,7 +60,7 @@ const fn gcd(a: u32, b: u32) -> u32 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// What a letter does after some steps.
+/// The displacement, turn and hull of a letter after some derivation steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Block {
     /// Where the turtle is then, and how many turns it has made.
@@ -91,7 +91,7 @@ impl Block {
         }
     }
 
-    /// What a word does if its letters are these blocks.
+    /// Composes the block of a word from the blocks of its letters.
     fn set_word(
         &mut self,
         headings: &Headings,
@@ -202,9 +202,9 @@ impl Target {
         Self { headings, first: (cos, sin), reach, moments, shape, square, stroke: picture.stroke }
     }
 
-    /// How the hull lies best on that of the picture, by least squares, if it does. Where the picture is nearly round, its
-    /// hull alone does not tell a larger drawing from thicker strokes; so the first fit expects the usual width of the
-    /// lines, and the second one any.
+    /// How the hull lies best on that of the picture, by least squares, if it does. Where the picture is nearly round,
+    /// its hull alone cannot distinguish a larger drawing from thicker strokes; so the first fit expects the usual
+    /// width of the lines, and the second one any.
     fn fits(&self, block: &Block, moments: &Moments) -> [Option<Fit>; 2] {
         let count = self.shape.len() as f64;
         let reach = &block.reach[..self.shape.len()];
@@ -233,7 +233,7 @@ impl Target {
     }
 }
 
-/// What of a hull is the same for all pictures.
+/// The moments of a hull, which do not depend on the picture.
 #[derive(Clone, Copy, Debug)]
 struct Moments {
     /// The mean of the support function.
@@ -257,7 +257,7 @@ impl Moments {
     }
 }
 
-/// The sum of the products, four sums beside each other.
+/// The sum of the products, as four independent partial sums.
 fn dot(a: &[f32], b: &[f32]) -> f64 {
     let mut sums = [0.0; 4];
     let (a, b) = (a.chunks_exact(4), b.chunks_exact(4));
@@ -299,7 +299,8 @@ impl Hulls {
     /// Finds the blocks of all letters after up to `last` steps.
     pub(crate) fn set(&mut self, headings: &Headings, system: System, last: u32) {
         let letters = system.draws.len();
-        // Often the last letter's rule has not changed. If the rule has no other letters, its blocks have not changed either.
+        // Often the last letter's rule has not changed. If the rule has no other letters, its blocks have not changed
+        // either.
         let (word, draws) = (&system.words[letters - 1], system.draws[letters - 1]);
         let is_known = self.letters == letters
             && (&self.last.0, self.last.1, self.last.2) == (word, draws, last)
@@ -323,8 +324,8 @@ impl Hulls {
         }
     }
 
-    /// Gives each number of steps in `steps`, in ascending order, after which the system has the hull of the picture, and
-    /// for which of the `targets`, all of the same angle.
+    /// Gives each number of steps in `steps`, in ascending order, after which the system has the hull of the picture,
+    /// and for which of the `targets`, all of the same angle.
     pub(crate) fn search(
         &mut self,
         targets: &[Target],

@@ -1,7 +1,7 @@
 //! The edges of a picture whose lines all have the same length: a graph that a turtle can walk on.
 //!
-//! From a corner of the picture's hull, lines are followed from node to node as long as they lie on ink. The lines that are
-//! known tell the length of a line and the place of the corner better and better, by least squares.
+//! From a corner of the picture's hull, lines are followed from node to node as long as they lie on ink. The lines that
+//! are known give the length of a line and the place of the corner ever more exactly, by least squares.
 
 use crate::hull::Target;
 use crate::picture::Picture;
@@ -58,7 +58,7 @@ pub(crate) struct Walker {
 }
 
 impl Walker {
-    /// Goes along the edge ahead, if there is one, and tells which it is.
+    /// Moves along the edge ahead, if there is one, and returns its index.
     pub(crate) fn go(&mut self, lattice: &Lattice) -> Option<u32> {
         let way = lattice.way(self.node, self.heading)?;
         self.node = way.node;
@@ -143,7 +143,7 @@ impl Lattice {
     }
 }
 
-/// What follows edges.
+/// A walk along the edges of a lattice, which measures its unit and its origin.
 struct Tracer<'a> {
     picture: &'a Picture,
     directions: &'a [[f64; 2]],

@@ -1,11 +1,22 @@
-//! Which rules make this? The shortest deterministic rules that derive a given string from an axiom.
+//! The inverse problem: the shortest deterministic rules that derive a given string or draw a given picture.
 //!
-//! The search reads the string from left to right while it derives from the axiom, leftmost first. Each symbol of the
-//! string decides the next symbol of a rule, or that a rule ends: only there the search has a choice. Rules with fewer
-//! symbols come first.
+//! A [`StringFinder`] reads the string from left to right while it derives from the axiom, leftmost first. Each symbol
+//! of the string decides the next symbol of a rule, or that a rule ends: only there the search has a choice. Rules with
+//! fewer symbols come first.
 //!
-//! The rules of a picture are found by trying: all systems of some families, the shortest first. The convex hull of a
-//! system's drawing is found without drawing it; only where it is that of the picture, the strokes are laid on the ink.
+//! A [`Finder`] enumerates families of systems for a [`Picture`], the shortest successors first. The convex hull of a
+//! system's drawing is computed without drawing it; only if it fits that of the picture, the strokes are compared with
+//! the ink. In addition, successors of plants and of curves are read off the picture itself. Several finders can search
+//! in parallel ([`merged`]). All searches run in steps and depend on counted work only.
+//!
+//! ```
+//! use lsystem_find::{Question, Searched, StringFinder};
+//!
+//! let question = Question { axiom: Some("F".into()), n: Some(2), ..Question::default() };
+//! let mut finder = StringFinder::new("F+F-F+F+F-F-F+F-F", &question).unwrap();
+//! while finder.found().is_empty() && finder.step(10_000) == Searched::More {}
+//! assert_eq!(finder.found()[0].found.text(), "F -> F+F-F");
+//! ```
 
 mod angles;
 mod curve;
@@ -20,6 +31,7 @@ mod lattice;
 mod parts;
 mod picture;
 mod picture_search;
+mod share;
 mod source;
 mod strings;
 mod strokes;
@@ -30,6 +42,7 @@ pub use drawn::{Drawn, FOUND};
 pub use finder::{Finder, Question, merged};
 pub use picture::Picture;
 pub use picture_search::{Known, PictureSearch};
+pub use share::Share;
 pub use strings::StringFinder;
 
 use lsystem_syntax::print_module;

@@ -30,8 +30,8 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// A picture of `width` times `height` levels of grey, row by row from above; 0 is black. The lines are what there is
-    /// less of, dark or light.
+    /// A picture of `width` times `height` levels of grey, row by row from above; 0 is black. The lines are what there
+    /// is less of, dark or light.
     ///
     /// # Errors
     /// Why no lines are seen.
@@ -155,8 +155,8 @@ fn half_width(mask: &Mask) -> f64 {
     widths.get(widths.len() / USUAL).map_or(0.5, |&width| width as f64 / 2.0)
 }
 
-/// The level of grey that tells dark from light best (Otsu, "A threshold selection method from gray-level histograms",
-/// 1979): the darker ones are at most this.
+/// The level of grey that divides dark from light best (Otsu, "A threshold selection method from gray-level
+/// histograms", 1979): the darker ones are at most this.
 fn threshold(grey: &[u8]) -> u8 {
     let mut counts = [0_u64; 256];
     grey.iter().for_each(|&at| counts[usize::from(at)] += 1);

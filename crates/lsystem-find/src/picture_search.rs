@@ -7,7 +7,7 @@ use crate::picture::Picture;
 use crate::source::Sources;
 use crate::strokes::{NEAR, Strokes};
 use crate::words::Symbol;
-use crate::{Found, Searched};
+use crate::{Found, Searched, Share};
 use std::sync::Arc;
 
 /// The most derivation steps.
@@ -15,7 +15,7 @@ const MAX_STEPS: u32 = 12;
 /// The number of systems that a family tries before the next family's turn.
 const SHARE: u64 = 256;
 
-/// What is known of a picture's system.
+/// The known properties of a picture's system.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Known {
     /// Letters, turns and branches.
@@ -48,16 +48,15 @@ pub struct PictureSearch {
     kept: Vec<Drawn>,
     /// The family that is searched now, and how many systems are left before the next one's turn.
     turn: (usize, u64),
-    /// Which of how many searches beside each other this one is.
-    part: (u64, u64),
+    share: Share,
 }
 
 impl PictureSearch {
-    /// `part` is which of how many searches beside each other this one is, such as (0, 1).
+    /// A search that tries its share of the systems.
     ///
     /// # Errors
     /// Why this cannot be searched.
-    pub fn new(picture: Arc<Picture>, known: Known, part: (u64, u64)) -> Result<Self, &'static str> {
+    pub fn new(picture: Arc<Picture>, known: Known, share: Share) -> Result<Self, &'static str> {
         if !(known.angle >= 0.01 && known.angle <= 360.0 && known.headings.iter().all(|heading| heading.is_finite())) {
             return Err("an angle from 0.01 to 360 degrees is expected");
         }
@@ -74,7 +73,7 @@ impl PictureSearch {
                 return Err("the letters that draw are expected to be in the axiom, or F or G");
             }
         }
-        let sources = Sources::new(&picture, &known, &targets, &families, part);
+        let sources = Sources::new(&picture, &known, &targets, &families, share);
         Ok(Self {
             picture,
             targets,
@@ -85,7 +84,7 @@ impl PictureSearch {
             words: Vec::new(),
             kept: Vec::new(),
             turn: (0, 0),
-            part,
+            share,
         })
     }
 
@@ -99,13 +98,13 @@ impl PictureSearch {
         self.sources.is_done() && self.families.iter().all(|family| family.round > MAX_SYMBOLS)
     }
 
-    /// The number of systems that were tried, or that others beside this search tried.
+    /// The number of systems tried by this search and by those that run in parallel with it.
     pub(crate) fn tried(&self) -> u64 {
         self.families.iter().map(|family| family.tried).sum()
     }
 
-    /// Tries at most so many systems, and ends where the work is done: in which order systems are tried does not depend on
-    /// it.
+    /// Tries at most so many systems, and ends where the work is done: in which order systems are tried does not depend
+    /// on it.
     pub(crate) fn advance(&mut self, systems: u64, work: &mut u64) {
         for _ in 0..2 {
             let (picture, steps) = (&self.picture, &self.known.steps);
@@ -123,7 +122,7 @@ impl PictureSearch {
             let at = self.turn.0;
             self.families[at].advance();
             self.turn.1 = if self.families[at].round > MAX_SYMBOLS { 0 } else { self.turn.1 - 1 };
-            let spent = match self.families[at].tried % self.part.1 == self.part.0 {
+            let spent = match self.share.contains(self.families[at].tried) {
                 true => self.test(at),
                 false => 0,
             };
@@ -140,7 +139,7 @@ impl PictureSearch {
         &self.kept
     }
 
-    /// What was searched: each family, and up to how many symbols of its successors.
+    /// The extent of the search: each family, and the number of symbols up to which its successors were tried.
     #[must_use]
     pub fn searched(&self) -> Vec<(String, usize)> {
         self.families.iter().map(|family| (family.name.clone(), family.round - 1)).collect()

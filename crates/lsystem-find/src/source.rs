@@ -1,4 +1,4 @@
-//! Successors that the picture itself tells, beside those that are tried one after the other.
+//! Successors read off the picture, an addition to the enumeration of all words.
 
 use crate::curve::CurveSearch;
 use crate::family::Family;
@@ -7,11 +7,12 @@ use crate::hull::Target;
 use crate::lattice::LatticeSearch;
 use crate::picture::Picture;
 use crate::picture_search::Known;
+use crate::share::Share;
 use crate::words::Symbol;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// What tells successors, in steps.
+/// A search that reads successors off the picture, in steps.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
     /// A plant of a family, grown on the ink.
@@ -22,26 +23,27 @@ pub(crate) enum Source {
     Curve(usize, Box<CurveSearch>),
 }
 
-/// What a step of a source gives.
-pub(crate) enum Told {
+/// The result of a step of such a search.
+pub(crate) enum Advance {
     More,
     Done,
     /// A successor of the letter whose rule is free.
     Word(Vec<Symbol>),
 }
 
-/// All sources: those of curves and those of plants by turns, each one to its end before the next one.
+/// All sources. A source of curves and a source of plants alternate; each runs to its end before the next one of its
+/// kind.
 #[derive(Clone, Debug)]
 pub(crate) struct Sources([VecDeque<Source>; 2]);
 
 impl Sources {
-    /// Each of the searches beside each other has its `part` of the sources.
+    /// Of the searches that run in parallel, each takes its share of the sources.
     pub(crate) fn new(
         picture: &Arc<Picture>,
         known: &Known,
         targets: &[Target],
         families: &[Family],
-        part: (u64, u64),
+        share: Share,
     ) -> Self {
         let lattices: Vec<Source> = targets.iter().map(LatticeSearch::new).map(Source::Lattice).collect();
         let mut plants = Vec::new();
@@ -52,7 +54,7 @@ impl Sources {
             }
         }
         let own = |all: Vec<Source>| {
-            let own = all.into_iter().zip(0_u64..).filter(|(_, number)| number % part.1 == part.0);
+            let own = all.into_iter().zip(0_u64..).filter(|(_, number)| share.contains(*number));
             own.map(|(source, _)| source).collect()
         };
         Self([own(lattices), own(plants)])
@@ -62,7 +64,7 @@ impl Sources {
         self.0.iter().all(VecDeque::is_empty)
     }
 
-    /// Works for some milliseconds at most. A successor that may draw the picture, with its family.
+    /// Does a few milliseconds of work. Returns a successor that may draw the picture, with the index of its family.
     pub(crate) fn advance(
         &mut self,
         picture: &Picture,
@@ -72,7 +74,7 @@ impl Sources {
         self.0.rotate_left(1);
         let own = &mut self.0[1];
         let source = own.front_mut()?;
-        let (family, told) = match source {
+        let (family, advance) = match source {
             Source::Growth(family, growth) => (*family, growth.advance()),
             Source::Curve(family, curve) => (*family, curve.advance()),
             Source::Lattice(search) => {
@@ -91,10 +93,10 @@ impl Sources {
                 return None;
             }
         };
-        match told {
-            Told::More => None,
-            Told::Word(word) => Some((family, word)),
-            Told::Done => {
+        match advance {
+            Advance::More => None,
+            Advance::Word(word) => Some((family, word)),
+            Advance::Done => {
                 own.pop_front();
                 None
             }

@@ -1,4 +1,4 @@
-//! The search for the rules of a string of which something is known, and the rest is to be found out.
+//! The search for the rules of a string, of whose system some properties are known.
 
 use crate::{Drawn, Found, Question, Search, Searched};
 
@@ -111,7 +111,7 @@ impl StringFinder {
         all.into_iter().map(drawn).collect()
     }
 
-    /// What was searched, in words.
+    /// The extent of the search, in words.
     #[must_use]
     pub fn searched(&self) -> String {
         let mut axioms: Vec<(&str, Vec<u32>, Vec<usize>)> = Vec::new();

@@ -11,26 +11,26 @@ const MAX_STROKES: usize = 100_000;
 const DOT: f64 = 0.7;
 /// The pixels from one test of a stroke to the next.
 const APART: f64 = 2.0;
-/// A system is given up where more than this part of its strokes lies beside the ink, and some tests more.
+/// A system is rejected if more than this share of its strokes lies outside the ink, plus some tests.
 const BESIDE: f64 = 0.03;
 const SOME: f64 = 8.0;
 /// Parts of a drawing whose places differ by less than this many pixels are the same part.
 const SAME: f64 = 0.25;
 /// A system that agrees less is not kept.
 pub(crate) const NEAR: f64 = 0.8;
-/// A first agreement that is less is not worth a better fit.
+/// The fit is improved only from this agreement on.
 const PROMISING: f64 = 0.7;
-/// As many pixels are tested in the time in which a system is found to be unlike the picture, by its hull.
+/// The number of pixels tested in the time that it takes to reject a system by its hull.
 const PIXELS: u64 = 256;
 /// The changes of a fit, in pixels, that are tried one after the other.
 const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
-/// How often each change is tried at most, as long as it makes the fit better.
+/// The most times that each change is applied while it improves the fit.
 const MAX_ROUNDS: usize = 6;
 
 /// Strokes from place to place, in steps.
 pub(crate) struct Strokes(Vec<[f64; 4]>);
 
-/// What follows the blocks of a system down to its strokes.
+/// A walk from the blocks of a system down to its strokes.
 struct Tracer<'a> {
     system: System<'a>,
     hulls: &'a Hulls,
@@ -164,7 +164,7 @@ pub(crate) fn pixel(target: &Target, fit: Fit, x: f64, y: f64) -> [f64; 2] {
 }
 
 impl Tracer<'_> {
-    /// Follows the word, whose letters are `n` steps deep, and gives where the turtle is then.
+    /// Follows the word, whose letters are derived `n` steps, and returns the turtle's place at its end.
     fn word(&mut self, word: &[u8], n: usize, mut place: Place) -> Option<Place> {
         let abc = self.system.alphabet;
         let headings: &Headings = &self.target.headings;

@@ -3,7 +3,7 @@
 /// A symbol of a successor: a letter, or one of the four below, counted from the number of letters.
 pub(crate) type Symbol = u8;
 
-/// What successors are made of.
+/// The alphabet of successors.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Alphabet {
     /// The letters are the symbols below this number.
@@ -73,7 +73,7 @@ impl Words {
         &self.word
     }
 
-    /// Goes to the next word, if there is one.
+    /// Moves to the next word, if there is one.
     pub(crate) fn advance(&mut self) -> bool {
         if self.length == 0 {
             return false;

@@ -2,7 +2,7 @@
 
 use lsystem_base::Limits;
 use lsystem_drawing::{Plane, System, draw};
-use lsystem_find::{Drawn, FOUND, Finder, Known, Picture, PictureSearch, Question, Searched, merged};
+use lsystem_find::{Drawn, FOUND, Finder, Known, Picture, PictureSearch, Question, Searched, Share, merged};
 use std::sync::Arc;
 
 /// Systems that are tried at most.
@@ -70,7 +70,7 @@ fn drawn(segments: &[[f64; 4]], width: f64) -> Picture {
 /// The best system after at most [`MOST`] systems.
 fn best(picture: Picture, axiom: &str, angle: f64, steps: &[u32]) -> (Option<Drawn>, Vec<(String, usize)>) {
     let known = Known { axiom: axiom.to_owned(), angle, headings: vec![90.0], steps: steps.to_vec(), draws: None };
-    let mut search = PictureSearch::new(Arc::new(picture), known, (0, 1)).expect("a search");
+    let mut search = PictureSearch::new(Arc::new(picture), known, Share::WHOLE).expect("a search");
     let mut left = MOST;
     let is_found = |search: &PictureSearch| search.found().first().is_some_and(|drawn| drawn.agreement >= FOUND);
     while left > 0 && !is_found(&search) && search.step(10_000) == Searched::More {
@@ -137,7 +137,7 @@ fn systems_of_which_nothing_is_known_are_found() {
         ("F", [('F', "F+F--F+F")], 60.0, 4),
     ] {
         let picture = Arc::new(drawn(&walk(&derive(axiom, &rules, n), "F", angle, 90.0), 2.0));
-        let mut finder = Finder::new(&picture, &Question::default(), (0, 1)).expect("a search");
+        let mut finder = Finder::new(&picture, &Question::default(), Share::WHOLE).expect("a search");
         let mut left = MOST;
         while left > 0 && !finder.is_found() && finder.step(10_000) == Searched::More {
             left -= 10_000;
@@ -176,7 +176,7 @@ fn pictures_of_other_systems_are_not_told_as_found() {
     for segments in scribbles.iter().chain([&grown]) {
         let known =
             Known { axiom: "F".to_owned(), angle: 40.0, headings: vec![90.0], steps: vec![3, 4, 5], draws: None };
-        let mut search = PictureSearch::new(Arc::new(drawn(segments, 2.0)), known, (0, 1)).expect("a search");
+        let mut search = PictureSearch::new(Arc::new(drawn(segments, 2.0)), known, Share::WHOLE).expect("a search");
         search.step(200_000);
         assert!(search.found().iter().all(|drawn| drawn.agreement < FOUND), "{:?}", search.found());
     }
@@ -196,7 +196,7 @@ fn what_cannot_be_searched_is_told() {
         (Known { steps: vec![13], ..known.clone() }, "1 to 12"),
         (Known { headings: vec![], ..known }, "heading"),
     ] {
-        let told = PictureSearch::new(picture.clone(), wrong.clone(), (0, 1));
+        let told = PictureSearch::new(picture.clone(), wrong.clone(), Share::WHOLE);
         assert!(told.as_ref().is_err_and(|why| why.contains(said)), "{wrong:?} {:?}", told.err());
     }
 }

@@ -218,7 +218,7 @@ impl Parts {
     }
 }
 
-/// Which symbols turn.
+/// The symbols that turn.
 #[derive(Clone, Copy, PartialEq)]
 enum Turns {
     /// `+ - |`, for `F` and `G`.

@@ -1,12 +1,19 @@
 //! Systems in the notations of other programs, of papers and of web pages.
 //!
 //! [`import`] recognises a notation by its content and translates each system in the text into a [`Definition`] in our
-//! own notation. A reader never guesses in silence: every part of the text that is not carried over is a [`Remark`] with
-//! its line. If a part changes the drawing and cannot be expressed, the system is refused. Every definition of the
+//! own notation. A reader never guesses in silence: every part of the text that is not carried over is a [`Remark`]
+//! with its line. If a part changes the drawing and cannot be expressed, the system is refused. Every definition of the
 //! result compiles.
 //!
 //! Each notation has one file. Work and memory grow in proportion to the text, and a text has at most [`MAX_TEXT`]
 //! bytes. `docs/imports.md` lists what each reader reads, notes and refuses.
+//!
+//! ```
+//! let found = lsystem_import::import("Koch {\n  Angle 6\n  Axiom F\n  F=F+F--F+F\n}").unwrap();
+//! assert_eq!((found.notation, &*found.entries[0].name), ("Fractint", "Koch"));
+//! let koch = found.entries[0].definition.as_ref().unwrap();
+//! assert_eq!((&*koch.rules, koch.angle), ("F -> F+F--F+F", 60.0));
+//! ```
 
 mod account;
 mod angle;
@@ -65,7 +72,7 @@ pub struct Entry {
     pub name: String,
     /// The system, which compiles without errors; `None` if it is refused.
     pub definition: Option<Definition>,
-    /// What was not carried over, and why.
+    /// The parts that were not carried over, and why.
     pub remarks: Vec<Remark>,
 }
 
@@ -76,7 +83,7 @@ pub struct Remark {
     pub line: usize,
     /// An excerpt of the text; may be empty.
     pub text: String,
-    /// What was not carried over, and why.
+    /// The part that was not carried over, and why.
     pub message: String,
     /// Whether the system is refused for this reason.
     pub refused: bool,

@@ -104,7 +104,7 @@ fn system<'a>(source: Source<'a>, text: &str, declared: &[Declared<'_>], line: u
         let (key, value) = option.split_once('=').map_or((option, ""), |(key, value)| (key.trim(), value.trim()));
         let value = group(value).map_or(value, |(inside, _)| inside.trim());
         let number = |draft: &mut Draft| {
-            let number = value.trim_end_matches('°').trim().parse::<f64>().ok();
+            let number = lsystem_base::decimal::read(value.trim_end_matches('°').trim());
             if number.is_none() {
                 draft.refuse(line, option, "This is not a number");
             }

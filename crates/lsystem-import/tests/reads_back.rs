@@ -1,4 +1,4 @@
-//! What this library writes in other notations reads back as the same system.
+//! Systems that this library writes in other notations read back as the same systems.
 
 use lsystem_base::Limits;
 use lsystem_drawing::{System, expand};

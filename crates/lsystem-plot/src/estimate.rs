@@ -1,4 +1,4 @@
-//! What a plot takes: lengths, pens and time.
+//! Estimates of a plot: lengths, pens and time.
 
 use crate::options::PlotOptions;
 

@@ -1,9 +1,27 @@
-//! Strokes for pen plotters.
+//! Strokes for pen plotters: from a [`Drawing`] and a [`Sheet`] of paper to polylines in millimetres, a [`Layer`] for
+//! each pen.
 //!
-//! The drawing becomes strokes on a sheet, in millimetres: every stroke, except that a part smaller than the pen's line
-//! becomes one stroke (`gather`) if that takes less ink (`ink`). Ink on the same line is drawn once (`merge`). Pieces
-//! that meet become polylines (`join`), in an order with little travel between them (`order`, `improve`). Each colour is a
-//! [`Layer`] with a pen of its own.
+//! Every stroke of the drawing is drawn, except that a part smaller than the pen's line becomes one stroke (`gather`)
+//! if that takes less ink (`ink`). Ink on the same line is drawn once (`merge`). Pieces that meet become polylines
+//! (`join`), in an order with little travel between them (`order`, `improve`). The [`PlotSummary`] estimates lengths
+//! and time.
+//!
+//! ```
+//! use lsystem_base::{Limits, Meter};
+//! use lsystem_drawing::{System, draw};
+//! use lsystem_plot::{Plot, PlotOptions, Sheet};
+//! use lsystem_syntax::{Definition, Style};
+//! use std::sync::Arc;
+//!
+//! let square = Definition { axiom: "F+F+F+F".into(), angle: 90.0, ..Definition::default() };
+//! let system = System::new(&square).0.expect("no diagnostic is an error");
+//! let drawing = Arc::new(draw(&system, 0, &Limits::default()).unwrap());
+//! let (style, sheet, options) = (Style::default(), Sheet::default(), PlotOptions::default());
+//! let plot = Plot::new(drawing, &style, &sheet, options, 1_000, &mut Meter::new(1 << 20)).unwrap();
+//! // One closed polyline, four times as long as the sheet is wide between its margins: 190 mm.
+//! assert_eq!(plot.summary.polylines, 1);
+//! assert_eq!(plot.summary.down.round(), 760.0);
+//! ```
 
 mod cells;
 mod estimate;
@@ -40,7 +58,7 @@ use std::sync::Arc;
 pub struct Plot {
     /// The layers, each with a pen of its own.
     pub layers: Vec<Layer>,
-    /// What the plot takes.
+    /// The plot's lengths, pens and time.
     pub summary: PlotSummary,
     polylines: Polylines,
 }

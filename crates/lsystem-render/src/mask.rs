@@ -13,7 +13,7 @@ const ROW: usize = SIDE / 64;
 /// A pixel has ink if it is darker than this.
 const LIGHT: u8 = 180;
 
-/// Which pixels have ink, row by row from above. Bit `x % 64` of word `x / 64` is the pixel at `x`.
+/// The pixels with ink, row by row from above. Bit `x % 64` of word `x / 64` is the pixel at `x`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mask(Box<[[u64; ROW]; SIDE]>);
 
@@ -81,8 +81,8 @@ impl Mask {
         if a + b == 0.0 { 0.0 } else { 2.0 * a * b / (a + b) }
     }
 
-    /// A code for each pixel, row by row from above: 1 for ink of both within one pixel, 2 for ink of the target only, 4
-    /// for ink of this picture only, 0 for none.
+    /// A code for each pixel, row by row from above: 1 for ink of both within one pixel, 2 for ink of the target only,
+    /// 4 for ink of this picture only, 0 for none.
     pub fn compared(&self, target: &Self) -> Vec<u8> {
         let (near_target, near_own) = (target.grown(), self.grown());
         let mut pixels = vec![0; SIDE * SIDE];
@@ -99,7 +99,7 @@ impl Mask {
         pixels
     }
 
-    /// The picture mirrored left to right if so told, and then turned by quarters counter-clockwise.
+    /// The picture, optionally mirrored left to right, and then turned by quarters counter-clockwise.
     pub fn turned(&self, quarters: u32, is_mirrored: bool) -> Self {
         let mut turned = Self::default();
         for y in 0..SIDE {

@@ -1,13 +1,13 @@
 //! The search for the rules of a picture or a string.
 
 use crate::{from_js, to_js};
-use lsystem_find::{Drawn, FOUND, Finder, Picture, Question, Searched, StringFinder};
+use lsystem_find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, StringFinder};
 use lsystem_syntax::Definition;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
-/// What is known of a system; what is missing or null is to be found out.
+/// The known properties of a system; missing or null ones are unknown.
 #[derive(Deserialize)]
 struct Asked {
     axiom: Option<String>,
@@ -24,7 +24,7 @@ impl Asked {
     }
 }
 
-/// What a search found so far.
+/// The result of a search so far.
 #[derive(Serialize)]
 struct FindReport {
     candidates: Vec<Candidate>,
@@ -57,8 +57,8 @@ enum Search {
 #[wasm_bindgen]
 impl RuleFinder {
     /// A search for the rules of a picture of `width` times `height` levels of grey, row by row from above; 0 is black.
-    /// `part` is which of `parts` searches beside each other this one is, from 0. `question` is `{axiom, angle, heading,
-    /// n, draws}`.
+    /// `part` is the index of this search, from 0, among `parts` that run in parallel. `question` is `{axiom, angle,
+    /// heading, n, draws}`.
     ///
     /// # Errors
     /// Throws a sentence if this cannot be searched.
@@ -73,7 +73,7 @@ impl RuleFinder {
     ) -> Result<Self, JsValue> {
         let question = Asked::read(question)?;
         let picture = Arc::new(Picture::new(grey, width, height)?);
-        let finder = Finder::new(&picture, &question, (part.into(), parts.max(1).into()))?;
+        let finder = Finder::new(&picture, &question, Share { index: part.into(), count: parts.max(1).into() })?;
         Ok(Self { search: Search::Picture(finder) })
     }
 
@@ -96,7 +96,7 @@ impl RuleFinder {
         searched == Searched::More
     }
 
-    /// How many systems of a picture were tried so far, by all searches beside each other, if each is as far as this one.
+    /// The number of systems tried so far by all parallel searches of a picture, if each is as far as this one.
     #[must_use]
     pub fn tried(&self) -> f64 {
         match &self.search {
@@ -105,7 +105,8 @@ impl RuleFinder {
         }
     }
 
-    /// What was found and searched so far: `{candidates: [{definition, symbols, agreement, isFound}], searched}`.
+    /// The candidates and the extent of the search so far: `{candidates: [{definition, symbols, agreement, isFound}],
+    /// searched}`.
     ///
     /// # Errors
     /// Throws only if the result cannot be translated.

@@ -37,7 +37,7 @@ struct ImportEntry {
     remarks: Vec<ImportRemark>,
 }
 
-/// What was not carried over, by line of the text, 1-based.
+/// A remark on a part that was not carried over, with its line of the text, 1-based.
 #[derive(Serialize)]
 struct ImportRemark {
     line: usize,

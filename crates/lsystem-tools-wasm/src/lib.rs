@@ -1,4 +1,5 @@
-//! What few visits need, for JavaScript. The page loads this wasm with the first of these calls.
+//! The boundary to JavaScript of the tools that few visits need. The page loads this wasm with the first of their
+//! calls.
 
 #[cfg(feature = "course")]
 mod course;

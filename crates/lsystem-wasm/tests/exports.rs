@@ -2,7 +2,6 @@
 #![cfg(target_family = "wasm")]
 
 use js_sys::{Array, Float32Array, JSON, Reflect};
-use lsystem::files::tag_png;
 use lsystem::{Definition, write_json};
 use lsystem_wasm::{Playground, draw, expand, fresh_seed, notation, qr_code, read_file};
 use wasm_bindgen::{JsCast, JsValue};
@@ -199,8 +198,10 @@ fn modules_are_read_with_their_arguments() {
 fn pictures_carry_their_system() {
     const PNG: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x01\0\0\0\x01\x08\0\0\0\0\x3a\x7e\x9b\x55";
     let definition = Definition { rules: "X -> F[+X][-X]FX\nF -> FF".into(), ..Definition::default() };
-    let tagged = tag_png(PNG, &write_json(&definition)).unwrap();
-    let file = read_file(&tagged).unwrap();
+    let text = ["L-system\0\0\0\0\0", &write_json(&definition)].concat();
+    // Checksums are not verified.
+    let chunk = [&(text.len() as u32).to_be_bytes(), &b"iTXt"[..], text.as_bytes(), &[0; 4]].concat();
+    let file = read_file(&[PNG, &chunk].concat()).unwrap();
     assert_eq!(text(&get(&file, "definition"), "rules"), "X -> F[+X][-X]FX\nF -> FF");
     assert_eq!(get(&file, "diagnostics").unchecked_into::<Array>().length(), 0);
     let none = read_file(PNG).unwrap();

@@ -39,7 +39,6 @@
 
 // All items, by phase.
 pub use lsystem_base as base;
-pub use lsystem_course as compare;
 pub use lsystem_course as course;
 pub use lsystem_derive as derive;
 pub use lsystem_drawing as drawing;

@@ -25,7 +25,6 @@ mod rendering;
 mod reopen;
 mod seed;
 mod solid;
-mod speed;
 mod styling;
 mod tables;
 mod unusual;

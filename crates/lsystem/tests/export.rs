@@ -193,8 +193,8 @@ fn beyond_floating_point() {
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
 }
 
-/// Compact pictures with many copies, some of which are planned more than once, tell it; a picture that is too large is
-/// refused.
+/// Compact pictures with many copies, some of which are planned more than once, report it; a picture that is too large
+/// is refused.
 #[test]
 fn compact_files_of_deep_drawings() {
     let bush = Definition { angle: 25.0, ..definition("F", "F -> FF-[-F+F+F]+[+F-F-F]") };

@@ -28,7 +28,7 @@ fn texts_of_others_and_what_is_read() {
     assert!(cases >= 70, "{cases} cases");
 }
 
-/// What is read from a text.
+/// The system read from a text, with its remarks.
 fn read(text: &str) -> String {
     let mut out = String::new();
     let Some(imported) = import(text) else { return "nothing\n".to_owned() };

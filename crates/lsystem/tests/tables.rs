@@ -13,7 +13,7 @@ use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value};
 use lsystem::{Definition, Dialect};
 use std::fmt::Write;
 
-/// What stands between the types of a definition and its fields.
+/// The text between the types of a definition and its fields.
 const FIELD_TYPES: &str = " */
 
 /**
@@ -38,7 +38,7 @@ const FIELD_TYPES: &str = " */
 export const FIELDS = /* @__PURE__ */ Object.freeze({
 ";
 
-/// What stands between the purposes and the choices for files.
+/// The text between the purposes and the choices for files.
 const OPTION_TYPE: &str = "});
 
 /**

@@ -1,5 +1,5 @@
-//! What the core makes for the built page. A program of its own, so that `cargo xtask` starts without compiling the
-//! core, and the core is compiled natively while it is compiled for the page.
+//! Files of the built page that the core makes. A program of its own, so that `cargo xtask` starts without compiling
+//! the core, and the core is compiled natively while it is compiled for the page.
 //!
 //! - `site systems ROOT SITE` reads the repository ROOT, writes `gallery.json` and `exercises.json` into the folder
 //!   SITE, and completes links to exercises in `course.html` there.

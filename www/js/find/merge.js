@@ -1,4 +1,4 @@
-/** What searches beside each other found, together. Pure functions. */
+/** The merged results of searches that run in parallel. Pure functions. */
 
 /** @typedef {import('../protocol.js').Candidate} Candidate */
 /** @typedef {import('../protocol.js').FindReport} FindReport */

@@ -35,7 +35,7 @@ export function createSearch() {
     let isThorough = false;
 
     /**
-     * Works until something was found and as much work was done again, for other systems as short; or until `most`.
+     * Works until a system is found, and one round more for shorter ones; or until `most`.
      * @param {AbortSignal} signal
      * @param {(report: FindReport) => void} progress
      * @returns {Promise<FindReport>}

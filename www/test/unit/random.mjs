@@ -14,82 +14,66 @@ export function dice(seed) {
     };
 }
 
-/** @param {import('../../js/state.js').FieldName} field */
-function wordsOf(field) {
-    const { [field]: found } = FIELDS;
-    return found.kind === 'word' ? found.words : [];
+/** A valid state. @param {() => number} roll */
+export function randomState(roll) {
+    return clean(Object.fromEntries(Object.entries(FIELDS).map(([name, field]) => [name, valueOf(roll, field)])));
 }
 
-/** @param {() => number} roll */
-export function randomState(roll) {
-    /** @template T @param {readonly T[]} choices */
-    const pick = (choices) => /** @type {T} */ (choices[Math.floor(roll() * choices.length)]);
-    const characters = [...'FGXYfgAB+-[]{}()<>|!#%&\\/^$\'",;:.=* \n\t?~`@→ε−🌿é'];
-    const text = (/** @type {number} */ most) =>
-        Array.from({ length: Math.floor(roll() * most) }, () => pick(characters)).join('');
-    const number = () =>
-        pick([0, 1, -1, 25.7, 22.5, 1 / 3, 1e-7, 123456.789, (roll() - 0.5) * 10 ** Math.floor(roll() * 12)]);
-    const colour = () =>
-        `#${Math.floor(roll() * 2 ** 24)
-            .toString(16)
-            .padStart(6, '0')}`;
-    return clean({
-        name: text(12),
-        title: text(20),
-        source: text(20),
-        notes: text(20),
-        axiom: text(12),
-        rules: text(120),
-        iterations: Math.floor(roll() * 1001),
-        angle: number(),
-        rightAngle: roll() < 0.5 ? null : number(),
-        pitchDown: roll() < 0.5 ? null : number(),
-        pitchUp: roll() < 0.5 ? null : number(),
-        rollLeft: roll() < 0.5 ? null : number(),
-        rollRight: roll() < 0.5 ? null : number(),
-        tropism: [number(), number(), number()],
-        elasticity: number(),
-        lengthFactor: roll() * 10,
-        angleVariation: roll() * 100,
-        lengthVariation: roll() * 100,
-        growth: roll(),
-        paletteHolds: roll() < 0.5,
-        turnColours: [Math.floor(roll() * 32), Math.floor(roll() * 32)],
-        widthFactor: roll() * 10,
-        heading: number(),
-        step: Math.abs(number()),
-        start: [number(), number()],
-        dialect: pick(wordsOf('dialect')),
-        overrides: text(30),
-        seed: Math.floor(roll() * 2 ** 32),
-        palette: Array.from({ length: 1 + Math.floor(roll() * 6) }, colour),
-        colourBy: pick(wordsOf('colourBy')),
-        background: colour(),
-        width: Math.abs(number()),
-        minWidth: Math.abs(number()),
-        ink: pick(wordsOf('ink')),
-        exposure: roll() * 20 - 10,
-        camera:
-            roll() < 0.5
-                ? null
-                : {
-                      azimuth: number(),
-                      elevation: number(),
-                      zoom: 10 ** (roll() * 6 - 2),
-                      x: number(),
-                      y: number(),
-                      z: number(),
-                      perspective: roll() < 0.5,
-                      fade: roll(),
-                  },
-        view:
-            roll() < 0.5
-                ? null
-                : {
-                      x: number(),
-                      y: number(),
-                      zoom: 10 ** (roll() * 26 - 2),
-                      ...(roll() < 0.5 ? {} : { fx: roll() * 1e-17, fy: -roll() * 1e-17 }),
-                  },
-    });
+/**
+ * A value of a field, seldom out of its range.
+ * @param {() => number} roll
+ * @param {import('../../js/tables.js').FieldSpec} field
+ */
+function valueOf(roll, field) {
+    return field.optional && roll() < 0.5 ? null : valueIn(roll, field);
+}
+
+/** The most characters of a text. */
+const LONGEST = 120;
+const CHARACTERS = [...'FGXYfgAB+-[]{}()<>|!#%&\\/^$\'",;:.=* \n\t?~`@→ε−🌿é'];
+
+/**
+ * @param {() => number} roll
+ * @param {import('../../js/tables.js').Range} range
+ * @returns {unknown}
+ */
+function valueIn(roll, range) {
+    const below = (/** @type {number} */ count) => Math.floor(roll() * count);
+    const list = (/** @type {number} */ length, /** @type {() => unknown} */ member) => Array.from({ length }, member);
+    const colour = () => `#${below(2 ** 24).toString(16).padStart(6, '0')}`;
+    switch (range.kind) {
+        case 'number':
+            return numberIn(roll, range);
+        case 'flag':
+            return roll() < 0.5;
+        case 'word':
+            return range.words[below(range.words.length)];
+        case 'colour':
+            return colour();
+        case 'colours':
+            return list(1 + below(6), colour);
+        case 'text':
+            return list(below(Math.min(range.maxLength, LONGEST)), () => CHARACTERS[below(CHARACTERS.length)]).join('');
+        case 'list':
+            return list(range.count, () => valueIn(roll, range.each));
+        case 'record':
+            return Object.fromEntries(Object.entries(range.members).map(([name, member]) => [name, valueIn(roll, member)]));
+    }
+}
+
+/**
+ * @param {() => number} roll
+ * @param {import('../../js/tables.js').NumberRange} range
+ */
+function numberIn(roll, { low, high, whole }) {
+    const usual = [0, 1, -1, 25.7, 22.5, 1 / 3, 1e-7, 123456.789];
+    const any = [
+        () => usual[Math.floor(roll() * usual.length)] ?? 0,
+        () => (roll() - 0.5) * 10 ** Math.floor(roll() * 12),
+        () => low + roll() * (high - low),
+        // Of any size, where the range spans many.
+        () => (low > 0 ? low * (high / low) ** roll() : low + (high - low) * 10 ** (-20 * roll())),
+    ];
+    const number = (any[Math.floor(roll() * any.length)] ?? (() => 0))();
+    return whole ? Math.round(number) : number;
 }

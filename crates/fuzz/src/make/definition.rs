@@ -1,9 +1,8 @@
 //! Random systems, with every field of a definition.
 
+use super::field::{change_field, style};
 use super::text::{SystemFeatures, overrides, random_pieces, rules, word};
-use super::view::style;
 use crate::Source;
-use lsystem::syntax::{ColourBy, Ink};
 use lsystem::{Definition, Dialect, Limits, System};
 
 /// The limits of most executions; small, so that there are many executions.
@@ -76,39 +75,5 @@ fn angle(source: &mut Source<'_>) -> f64 {
         5 => source.pick(&[89.999_999, 30.000_000_246, 60.000_000_083, 180.000_001_189, 1e-7, 359.999_999]),
         6 => source.part() * 360.0,
         _ => -90.0,
-    }
-}
-
-/// A number for a field: mostly one of `usual`.
-fn near(source: &mut Source<'_>, usual: &[f64]) -> f64 {
-    if source.once_in(6) { source.number() } else { source.pick(usual) }
-}
-
-/// Changes one field.
-fn change_field(source: &mut Source<'_>, definition: &mut Definition) {
-    const DEGREES: [f64; 6] = [0.0, 90.0, 17.3, -45.0, 180.0, 89.999_999];
-    const FACTORS: [f64; 8] = [0.5, 0.9, 0.999_999, 1.0, 1.2, 2.0, 0.01, 1e-3];
-    match source.below(19) {
-        0 => definition.right_angle = Some(near(source, &DEGREES)),
-        1 => definition.pitch_down = Some(near(source, &DEGREES)),
-        2 => definition.pitch_up = Some(near(source, &DEGREES)),
-        3 => definition.roll_left = Some(near(source, &DEGREES)),
-        4 => definition.roll_right = Some(near(source, &DEGREES)),
-        5 => definition.heading = near(source, &DEGREES),
-        6 => definition.step = near(source, &[1.0, 0.1, 10.0, 0.0, -1.0, 1e9, 1e-9]),
-        7 => definition.start = [0, 1].map(|_| near(source, &[0.0, 1.0, -1e6, 1e9])),
-        8 => definition.tropism = [0, 1, 2].map(|_| near(source, &[0.0, 1.0, -1.0, 0.3])),
-        9 => {
-            definition.elasticity = near(source, &[0.1, 0.5, 0.01, -0.2, 10.0]);
-        }
-        10 => definition.length_factor = near(source, &FACTORS),
-        11 => definition.angle_variation = near(source, &[5.0, 20.0, 100.0]),
-        12 => definition.length_variation = near(source, &[5.0, 20.0, 100.0]),
-        13 => definition.growth = near(source, &[0.0, 0.5, 0.999_999, 1e-9]),
-        14 => definition.style.width = near(source, &[0.0, 0.5, 5.0, 100.0, 1e6]),
-        15 => definition.style.width_factor = near(source, &FACTORS),
-        16 => definition.style.colour_by = source.pick(&ColourBy::ALL),
-        17 => definition.style.ink = Ink::Density,
-        _ => definition.angle = near(source, &DEGREES),
     }
 }

@@ -1,36 +1,6 @@
-//! Random styles, picture sizes, views and cameras.
+//! Random picture sizes, views and cameras.
 use crate::Source;
-use lsystem::syntax::{Colour, ColourBy, Ink};
-use lsystem::{Camera, Style, View, Viewport};
-
-/// A style.
-pub(crate) fn style(source: &mut Source<'_>) -> Style {
-    let colours = source.pick(&[1, 1, 2, 3, 5, 17, 256]);
-    let mut style = Style {
-        palette: (0..colours).map(|_| colour(source)).collect(),
-        palette_holds: source.once_in(2),
-        turn_colours: [0, 1].map(|_| source.pick(&[0, 1, 2, 7, 1000, i32::MAX])),
-        colour_by: source.pick(&ColourBy::ALL),
-        background: colour(source),
-        ink: if source.once_in(4) { Ink::Density } else { Ink::Solid },
-        ..Style::default()
-    };
-    style.width = usual(source, &[0.0, 0.0, 0.5, 2.0, 50.0]);
-    style.width_factor = usual(source, &[1.0, 0.7, 1.5, 0.1]);
-    style.min_width = usual(source, &[1.0, 0.0, 3.0, 10.0, 10_000.0]);
-    style.hue = usual(source, &[0.0, 0.0, 120.0, -360.0]);
-    style.exposure = usual(source, &[0.0, 2.0, -5.0, 10.0]);
-    style
-}
-
-fn usual(source: &mut Source<'_>, usual: &[f64]) -> f64 {
-    if source.once_in(12) { source.number() } else { source.pick(usual) }
-}
-
-fn colour(source: &mut Source<'_>) -> Colour {
-    let [red, green, blue, _] = source.word().to_le_bytes();
-    Colour { rgb: [red, green, blue] }
-}
+use lsystem::{Camera, View, Viewport};
 
 /// The size of a picture; seldom large, because large pictures take long.
 pub(crate) fn viewport(source: &mut Source<'_>) -> Viewport {

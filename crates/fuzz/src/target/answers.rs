@@ -87,7 +87,7 @@ pub(super) fn outputs(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
 }
 
-/// What a right program prints, in one of three forms.
+/// The output of a right program, in one of three forms.
 fn output(source: &mut Source<'_>, definition: &lsystem::Definition) -> Option<String> {
     let limits = Limits { symbols: 20_000, segments: 5000, work: 100_000, memory: 64 << 20, ..Limits::default() };
     let system = System::new(definition).0?;

@@ -1,4 +1,4 @@
-//! What courses use: exercises with their marks, growth, and steps.
+//! The tools of courses: exercises with their marks, growth, and steps.
 
 use crate::gauge::WORK;
 use crate::make;

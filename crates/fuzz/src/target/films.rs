@@ -130,7 +130,7 @@ fn read_back(script: &Script) {
     assert_eq!(read.as_ref(), Ok(script), "{text}");
 }
 
-/// Checks that the frames fill the time that the script tells.
+/// Checks that the frames fill the time of the script.
 fn frames_are_told(script: &Script) {
     let frames = script.frames();
     let forward = (libm::round(script.seconds * f64::from(script.rate)) as u32).max(1);

@@ -1,7 +1,7 @@
 //! The search for rules: of pictures and of strings. A step takes a second at most.
 
 use crate::{Gauge, Source, make};
-use lsystem::find::{Drawn, Finder, Picture, Question, Searched, StringFinder, merged};
+use lsystem::find::{Drawn, Finder, Picture, Question, Searched, Share, StringFinder, merged};
 use lsystem::{Limits, Progress, Renderer, SegmentArrays, System, View, Viewport, draw, expand};
 use std::sync::Arc;
 
@@ -23,8 +23,10 @@ pub(super) fn pictures_found(source: &mut Source<'_>, gauge: &mut Gauge) {
     gauge.reach("picture");
     let picture = Arc::new(picture);
     let question = question(source);
-    let part = source.pick(&[(0, 1), (0, 1), (1, 2), (6, 7)]);
-    let Ok(mut finder) = gauge.call("finder", || Finder::new(&picture, &question, part)) else { return };
+    let (index, count) = source.pick(&[(0, 1), (0, 1), (1, 2), (6, 7)]);
+    let Ok(mut finder) = gauge.call("finder", || Finder::new(&picture, &question, Share { index, count })) else {
+        return;
+    };
     gauge.reach("search");
     for _ in 0..STEPS {
         if gauge.call("step", || finder.step(STEP)) == Searched::All {
@@ -37,7 +39,7 @@ pub(super) fn pictures_found(source: &mut Source<'_>, gauge: &mut Gauge) {
     assert!(found.len() <= finder.found().len(), "the same search twice finds no more");
 }
 
-/// What is known of a system, mostly little, and seldom in range.
+/// The known properties of a system: mostly few, and seldom in range.
 fn question(source: &mut Source<'_>) -> Question {
     const AXIOMS: [&str; 16] =
         ["F", "X", "F-F-F-F", "F+F+F", "FX", "X+X", "[F]", "F[+F]F", "-F", "", " ", "[", "]F", "🌿", "F(1)", "A+B"];

@@ -1,4 +1,4 @@
-//! Files for pen plotters: lines on the sheet, and a summary that tells what the file holds.
+//! Files for pen plotters: lines on the sheet, and a summary of the file.
 
 use super::drawing::{drawn, drawn_in_space};
 use crate::{Gauge, Source, make};
@@ -9,8 +9,8 @@ use lsystem::{read_file, write_json};
 
 /// The most strokes of a plot in this target.
 const MOST: u64 = 20_000;
-/// The most parts of a plot in this target, of about 16,384 units of work each. A plot may read millions of blocks until
-/// a limit ends it.
+/// The most parts of a plot in this target, of about 16,384 units of work each. A plot may read millions of blocks
+/// until a limit ends it.
 const PARTS: usize = 400;
 /// The rounding of a coordinate in the file, in millimetres.
 const ROUNDING: f64 = 0.0005;

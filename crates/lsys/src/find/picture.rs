@@ -3,7 +3,7 @@
 use super::{Known, MAX_LISTED};
 use crate::{CommandFailure, print};
 use lsystem::files::{SegmentForm, read_segments};
-use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, merged};
+use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, merged};
 use serde::Serialize;
 use std::io::Cursor;
 use std::sync::Arc;
@@ -16,12 +16,11 @@ const SHARE: u64 = 4096;
 const MAX_PIXELS: usize = 100 << 20;
 /// The most segments of a file.
 const MAX_SEGMENTS: usize = 1_000_000;
-/// After the first find the search goes on for so many times as long, for other systems as short.
-const LONGER: u32 = 1;
-/// And at least so long.
-const AT_LEAST: Duration = Duration::from_millis(300);
+/// The systems that all cores together have tried after the first round. Each further round tries as many systems as
+/// all rounds before it.
+const FIRST: u64 = 1 << 16;
 
-/// What was found, as JSON.
+/// The result as JSON.
 #[derive(Serialize)]
 struct Answer {
     candidates: Vec<Candidate>,
@@ -87,13 +86,9 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     let Known { axiom, angle, heading, n, draws, .. } = known;
     let question = Question { axiom: axiom.clone(), angle: *angle, heading: *heading, n: *n, draws: draws.clone() };
     let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get) as u64;
-    let parts = (0..cores).map(|part| Finder::new(&picture, &question, (part, cores)));
-    let parts = parts.collect::<Result<Vec<_>, _>>().map_err(said)?;
-    let limit = Duration::from_secs(known.seconds.into());
-    let parts: Vec<Finder> = thread::scope(|scope| {
-        let running: Vec<_> = parts.into_iter().map(|part| scope.spawn(move || searched(part, limit))).collect();
-        running.into_iter().filter_map(|part| part.join().ok()).collect()
-    });
+    let parts = (0..cores).map(|part| Finder::new(&picture, &question, Share { index: part, count: cores }));
+    let mut parts = parts.collect::<Result<Vec<_>, _>>().map_err(said)?;
+    search(&mut parts, Duration::from_secs(known.seconds.into()));
     let (mut kept, searched) = merged(&parts.iter().collect::<Vec<_>>());
     let is_found = kept.first().is_some_and(|drawn| drawn.agreement >= FOUND);
     kept.truncate(MAX_LISTED);
@@ -133,16 +128,35 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     if is_found { Ok(()) } else { Err(CommandFailure::Said) }
 }
 
-/// Searches until a system is found, and a while longer.
-fn searched(mut finder: Finder, limit: Duration) -> Finder {
+/// Searches until a system is found, and one round more for shorter ones. The finders have tried the same systems at
+/// the end of a round, so that the result depends on the machine only if the time runs out.
+fn search(finders: &mut [Finder], limit: Duration) {
     let begin = Instant::now();
-    let mut end = limit;
-    while begin.elapsed() < end && finder.step(SHARE) == Searched::More {
-        if finder.is_found() && end == limit {
-            end = limit.min(begin.elapsed() * (1 + LONGER) + AT_LEAST);
+    let is_over = move || begin.elapsed() >= limit;
+    let (mut until, mut was_found) = (FIRST, false);
+    loop {
+        let is_more = thread::scope(|scope| {
+            let start = |finder| scope.spawn(move || go_on(finder, until, is_over));
+            let running: Vec<_> = finders.iter_mut().map(start).collect();
+            let is_more: Vec<bool> = running.into_iter().map(|finder| finder.join().unwrap_or(false)).collect();
+            is_more.contains(&true)
+        });
+        if !is_more || was_found || is_over() {
+            return;
+        }
+        was_found = finders.iter().any(Finder::is_found);
+        until *= 2;
+    }
+}
+
+/// Searches to the end of a round. Returns whether there is more to search.
+fn go_on(finder: &mut Finder, until: u64, is_over: impl Fn() -> bool) -> bool {
+    while finder.tried() < until && !is_over() {
+        if finder.step(SHARE) == Searched::All {
+            return false;
         }
     }
-    finder
+    true
 }
 
 /// The levels of grey of a PNG on white, with its width and height.

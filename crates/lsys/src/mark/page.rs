@@ -7,7 +7,7 @@ use lsystem::render::mask::SIDE;
 
 /// The side of a picture, in pixels.
 const SMALL: usize = 128;
-/// White, agreeing ink, missing ink, ink that is too much: colours that the colour-blind tell apart.
+/// White, agreeing ink, missing ink, ink that is too much: colours that the colour-blind can distinguish.
 const PALETTE: [u8; 12] = [255, 255, 255, 190, 190, 190, 0, 90, 181, 220, 80, 0];
 const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:70rem;padding:0 1rem;color:#222;\
 background:#fff}table{border-collapse:collapse;width:100%}th,td{text-align:left;vertical-align:top;padding:.5rem;\

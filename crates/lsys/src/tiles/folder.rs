@@ -1,7 +1,8 @@
 //! The folder of a pyramid, in which several processes write at the same time.
 //!
-//! A file is written into a folder of the process first and then moved, so it is whole or absent. A process that was killed
-//! leaves its own folder behind, which the next process removes: the lock on a file inside ends with the process.
+//! A file is written into a folder of the process first and then moved, so it is whole or absent. A process that was
+//! killed leaves its own folder behind, which the next process removes: the lock on a file inside ends with the
+//! process.
 
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
@@ -9,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use tempfile::TempDir;
 
-/// The file that tells what the pyramid shows. Its lock guards the making and the removing of processes' folders.
+/// The file with the description of the pyramid. Its lock guards the making and the removing of processes' folders.
 const INDEX: &str = "pyramid.json";
 /// The beginning of the names of processes' folders.
 const OWN: &str = ".lsys-";
@@ -25,7 +26,7 @@ pub(super) struct Folder {
 }
 
 impl Folder {
-    /// Opens or makes a folder for the pyramid that `index` tells of.
+    /// Opens or makes a folder for the pyramid that `index` describes.
     ///
     /// # Errors
     /// If the folder has another pyramid, or cannot be written.

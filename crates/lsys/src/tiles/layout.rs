@@ -9,7 +9,7 @@ use std::path::PathBuf;
 const VIEWER: &str = include_str!("viewer.html");
 /// The place of the configuration in the page.
 const CONFIGURATION: &str = "{\"here\":0}";
-/// The deepest level that the page shows: its places are `f64`, which tell 2^-53 of the picture.
+/// The deepest level that the page shows: its places are `f64`, which resolve 2^-53 of the picture.
 const VIEWER_LEVELS: u32 = 42;
 
 pub(super) struct Layout<'a> {
@@ -39,7 +39,7 @@ impl Layout<'_> {
         format!("tiles_files/{}/0_0.png", side.ilog2()).into()
     }
 
-    /// What the pyramid shows: equal for all processes that may write into the same folder.
+    /// The description of the pyramid: equal for all processes that may write into the same folder.
     pub(super) fn index(&self, system: &str) -> String {
         let TileOptions { scheme, size, transparent, .. } = self.options;
         let system: Value = serde_json::from_str(system).unwrap_or_default();

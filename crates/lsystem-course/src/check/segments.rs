@@ -82,7 +82,7 @@ fn compare(expected: &[Ends], found: &[Ends], rounding: f64) -> Option<Verdict> 
     if is_same_set(expected, found, rounding) {
         return Some(Verdict::Reordered);
     }
-    // The same order tells more than the same set: a mirrored corner is a turned corner in another order.
+    // The same order says more than the same set: a mirrored corner is a turned corner in another order.
     let tests: [Test; 2] = [|a, b, r| is_same(a, b, r).is_ok(), is_same_set];
     tests.into_iter().find_map(|test| {
         let turns =
@@ -175,13 +175,13 @@ fn is_same_set(expected: &[Ends], found: &[Ends], rounding: f64) -> bool {
         && is_within(&found, &expected, pair.near)
 }
 
-/// The most segments of one cell that are told apart.
+/// The most segments of one cell that are compared.
 const MOST_IN_CELL: usize = 256;
 
 /// Whether each segment of `some` has one in `all` that is at most `near` away.
 fn is_within(some: &[Ends], all: &[Ends], near: f64) -> bool {
-    // Segments by the cell of their middle. Middles of equal segments are at most a quarter of a cell apart, so they lie
-    // in the same cell or in the nearer neighbours.
+    // Segments by the cell of their middle. Middles of equal segments are at most a quarter of a cell apart, so they
+    // lie in the same cell or in the nearer neighbours.
     let side = 4.0 * near.max(f64::MIN_POSITIVE);
     let middle = |segment: &Ends| [0, 1, 2].map(|axis| (segment[0][axis] + segment[1][axis]) / 2.0 / side);
     let mut cells: HashMap<[i64; 3], Vec<&Ends>> = HashMap::with_capacity(all.len());

@@ -1,7 +1,7 @@
 //! Strings, compared symbol by symbol.
 
 use super::{Check, LIMITS, Output, SymbolDifference, Verdict, candidates};
-use lsystem_base::Limits;
+use lsystem_base::{Limits, decimal};
 use lsystem_derive::Word;
 use lsystem_drawing::{System, count_symbols, expand};
 use lsystem_syntax::{Diagnostic, Grammar, print_rules};
@@ -9,7 +9,7 @@ use std::borrow::Cow;
 
 /// The symbols of a page of a long string.
 const PAGE: usize = 1 << 16;
-/// The symbols told on each side of a difference.
+/// The number of symbols quoted on each side of a difference.
 const NEAR: usize = 24;
 /// The most units of work for applying rules one after another: symbols read and written.
 const MOST_REPLACED: usize = 1 << 25;
@@ -169,7 +169,7 @@ fn last_symbols(text: &str, is_plain: bool) -> String {
 fn is_equal(a: &str, b: &str) -> bool {
     let parts = |text: &'_ str| -> Option<(String, Vec<f64>)> {
         let (symbol, arguments) = text.strip_suffix(')')?.split_once('(')?;
-        let numbers = arguments.split(',').map(|number| number.trim().parse().ok()).collect::<Option<Vec<f64>>>()?;
+        let numbers = arguments.split(',').map(|number| decimal::read(number.trim())).collect::<Option<_>>()?;
         Some((symbol.trim_matches('`').to_owned(), numbers))
     };
     if a == b {

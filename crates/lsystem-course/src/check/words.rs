@@ -85,7 +85,7 @@ fn segment_words(segment: Option<&[[f64; 3]; 2]>) -> String {
     let is_flat = segment[0][2] == 0.0 && segment[1][2] == 0.0;
     let point = |[x, y, z]: [f64; 3]| {
         let values = if is_flat { vec![x, y] } else { vec![x, y, z] };
-        // Six digits tell points of a picture apart.
+        // Six digits distinguish points of a picture.
         let values: Vec<String> =
             values.into_iter().map(|value| format!("{}", libm::round(value * 1e6) / 1e6)).collect();
         format!("({})", values.join(", "))

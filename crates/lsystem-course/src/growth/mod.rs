@@ -22,7 +22,7 @@ use self::process::Process;
 use self::rate::{Rate, rate};
 use self::recurrence::{Recurrence, recurrence};
 use self::text::Style;
-use lsystem_base::{Limits, MAX_ITERATIONS, Progress};
+use lsystem_base::{Limits, MAX_ITERATIONS, Progress, decimal};
 use lsystem_derive::Tally;
 use lsystem_drawing::{Figure, System};
 use serde::Serialize;
@@ -246,12 +246,12 @@ fn measured(system: &System, mut rows: Vec<Generation>) -> Vec<Generation> {
 
 /// A count, rounded.
 fn float(count: &Tally) -> f64 {
-    count.to_string().parse().unwrap_or(f64::INFINITY)
+    decimal::read(&count.to_string()).unwrap_or(f64::INFINITY)
 }
 
 fn exact(count: &Tally) -> Count {
     let digits = count.to_string();
-    let head: f64 = digits[..digits.len().min(17)].parse().unwrap_or(0.0);
+    let head = decimal::read(&digits[..digits.len().min(17)]).unwrap_or(0.0);
     let log10 = (head > 0.0).then(|| libm::log10(head) + digits.len().saturating_sub(17) as f64);
     Count { digits, log10 }
 }

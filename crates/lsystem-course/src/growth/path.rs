@@ -4,7 +4,7 @@ use crate::growth::process::Process;
 use lsystem_drawing::System;
 use lsystem_syntax::{Action, Heading};
 
-/// What each letter adds to the length and to the turning.
+/// The length and the turning that each letter adds.
 pub(crate) struct Path {
     lengths: Vec<f64>,
     /// In units of [`Heading::units`]; `None` with branches, which turn back, and in space.

@@ -9,7 +9,7 @@ use crate::growth::process::Process;
 const PRIMES: [u64; 2] = [(1 << 61) - 1, (1 << 62) - 57];
 /// The most letters for which a recurrence is looked for.
 const MAX_LETTERS: usize = 120;
-/// Larger coefficients tell nobody anything.
+/// Larger coefficients are not readable.
 const MAX_COEFFICIENT: i128 = 1 << 40;
 
 /// `s(n) = c[0] s(n-1) + c[1] s(n-2) + ...`, from generation `from` on.

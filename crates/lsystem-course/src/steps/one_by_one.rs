@@ -24,7 +24,7 @@ pub struct Single {
     pub made: Option<[usize; 2]>,
 }
 
-/// Which of the symbols with a production is replaced.
+/// The choice of the symbol that is replaced, among those with a production.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// The first one.

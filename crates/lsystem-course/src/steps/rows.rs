@@ -22,7 +22,7 @@ const LIMITS: Limits =
 pub struct Family {
     /// The symbol, with its arguments.
     pub parent: String,
-    /// What it becomes, symbol by symbol.
+    /// The successor, symbol by symbol.
     pub children: Vec<String>,
     /// How many symbols are not listed.
     pub more: String,

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 /// The most symbols that are followed.
 const MAX_SYMBOLS: usize = 4_000;
-/// The most stored states that are listed; the depth is always told.
+/// The most stored states that are listed; the depth is always listed.
 const MAX_LISTED: usize = 8;
 
 type Vector = [f64; 3];

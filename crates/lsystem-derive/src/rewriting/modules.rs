@@ -73,7 +73,7 @@ impl Modules {
     }
 
     /// Records the ages of the modules from `from` on, which `step` has just made of a module with this letter and age.
-    /// `draws` tells by letter whether it draws.
+    /// `draws` marks the letters that draw.
     pub(super) fn grow(&mut self, from: usize, letter: LetterId, age: Age, step: u32, draws: &[bool]) {
         let made = &self.letters[from..];
         let same = made.iter().position(|&child| child == letter);
@@ -113,7 +113,7 @@ impl Modules {
         [self.letters.capacity(), self.arguments.capacity()]
     }
 
-    /// The most bytes held during growth to this many modules and arguments in all. `keys` and `ages` tell which of
+    /// The most bytes held during growth to this many modules and arguments in all. `keys` and `ages` choose which of
     /// these are kept.
     pub(super) fn bytes_with(&self, modules: usize, arguments: usize, keys: bool, ages: bool) -> u64 {
         let [modules, arguments] = self.wanted(modules, arguments);
@@ -169,7 +169,7 @@ impl Modules {
         if self.arguments.iter().all(|number| number.is_finite()) { Ok(()) } else { Err(NotFinite) }
     }
 
-    /// Appends the successor of a production with the parameters in `slots`. `random` tells whether keys are kept.
+    /// Appends the successor of a production with the parameters in `slots`. `random`: keys are kept.
     #[inline]
     pub(super) fn make(
         &mut self,

@@ -208,7 +208,7 @@ impl Table {
 
     /// Appends the successors of `letters` to `next` in the rightward pass. The first of the letters is at place
     /// `start`.
-    /// `contexts` tells whether any production has a context.
+    /// `contexts`: some production has a context.
     pub(super) fn rightward(
         &self,
         letters: &[LetterId],

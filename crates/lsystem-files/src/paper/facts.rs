@@ -1,4 +1,4 @@
-//! What a typeset system says beside its grammar: numbers, and the meanings of symbols.
+//! The parts of a typeset system beside its grammar: numbers, and the meanings of symbols.
 
 use lsystem_base::number::number;
 use lsystem_drawing::System;
@@ -129,6 +129,6 @@ pub(super) fn has_free_weights(grammar: &Grammar) -> bool {
             *sums.entry((names(left), own, names(right))).or_default() += weight;
         }
     }
-    // Course files with probabilities that do not sum to 1 within this are told to be normalised.
+    // Course files with probabilities that do not sum to 1 within this get the remark that they are normalised.
     sums.values().any(|sum| (sum - 1.0).abs() > 1e-5)
 }

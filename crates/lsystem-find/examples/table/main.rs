@@ -2,13 +2,13 @@
 //!
 //! `table [FAMILY ...] [inputs=clean,blur] [known=all,n,angle] [seconds=10] [of=100] [name=PART]
 //! [verbose]`. Times are those of one thread,
-//! on the processor where the system tells that.
+//! on the processor where the system measures that.
 
 mod cases;
 mod inputs;
 
 use cases::Case;
-use lsystem_find::{FOUND, Finder, Question, Searched};
+use lsystem_find::{FOUND, Finder, Question, Searched, Share};
 use lsystem_syntax::Definition;
 use std::sync::Arc;
 use std::time::Instant;
@@ -55,7 +55,7 @@ fn main() {
     }
 }
 
-/// Whether a system is found that draws the same, or, for a picture of no system, whether one is told as found; the time
+/// Whether a system is found that draws the same, or, for a picture of no system, whether one counts as found; the time
 /// in seconds; and the best system.
 fn run(case: &Case, input: &str, known: &str, seconds: f64) -> (bool, f64, String) {
     let shown = inputs::picture(case, input);
@@ -71,7 +71,7 @@ fn run(case: &Case, input: &str, known: &str, seconds: f64) -> (bool, f64, Strin
         n: (known == "all").then_some(system.iterations),
         ..Question::default()
     };
-    let mut finder = match Finder::new(&picture, &question, (0, 1)) {
+    let mut finder = match Finder::new(&picture, &question, Share::WHOLE) {
         Ok(finder) => finder,
         Err(why) => return (false, 0.0, why.to_owned()),
     };

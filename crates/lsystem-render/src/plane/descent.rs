@@ -98,7 +98,7 @@ pub(super) struct Visit<'a> {
     pub node: Node,
 }
 
-/// The most items that are looked at to tell how much is done: small beside the 100,000 steps of the probe.
+/// The most items that are visited to estimate how much is done: small beside the 100,000 steps of the probe.
 const MOST_ITEMS: usize = 1 << 14;
 
 /// The state of leaving out the last segments, for the block on top of the stack.

@@ -32,6 +32,6 @@ pub(super) trait Method {
     /// The pixels: RGBA, 8 bits each, from the upper left corner row by row.
     fn pixels(&self) -> &[u8];
 
-    /// What the picture took so far.
+    /// The work and the memory of the picture so far.
     fn stats(&self) -> RenderStats;
 }

@@ -54,7 +54,7 @@
 //!   other, by a quarter of a cell on average: about 3 % of the drawing in all. A cell is 1, 2 or 4 subsamples wide.
 //! - An outline hides the detail of its block.
 //!
-//! [`RenderStats`] counts parts and outlines, so that the page can tell the reader.
+//! [`RenderStats`] counts parts and outlines, so that the page can inform the reader.
 
 mod alpha;
 mod amount;
@@ -195,16 +195,16 @@ impl Renderer {
         Self { is_light: true, ..Self::default() }
     }
 
-    /// The renderer of pictures without the background. Opaque ink has the mean colour of a pixel's covered subsamples, and
-    /// their share as its opacity. Ink that adds up has the least opacity with which it looks the same over the style's
-    /// background: over another background it looks different.
+    /// The renderer of pictures without the background. Opaque ink has the mean colour of a pixel's covered subsamples,
+    /// and their share as its opacity. Ink that adds up has the least opacity with which it looks the same over the
+    /// style's background: over another background it looks different.
     #[must_use]
     pub fn transparent(self) -> Self {
         Self { is_transparent: true, ..self }
     }
 
-    /// Forgets what pictures have left for later pictures of the same drawing, which are then the same whatever was drawn
-    /// before.
+    /// Forgets what pictures have left for later pictures of the same drawing, which are then the same whatever was
+    /// drawn before.
     pub fn forget(&mut self) {
         self.method.get_mut().forget();
     }
@@ -295,14 +295,14 @@ impl Renderer {
         method.resolve(meter)
     }
 
-    /// The picture so far: RGBA, 8 bits each, opaque unless [`transparent`](Self::transparent), from the upper left corner row by row. The size is that of the
-    /// picture once a step has prepared the drawing.
+    /// The picture so far: RGBA, 8 bits each, opaque unless [`transparent`](Self::transparent), from the upper left
+    /// corner row by row. The size is that of the picture once a step has prepared the drawing.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
         self.method.get().pixels()
     }
 
-    /// What the picture took so far.
+    /// The work and the memory of the picture so far.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
         self.method.get().stats()

@@ -45,7 +45,7 @@ pub(super) struct Painter {
 }
 
 impl Painter {
-    /// Starts a picture; `repeats` tells whether blocks may recur.
+    /// Starts a picture; `repeats`: blocks may recur.
     pub(super) fn begin(&mut self, repeats: bool) {
         self.stats = RenderStats::default();
         self.repeats = repeats;
@@ -114,7 +114,7 @@ impl Painter {
         work
     }
 
-    /// A number that tells a canvas from all others, and from the same canvas with an earlier tile.
+    /// A number that identifies a canvas and its tile.
     #[inline]
     fn tag(&self, canvas: usize) -> u64 {
         self.serials[canvas] << 8 | canvas as u64
@@ -158,7 +158,7 @@ impl Painter {
         pens.map(|pen| self.stroke(node.canvas, ends, pen)).sum()
     }
 
-    /// Paints a block as one stroke if it is a `plain` straight line (in one colour), or too small to tell from one.
+    /// Paints a block as one stroke if it is a `plain` straight line (in one colour), or too small to differ from one.
     /// Returns the units of work, or `None` if the block is neither.
     pub(super) fn straight(&mut self, drawing: &Drawing, shape: &Shape, node: &Node, plain: bool) -> Option<u64> {
         let extent = shape.extent(node.place.scale);

@@ -28,7 +28,7 @@ impl Renderer {
 
 fn opaque(style: &Style, viewport: Viewport, detail: Detail) -> u64 {
     let samples = detail.samples() as u64;
-    // One bit plane tells which subsamples are covered; each binary digit of a colour's number has one more.
+    // One bit plane marks the covered subsamples; each binary digit of a colour's number has one more.
     let planes = 1 + u64::from(usize::BITS - colours(style).saturating_sub(1).leading_zeros());
     let columns = (u64::from(viewport.width) * samples).next_multiple_of(64);
     let rows = (u64::from(viewport.height) * samples).next_multiple_of(64);

@@ -38,7 +38,7 @@ impl Seen {
         self.slots.truncate(FIRST_SLOTS);
     }
 
-    /// Remembers what was painted at these points of a canvas; `words` tell it apart from others at the same points.
+    /// Remembers what was painted at these points of a canvas; `words` distinguish it from others at the same points.
     /// Returns whether it was new.
     pub(super) fn paint<const N: usize, const M: usize>(&mut self, words: [u64; N], points: [[f64; 2]; M]) -> bool {
         let mut mixer = Mixer::default();

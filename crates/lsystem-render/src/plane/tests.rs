@@ -3,7 +3,6 @@ use super::wide::Wide;
 use super::*;
 use lsystem_drawing::Item;
 use lsystem_syntax::ColourBy;
-use std::time::Instant;
 
 /// The most steps of 100,000 units of work for one picture.
 const MOST_STEPS: usize = 5_000;
@@ -299,58 +298,6 @@ pub(super) fn hard() -> Vec<(&'static str, Sample)> {
         ("coloured f", Sample::lowercase("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 22.5)),
         ("coloured c", Sample::lowercase("g", &[('g', "gg-[-g+g+g]+[+g-g-g]")], 22.5)),
     ]
-}
-
-/// The milliseconds that this thread has run, as Linux counts them; elsewhere the milliseconds of the clock.
-pub(super) fn processor_time() -> f64 {
-    static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat");
-    let nanoseconds = told.ok().and_then(|s| s.split(' ').next()?.parse::<f64>().ok());
-    nanoseconds.map_or_else(|| START.elapsed().as_secs_f64() * 1e3, |ns| ns / 1e6)
-}
-
-/// Prints what pictures take, of the systems whose names contain `ONLY`, of generation `N`, at magnifications `ZOOMS`.
-/// Writes them to the folder `PICTURES`.
-pub(super) fn time(ink: Ink) {
-    let mut renderer = Renderer::new();
-    const RUNS: usize = 10;
-    let viewport = Viewport { width: 1600, height: 1000, ratio: 1.0 };
-    let folder = std::env::var("PICTURES").ok();
-    let only = std::env::var("ONLY").unwrap_or_default();
-    let zooms = std::env::var("ZOOMS").unwrap_or_else(|_| "1,30,1e3,1e6".into());
-    for (name, sample) in hard().into_iter().filter(|(name, _)| name.contains(&only)) {
-        let only_n = std::env::var("N").map(|n| n.parse::<u32>().unwrap()).ok();
-        for n in [6, 12, 40].into_iter().filter(|n| only_n.is_none_or(|only| *n == only)) {
-            let drawing = Arc::new(sample.draw(n));
-            renderer.load(drawing.clone());
-            for zoom in zooms.split(',').map(|zoom| zoom.parse::<f64>().unwrap()) {
-                let (mut total, mut least) = (0.0, f64::INFINITY);
-                for (_, x) in (0..RUNS).zip([0.0, 1e-3].into_iter().cycle()) {
-                    let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
-                    let view = View { zoom: zoom * (1.0 + x), ..view };
-                    let start = processor_time();
-                    renderer.begin(&Style { ink, ..Style::default() }, viewport, view);
-                    while renderer.step(10_000) == Progress::More && processor_time() < start + 5000.0 {}
-                    let time = processor_time() - start;
-                    total += time / RUNS as f64;
-                    least = least.min(time);
-                }
-                println!("{name:12} n {n:2} zoom {zoom:7} {total:9.2} ms, least {least:.2} {:?}", renderer.stats());
-                if let Some(folder) = &folder {
-                    let mut ppm = b"P6 1600 1000 255\n".to_vec();
-                    ppm.extend(renderer.pixels().chunks(4).flat_map(|p| &p[..3]));
-                    std::fs::write(format!("{folder}/{}-{n}-{zoom}.ppm", name.replace(' ', "_")), ppm).unwrap();
-                }
-            }
-        }
-    }
-}
-
-/// Run with `--ignored --nocapture`.
-#[test]
-#[ignore = "a measurement"]
-fn timing() {
-    time(Ink::Solid);
 }
 
 #[test]

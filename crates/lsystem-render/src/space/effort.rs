@@ -10,7 +10,7 @@ const MOST_GROWTH: f32 = 8.0;
 /// A picture is made again only if it took less than its work divided by this.
 const LEAST_GROWTH: f32 = 1.6;
 
-/// What a picture, or some of its panes, took with a budget.
+/// The work of a picture, or of some of its panes, with a budget.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spent {
     /// The units of work.

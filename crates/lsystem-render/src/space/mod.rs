@@ -168,8 +168,8 @@ impl SolidRenderer {
         Self::default()
     }
 
-    /// The renderer of pictures without the background. A pixel has the mean colour of its painted samples, and their share
-    /// as its opacity.
+    /// The renderer of pictures without the background. A pixel has the mean colour of its painted samples, and their
+    /// share as its opacity.
     #[must_use]
     pub fn transparent(self) -> Self {
         Self { is_transparent: true, ..self }
@@ -215,17 +215,16 @@ impl SolidRenderer {
         Pane::all(viewport, quality.tile(viewport).map(|side| (side / quality.samples()) as u32))
     }
 
-    /// Starts one of [`SolidRenderer::panes`] of the finest picture, or of the [best](Quality::BEST), which has the same panes,
-    /// with the budget that all panes share. The pixels
-    /// are those of the pane. The sum of what all panes [took](Self::effort_spent) tells [`Effort`] whether the budget
-    /// was too small.
+    /// Starts one of [`SolidRenderer::panes`] of the finest picture, or of the [best](Quality::BEST), which has the
+    /// same panes, with the budget that all panes share. The pixels are those of the pane. The sum of what all panes
+    /// [took](Self::effort_spent) shows [`Effort`] whether the budget was too small.
     pub fn begin_pane(&mut self, style: &Style, viewport: Viewport, camera: &Camera, pane: Pane, budget: f32) {
         let pane = Some((pane, budget));
         self.at = 2;
         self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality: Quality::FINEST, pane });
     }
 
-    /// What the picture, or the pane, took so far with its present budget.
+    /// The work of the picture, or of the pane, so far with its present budget.
     #[must_use]
     pub fn effort_spent(&self) -> Spent {
         self.pictures[self.at].spent()
@@ -266,14 +265,14 @@ impl SolidRenderer {
         }
     }
 
-    /// The picture so far: RGBA, 8 bits each, opaque unless [`transparent`](Self::transparent), from the upper left corner row by row. The size is that of the
-    /// picture once a step has prepared the drawing.
+    /// The picture so far: RGBA, 8 bits each, opaque unless [`transparent`](Self::transparent), from the upper left
+    /// corner row by row. The size is that of the picture once a step has prepared the drawing.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
         self.pictures[self.at].pixels()
     }
 
-    /// What the picture took so far.
+    /// The work and the memory of the picture so far.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
         self.pictures[self.at].stats()

@@ -72,7 +72,7 @@ impl Picture {
         1 + size as u64 / 1024
     }
 
-    /// What the picture, or the pane, took so far with its present budget.
+    /// The work of the picture, or of the pane, so far with its present budget.
     pub(super) fn spent(&self) -> Spent {
         Spent { work: self.work as f64, poor: self.lacks_budget }
     }

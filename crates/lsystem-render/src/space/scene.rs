@@ -32,7 +32,7 @@ pub(super) struct Scene {
     kept: usize,
     /// By node, then by the colour at its entry: the mean colour of its strokes.
     means: Vec<[f32; 3]>,
-    /// The number of colours at a node's entry that `means` tells apart.
+    /// The number of colours at a node's entry that `means` distinguishes.
     entries: u32,
     /// The picture's inks.
     palette: Vec<[f32; 3]>,

@@ -95,7 +95,7 @@ impl ScreenTile {
     }
 
     /// The part of the samples `left..=right` of a row of cells that is not behind surfaces nearer than `near`, as far
-    /// as cells tell; in reverse order if there is none. Notes that the part is about to be painted.
+    /// by the order of cells; in reverse order if there is none. Notes that the part is about to be painted.
     pub(super) fn uncovered(&mut self, row: usize, [mut left, mut right]: [usize; 2], near: f32) -> [usize; 2] {
         let first = row * (self.room[0] / CELL);
         while left <= right && self.is_hidden(first + left / CELL, near) {
@@ -207,8 +207,8 @@ impl ScreenTile {
         }
     }
 
-    /// As [`ScreenTile::pixels`], without the background: the mean colour of the painted samples, and their share as the
-    /// opacity.
+    /// As [`ScreenTile::pixels`], without the background: the mean colour of the painted samples, and their share as
+    /// the opacity.
     fn clear_pixels(&self, first: usize, samples: usize, out: &mut [[u8; 4]]) {
         let all = (samples * samples) as u32;
         for (x, pixel) in out.iter_mut().enumerate() {

@@ -163,7 +163,7 @@ fn classed<'a>(part: &'a [Token], class: Class, notes: &mut Notes) -> &'a [Token
     rest
 }
 
-/// What stands before the condition: patterns and their places. `strict` is `None` where it could not be read.
+/// The part before the condition: patterns and their places. `strict` is `None` where it could not be read.
 #[derive(Default)]
 struct Head {
     left: Vec<(Pattern, Range<usize>)>,

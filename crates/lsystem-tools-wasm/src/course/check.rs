@@ -1,4 +1,4 @@
-//! What a program printed, compared with a system.
+//! The output of a program, compared with a system.
 
 use crate::{from_js, to_js};
 use lsystem_course::Verdict;

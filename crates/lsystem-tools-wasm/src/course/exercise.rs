@@ -13,7 +13,7 @@ const MAX_SYMBOLS: usize = 5_000;
 /// The most pixels of a picture of the target.
 const MAX_PIXELS: u32 = 4_000_000;
 
-/// What a student sees of an exercise.
+/// The part of an exercise that a student sees.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct About<'a> {
@@ -78,7 +78,7 @@ impl OpenExercise {
         Ok(Self { marker, marking: None, is_solved: false })
     }
 
-    /// What a student sees of the exercise.
+    /// The part of the exercise that a student sees.
     ///
     /// # Errors
     /// Throws only if the result cannot be translated.
@@ -114,8 +114,8 @@ impl OpenExercise {
         Ok(())
     }
 
-    /// Works on the mark for some milliseconds: `{isSolved, agreement, percent, isSame, symbols, words, text, errors}` after the
-    /// last step, null before.
+    /// Works on the mark for some milliseconds: `{isSolved, agreement, percent, isSame, symbols, words, text, errors}`
+    /// after the last step, null before.
     ///
     /// # Errors
     /// Throws only if the result cannot be translated.
@@ -139,7 +139,7 @@ impl OpenExercise {
         self.marker.overlay()
     }
 
-    /// What is probably wrong with an answer; null if nothing usual is.
+    /// The probable mistake in an answer; null if no usual mistake explains it.
     ///
     /// # Errors
     /// Throws only if the definition cannot be translated.

@@ -5,7 +5,7 @@ use lsystem_drawing::System;
 use lsystem_files::{FileOptions, FileTask, FileView, Format, Owner, Sink};
 use lsystem_syntax::{Definition, Problem, problems};
 
-/// What to make.
+/// The file to make.
 pub(crate) struct Order {
     pub(crate) definition: Definition,
     pub(crate) format: &'static Format,

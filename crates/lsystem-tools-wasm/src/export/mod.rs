@@ -1,6 +1,7 @@
 //! Files of systems.
 //!
-//! A file is made from a definition by one call, and handed on piece by piece, so that the wasm never holds a whole file.
+//! A file is made from a definition by one call, and handed on piece by piece, so that the wasm never holds a whole
+//! file.
 
 mod budget;
 mod maker;
@@ -15,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use wasm_bindgen::prelude::*;
 
-/// What the page asks for.
+/// The request of the page.
 #[derive(Deserialize)]
 struct Asked {
     definition: Definition,
@@ -79,8 +80,8 @@ impl Owner for Page<'_> {
     }
 }
 
-/// Makes a file of `{definition, format, options, view, camera, ratio, upto}`. `tell` is called with each piece of the file, a
-/// `Uint8Array` of about 1 MiB, and without a piece at least every millisecond, as a sign of life.
+/// Makes a file of `{definition, format, options, view, camera, ratio, upto}`. `tell` is called with each piece of the
+/// file, a `Uint8Array` of about 1 MiB, and without a piece at least every millisecond, as a sign of life.
 ///
 /// Returns `{complete, diagnostics}`. The file is not complete if a limit was exceeded or the definition has errors.
 ///

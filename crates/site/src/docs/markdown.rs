@@ -13,7 +13,7 @@ const SHORT_CODE: usize = 28;
 /// The longest summary, in characters.
 const LONGEST_SUMMARY: usize = 160;
 
-/// What links of a document may lead to.
+/// The possible targets of a document's links.
 pub(super) struct Site<'a> {
     /// The names of the documents that are pages.
     pub(super) pages: &'a [&'a str],

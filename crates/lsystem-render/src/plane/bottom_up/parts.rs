@@ -1,5 +1,5 @@
-//! The parts of a bottom-up picture: its blocks, told apart by everything that makes their pictures differ. A block may
-//! recur at too many places to look into each, but it recurs in few headings, scales and widths.
+//! The parts of a bottom-up picture: its blocks, distinguished by everything that makes their pictures differ. A block
+//! may recur at too many places to look into each, but it recurs in few headings, scales and widths.
 
 use crate::plane::descent::{Descent, Node};
 use crate::plane::inks::InkTable;

@@ -37,7 +37,7 @@ pub(in crate::plane) struct Canvas {
     pub planes: usize,
     /// Whether a group with a few holes counts as covered.
     pub holes: bool,
-    /// Which subsamples are covered: by strip, then row. Valid only in mixed groups; other words are leftovers.
+    /// The covered subsamples: by strip, then row. Valid only in mixed groups; other words are leftovers.
     pub covered: Vec<u64>,
     /// The digits of colours: by plane, then strip, then row. A bit is set only where the subsample is covered.
     pub colours: Vec<u64>,

@@ -15,7 +15,7 @@ pub(in crate::plane) struct Output {
     pixels: Vec<u8>,
     palette: Vec<[u32; 3]>,
     background: [u32; 3],
-    /// Whether the background is left out, so that pixels tell how much of them is covered.
+    /// Whether the background is left out, so that the alpha of pixels is their covered part.
     is_transparent: bool,
     /// The pixel, by palette entry, then by the number of its subsamples with that entry (0 to 16).
     shades: Vec<[[u8; 4]; 32]>,
@@ -242,8 +242,8 @@ impl Output {
     }
 }
 
-/// A pixel without background, of which `count` subsamples are covered; `sums` are those of their channels. The colour is
-/// their mean and the opacity their share, so that the pixel over any background is the mean of all 16 subsamples.
+/// A pixel without background, of which `count` subsamples are covered; `sums` are those of their channels. The colour
+/// is their mean and the opacity their share, so that the pixel over any background is the mean of all 16 subsamples.
 fn clear_pixel(sums: [u32; 3], count: u32) -> [u8; 4] {
     if count == 0 {
         return [0; 4];

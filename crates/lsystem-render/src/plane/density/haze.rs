@@ -1,7 +1,7 @@
 //! Ink of blocks that are too many to be drawn: the ink of each is spread evenly over a rectangle of the block's size.
 //!
-//! Where thousands of blocks overlap, single blocks cannot be told apart, and their sum is smooth. A rectangle of any
-//! size costs the same: only its corners are noted, and summed up at the end.
+//! Where thousands of blocks overlap, single blocks cannot be distinguished, and their sum is smooth. A rectangle of
+//! any size costs the same: only its corners are noted, and summed up at the end.
 
 use super::sheet::{Pigment, Sheet};
 use lsystem_base::{Meter, Progress};
@@ -39,7 +39,7 @@ enum Stage {
     Across,
     /// Sums up the differences down.
     Down,
-    /// Smooths twice across and down in turn; the number tells the turn, from 0 to 3.
+    /// Smooths twice across and down in turn; the number is the turn, from 0 to 3.
     Smooth(u8),
     /// Finds the greatest sum.
     Most,

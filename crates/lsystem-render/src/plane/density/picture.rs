@@ -7,7 +7,7 @@ use super::haze::Haze;
 use super::pigment::{MeanSource, Pigments};
 use super::sheet::{LEAST_INK, Pigment, Sheet};
 use super::survey::{Finding, Next, Survey};
-use super::tiling::{Footprint, Outcome, Sheets, Tiling};
+use super::tiling::{Footprint, Outcome, Sheets, Tiling, WantedTile};
 use crate::plane::descent::{Cut, Descent, Node, Visit};
 use crate::plane::inks::{InkTable, Inks, Shade};
 use crate::plane::picture::Plan;
@@ -391,9 +391,9 @@ impl Picture {
             };
             let shade = is_mixed.then_some(node.pen.shade);
             let width = self.measure.is_wide(footprint.width / 2.0).then_some(node.pen.width.to_bits());
-            let tile = (&mut node, self.stack.len(), size);
-            match self.tiling.add_or_make(&mut self.sheets, tile, &footprint, (shape.strokes, width), (shade, pigment))
-            {
+            let (height, strokes) = (self.stack.len(), shape.strokes);
+            let wanted = WantedTile { height, size, strokes, width, shade, pigment };
+            match self.tiling.add_or_make(&mut self.sheets, &mut node, &footprint, wanted) {
                 Outcome::Added(work) => {
                     self.stats.stamps += 1;
                     return work;

@@ -1,7 +1,7 @@
 use super::super::fitted_scale;
 use super::*;
 use crate::fit;
-use crate::plane::tests::{check_odd_views, check_small_steps, close_up, difference, hard, put, samples, time};
+use crate::plane::tests::{check_odd_views, check_small_steps, close_up, difference, hard, put, samples};
 use crate::plane::view::root_bounds;
 use crate::plane::{InkMethod, Pass, Renderer, View, Viewport};
 use lsystem_syntax::{ColourBy, Ink, Style};
@@ -342,11 +342,4 @@ fn small_pictures_end_in_time() {
 #[test]
 fn odd_views_and_sizes_do_no_harm() {
     check_odd_views(Ink::Density);
-}
-
-/// Run with `--ignored --nocapture`.
-#[test]
-#[ignore = "a measurement"]
-fn timing() {
-    time(Ink::Density);
 }

@@ -13,7 +13,7 @@ const EXTENTS: [f64; SIZES] = [64.0, 20.0, 7.0];
 const LEAST_STROKES: [u32; SIZES] = [64, 24, 12];
 /// The places for origins in a pixel, each way. A tile is off by at most half the distance between two places.
 const STEPS: f64 = 4.0;
-/// The places for origins of blocks whose strokes can be told apart, as long as memory allows.
+/// The places for origins of blocks whose strokes are distinguishable, as long as memory allows.
 const SPARSE_STEPS: f64 = 8.0;
 /// Numbers in a chunk of memory (1 MiB); no tile needs more.
 const CHUNK: usize = 1 << 18;
@@ -34,7 +34,7 @@ pub(super) fn size(extent: f64, strokes: u32) -> Option<usize> {
     EXTENTS.iter().rposition(|&largest| extent <= largest).filter(|&size| strokes >= LEAST_STROKES[size])
 }
 
-/// Whether the strokes of a block can be told apart: the block has fewer strokes than pixels.
+/// Whether the strokes of a block are distinguishable: the block has fewer strokes than pixels.
 pub(super) fn is_sparse(extent: f64, strokes: u32) -> bool {
     f64::from(strokes) < extent * extent
 }

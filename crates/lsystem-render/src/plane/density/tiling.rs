@@ -24,6 +24,23 @@ pub(super) struct Footprint {
     pub extent: f64,
 }
 
+/// The tile that a block would have.
+#[derive(Clone, Copy)]
+pub(super) struct WantedTile {
+    /// The height of the stack before the tile's block, at which a new tile is done.
+    pub height: usize,
+    /// The index of its sheet, by size.
+    pub size: usize,
+    /// The number of the block's strokes.
+    pub strokes: u32,
+    /// The width of the pen, as bits, if it matters.
+    pub width: Option<u64>,
+    /// The entry for which the tile has pigments of its own, if the block has several inks.
+    pub shade: Option<Shade>,
+    /// The pigment of the tile on its sheet.
+    pub pigment: Pigment,
+}
+
 /// The place and the pigment of a tile on a sheet.
 #[derive(Clone, Copy)]
 struct Destination {
@@ -94,16 +111,15 @@ impl Tiling {
             .filter(|size| size + 1 > node.canvas && (!self.tiles.crowded || extent < CROWDED_EXTENT))
     }
 
-    /// Adds the tile of a block, if there is one. Otherwise moves the block to the sheet of a new tile, which is done
-    /// when the stack has its present `height` again. With a `shade`, the tile has its own pigments for that entry.
+    /// Adds the tile of a block, if there is one. Otherwise moves the block to the sheet of a new tile.
     pub(super) fn add_or_make(
         &mut self,
         sheets: &mut Sheets,
-        (node, height, size): (&mut Node, usize, usize),
+        node: &mut Node,
         footprint: &Footprint,
-        (strokes, width): (u32, Option<u64>),
-        (shade, pigment): (Option<Shade>, Pigment),
+        wanted: WantedTile,
     ) -> Outcome {
+        let WantedTile { height, size, strokes, width, shade, pigment } = wanted;
         let Place { origin, scale, heading, .. } = node.place;
         let fine = !self.tiles.crowded && tile::is_sparse(footprint.extent, strokes);
         let (pixel, offset, rest) = tile::snap(origin, fine);

@@ -1,4 +1,4 @@
-//! Which tiles may have ink: a search for a stroke that reaches into a tile.
+//! The tiles that may have ink: a search for a stroke that reaches into a tile.
 
 use super::{Pyramid, TilePlace};
 use crate::plane::descent::{Descent, Node, Visit};

@@ -4,7 +4,7 @@
 //! processes can share the tiles of a pyramid, and a tile has the same pixels whoever makes it.
 //!
 //! Tiles are made top-down. The places of strokes are exact, as in the deepest view, so tiles fit together. A tile that
-//! takes more than 1,000,000 steps leaves out fine detail, as [`RenderStats::outlines`](crate::RenderStats) tells.
+//! takes more than 1,000,000 steps leaves out fine detail, as [`RenderStats::outlines`](crate::RenderStats) counts.
 //!
 //! Ink that adds up needs one tone for all tiles of a level: the tone of a fixed sample of the level's tiles.
 
@@ -109,15 +109,15 @@ impl Pyramid {
         View { x: x[0], y: -y[0], zoom: libm::scalbn(1.0, tile.level as i32), fine: [x[1], -y[1]] }
     }
 
-    /// Whether a tile may have ink, as the extents of the drawing's blocks tell. Where many blocks lie around an empty tile,
+    /// Whether a tile may have ink, by the extents of the drawing's blocks. Where many blocks lie around an empty tile,
     /// the answer may be yes.
     #[must_use]
     pub fn may_have_ink(&self, tile: TilePlace) -> bool {
         Finder::default().may_have_ink(self, tile)
     }
 
-    /// The tiles of a level that may have ink, among those below `top`, in the order of a depth-first way. Of a tile that
-    /// `wanted` refuses, no tile below is looked at.
+    /// The tiles of a level that may have ink, among those below `top`, in the order of a depth-first way. Of a tile
+    /// that `wanted` refuses, no tile below is looked at.
     pub fn tiles<F: Fn(TilePlace) -> bool>(&self, level: u32, top: TilePlace, wanted: F) -> Tiles<'_, F> {
         Tiles::new(self, level, top, wanted)
     }

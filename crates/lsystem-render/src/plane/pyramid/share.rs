@@ -40,7 +40,7 @@ impl Share {
     }
 }
 
-/// A number's binary digits with zeros between them (Morton 1966): tiles beside each other get different parts.
+/// A number's binary digits with zeros between them (Morton 1966): adjacent tiles get different parts.
 fn spread(number: u64) -> u64 {
     (0..32).fold(0, |sum, digit| sum | (number >> digit & 1) << (2 * digit))
 }

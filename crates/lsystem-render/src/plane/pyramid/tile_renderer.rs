@@ -18,7 +18,7 @@ pub struct TileRenderer {
     blank: [u8; 4],
 }
 
-/// What a tone is for.
+/// The part of a tile that a tone serves.
 #[derive(Clone, Copy, PartialEq)]
 enum Level {
     Tiles(u32),
@@ -47,7 +47,8 @@ impl TileRenderer {
         self.start(Level::Tiles(tile.level), sample, (pyramid.view(tile), viewport));
     }
 
-    /// Starts a picture of the whole drawing of `side` x `side` pixels, for the levels of Deep Zoom with less than a tile.
+    /// Starts a picture of the whole drawing of `side` x `side` pixels, for the levels of Deep Zoom with less than a
+    /// tile.
     pub fn begin_small(&mut self, side: u32) {
         let viewport = Viewport { width: side, height: side, ratio: 1.0 };
         self.start(Level::Small(side), || vec![View::default()], (View::default(), viewport));
@@ -98,7 +99,7 @@ impl TileRenderer {
         self.pixels().as_chunks::<4>().0.iter().all(|pixel| *pixel == self.blank)
     }
 
-    /// What the tile took.
+    /// The work and the memory of the tile.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
         self.renderer.stats()

@@ -94,7 +94,7 @@ impl TopDown {
         }
     }
 
-    /// The part of the picture that is done, from 0 to 1; `None` if that takes too long to tell.
+    /// The part of the picture that is done, from 0 to 1; `None` if that takes too long to count.
     pub(super) fn done(&self, context: &mut Context<'_>) -> Option<f64> {
         let Context { drawing, shapes, painter, descent } = context;
         let (measure, size) = (painter.measure, painter.canvases[0].size());

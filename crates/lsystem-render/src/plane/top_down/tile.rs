@@ -20,7 +20,7 @@ const EXTENTS: [f64; 5] = [512.0, 256.0, 96.0, 28.0, 8.0];
 /// By size of tile: the places for origins in a subsample, each way. A tile is off by at most half the distance between
 /// two places.
 const STEPS: [f64; SIZES] = [2.0, 2.0, 4.0, 4.0, 4.0];
-/// The places for origins of blocks whose strokes can be told apart, as long as memory allows.
+/// The places for origins of blocks whose strokes are distinguishable, as long as memory allows.
 const SPARSE_STEPS: f64 = 8.0;
 /// By size of tile: blocks of fewer strokes are painted stroke by stroke, which is as fast, and exact.
 const LEAST_STROKES: [u32; SIZES] = [64, 48, 16, 8, 8];
@@ -45,7 +45,7 @@ const NUMBER: u64 = u16::MAX as u64;
 pub(in crate::plane) const SIZES: usize = EXTENTS.len();
 
 /// The size of the tile for a block, as an index into [`EXTENTS`] (0 is the largest); `None` if a tile does not pay.
-/// `simple` tells that the picture has few strokes so far. The largest tiles are for crowds in one ink: others rarely
+/// `simple`: the picture has few strokes so far. The largest tiles are for crowds in one ink: others rarely
 /// recur, and take much memory.
 pub(in crate::plane) fn size(extent: f64, strokes: u32, inks: Inks, simple: bool) -> Option<usize> {
     let enough = if simple { LEAST_STROKES_SIMPLE } else { LEAST_STROKES };
@@ -86,7 +86,7 @@ pub(in crate::plane) struct Snapped {
     pub rest: [f64; 2],
 }
 
-/// Whether the strokes of a block can be told apart: the block has fewer strokes than pixels.
+/// Whether the strokes of a block are distinguishable: the block has fewer strokes than pixels.
 pub(in crate::plane) fn is_sparse(extent: f64, strokes: u32) -> bool {
     let side = extent / Detail::Fine.samples() as f64;
     f64::from(strokes) < side * side
@@ -100,8 +100,8 @@ pub(in crate::plane) fn snap(at: [f64; 2], size: usize, fine: bool) -> Snapped {
     Snapped { cell: whole.map(|v| v.div_euclid(steps as i64)), offset, rest: offset.map(|v| f64::from(v) / steps) }
 }
 
-/// The upper left corner of the tile of a block, from the cell of the block's origin, and the tile's size. The middle of
-/// the block lies at `middle` from that cell, and the block reaches `reach` from there and `margin` cells more.
+/// The upper left corner of the tile of a block, from the cell of the block's origin, and the tile's size. The middle
+/// of the block lies at `middle` from that cell, and the block reaches `reach` from there and `margin` cells more.
 pub(in crate::plane) fn area(middle: [f64; 2], reach: [f64; 2], margin: i64) -> ([i64; 2], [usize; 2]) {
     let corner = [0, 1].map(|axis| (middle[axis] - reach[axis]).floor() as i64 - margin);
     let size = [0, 1].map(|axis| (middle[axis] + reach[axis]).ceil() as i64 + margin - corner[axis]);

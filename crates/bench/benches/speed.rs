@@ -1,10 +1,19 @@
-//! Timings of drawing, printed: `cargo test --release -p lsystem-playground --test speed -- --ignored --nocapture`.
+//! Timings of derivation and drawing, printed: `cargo bench -p bench --bench speed`.
 
 use lsystem::derive::Rewriter;
 use lsystem::drawing::{Outlook, expand_into};
 use lsystem::{Definition, Dialect, Limits, Plane, SegmentArrays, Solid, System, draw};
 use std::hint::black_box;
 use std::time::Instant;
+
+fn main() {
+    deriving_at_random();
+    building();
+    building_in_space();
+    materialising();
+    emitting();
+    deriving();
+}
 
 fn system(axiom: &str, rules: &str, angle: f64) -> System {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), angle, ..Definition::default() };
@@ -25,8 +34,6 @@ fn samples() -> Vec<(&'static str, System, u32)> {
     ]
 }
 
-#[test]
-#[ignore = "a measurement"]
 fn deriving_at_random() {
     for (name, axiom, rules, n) in [
         ("all random", "F", "F -> F[+F]F[-F]F : 0.33\nF -> F[+F]F : 0.33\nF -> F[-F]F : 0.34", 11),
@@ -44,8 +51,6 @@ fn deriving_at_random() {
     }
 }
 
-#[test]
-#[ignore = "a measurement"]
 fn building() {
     for (name, system, _) in samples() {
         for n in [8, 40, 1000] {
@@ -60,8 +65,6 @@ fn building() {
     }
 }
 
-#[test]
-#[ignore = "a measurement"]
 fn building_in_space() {
     let bush = "A -> [&FL!A]/////'[&FL!A]///////'[&FL!A]\nF -> S/////F\nS -> FL\nL -> ['''^^-F+F+F-|-F+F+F]";
     let tree = Definition {
@@ -100,8 +103,6 @@ fn building_in_space() {
     }
 }
 
-#[test]
-#[ignore = "a measurement"]
 fn materialising() {
     for (name, rules) in [
         ("stochastic", "F -> F[+F]F[-F]F : 0.33\nF -> F[+F]F : 0.33\nF -> F[-F]F : 0.34"),
@@ -121,8 +122,6 @@ fn materialising() {
     }
 }
 
-#[test]
-#[ignore = "a measurement"]
 fn emitting() {
     let (mut arrays, mut source) = (SegmentArrays::default(), vec![]);
     for (name, system, n) in samples().into_iter().take(4) {
@@ -154,8 +153,6 @@ fn emitting() {
     }
 }
 
-#[test]
-#[ignore = "a measurement"]
 fn deriving() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data_in/abop");
     let signals = lsystem::read_json(&std::fs::read_to_string(folder.join("1.31a.json")).unwrap()).0.unwrap();
