@@ -2,6 +2,7 @@
 
 use crate::files::{self, hex};
 use anyhow::{Context, Result};
+use fs_err as fs;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -24,7 +25,7 @@ pub(crate) fn list_files(site: &Path) -> Result<()> {
     }
     let list = Value::Object(hashes).to_string();
     let worker = site.join(WORKER);
-    let text = files::read_text(&worker)?;
+    let text = fs::read_to_string(&worker)?;
     // A change of the worker itself makes a new version, too.
     let build = &hex(&Sha256::digest(format!("{list}{text}")))[..16];
     files::write(&worker, format!("const BUILD = \"{build}\";\nconst FILES = {list};\n{text}"))
@@ -42,7 +43,7 @@ mod tests {
             files::write(&site.join(name), text).unwrap();
         }
         list_files(site).unwrap();
-        let worker = files::read_text(&site.join(WORKER)).unwrap();
+        let worker = fs::read_to_string(&site.join(WORKER)).unwrap();
         // The first two are published examples of SHA-256.
         let list = "const FILES = {\"\":\"e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855\",\
                     \"page.js\":\"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"};\nwork()";
@@ -50,6 +51,6 @@ mod tests {
         files::write(&site.join(WORKER), "work()").unwrap();
         files::write(&site.join("page.js"), "abd").unwrap();
         list_files(site).unwrap();
-        assert_ne!(files::read_text(&site.join(WORKER)).unwrap()[..40], worker[..40]);
+        assert_ne!(fs::read_to_string(&site.join(WORKER)).unwrap()[..40], worker[..40]);
     }
 }

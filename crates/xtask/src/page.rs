@@ -6,7 +6,7 @@ use crate::server::Server;
 use crate::workspace::{Workspace, output};
 use crate::{files, tools};
 use anyhow::{Context, Result, bail};
-use std::net::TcpListener;
+use fs_err as fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
@@ -21,9 +21,9 @@ pub(crate) const UNIT: &str = "unit tests of the page";
 /// Installs the packages of a folder's lock file into `node_modules`. A copy of the installed lock file shows whether
 /// this has been done.
 pub(crate) fn packages(folder: &Path) -> Result<()> {
-    let lock = files::read(&folder.join("package-lock.json"))?;
+    let lock = fs::read(&folder.join("package-lock.json"))?;
     let installed = folder.join("node_modules/.installed-lock.json");
-    if installed.is_file() && files::read(&installed)? == lock {
+    if installed.is_file() && fs::read(&installed)? == lock {
         return Ok(());
     }
     output(Command::new(tools::npm()?).arg("ci").current_dir(folder))?;
@@ -56,7 +56,7 @@ pub(crate) fn end_to_end(workspace: &Workspace, kind: Kind, names: &[&str], repo
     let result = with_page(workspace, kind, |node| {
         node.arg("test/e2e/run.mjs").args(names).current_dir(workspace.www()).env("LSYSTEM_TIMES", times.path())
     });
-    for line in files::read_text(times.path())?.lines() {
+    for line in fs::read_to_string(times.path())?.lines() {
         let (seconds, name) = line.split_once(' ').context("a time without a test")?;
         report.time(name, Duration::try_from_secs_f64(seconds.parse()?)?);
     }
@@ -78,11 +78,11 @@ pub(crate) fn script(workspace: &Workspace, script: &str, words: &[String]) -> R
 /// Runs Node.js while a built page is served. `prepare` completes the command.
 fn with_page(workspace: &Workspace, kind: Kind, prepare: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
     let browser = tools::browser()?;
-    let listener = TcpListener::bind("127.0.0.1:0")?;
-    let address = format!("http://{}{MOUNT}", listener.local_addr()?);
+    let socket = tiny_http::Server::http("127.0.0.1:0").map_err(|error| anyhow::anyhow!(error))?;
+    let address = format!("http://{}{MOUNT}", socket.server_addr());
     let server = Server { folder: kind.folder(workspace), mount: MOUNT, version: None };
-    // The listener is bound, so the tests need not wait. The thread ends with the process.
-    thread::spawn(move || server.run(&listener));
+    // The socket is bound, so the tests need not wait. The thread ends with the process.
+    thread::spawn(move || server.run(&socket));
     let temporary = tempfile::tempdir()?;
     workspace.run(
         prepare(&mut Command::new(tools::node()?))

@@ -5,7 +5,6 @@ use crate::files;
 use crate::server::{Server, Version};
 use crate::workspace::Workspace;
 use anyhow::{Context, Result};
-use std::net::TcpListener;
 use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
@@ -27,17 +26,17 @@ pub(crate) struct ServeOptions {
 pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()> {
     let before = Times::now(workspace)?;
     build::build(workspace, Kind::Draft)?;
-    let listener = listen(options.port)?;
-    println!("http://{}/", listener.local_addr()?);
+    let socket = listen(options.port)?;
+    println!("http://{}/", socket.server_addr());
     let server =
         Server { folder: Kind::Draft.folder(workspace), mount: "/", version: options.watch.then(Version::default) };
     if let Some(version) = &server.version {
         thread::scope(|scope| {
-            scope.spawn(|| server.run(&listener));
+            scope.spawn(|| server.run(&socket));
             watch(workspace, version, before)
         })
     } else {
-        server.run(&listener);
+        server.run(&socket);
         Ok(())
     }
 }
@@ -86,8 +85,7 @@ impl Times {
 fn newest(workspace: &Workspace, names: &[&str]) -> Result<SystemTime> {
     let mut newest = SystemTime::UNIX_EPOCH;
     for path in names.iter().map(|name| workspace.root.join(name)) {
-        let found =
-            if path.is_dir() { files::list(&path, |below| !below.ends_with("node_modules"))? } else { vec![path] };
+        let found = files::list(&path, |below| !below.ends_with("node_modules"))?;
         // A file may vanish while an editor writes it anew.
         let times = found.iter().filter_map(|file| file.metadata().ok()?.modified().ok());
         newest = times.fold(newest, Ord::max);
@@ -96,10 +94,8 @@ fn newest(workspace: &Workspace, names: &[&str]) -> Result<SystemTime> {
 }
 
 /// Binds the port asked for, or the first free one from 8080 on.
-fn listen(port: Option<u16>) -> Result<TcpListener> {
-    let bind = |port| TcpListener::bind(("127.0.0.1", port)).with_context(|| format!("listening on port {port}"));
-    match port {
-        Some(port) => bind(port),
-        None => (8080..8180).find_map(|port| bind(port).ok()).context("no port from 8080 to 8179 is free"),
-    }
+fn listen(port: Option<u16>) -> Result<tiny_http::Server> {
+    let mut ports = port.map_or(8080..=8179, |port| port..=port);
+    let bound = ports.find_map(|port| tiny_http::Server::http(("127.0.0.1", port)).ok());
+    bound.context("no port is free, of the one asked for or of 8080 to 8179")
 }

@@ -5,7 +5,7 @@ use crate::esbuild::Esbuild;
 use crate::workspace::Workspace;
 use crate::{bindgen, files, tools};
 use anyhow::Result;
-use std::fs;
+use fs_err as fs;
 use std::path::{Path, PathBuf};
 
 /// A wasm of the site: `NAME.wasm`.
@@ -45,7 +45,7 @@ impl Wasm {
     /// fail there.
     fn write(&self, esbuild: &Esbuild, generated: &Path, site: &Path) -> Result<()> {
         fs::copy(generated.join(format!("{}_bg.wasm", self.name)), site.join(self.file()))?;
-        let glue = files::read_text(&generated.join(format!("{}.js", self.name)))?;
+        let glue = fs::read_to_string(&generated.join(format!("{}.js", self.name)))?;
         files::write(&site.join(self.script), esbuild.minified("glue.js", &glue)? + &esbuild.script(self.worker)?)
     }
 
