@@ -13,7 +13,7 @@ const LEVELS: u32 = 2;
 
 pub(crate) fn ask(made: &Made<'_>, asked: &mut Asked<'_>) -> Result<()> {
     for system in plane::SYSTEMS {
-        let source: Value = serde_json::from_slice(&fs::read(&made.source(system))?)?;
+        let source: Value = serde_json::from_slice(&fs::read(made.source(system))?)?;
         let symbols = made.told(system)?.symbols;
         let text = json!({"look": "words", "file": made.draw(system, "txt", &[])?.0});
         asked.look(format!("{system} as txt"), "Python", [text], move |answers| {

@@ -40,7 +40,7 @@ fn latex(made: &Made<'_>, asked: &Asked<'_>, file: &Path, packages: &str) -> Res
         "\\documentclass{{article}}\n\\usepackage[utf8]{{inputenc}}\n{packages}\n\\pagestyle{{empty}}\n\
          \\begin{{document}}\n\\hsize=200mm\\textwidth=200mm\\noindent\n{text}\n\\end{{document}}\n"
     );
-    fs::write(&folder.join("page.tex"), document)?;
+    fs::write(folder.join("page.tex"), document)?;
     let program = asked.programs.latex().context("LaTeX")?;
     let words = ["-interaction=nonstopmode", "-halt-on-error", "page.tex"];
     let done = Command::new(program).args(words).current_dir(&folder).output()?;
@@ -86,7 +86,7 @@ fn typeset(made: &Made<'_>, asked: &mut Asked<'_>, system: &str) -> Result<()> {
             return Ok(());
         }
     };
-    let source: Value = serde_json::from_slice(&fs::read(&made.source(system))?)?;
+    let source: Value = serde_json::from_slice(&fs::read(made.source(system))?)?;
     asked.look(
         format!("{system} as latex"),
         "pdflatex, pypdf",
@@ -115,14 +115,14 @@ fn bibtex(made: &Made<'_>, program: &Path, system: &str) -> Result<String> {
     let entries = fs::read_to_string(&file)?.lines().filter(|line| line.starts_with('@')).count();
     let name = file.file_stem().context("a name")?.to_string_lossy().into_owned();
     let folder = made.new_folder(&format!("{name}-bibtex"))?;
-    fs::write(&folder.join("all.bib"), fs::read(&file)?)?;
-    fs::write(&folder.join("page.aux"), "\\relax\n\\citation{*}\n\\bibstyle{plain}\n\\bibdata{all}\n")?;
+    fs::write(folder.join("all.bib"), fs::read(&file)?)?;
+    fs::write(folder.join("page.aux"), "\\relax\n\\citation{*}\n\\bibstyle{plain}\n\\bibdata{all}\n")?;
     let done = Command::new(program).arg("page").current_dir(&folder).output()?;
-    let log = fs::read_to_string(&folder.join("page.blg"))?;
+    let log = fs::read_to_string(folder.join("page.blg"))?;
     ensure!(done.status.success(), "{log}");
     let warnings = log.lines().find(|line| line.contains("warning")).map_or(0.0, |line| numbers_in(line)[0]);
     equal("warnings", warnings, 0.0)?;
-    let set = fs::read_to_string(&folder.join("page.bbl"))?.matches("\\bibitem{").count();
+    let set = fs::read_to_string(folder.join("page.bbl"))?.matches("\\bibitem{").count();
     equal("entries", set, entries)?;
     Ok(format!("{set} entries"))
 }

@@ -64,7 +64,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
         joined(scripts)
     })?;
     let (index, embed) = ("index.html", site.join("embed.html"));
-    let whole = fs::read_to_string(&site.join(index))?;
+    let whole = fs::read_to_string(site.join(index))?;
     let exercise = site.join("exercise.html");
     let text = html::include(&fs::read_to_string(&exercise)?, "embed.html", &fs::read_to_string(&embed)?)?;
     files::write(&exercise, text)?;

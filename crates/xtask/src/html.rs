@@ -12,9 +12,8 @@ pub(crate) type Handler<'h> = (Cow<'h, Selector>, ElementContentHandlers<'h>);
 
 /// A page with some elements changed.
 pub(crate) fn rewrite<'h>(page: &str, handlers: impl IntoIterator<Item = Handler<'h>>) -> Result<String> {
-    let settings = handlers
-        .into_iter()
-        .fold(RewriteStrSettings::new(), |settings, handler| settings.append_element_content_handler(handler));
+    let settings =
+        handlers.into_iter().fold(RewriteStrSettings::new(), RewriteStrSettings::append_element_content_handler);
     Ok(rewrite_str(page, settings)?)
 }
 

@@ -31,7 +31,7 @@ pub(crate) fn mutants(workspace: &Workspace, words: &[String]) -> Result<()> {
     if !matches!(status.code(), Some(0 | 2 | 3)) {
         bail!("cargo-mutants failed ({status}); its log is in {}", folder.display());
     }
-    let outcomes = fs::read(&folder.join("mutants.out/outcomes.json"))?;
+    let outcomes = fs::read(folder.join("mutants.out/outcomes.json"))?;
     println!("{}", summary(&serde_json::from_slice(&outcomes)?)?);
     Ok(())
 }

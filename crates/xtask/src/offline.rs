@@ -43,7 +43,7 @@ mod tests {
             files::write(&site.join(name), text).unwrap();
         }
         list_files(site).unwrap();
-        let worker = fs::read_to_string(&site.join(WORKER)).unwrap();
+        let worker = fs::read_to_string(site.join(WORKER)).unwrap();
         // The first two are published examples of SHA-256.
         let list = "const FILES = {\"\":\"e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855\",\
                     \"page.js\":\"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"};\nwork()";
@@ -51,6 +51,6 @@ mod tests {
         files::write(&site.join(WORKER), "work()").unwrap();
         files::write(&site.join("page.js"), "abd").unwrap();
         list_files(site).unwrap();
-        assert_ne!(fs::read_to_string(&site.join(WORKER)).unwrap()[..40], worker[..40]);
+        assert_ne!(fs::read_to_string(site.join(WORKER)).unwrap()[..40], worker[..40]);
     }
 }

@@ -132,12 +132,11 @@ fn without_documents(page: &str) -> Result<String> {
         link.remove();
         open.set(open.get() + 1);
         let open = open.clone();
-        Ok(link
-            .on_end_tag(end_tag!(move |_| {
-                open.set(open.get() - 1);
-                Ok(())
-            }))
-            .map_err(|error| anyhow::anyhow!(error))?)
+        link.on_end_tag(end_tag!(move |_| {
+            open.set(open.get() - 1);
+            Ok(())
+        }))
+        .map_err(|error| anyhow::anyhow!(error))
     };
     let page = html::rewrite(
         page,

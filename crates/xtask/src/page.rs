@@ -21,7 +21,7 @@ pub(crate) const UNIT: &str = "unit tests of the page";
 /// Installs the packages of a folder's lock file into `node_modules`. A copy of the installed lock file shows whether
 /// this has been done.
 pub(crate) fn packages(folder: &Path) -> Result<()> {
-    let lock = fs::read(&folder.join("package-lock.json"))?;
+    let lock = fs::read(folder.join("package-lock.json"))?;
     let installed = folder.join("node_modules/.installed-lock.json");
     if installed.is_file() && fs::read(&installed)? == lock {
         return Ok(());

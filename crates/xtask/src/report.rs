@@ -143,7 +143,7 @@ mod tests {
             bail!("no luck")
         }));
         assert!(report.step(&workspace, "three", |_, _| Ok(())));
-        assert_eq!(fs::read_to_string(&folder.path().join("logs/step-two.txt")).unwrap(), "how it went\n");
+        assert_eq!(fs::read_to_string(folder.path().join("logs/step-two.txt")).unwrap(), "how it went\n");
         assert_eq!(report.finish().unwrap_err().to_string(), "1 of 3 steps failed");
     }
 

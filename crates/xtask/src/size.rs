@@ -19,9 +19,9 @@ struct FileSize {
 /// Compares the wasms in `dist/` with the committed limits and prints both.
 pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let file = "crates/lsystem-wasm/size-limit.txt";
-    let limits = fs::read_to_string(&workspace.root.join(file))?;
+    let limits = fs::read_to_string(workspace.root.join(file))?;
     for name in limits.lines().filter_map(|line| line.split_once(".wasm:")).map(|(name, _)| format!("{name}.wasm")) {
-        let size = measure(&fs::read(&Kind::Shipped.folder(workspace).join(&name))?)?;
+        let size = measure(&fs::read(Kind::Shipped.folder(workspace).join(&name))?)?;
         let limit = read(&limits, &name).with_context(|| format!("in {file}"))?;
         workspace.say(format_args!("{name}: {size}; limit {limit}"));
         if size.raw > limit.raw || size.gzip > limit.gzip {
