@@ -4,7 +4,7 @@
 use super::native::CRATES;
 use super::passed::{Passed, fingerprint};
 use crate::report::Report;
-use crate::wasms::PACKAGES;
+use crate::wasms::{self, PACKAGES};
 use crate::workspace::Workspace;
 use crate::{files, tools};
 use anyhow::Result;
@@ -29,8 +29,8 @@ pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
     // share their libraries with the page that `serve` builds.
     let words = ["test", "--no-run", "--tests", "--profile=draft", "--message-format=json-render-diagnostics"];
     let packages = PACKAGES.iter().flat_map(|package| ["--package", package]);
-    let mut command = workspace.cargo(words.into_iter().chain(packages).chain(["--target", tools::WASM_TARGET]));
-    if let Ok(digests) = fs::read_to_string(&digests(workspace)) {
+    let mut command = wasms::cargo(workspace, words.into_iter().chain(packages));
+    if let Ok(digests) = fs::read_to_string(digests(workspace)) {
         command.env("LSYSTEM_SAME_BITS", digests);
     }
     let messages = workspace.output(&mut command)?;
