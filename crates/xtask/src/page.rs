@@ -7,6 +7,7 @@ use crate::workspace::{Workspace, output};
 use crate::{files, tools};
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
+use std::net::TcpListener;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
@@ -78,11 +79,11 @@ pub(crate) fn script(workspace: &Workspace, script: &str, words: &[String]) -> R
 /// Runs Node.js while a built page is served. `prepare` completes the command.
 fn with_page(workspace: &Workspace, kind: Kind, prepare: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
     let browser = tools::browser()?;
-    let socket = tiny_http::Server::http("127.0.0.1:0").map_err(|error| anyhow::anyhow!(error))?;
-    let address = format!("http://{}{MOUNT}", socket.server_addr());
+    let listener = TcpListener::bind("127.0.0.1:0")?;
+    let address = format!("http://{}{MOUNT}", listener.local_addr()?);
     let server = Server { folder: kind.folder(workspace), mount: MOUNT, version: None };
-    // The socket is bound, so the tests need not wait. The thread ends with the process.
-    thread::spawn(move || server.run(&socket));
+    // The listener is bound, so the tests need not wait. The thread ends with the process.
+    thread::spawn(move || server.run(&listener));
     let temporary = tempfile::tempdir()?;
     workspace.run(
         prepare(&mut Command::new(tools::node()?))

@@ -5,6 +5,7 @@ use crate::files;
 use crate::server::{Server, Version};
 use crate::workspace::Workspace;
 use anyhow::{Context, Result};
+use std::net::TcpListener;
 use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
@@ -26,17 +27,17 @@ pub(crate) struct ServeOptions {
 pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()> {
     let before = Times::now(workspace)?;
     build::build(workspace, Kind::Draft)?;
-    let socket = listen(options.port)?;
-    println!("http://{}/", socket.server_addr());
+    let listener = listen(options.port)?;
+    println!("http://{}/", listener.local_addr()?);
     let server =
         Server { folder: Kind::Draft.folder(workspace), mount: "/", version: options.watch.then(Version::default) };
     if let Some(version) = &server.version {
         thread::scope(|scope| {
-            scope.spawn(|| server.run(&socket));
+            scope.spawn(|| server.run(&listener));
             watch(workspace, version, before)
         })
     } else {
-        server.run(&socket);
+        server.run(&listener);
         Ok(())
     }
 }
@@ -94,8 +95,8 @@ fn newest(workspace: &Workspace, names: &[&str]) -> Result<SystemTime> {
 }
 
 /// Binds the port asked for, or the first free one from 8080 on.
-fn listen(port: Option<u16>) -> Result<tiny_http::Server> {
+fn listen(port: Option<u16>) -> Result<TcpListener> {
     let mut ports = port.map_or(8080..=8179, |port| port..=port);
-    let bound = ports.find_map(|port| tiny_http::Server::http(("127.0.0.1", port)).ok());
+    let bound = ports.find_map(|port| TcpListener::bind(("127.0.0.1", port)).ok());
     bound.context("no port is free, of the one asked for or of 8080 to 8179")
 }

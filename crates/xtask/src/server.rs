@@ -1,12 +1,19 @@
-//! A local web server for a folder of static files: no caching, no access outside the folder.
+//! A local web server for a folder of static files: one thread per connection, no caching, no access outside the
+//! folder. Not tiny_http: its pool of threads may leave a connection waiting while browsers keep others open.
 
 use percent_encoding::percent_decode_str;
 use std::fs;
-use std::io::Cursor;
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::net::{TcpListener, TcpStream};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
-use tiny_http::{Header, Method, Response, StatusCode};
+use std::time::Duration;
+
+/// The most bytes of a request line and headers; browsers send fewer to a static server.
+const LONGEST_REQUEST: u64 = 64 << 10;
+/// The longest silence of a connection.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// A server of the files below `folder` at the addresses below `mount`, which starts and ends with `/`.
 pub(crate) struct Server {
@@ -48,47 +55,69 @@ const RELOADING: &str = "<script src=\"/reload.js\" async></script>";
 const FORGETTING: &str = "self.addEventListener('install', () => self.skipWaiting());\n\
                           self.addEventListener('activate', () => self.registration.unregister());\n";
 
-type Answer = Response<Cursor<Vec<u8>>>;
-
 impl Server {
     /// Serves without end.
-    pub(crate) fn run(&self, socket: &tiny_http::Server) {
+    pub(crate) fn run(&self, listener: &TcpListener) {
         thread::scope(|scope| {
-            for request in socket.incoming_requests() {
-                scope.spawn(move || {
-                    let answer = self.respond(request.method(), request.url());
-                    // Errors are ignored: browsers often close a connection early.
-                    _ = request.respond(answer);
-                });
+            for stream in listener.incoming().flatten() {
+                // Errors are ignored: browsers often close a connection early.
+                scope.spawn(move || self.answer(&stream).ok());
             }
         });
     }
 
-    fn respond(&self, method: &Method, target: &str) -> Answer {
-        if !matches!(method, Method::Get | Method::Head) {
-            return refusal(405, Some(("Allow", "GET, HEAD")));
+    fn answer(&self, stream: &TcpStream) -> io::Result<()> {
+        stream.set_read_timeout(Some(PATIENCE))?;
+        stream.set_write_timeout(Some(PATIENCE))?;
+        let mut lines = BufReader::new(stream.take(LONGEST_REQUEST)).lines();
+        let request = lines.next().unwrap_or_else(|| Ok(String::new()))?;
+        for line in lines {
+            if line?.is_empty() {
+                break;
+            }
+        }
+        let mut words = request.split(' ');
+        let (method, target) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+        let (head, body) = self.respond(method, target);
+        let mut stream = stream;
+        stream.write_all(head.as_bytes())?;
+        if method != "HEAD" {
+            stream.write_all(&body)?;
+        }
+        stream.flush()
+    }
+
+    /// The head and the body of the answer.
+    fn respond(&self, method: &str, target: &str) -> (String, Vec<u8>) {
+        let plain = |status: &str, more: &str| {
+            (head(status, "text/plain; charset=utf-8", status.len(), more), status.as_bytes().to_vec())
+        };
+        if method != "GET" && method != "HEAD" {
+            return plain("405 Method Not Allowed", "Allow: GET, HEAD\r\n");
         }
         let path = target.split(['?', '#']).next().unwrap_or_default();
         let below = path.strip_prefix(self.mount);
         if let (Some(version), Some(RELOAD)) = (&self.version, below) {
             version.wait();
-            return answer("text/javascript", RELOADER);
+            return (head("200 OK", "text/javascript", RELOADER.len(), ""), RELOADER.as_bytes().to_vec());
         }
         let Some(mut file) = below.and_then(|path| locate(&self.folder, path)) else {
-            return refusal(404, None);
+            return plain("404 Not Found", "");
         };
         if file.is_dir() {
             if !path.ends_with('/') {
                 // The address of a folder must end in `/`, because relative addresses in the page start from there.
-                return refusal(301, Some(("Location", &format!("{path}/"))));
+                return plain("301 Moved Permanently", &format!("Location: {path}/\r\n"));
             }
             file.push("index.html");
         }
-        let Ok(body) = fs::read(&file) else { return refusal(404, None) };
-        let kind = mime_guess::from_path(&file).first_or_octet_stream();
-        let charset = if kind.type_() == "text" { "; charset=utf-8" } else { "" };
-        let body = if self.version.is_some() { reloading(&file, body) } else { body };
-        answer(&format!("{kind}{charset}"), body)
+        match fs::read(&file) {
+            Ok(body) => {
+                let body = if self.version.is_some() { reloading(&file, body) } else { body };
+                (head("200 OK", &media_type(&file), body.len(), ""), body)
+            }
+            Err(_) => plain("404 Not Found", ""),
+        }
     }
 }
 
@@ -103,23 +132,11 @@ fn reloading(file: &Path, body: Vec<u8>) -> Vec<u8> {
     String::from_utf8_lossy(&body).replacen("</head>", &format!("{RELOADING}</head>"), 1).into()
 }
 
-fn answer(media_type: &str, body: impl Into<Vec<u8>>) -> Answer {
-    let headers = [("Content-Type", media_type), ("Cache-Control", "no-cache"), ("X-Content-Type-Options", "nosniff")];
-    headers.into_iter().fold(Response::from_data(body), with_header)
-}
-
-fn refusal(status: u16, header: Option<(&str, &str)>) -> Answer {
-    let status = StatusCode(status);
-    let words = answer("text/plain; charset=utf-8", status.default_reason_phrase()).with_status_code(status);
-    header.into_iter().fold(words, with_header)
-}
-
-/// Adds a header. One that is not ASCII is left out.
-fn with_header(answer: Answer, (name, value): (&str, &str)) -> Answer {
-    match Header::from_bytes(name, value) {
-        Ok(header) => answer.with_header(header),
-        Err(()) => answer,
-    }
+fn head(status: &str, media_type: &str, length: usize, more: &str) -> String {
+    format!(
+        "HTTP/1.1 {status}\r\nContent-Type: {media_type}\r\nContent-Length: {length}\r\nCache-Control: no-cache\r\n\
+         X-Content-Type-Options: nosniff\r\nConnection: close\r\n{more}\r\n"
+    )
 }
 
 /// The file at an address without its leading slash; `None` unless the address is a plain path inside the folder.
@@ -129,11 +146,15 @@ fn locate(folder: &Path, address: &str) -> Option<PathBuf> {
     Path::new(&*address).components().all(is_plain).then(|| folder.join(&*address))
 }
 
+fn media_type(file: &Path) -> String {
+    let kind = mime_guess::from_path(file).first_or_octet_stream();
+    let charset = if kind.type_() == "text" { "; charset=utf-8" } else { "" };
+    format!("{kind}{charset}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io::{self, Read as _, Write as _};
-    use std::net::TcpStream;
 
     fn check(request: &str, status: &str, contains: &str) {
         let folder = tempfile::tempdir().unwrap();
@@ -145,13 +166,9 @@ mod tests {
         crate::files::write(&site.join("a b/ä.txt"), "far").unwrap();
         let (method, target) = request.split_once(' ').unwrap();
         let server = Server { folder: site, mount: "/sub/path/", version: None };
-        let mut answer = vec![];
-        server
-            .respond(&method.parse().unwrap(), target)
-            .raw_print(&mut answer, (1, 1).into(), &[], method == "HEAD", None)
-            .unwrap();
-        let answer = String::from_utf8(answer).unwrap();
-        assert!(answer.starts_with(&format!("HTTP/1.1 {status}")), "{request}: {answer}");
+        let (head, body) = server.respond(method, target);
+        let answer = format!("{head}{}", String::from_utf8(body).unwrap());
+        assert!(head.starts_with(&format!("HTTP/1.1 {status}")), "{request}: {head}");
         assert!(answer.contains(contains), "{request}: {answer}");
         assert!(!answer.contains("secret"), "{request}: {answer}");
     }
@@ -160,8 +177,7 @@ mod tests {
     fn serves_files_with_their_types() {
         check("GET /sub/path/", "200", "<p>start");
         check("GET /sub/path/?x=1", "200", "Content-Type: text/html; charset=utf-8\r\n");
-        check("GET /sub/path/lsystem.wasm", "200", "Content-Type: application/wasm\r\n");
-        check("GET /sub/path/lsystem.wasm", "200", "Content-Length: 4\r\n");
+        check("GET /sub/path/lsystem.wasm", "200", "Content-Type: application/wasm\r\nContent-Length: 4\r\n");
         check("GET /sub/path/a%20b/%C3%A4.txt", "200", "far");
         check("HEAD /sub/path/index.html", "200", "Cache-Control: no-cache");
     }
@@ -187,14 +203,14 @@ mod tests {
     fn answers_over_a_socket() -> io::Result<()> {
         let folder = tempfile::tempdir()?;
         fs::write(folder.path().join("index.html"), "hello")?;
-        let socket = tiny_http::Server::http("127.0.0.1:0").unwrap();
-        let address = socket.server_addr().to_ip().unwrap();
+        let listener = TcpListener::bind("127.0.0.1:0")?;
+        let address = listener.local_addr()?;
         // The thread serves until the test process ends.
         let server = Server { folder: folder.path().to_owned(), mount: "/", version: None };
-        thread::spawn(move || server.run(&socket));
+        thread::spawn(move || server.run(&listener));
         for _ in 0..3 {
             let mut stream = TcpStream::connect(address)?;
-            stream.write_all(b"GET / HTTP/1.1\r\nHost: here\r\nConnection: close\r\n\r\n")?;
+            stream.write_all(b"GET / HTTP/1.1\r\nHost: here\r\n\r\n")?;
             let mut answer = String::new();
             stream.read_to_string(&mut answer)?;
             assert!(answer.starts_with("HTTP/1.1 200 OK\r\n") && answer.ends_with("\r\n\r\nhello"), "{answer}");
@@ -208,7 +224,7 @@ mod tests {
         fs::write(folder.path().join("index.html"), "<head></head>").unwrap();
         fs::write(folder.path().join("service-worker.js"), "keep()").unwrap();
         let server = Server { folder: folder.path().to_owned(), mount: "/", version: Some(Version::default()) };
-        let text = |target| io::read_to_string(server.respond(&Method::Get, target).into_reader()).unwrap();
+        let text = |target| String::from_utf8(server.respond("GET", target).1).unwrap();
         assert_eq!(text("/"), format!("<head>{RELOADING}</head>"));
         assert_eq!(text("/service-worker.js"), FORGETTING);
         thread::scope(|scope| {
