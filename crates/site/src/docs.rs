@@ -3,8 +3,8 @@
 mod drawing;
 mod markdown;
 
-use crate::files;
 use anyhow::{Context, Result, bail};
+use fs_err as fs;
 use markdown::{Document, Site, escape};
 use std::path::Path;
 
@@ -40,15 +40,16 @@ const NAVIGATION: [(&str, &str); 6] = [
 /// site must be in place, because documents link to them.
 pub(crate) fn write_pages(docs: &Path, template: &Path, site: &Path) -> Result<()> {
     let out = site.join("docs");
-    let template = files::read_text(template)?;
+    fs::create_dir_all(&out)?;
+    let template = fs::read_to_string(template)?;
     let is_shipped = |path: &str| site.join(path).is_file();
     let rules = Site { pages: &PAGES, is_shipped: &is_shipped };
     for name in PAGES {
-        let text = files::read_text(&docs.join(format!("{name}.md")))?;
+        let text = fs::read_to_string(docs.join(format!("{name}.md")))?;
         let document = markdown::render(&text, &rules).with_context(|| format!("in docs/{name}.md"))?;
-        files::write(&out.join(format!("{name}.html")), page(&template, name, &document)?)?;
+        fs::write(out.join(format!("{name}.html")), page(&template, name, &document)?)?;
         for image in &document.images {
-            std::fs::copy(docs.join(image), out.join(image)).with_context(|| format!("copying docs/{image}"))?;
+            fs::copy(docs.join(image), out.join(image))?;
         }
     }
     Ok(())
@@ -99,19 +100,20 @@ mod tests {
     fn writes_pages_and_pictures() {
         let folder = tempfile::tempdir().unwrap();
         let [docs, template, site] = ["docs", "page.html", "site"].map(|name| folder.path().join(name));
+        fs::create_dir(&docs).unwrap();
         for name in PAGES {
-            files::write(&docs.join(format!("{name}.md")), format!("# The {name}\n\nA & b.\n")).unwrap();
+            fs::write(docs.join(format!("{name}.md")), format!("# The {name}\n\nA & b.\n")).unwrap();
         }
-        files::write(&docs.join("about.md"), "# About\n\n![A leaf](leaf.svg)\n").unwrap();
-        files::write(&docs.join("leaf.svg"), "<svg/>").unwrap();
-        files::write(&template, "{{title}}|{{description}}|{{navigation}}|{{body}}|{{version}}").unwrap();
+        fs::write(docs.join("about.md"), "# About\n\n![A leaf](leaf.svg)\n").unwrap();
+        fs::write(docs.join("leaf.svg"), "<svg/>").unwrap();
+        fs::write(&template, "{{title}}|{{description}}|{{navigation}}|{{body}}|{{version}}").unwrap();
         write_pages(&docs, &template, &site).unwrap();
-        let text = files::read_text(&site.join("docs/links.html")).unwrap();
+        let text = fs::read_to_string(site.join("docs/links.html")).unwrap();
         assert!(text.starts_with("The links|A &amp; b.|<li><a href=\"lesson.html\">"), "{text}");
         assert!(text.contains("<a href=\"links.html\" aria-current=\"page\">Links</a>"), "{text}");
         assert_eq!(text.matches("aria-current").count(), 1);
         assert!(text.ends_with(concat!("|", env!("CARGO_PKG_VERSION"))), "{text}");
-        assert_eq!(files::read_text(&site.join("docs/leaf.svg")).unwrap(), "<svg/>");
+        assert_eq!(fs::read_to_string(site.join("docs/leaf.svg")).unwrap(), "<svg/>");
         assert!(!site.join("docs/worker.html").exists());
     }
 

@@ -1,7 +1,7 @@
 //! The exercises of the gallery and of the lesson: `www/exercises.json`, veiled as in links.
 
-use crate::files;
 use anyhow::{Context, Result, bail};
+use fs_err as fs;
 use lsystem::Diagnostic;
 use lsystem::course::{Exercise, Marker};
 use serde_json::{Value, json};
@@ -13,7 +13,7 @@ const MAX_TEXT: usize = 60;
 /// An array of `{id, shelf, title, text, x}` for the exercises in `file`. Their targets are systems of the `gallery`, or
 /// systems of their own. An exercise that its own target does not solve fails.
 pub(crate) fn exercises(file: &Path, gallery: &Value) -> Result<Vec<Value>> {
-    let entries: Vec<Value> = serde_json::from_str(&files::read_text(file)?)?;
+    let entries: Vec<Value> = serde_json::from_str(&fs::read_to_string(file)?)?;
     entries
         .into_iter()
         .map(|mut entry| {
@@ -73,14 +73,14 @@ mod tests {
         let file = folder.path().join("exercises.json");
         let gallery =
             json!([{ "path": "a/koch.json", "definition": { "axiom": "F", "rules": "F -> F+F--F+F", "angle": 60 } }]);
-        files::write(&file, r#"[{"id": "one-rule", "shelf": "rising", "title": "One rule", "system": "a/koch"}]"#)
+        fs::write(&file, r#"[{"id": "one-rule", "shelf": "rising", "title": "One rule", "system": "a/koch"}]"#)
             .unwrap();
         let found = exercises(&file, &gallery).unwrap();
         let x = found[0]["x"].as_str().unwrap();
         assert_eq!(Exercise::read(x).unwrap().target.rules, "F -> F+F--F+F");
         assert_eq!(named("a x=@one-rule\" b", &found).unwrap(), format!("a x={x}\" b"));
         assert!(named("x=@other", &found).is_err());
-        files::write(&file, r#"[{"id": "a", "system": "a/koch", "first": {"rules": "F -> F+F--F+F"}}]"#).unwrap();
+        fs::write(&file, r#"[{"id": "a", "system": "a/koch", "first": {"rules": "F -> F+F--F+F"}}]"#).unwrap();
         assert!(format!("{:#}", exercises(&file, &gallery).unwrap_err()).contains("the start solves it"));
     }
 }

@@ -1,7 +1,7 @@
 //! The gallery: every system of `data_in` in one file, read by the core at build time.
 
-use crate::files;
 use anyhow::{Context, Result, bail};
+use fs_err as fs;
 use lsystem::drawing::kind;
 use lsystem::syntax::Field;
 use lsystem::{Definition, Diagnostic, Figure, Limits, System, read_json, render_diagnostic};
@@ -16,7 +16,7 @@ pub(crate) fn gallery(folder: &Path) -> Result<Value> {
     files.sort_by(|a, b| a.path().cmp(b.path()));
     let entries = files.iter().map(|file| {
         let path = file.path().strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
-        let (definition, system) = read(&path, &files::read_text(file.path())?)?;
+        let (definition, system) = read(&path, &fs::read_to_string(file.path())?)?;
         let Ok(figure) = Figure::draw(&system, definition.iterations, &Limits::default()) else {
             bail!("{path} grows too large for the gallery");
         };
@@ -60,7 +60,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         for (path, axiom) in [("b/two.json", "F"), ("a/deep/one.json", "X"), ("a/note.txt", "")] {
             let text = format!(r#"{{"name": "{path}", "initial": "{axiom}", "rules": {{"F": "FF"}}}}"#);
-            files::write(&folder.path().join(path), text).unwrap();
+            let file = folder.path().join(path);
+            fs::create_dir_all(file.parent().unwrap()).unwrap();
+            fs::write(file, text).unwrap();
         }
         let gallery = gallery(folder.path()).unwrap();
         assert_eq!(gallery.as_array().unwrap().len(), 2);

@@ -8,10 +8,10 @@
 
 mod docs;
 mod exercises;
-mod files;
 mod gallery;
 
 use anyhow::{Result, bail};
+use fs_err as fs;
 use std::path::{Path, PathBuf};
 
 fn main() -> Result<()> {
@@ -27,9 +27,9 @@ fn main() -> Result<()> {
 
 fn systems(root: &Path, site: &Path) -> Result<()> {
     let gallery = gallery::gallery(&root.join("data_in"))?;
-    files::write(&site.join("gallery.json"), gallery.to_string())?;
+    fs::write(site.join("gallery.json"), gallery.to_string())?;
     let exercises = exercises::exercises(&root.join("www/exercises.json"), &gallery)?;
-    files::write(&site.join("exercises.json"), serde_json::to_string(&exercises)?)?;
+    fs::write(site.join("exercises.json"), serde_json::to_string(&exercises)?)?;
     let lesson = site.join("course.html");
-    files::write(&lesson, exercises::named(&files::read_text(&lesson)?, &exercises)?)
+    Ok(fs::write(&lesson, exercises::named(&fs::read_to_string(&lesson)?, &exercises)?)?)
 }

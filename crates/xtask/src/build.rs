@@ -2,9 +2,9 @@
 
 use crate::esbuild::{Bundler as _, Esbuild};
 use crate::workspace::Workspace;
-use crate::{files, include, joined, offline, one_file, wasms};
+use crate::{files, html, joined, offline, one_file, wasms};
 use anyhow::{Context, Result, bail};
-use std::fs;
+use fs_err as fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
@@ -64,11 +64,11 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
         joined(scripts)
     })?;
     let (index, embed) = ("index.html", site.join("embed.html"));
-    let whole = files::read_text(&site.join(index))?;
+    let whole = fs::read_to_string(site.join(index))?;
     let exercise = site.join("exercise.html");
-    let text = include::include(&files::read_text(&exercise)?, "embed.html", &files::read_text(&embed)?)?;
+    let text = html::include(&fs::read_to_string(&exercise)?, "embed.html", &fs::read_to_string(&embed)?)?;
     files::write(&exercise, text)?;
-    let include_index = |file: &Path| files::write(file, include::include(&files::read_text(file)?, index, &whole)?);
+    let include_index = |file: &Path| files::write(file, html::include(&fs::read_to_string(file)?, index, &whole)?);
     [&exercise, &site.join("film.html"), &embed].into_iter().try_for_each(|file| include_index(file))?;
     // These pages become single files, with the files that they would fetch inside.
     let of = |name: &str| -> Vec<String> {
@@ -98,7 +98,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
     files::list(&documents, |path| path.extension().is_none_or(|ending| ending == "html"))?
         .iter()
         .try_for_each(|file| include_index(file))?;
-    files::write(&documents.join("docs.css"), esbuild.styles(&DOCUMENT_STYLES)?)?;
+    files::write(&documents.join("docs.css"), esbuild.styles(&DOCUMENT_STYLES.map(str::to_owned))?)?;
     let scripts = joined::join(&site, index, &esbuild)?;
     joined::write_licence(&www, &site)?;
     offline::list_files(&site, &scripts)?;
@@ -121,7 +121,7 @@ fn compile_core(workspace: &Workspace, kind: Kind) -> Result<()> {
 /// Copies the files of `www` that are shipped unchanged.
 fn page(www: &Path, site: &Path) -> Result<()> {
     for file in files::list(www, is_shipped)? {
-        files::write(&site.join(file.strip_prefix(www)?), files::read(&file)?)?;
+        files::write(&site.join(file.strip_prefix(www)?), fs::read(&file)?)?;
     }
     Ok(())
 }
@@ -140,9 +140,9 @@ fn is_shipped(path: &Path) -> bool {
 /// Moves the folder at `place` to `old`, and `new` to `place`.
 fn replace(new: &Path, place: &Path, old: &Path) -> Result<()> {
     if place.exists() {
-        fs::rename(place, old).with_context(|| format!("moving {} out of the way", place.display()))?;
+        fs::rename(place, old)?;
     }
-    fs::rename(new, place).with_context(|| format!("putting {} in place", place.display()))
+    Ok(fs::rename(new, place)?)
 }
 
 #[cfg(test)]

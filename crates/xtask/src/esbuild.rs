@@ -1,8 +1,10 @@
 //! Bundling and minifying of scripts and styles by esbuild.
 
+use crate::page;
 use crate::workspace::output;
-use crate::{files, page};
-use anyhow::Result;
+use anyhow::{Context, Result};
+use fs_err as fs;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -11,15 +13,15 @@ const TARGET: &str = "--target=es2022";
 
 /// Bundles and minifies the files of a folder.
 pub(crate) trait Bundler {
-    /// A module bundled with its imports, also with those that it imports later.
+    /// A module bundled with all its imports.
     fn module(&self, entry: &str) -> Result<String>;
 
-    /// A module bundled as `page.js`, and files for what it imports later and for what these have in common: names and
-    /// texts.
-    fn split(&self, entry: &str) -> Result<Vec<(String, String)>>;
+    /// Writes `NAME.js`, and modules beside it for what is imported later and for what these modules share. Returns the
+    /// names of the modules that `NAME.js` imports at once.
+    fn split(&self, entry: &str, name: &str, site: &Path) -> Result<Vec<String>>;
 
     /// The styles of the files, in order.
-    fn styles(&self, names: &[&str]) -> Result<String>;
+    fn styles(&self, names: &[String]) -> Result<String>;
 }
 
 /// esbuild, at the version in the lock file of `www`.
@@ -45,7 +47,7 @@ impl Esbuild {
     pub(crate) fn minified(&self, name: &str, text: &str) -> Result<String> {
         let folder = tempfile::tempdir()?;
         let file = folder.path().join(name);
-        files::write(&file, text)?;
+        fs::write(&file, text)?;
         self.run(&file, &[])
     }
 
@@ -67,20 +69,25 @@ impl Bundler for Esbuild {
         self.bundled(entry, &[])
     }
 
-    fn split(&self, entry: &str) -> Result<Vec<(String, String)>> {
-        let folder = tempfile::tempdir()?;
-        let place = format!("--outdir={}", folder.path().display());
-        self.bundled(entry, &["--splitting", &place, "--entry-names=page", "--chunk-names=[name]-[hash]"])?;
-        let files = files::list(folder.path(), |_| true)?;
-        let read = |file: &PathBuf| {
-            let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            Ok((name, files::read_text(file)?))
-        };
-        files.iter().map(read).collect()
+    fn split(&self, entry: &str, name: &str, site: &Path) -> Result<Vec<String>> {
+        let told = tempfile::NamedTempFile::new()?;
+        let [entry_name, folder, metafile] = [
+            format!("--entry-names={name}"),
+            format!("--outdir={}", site.display()),
+            format!("--metafile={}", told.path().display()),
+        ];
+        self.bundled(entry, &["--splitting", "--chunk-names=[name]-[hash]", &entry_name, &folder, &metafile])?;
+        let told: Value = serde_json::from_slice(&fs::read(told.path())?)?;
+        let mut written = told["outputs"].as_object().into_iter().flatten();
+        let page = written.find(|(file, _)| Path::new(file).file_stem().is_some_and(|stem| stem == name));
+        let imports = page.context("esbuild names no module")?.1["imports"].as_array().into_iter().flatten();
+        let at_once = imports.filter(|import| import["kind"] == "import-statement");
+        let file = |import: &Value| Some(Path::new(import["path"].as_str()?).file_name()?.to_str()?.to_owned());
+        Ok(at_once.filter_map(file).collect())
     }
 
-    fn styles(&self, names: &[&str]) -> Result<String> {
-        let texts: Result<Vec<_>> = names.iter().map(|name| files::read_text(&self.www.join(name))).collect();
+    fn styles(&self, names: &[String]) -> Result<String> {
+        let texts: Result<Vec<_>, _> = names.iter().map(|name| fs::read_to_string(self.www.join(name))).collect();
         self.minified("styles.css", &texts?.concat())
     }
 }

@@ -1,53 +1,40 @@
 //! Small helpers for trees of files.
 
 use anyhow::{Context, Result};
+use fs_err as fs;
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
-use std::fs;
 use std::path::{Path, PathBuf};
+use walkdir::WalkDir;
 
 /// All files below `root` that `wanted` accepts, sorted. `wanted` gets paths relative to `root`, also those of folders;
-/// a refused folder is not entered. A missing folder has no files.
+/// a refused folder is not entered. A missing folder has no files, and a file is its own.
 pub(crate) fn list(root: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<PathBuf>> {
-    let mut files = vec![];
-    let mut folders = vec![root.to_owned()];
-    while let Some(folder) = folders.pop() {
-        if !folder.is_dir() {
-            continue;
-        }
-        for entry in fs::read_dir(&folder).with_context(|| format!("reading {}", folder.display()))? {
-            let path = entry?.path();
-            if !wanted(path.strip_prefix(root)?) {
-                continue;
-            }
-            if path.is_dir() { folders.push(path) } else { files.push(path) }
+    if !root.exists() {
+        return Ok(vec![]);
+    }
+    let mut found = vec![];
+    let is_wanted = |path: &Path| path == root || path.strip_prefix(root).is_ok_and(&wanted);
+    for entry in WalkDir::new(root).follow_links(true).into_iter().filter_entry(|entry| is_wanted(entry.path())) {
+        let entry = entry?;
+        if entry.file_type().is_file() {
+            found.push(entry.into_path());
         }
     }
-    files.sort();
-    Ok(files)
-}
-
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
-    fs::read(path).with_context(|| format!("reading {}", path.display()))
-}
-
-pub(crate) fn read_text(path: &Path) -> Result<String> {
-    fs::read_to_string(path).with_context(|| format!("reading {}", path.display()))
+    found.sort();
+    Ok(found)
 }
 
 /// Writes a file and creates the folders above it.
 pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<()> {
-    let write = || {
-        path.parent().map_or(Ok(()), fs::create_dir_all)?;
-        fs::write(path, bytes)
-    };
-    write().with_context(|| format!("writing {}", path.display()))
+    fs::create_dir_all(path.parent().context("a file without a folder")?)?;
+    Ok(fs::write(path, bytes)?)
 }
 
 /// Makes something of a file, unless it was made of the same file before. `made_of` is a file that tells of which one.
 pub(crate) fn once(file: &Path, made_of: &Path, make: impl FnOnce() -> Result<()>) -> Result<()> {
     let print = fingerprint(file)?;
-    if made_of.is_file() && read_text(made_of)? == print {
+    if made_of.is_file() && fs::read_to_string(made_of)? == print {
         return Ok(());
     }
     make()?;
@@ -56,7 +43,7 @@ pub(crate) fn once(file: &Path, made_of: &Path, make: impl FnOnce() -> Result<()
 
 /// The SHA-256 of a file, as hexadecimal digits.
 pub(crate) fn fingerprint(file: &Path) -> Result<String> {
-    Ok(hex(&Sha256::digest(read(file)?)))
+    Ok(hex(&Sha256::digest(fs::read(file)?)))
 }
 
 /// Bytes as hexadecimal digits.

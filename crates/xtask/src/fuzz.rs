@@ -1,7 +1,7 @@
 //! `cargo xtask fuzz`: random inputs for the core.
 
 use crate::workspace::{Workspace, output};
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -96,8 +96,8 @@ fn guided(workspace: &Workspace, targets: &[String], seconds: f64) -> Result<()>
     for target in targets {
         println!("\n=== {target}");
         let corpus = workspace.target.join("fuzz/corpus").join(target);
-        std::fs::create_dir_all(&corpus).with_context(|| format!("creating {}", corpus.display()))?;
-        std::fs::create_dir_all(&findings).with_context(|| format!("creating {}", findings.display()))?;
+        fs_err::create_dir_all(&corpus)?;
+        fs_err::create_dir_all(&findings)?;
         let mut command = Command::new(&program);
         command.arg(&corpus).arg(format!("-artifact_prefix={}/{target}-", findings.display()));
         command.arg(format!("-max_total_time={}", seconds.ceil()));

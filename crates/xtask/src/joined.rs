@@ -1,62 +1,43 @@
-//! The served page with its styles in one file and its modules in another: a tenth of the requests for separate files.
+//! The served page with its styles in one file and its modules in a few: a tenth of the requests for separate files.
 
 use crate::esbuild::Bundler;
-use crate::files;
-use crate::one_file::Tag;
+use crate::html::{self, Parts};
 use anyhow::{Context, Result};
+use fs_err as fs;
+use lol_html::element;
+use lol_html::html_content::ContentType;
 use std::path::Path;
 
-/// The licence of the library in `video.js`, in `www`, and its name on the site.
+/// The licence of the library that the site carries, in `www`, and its name on the site.
 const LICENCE: [&str; 2] = ["node_modules/mediabunny/LICENSE", "video.LICENSE.txt"];
 
 /// Copies the licence of the library that the site carries.
 pub(crate) fn write_licence(www: &Path, site: &Path) -> Result<()> {
-    let [from, to] = LICENCE;
-    files::write(&site.join(to), files::read(&www.join(from))?)
+    fs::copy(www.join(LICENCE[0]), site.join(LICENCE[1]))?;
+    Ok(())
 }
 
-/// Writes `page.js`, the scripts that it imports and `page.css` into the folder of the site, and makes the page load
+/// Writes `page.js`, the modules that it imports and `page.css` into the folder of the site, and makes the page load
 /// them. Returns the names of the scripts that the page runs from the start.
-pub(crate) fn join(site: &Path, page: &str, bundler: &(dyn Bundler + Sync)) -> Result<Vec<String>> {
+pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<Vec<String>> {
     let file = site.join(page);
-    let before = files::read_text(&file)?;
-    let mut text = String::new();
-    let mut styles = vec![];
-    let mut entry = None;
-    for line in before.lines() {
-        let tag = Tag(line);
-        match (tag.name(), tag.attribute("rel"), tag.attribute("href").or(tag.attribute("src"))) {
-            ("link", Some("stylesheet"), Some(name)) => styles.push(name),
-            ("script", _, Some(name)) if tag.attribute("type") == Some("module") => entry = Some(name),
-            _ => {
-                if line == "</head>" {
-                    text.push_str(HEAD);
-                }
-                text.push_str(line.trim_start());
-                text.push('\n');
-            }
-        }
+    let parts = Parts::of(&fs::read_to_string(&file)?).with_context(|| format!("in {page}"))?;
+    fs::write(site.join("page.css"), bundler.styles(&parts.styles)?)?;
+    // The browser asks for all modules at once, and does not wait for one to find the next.
+    let mut links = "<link rel=\"stylesheet\" href=\"page.css\">\n".to_owned();
+    let imported = bundler.split(&parts.module, "page", site)?;
+    for name in &imported {
+        links += &format!("<link rel=\"modulepreload\" href=\"{name}\">\n");
     }
-    let scripts = bundler.split(entry.with_context(|| format!("{page} has no module"))?)?;
-    scripts.iter().try_for_each(|(name, text)| files::write(&site.join(name), text))?;
-    let first = scripts.iter().find(|(name, _)| name == SCRIPT).context("no script is the page's")?;
-    let imported = imports(&first.1);
-    let preloads: String =
-        imported.iter().map(|name| format!("<link rel=\"modulepreload\" href=\"{name}\">\n")).collect();
-    files::write(&site.join("page.css"), bundler.styles(&styles)?)?;
-    files::write(&file, text.replace(HEAD, &format!("{preloads}{HEAD}")))?;
-    Ok([vec![SCRIPT.to_owned()], imported].concat())
-}
-
-/// The page's script.
-const SCRIPT: &str = "page.js";
-/// The page's styles and script.
-const HEAD: &str = "<link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n";
-
-/// The scripts that a minified script imports from the start.
-fn imports(script: &str) -> Vec<String> {
-    let names = ["from\"./", "import\"./"].into_iter().flat_map(|begin| script.split(begin).skip(1));
-    names.filter_map(|rest| rest.split_once('"')).map(|(name, _)| name.to_owned()).collect()
+    links += "<script type=\"module\" src=\"page.js\"></script>\n";
+    let append = element!("head", |head| {
+        head.append(&links, ContentType::Html);
+        Ok(())
+    });
+    let text = html::rewrite(&parts.page, [append])?;
+    let lines = text.lines().map(str::trim_start).filter(|line| !line.is_empty());
+    fs::write(file, lines.map(|line| format!("{line}\n")).collect::<String>())?;
+    Ok([vec!["page.js".to_owned()], imported].concat())
 }
 
 #[cfg(test)]
@@ -67,15 +48,15 @@ mod tests {
 
     impl Bundler for NameBundler {
         fn module(&self, _: &str) -> Result<String> {
-            unreachable!("the page is split")
+            anyhow::bail!("the page needs more than one module")
         }
 
-        fn split(&self, entry: &str) -> Result<Vec<(String, String)>> {
-            let page = format!("import{{a}}from\"./chunk-1.js\";import(\"./late.js\");{entry}");
-            Ok(vec![("chunk-1.js".to_owned(), "chunk".to_owned()), ("page.js".to_owned(), page)])
+        fn split(&self, entry: &str, name: &str, site: &Path) -> Result<Vec<String>> {
+            fs::write(site.join(format!("{name}.js")), format!("module {entry}"))?;
+            Ok(vec!["chunk.js".to_owned()])
         }
 
-        fn styles(&self, names: &[&str]) -> Result<String> {
+        fn styles(&self, names: &[String]) -> Result<String> {
             Ok(names.join(" "))
         }
     }
@@ -86,15 +67,15 @@ mod tests {
         let site = folder.path();
         let page = "<head>\n<link rel=\"icon\" href=\"a.svg\">\n<link rel=\"stylesheet\" href=\"a.css\">\n<link rel=\"stylesheet\" href=\"b.css\">\n\
                     <script src=\"early.js\"></script>\n<script type=\"module\" src=\"a.js\"></script>\n</head>\n<p>\n";
-        files::write(&site.join("index.html"), page).unwrap();
-        assert_eq!(join(site, "index.html", &NameBundler).unwrap(), ["page.js", "chunk-1.js"]);
+        fs::write(site.join("index.html"), page).unwrap();
+        assert_eq!(join(site, "index.html", &NameBundler).unwrap(), ["page.js", "chunk.js"]);
         let expected = "<head>\n<link rel=\"icon\" href=\"a.svg\">\n<script src=\"early.js\"></script>\n\
-                        <link rel=\"modulepreload\" href=\"chunk-1.js\">\n<link rel=\"stylesheet\" href=\"page.css\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
-        assert_eq!(files::read_text(&site.join("index.html")).unwrap(), expected);
-        assert_eq!(files::read_text(&site.join("page.css")).unwrap(), "a.css b.css");
-        assert!(files::read_text(&site.join("page.js")).unwrap().ends_with(";a.js"));
-        assert_eq!(files::read_text(&site.join("chunk-1.js")).unwrap(), "chunk");
-        files::write(&site.join("index.html"), "</head>\n").unwrap();
+                        <link rel=\"stylesheet\" href=\"page.css\">\n\
+                        <link rel=\"modulepreload\" href=\"chunk.js\">\n<script type=\"module\" src=\"page.js\"></script>\n</head>\n<p>\n";
+        assert_eq!(fs::read_to_string(site.join("index.html")).unwrap(), expected);
+        assert_eq!(fs::read_to_string(site.join("page.css")).unwrap(), "a.css b.css");
+        assert_eq!(fs::read_to_string(site.join("page.js")).unwrap(), "module a.js");
+        fs::write(site.join("index.html"), "</head>\n").unwrap();
         assert!(join(site, "index.html", &NameBundler).is_err());
     }
 }

@@ -6,7 +6,7 @@ mod build;
 mod esbuild;
 mod files;
 mod fuzz;
-mod include;
+mod html;
 mod joined;
 mod lint;
 mod monkey;
@@ -49,8 +49,9 @@ enum Command {
     Lint,
     /// Open files of all formats with programs of other people, and compare what they find with what lsys tells
     Outside,
-    /// The npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/
-    Package,
+    /// The npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/; their
+    /// interfaces compared with an older revision, and their documentation as docs.rs makes it
+    Package(package::PackageOptions),
     /// Update www/js/tables.js from the tables of the core; a test fails when the file is out of date
     Tables,
     /// Try random inputs
@@ -95,7 +96,7 @@ fn run() -> Result<()> {
         Command::Test(options) => test::test(workspace, &options),
         Command::Lint => lint::lint(workspace),
         Command::Outside => test::test(workspace, &test::TestOptions::only(test::Part::Outside)),
-        Command::Package => package::package(workspace),
+        Command::Package(options) => package::package(workspace, &options),
         Command::Tables => {
             let tables = ["test", "--package=lsystem-playground", "--test=all", "tables::"];
             workspace.run(workspace.cargo(tables).env("UPDATE_EXPECT", "1"))

@@ -1,12 +1,11 @@
 //! `cargo xtask mutants`: checks that the tests detect changes of the core's code. `.cargo/mutants.toml` chooses the
 //! changes and the tests.
 
-use crate::files;
-use crate::workspace::{Workspace, output};
+use crate::tools;
+use crate::workspace::Workspace;
 use anyhow::{Context, Result, bail};
+use fs_err as fs;
 use serde_json::Value;
-use std::ffi::OsString;
-use std::path::Path;
 use std::process::Command;
 
 /// The version of cargo-mutants. Another version may have other mutants, so results would not be comparable.
@@ -17,7 +16,7 @@ const SAMPLE: &str = "0/40";
 /// Runs cargo-mutants with `words`, and prints the number of mutants that the tests have caught.
 pub(crate) fn mutants(workspace: &Workspace, words: &[String]) -> Result<()> {
     let words = arguments(words.iter().map(String::as_str));
-    let tool = tool(workspace)?;
+    let tool = tools::cargo_tool(workspace, "mutants", VERSION)?;
     let folder = workspace.target.join("mutants");
     let mut command = Command::new(tool);
     command.arg("mutants").args(&words).arg("--output").arg(&folder).current_dir(&workspace.root);
@@ -26,13 +25,13 @@ pub(crate) fn mutants(workspace: &Workspace, words: &[String]) -> Result<()> {
     if words.iter().any(|word| word == "--list" || word == "--help") {
         return workspace.run(&mut command);
     }
-    std::fs::create_dir_all(&folder)?;
+    fs::create_dir_all(&folder)?;
     let status = command.status().context("starting cargo-mutants")?;
     // 2: some mutants were missed. 3: some tests timed out.
     if !matches!(status.code(), Some(0 | 2 | 3)) {
         bail!("cargo-mutants failed ({status}); its log is in {}", folder.display());
     }
-    let outcomes = files::read(&folder.join("mutants.out/outcomes.json"))?;
+    let outcomes = fs::read(folder.join("mutants.out/outcomes.json"))?;
     println!("{}", summary(&serde_json::from_slice(&outcomes)?)?);
     Ok(())
 }
@@ -55,28 +54,6 @@ fn arguments<'a>(words: impl Iterator<Item = &'a str>) -> Vec<String> {
     // Timeouts (in seconds) stop mutants that loop.
     words.extend(["--baseline=skip", "--timeout=120", "--build-timeout=900"].map(str::to_owned));
     words
-}
-
-/// cargo-mutants at [`VERSION`]. If it is missing, it is installed into Cargo's target folder.
-fn tool(workspace: &Workspace) -> Result<OsString> {
-    let own = workspace.target.join("tools");
-    let local = own.join("bin").join(format!("cargo-mutants{}", std::env::consts::EXE_SUFFIX));
-    for program in [local.as_os_str(), "cargo-mutants".as_ref()] {
-        if has_version(program) {
-            return Ok(program.to_owned());
-        }
-    }
-    println!("installing cargo-mutants {VERSION} into {}, once", own.display());
-    let install = ["install", "cargo-mutants", "--locked", "--version", VERSION, "--root"];
-    workspace.run(workspace.cargo(install).arg(&own)).with_context(|| {
-        format!("cargo-mutants {VERSION} is missing: `cargo install cargo-mutants --locked --version {VERSION}`")
-    })?;
-    Ok(local.into_os_string())
-}
-
-fn has_version(program: impl AsRef<Path>) -> bool {
-    let version = output(Command::new(program.as_ref().as_os_str()).args(["mutants", "--version"]));
-    version.is_ok_and(|version| version.split_whitespace().last() == Some(VERSION))
 }
 
 /// The result in words.

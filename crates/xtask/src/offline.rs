@@ -2,9 +2,9 @@
 
 use crate::files::{self, hex};
 use anyhow::{Context, Result, ensure};
+use fs_err as fs;
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
-use std::fs;
 use std::path::Path;
 
 const WORKER: &str = "service-worker.js";
@@ -35,7 +35,7 @@ pub(crate) fn list_files(site: &Path, scripts: &[String]) -> Result<()> {
     }
     let (list, sizes, first) = (Value::Object(hashes).to_string(), Value::Object(sizes), json!(first));
     let worker = site.join(WORKER);
-    let text = files::read_text(&worker)?;
+    let text = fs::read_to_string(&worker)?;
     // A change of the worker itself makes a new version, too.
     let build = &hex(&Sha256::digest(format!("{list}{text}")))[..16];
     let head =
@@ -58,7 +58,7 @@ mod tests {
         assert!(list_files(site).is_err(), "what the first screen needs is missing");
         FIRST.iter().for_each(|name| files::write(&site.join(name), "").unwrap());
         list_files(site).unwrap();
-        let worker = files::read_text(&site.join(WORKER)).unwrap();
+        let worker = fs::read_to_string(&site.join(WORKER)).unwrap();
         // The first two are published examples of SHA-256.
         assert!(worker.starts_with("const BUILD = \"") && worker.ends_with(";\nwork()"), "{worker}");
         for part in [
@@ -75,6 +75,6 @@ mod tests {
         files::write(&site.join(WORKER), "work()").unwrap();
         files::write(&site.join("page.js"), "abd").unwrap();
         list_files(site).unwrap();
-        assert_ne!(files::read_text(&site.join(WORKER)).unwrap()[..40], worker[..40]);
+        assert_ne!(fs::read_to_string(&site.join(WORKER)).unwrap()[..40], worker[..40]);
     }
 }

@@ -1,17 +1,21 @@
 //! Pages as a single file: such a page works from a disk, in frames without an origin, and at any address.
 //!
 //! The file contains styles, scripts, icons and the files that the page would fetch (`www/js/files.js` reads them
-//! there). Links to documents are left out, because the file may stand alone. The page's content security policy allows its own scripts and styles by hash and forbids everything else,
-//! above all requests.
+//! there). Links to documents are left out, because the file may stand alone. The page's content security policy allows
+//! its own scripts and styles by hash and forbids everything else, above all requests.
 
 use crate::esbuild::Bundler;
-use crate::files;
+use crate::html::{self, Parts};
 use anyhow::{Context, Result, ensure};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use fs_err as fs;
+use lol_html::html_content::{ContentType, Element};
+use lol_html::{element, end_tag};
 use sha2::{Digest, Sha256};
-use std::fmt::Write as _;
+use std::cell::{Cell, RefCell};
 use std::path::Path;
+use std::rc::Rc;
 
 /// Makes single files of pages.
 pub(crate) struct Maker<'a> {
@@ -23,10 +27,67 @@ pub(crate) struct Maker<'a> {
 impl Maker<'_> {
     /// A single file of a page. `carried` are the files that the page would fetch.
     pub(crate) fn make(&self, page: &str, carried: &[impl AsRef<str>]) -> Result<String> {
-        let text = files::read_text(&self.site.join(page))?;
-        Assembly { maker: self, policy: Policy::default() }
-            .assemble(&text, carried)
-            .with_context(|| format!("making one file of {page}"))
+        let text = fs::read_to_string(self.site.join(page))?;
+        self.one_file(&text, carried).with_context(|| format!("making one file of {page}"))
+    }
+
+    fn one_file(&self, text: &str, carried: &[impl AsRef<str>]) -> Result<String> {
+        let Parts { page, styles, module } = Parts::of(text)?;
+        let styles = self.bundler.styles(&styles)?;
+        ensure!(
+            !styles.contains("</") && !styles.contains("@import") && !styles.contains("url("),
+            "a style refers to another file or ends its element"
+        );
+        // The files and the module come last, so that the page is visible before they are read.
+        let mut last = carried.iter().map(|name| self.carry(name.as_ref())).collect::<Result<String>>()?;
+        let module = checked(self.bundler.module(&module)?)?;
+        last += &format!("<script type=\"module\">{module}</script>\n");
+        let scripts = RefCell::new(vec![]);
+        let page = html::rewrite(
+            &without_documents(&page)?,
+            [
+                element!("meta[http-equiv=Content-Security-Policy]", |meta| {
+                    Ok(meta.set_attribute("content", POLICY)?)
+                }),
+                element!("link[rel=icon]", |icon| {
+                    let picture = fs::read(self.site.join(icon.get_attribute("href").context("an icon")?))?;
+                    Ok(icon.set_attribute("href", &format!("data:image/svg+xml;base64,{}", BASE64.encode(picture)))?)
+                }),
+                // Other links preload files or install the page; a single file needs neither.
+                element!("link:not([rel=icon])", |link| {
+                    link.remove();
+                    Ok(())
+                }),
+                element!("script[src]", |script| {
+                    let file = self.site.join(script.get_attribute("src").unwrap_or_default());
+                    let text = checked(fs::read_to_string(file)?)?;
+                    script.remove_attribute("src");
+                    script.set_inner_content(&text, ContentType::Html);
+                    scripts.borrow_mut().push(hash(&text));
+                    Ok(())
+                }),
+                element!("head", |head| {
+                    head.append(&format!("<style>{styles}</style>\n"), ContentType::Html);
+                    Ok(())
+                }),
+                element!("body", |body| {
+                    body.append(&last, ContentType::Html);
+                    Ok(())
+                }),
+            ],
+        )?;
+        ensure!(page.contains(POLICY), "the page has no content security policy");
+        scripts.borrow_mut().push(hash(&module));
+        Ok(page.replacen(POLICY, &policy(&scripts.take(), &hash(&styles)), 1))
+    }
+
+    /// A file as a script element of a type that browsers do not run.
+    fn carry(&self, name: &str) -> Result<String> {
+        let (kind, text) = match name.ends_with(".js") {
+            true => ("text/plain", checked(fs::read_to_string(self.site.join(name))?)?),
+            false => ("text/bytes", fs::read(self.site.join(name))?.into_iter().map(character).collect()),
+        };
+        Ok(format!("<script type=\"{kind}\" data-file=\"{name}\">{text}</script>\n"))
     }
 }
 
@@ -37,146 +98,52 @@ fn character(byte: u8) -> char {
     char::from_u32(u32::from(byte) + if is_plain { 0 } else { 0x100 }).unwrap_or_default()
 }
 
-/// The hashes of the scripts and styles that the content security policy allows.
-#[derive(Default)]
-struct Policy {
-    scripts: Vec<String>,
-    styles: Vec<String>,
-}
+/// A placeholder for the policy until all hashes are known.
+const POLICY: &str = "the policy of a single file";
 
-impl Policy {
-    fn write(&self) -> String {
-        let (scripts, styles) = (self.scripts.join(" "), self.styles.join(" "));
-        format!(
-            "default-src 'none'; script-src {scripts} 'wasm-unsafe-eval'; style-src {styles}; img-src blob: data:; \
-             worker-src blob:; base-uri 'none'; form-action 'none'"
-        )
-    }
+/// The policy that allows scripts and styles by their hashes.
+fn policy(scripts: &[String], styles: &str) -> String {
+    format!(
+        "default-src 'none'; script-src {} 'wasm-unsafe-eval'; style-src {styles}; img-src blob: data:; \
+         worker-src blob:; base-uri 'none'; form-action 'none'",
+        scripts.join(" ")
+    )
 }
 
 fn hash(text: &str) -> String {
     format!("'sha256-{}'", BASE64.encode(Sha256::digest(text)))
 }
 
-struct Assembly<'a> {
-    maker: &'a Maker<'a>,
-    policy: Policy,
+/// The page without its links to documents.
+fn without_documents(page: &str) -> Result<String> {
+    let open = Rc::new(Cell::new(0));
+    let remove = |link: &mut Element<'_, '_>| {
+        ensure!(link.tag_name() == "a", "a <{}> loads a document", link.tag_name());
+        link.remove();
+        open.set(open.get() + 1);
+        let open = open.clone();
+        link.on_end_tag(end_tag!(move |_| {
+            open.set(open.get() - 1);
+            Ok(())
+        }))
+        .map_err(|error| anyhow::anyhow!(error))
+    };
+    let page = html::rewrite(
+        page,
+        ["docs/", "course.html"].map(|start| element!(format!("[href^=\"{start}\"]"), |link| Ok(remove(link)?))),
+    )?;
+    ensure!(open.get() == 0, "a link to a document does not end");
+    Ok(page)
 }
 
-/// A placeholder for the policy until all hashes are known.
-const POLICY: &str = "<meta name=\"policy\">";
-
-impl Assembly<'_> {
-    fn assemble(mut self, text: &str, carried: &[impl AsRef<str>]) -> Result<String> {
-        let mut page = String::new();
-        let mut styles = vec![];
-        let mut modules = vec![];
-        for line in text.lines() {
-            let tag = Tag(line);
-            match (tag.name(), tag.attribute("rel"), tag.attribute("href").or(tag.attribute("src"))) {
-                ("meta", ..) if tag.attribute("http-equiv") == Some("Content-Security-Policy") => page.push_str(POLICY),
-                ("link", Some("stylesheet"), Some(name)) => styles.push(name),
-                ("link", Some("icon"), Some(name)) => {
-                    page.push_str(
-                        &line.replace(name, &format!("data:image/svg+xml;base64,{}", BASE64.encode(self.read(name)?))),
-                    );
-                }
-                // Other links preload files or install the page; a single file needs neither.
-                ("link", ..) => {}
-                ("script", _, Some(name)) if tag.attribute("type") == Some("module") => modules.push(name),
-                ("script", _, Some(name)) => {
-                    let script = self.read(name)?;
-                    page.push_str(&self.script("", &script)?);
-                }
-                _ if line == "</head>" => {
-                    let styles = self.maker.bundler.styles(&styles)?;
-                    self.policy.styles.push(hash(&styles));
-                    ensure!(
-                        !styles.contains("</") && !styles.contains("@import") && !styles.contains("url("),
-                        "a style refers to another file or ends its element"
-                    );
-                    write!(page, "<style>{styles}</style>\n{line}\n")?;
-                }
-                // The files and the script come last, so that the page is visible before they are read.
-                _ if line == "</body>" => {
-                    for name in carried {
-                        page.push_str(&self.carry(name.as_ref())?);
-                    }
-                    for module in &modules {
-                        let script = self.maker.bundler.module(module)?;
-                        page.push_str(&self.script(" type=\"module\"", &script)?);
-                    }
-                    writeln!(page, "{line}")?;
-                }
-                _ => writeln!(page, "{}", without_documents(line)?)?,
-            }
-        }
-        let policy = format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n", self.policy.write());
-        ensure!(page.contains(POLICY), "the page has no content security policy");
-        Ok(page.replacen(POLICY, &policy, 1))
-    }
-
-    fn read(&self, name: &str) -> Result<String> {
-        files::read_text(&self.maker.site.join(name))
-    }
-
-    /// A script element, whose hash the policy allows.
-    fn script(&mut self, kind: &str, text: &str) -> Result<String> {
-        check_script(text)?;
-        self.policy.scripts.push(hash(text));
-        Ok(format!("<script{kind}>{text}</script>\n"))
-    }
-
-    /// A file as a script element of a type that browsers do not run.
-    fn carry(&self, name: &str) -> Result<String> {
-        if name.ends_with(".js") {
-            let text = self.read(name)?;
-            check_script(&text)?;
-            return Ok(format!("<script type=\"text/plain\" data-file=\"{name}\">{text}</script>\n"));
-        }
-        let text: String = files::read(&self.maker.site.join(name))?.into_iter().map(character).collect();
-        Ok(format!("<script type=\"text/bytes\" data-file=\"{name}\">{text}</script>\n"))
-    }
-}
-
-/// A line of the page without its links to documents.
-fn without_documents(line: &str) -> Result<String> {
-    let mut kept = String::new();
-    let mut rest = line;
-    while let Some(at) = [" href=\"docs/", " href=\"course.html"].into_iter().filter_map(|link| rest.find(link)).min() {
-        let start = rest[..at].rfind('<').with_context(|| format!("no tag begins in `{line}`"))?;
-        ensure!(rest[start..].starts_with("<a "), "`{line}` loads a document");
-        let end = rest[at..].find("</a>").map(|end| at + end);
-        let end = end.with_context(|| format!("a link to a document must end in its line: `{line}`"))?;
-        kept.push_str(&rest[..start]);
-        rest = &rest[end + "</a>".len()..];
-    }
-    Ok(kept + rest)
-}
-
-/// Checks that a script does not end its element early.
-fn check_script(script: &str) -> Result<()> {
+/// A script, if it does not end its element early.
+fn checked(script: String) -> Result<String> {
     let lower = script.to_ascii_lowercase();
     ensure!(
         !["</script", "<script", "<!--"].iter().any(|end| lower.contains(end)),
         "a script contains text that would end its element"
     );
-    Ok(())
-}
-
-/// A line that contains one tag, as in the heads of the pages.
-pub(crate) struct Tag<'a>(pub(crate) &'a str);
-
-impl<'a> Tag<'a> {
-    pub(crate) fn name(&self) -> &'a str {
-        let inside = self.0.strip_prefix('<').unwrap_or_default();
-        inside.split([' ', '>']).next().unwrap_or_default()
-    }
-
-    pub(crate) fn attribute(&self, name: &str) -> Option<&'a str> {
-        let (_, rest) = self.0.split_once(&format!(" {name}=\""))?;
-        rest.split_once('"').map(|(value, _)| value)
-    }
+    Ok(script)
 }
 
 #[cfg(test)]
@@ -196,15 +163,15 @@ mod tests {
 
     impl Bundler for Plain<'_> {
         fn module(&self, entry: &str) -> Result<String> {
-            files::read_text(&self.0.join(entry))
+            Ok(fs::read_to_string(self.0.join(entry))?)
         }
 
-        fn split(&self, _: &str) -> Result<Vec<(String, String)>> {
-            unreachable!("a single file is not split")
+        fn split(&self, _: &str, _: &str, _: &Path) -> Result<Vec<String>> {
+            anyhow::bail!("a single file has one module")
         }
 
-        fn styles(&self, names: &[&str]) -> Result<String> {
-            names.iter().map(|name| files::read_text(&self.0.join(name))).collect()
+        fn styles(&self, names: &[String]) -> Result<String> {
+            names.iter().map(|name| Ok(fs::read_to_string(self.0.join(name))?)).collect()
         }
     }
 
@@ -296,7 +263,7 @@ mod tests {
             ("worker.js", "'<SCRIPT'"),
         ] {
             let path = folder.path().join(name);
-            let before = files::read_text(&path).unwrap();
+            let before = fs::read_to_string(&path).unwrap();
             files::write(&path, text).unwrap();
             assert!(one_file(folder.path(), &["worker.js"]).is_err(), "{name}");
             files::write(&path, before).unwrap();

@@ -6,6 +6,7 @@ use crate::server::Server;
 use crate::workspace::{Workspace, output};
 use crate::{files, tools};
 use anyhow::{Context, Result, bail};
+use fs_err as fs;
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -21,9 +22,9 @@ pub(crate) const UNIT: &str = "unit tests of the page";
 /// Installs the packages of a folder's lock file into `node_modules`. A copy of the installed lock file shows whether
 /// this has been done.
 pub(crate) fn packages(folder: &Path) -> Result<()> {
-    let lock = files::read(&folder.join("package-lock.json"))?;
+    let lock = fs::read(folder.join("package-lock.json"))?;
     let installed = folder.join("node_modules/.installed-lock.json");
-    if installed.is_file() && files::read(&installed)? == lock {
+    if installed.is_file() && fs::read(&installed)? == lock {
         return Ok(());
     }
     output(Command::new(tools::npm()?).arg("ci").current_dir(folder))?;
@@ -56,7 +57,7 @@ pub(crate) fn end_to_end(workspace: &Workspace, kind: Kind, names: &[&str], repo
     let result = with_page(workspace, kind, |node| {
         node.arg("test/e2e/run.mjs").args(names).current_dir(workspace.www()).env("LSYSTEM_TIMES", times.path())
     });
-    for line in files::read_text(times.path())?.lines() {
+    for line in fs::read_to_string(times.path())?.lines() {
         let (seconds, name) = line.split_once(' ').context("a time without a test")?;
         report.time(name, Duration::try_from_secs_f64(seconds.parse()?)?);
     }

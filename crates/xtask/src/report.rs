@@ -1,9 +1,9 @@
 //! Steps with names, times and results: one line a step, a bar where a step is long. What a step writes goes to a file of
 //! its own, which is printed if the step fails.
 
-use crate::files;
 use crate::workspace::Workspace;
 use anyhow::{Error, Result, bail};
+use fs_err as fs;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -56,7 +56,7 @@ impl Report {
         let time = start.elapsed();
         bar.finish_and_clear();
         if error.is_some() {
-            self.say(&files::read_text(&file).unwrap_or_default());
+            self.say(&fs::read_to_string(&file).unwrap_or_default());
             self.say(&format!("{} contains this, too", file.display()));
         }
         self.say(&line(name, time, error.as_ref()));
@@ -143,7 +143,7 @@ mod tests {
             bail!("no luck")
         }));
         assert!(report.step(&workspace, "three", |_, _| Ok(())));
-        assert_eq!(files::read_text(&folder.path().join("logs/step-two.txt")).unwrap(), "how it went\n");
+        assert_eq!(fs::read_to_string(folder.path().join("logs/step-two.txt")).unwrap(), "how it went\n");
         assert_eq!(report.finish().unwrap_err().to_string(), "1 of 3 steps failed");
     }
 

@@ -86,8 +86,7 @@ impl Times {
 fn newest(workspace: &Workspace, names: &[&str]) -> Result<SystemTime> {
     let mut newest = SystemTime::UNIX_EPOCH;
     for path in names.iter().map(|name| workspace.root.join(name)) {
-        let found =
-            if path.is_dir() { files::list(&path, |below| !below.ends_with("node_modules"))? } else { vec![path] };
+        let found = files::list(&path, |below| !below.ends_with("node_modules"))?;
         // A file may vanish while an editor writes it anew.
         let times = found.iter().filter_map(|file| file.metadata().ok()?.modified().ok());
         newest = times.fold(newest, Ord::max);
@@ -97,9 +96,7 @@ fn newest(workspace: &Workspace, names: &[&str]) -> Result<SystemTime> {
 
 /// Binds the port asked for, or the first free one from 8080 on.
 fn listen(port: Option<u16>) -> Result<TcpListener> {
-    let bind = |port| TcpListener::bind(("127.0.0.1", port)).with_context(|| format!("listening on port {port}"));
-    match port {
-        Some(port) => bind(port),
-        None => (8080..8180).find_map(|port| bind(port).ok()).context("no port from 8080 to 8179 is free"),
-    }
+    let mut ports = port.map_or(8080..=8179, |port| port..=port);
+    let bound = ports.find_map(|port| TcpListener::bind(("127.0.0.1", port)).ok());
+    bound.context("no port is free, of the one asked for or of 8080 to 8179")
 }

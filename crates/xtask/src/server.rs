@@ -1,10 +1,11 @@
 //! A local web server for a folder of static files: one thread per connection, no caching, no access outside the
-//! folder.
+//! folder. Not tiny_http: its pool of threads may leave a connection waiting while browsers keep others open.
 
+use percent_encoding::percent_decode_str;
 use std::fs;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
@@ -113,7 +114,7 @@ impl Server {
         match fs::read(&file) {
             Ok(body) => {
                 let body = if self.version.is_some() { reloading(&file, body) } else { body };
-                (head("200 OK", media_type(&file), body.len(), ""), body)
+                (head("200 OK", &media_type(&file), body.len(), ""), body)
             }
             Err(_) => plain("404 Not Found", ""),
         }
@@ -125,13 +126,10 @@ fn reloading(file: &Path, body: Vec<u8>) -> Vec<u8> {
     if file.ends_with("service-worker.js") {
         return FORGETTING.into();
     }
-    match String::from_utf8(body) {
-        Ok(page) if media_type(file).starts_with("text/html") => {
-            page.replacen("</head>", &format!("{RELOADING}</head>"), 1).into()
-        }
-        Ok(text) => text.into(),
-        Err(error) => error.into_bytes(),
+    if file.extension().is_none_or(|ending| ending != "html") {
+        return body;
     }
+    String::from_utf8_lossy(&body).replacen("</head>", &format!("{RELOADING}</head>"), 1).into()
 }
 
 fn head(status: &str, media_type: &str, length: usize, more: &str) -> String {
@@ -143,44 +141,15 @@ fn head(status: &str, media_type: &str, length: usize, more: &str) -> String {
 
 /// The file at an address without its leading slash; `None` unless the address is a plain path inside the folder.
 fn locate(folder: &Path, address: &str) -> Option<PathBuf> {
-    let mut path = folder.to_owned();
-    for part in address.split('/').filter(|part| !part.is_empty()) {
-        let part = decode(part)?;
-        // Refuse hidden files, the parent folder, and characters with a special meaning on Windows or in terminals.
-        if part.starts_with('.') || part.contains(['/', '\\', ':']) || part.contains(char::is_control) {
-            return None;
-        }
-        path.push(part);
-    }
-    Some(path)
+    let address = percent_decode_str(address).decode_utf8().ok()?;
+    let is_plain = |part| matches!(part, Component::Normal(name) if !name.as_encoded_bytes().starts_with(b"."));
+    Path::new(&*address).components().all(is_plain).then(|| folder.join(&*address))
 }
 
-/// Undoes percent encoding; `None` if the encoding is broken or not UTF-8.
-fn decode(text: &str) -> Option<String> {
-    let mut bytes = vec![];
-    let mut rest = text.bytes();
-    while let Some(byte) = rest.next() {
-        let mut digit = || char::from(rest.next()?).to_digit(16);
-        bytes.push(if byte == b'%' { (digit()? << 4 | digit()?) as u8 } else { byte });
-    }
-    String::from_utf8(bytes).ok()
-}
-
-fn media_type(file: &Path) -> &'static str {
-    match file.extension().and_then(|ending| ending.to_str()).unwrap_or_default() {
-        "html" => "text/html; charset=utf-8",
-        "js" | "mjs" => "text/javascript; charset=utf-8",
-        "css" => "text/css; charset=utf-8",
-        "json" => "application/json",
-        "webmanifest" => "application/manifest+json",
-        "wasm" => "application/wasm",
-        "svg" => "image/svg+xml",
-        "png" => "image/png",
-        "ico" => "image/x-icon",
-        "woff2" => "font/woff2",
-        "txt" => "text/plain; charset=utf-8",
-        _ => "application/octet-stream",
-    }
+fn media_type(file: &Path) -> String {
+    let kind = mime_guess::from_path(file).first_or_octet_stream();
+    let charset = if kind.type_() == "text" { "; charset=utf-8" } else { "" };
+    format!("{kind}{charset}")
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! The check of the sizes of the shipped wasms against the committed limits.
 
 use crate::build::Kind;
-use crate::files;
 use crate::workspace::Workspace;
 use anyhow::{Context, Result, bail};
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use fs_err as fs;
 use std::fmt;
 use std::io::Write;
 
@@ -19,9 +19,9 @@ struct FileSize {
 /// Compares the wasms in `dist/` with the committed limits and prints both.
 pub(crate) fn check(workspace: &Workspace) -> Result<()> {
     let file = "crates/lsystem-wasm/size-limit.txt";
-    let limits = files::read_text(&workspace.root.join(file))?;
+    let limits = fs::read_to_string(workspace.root.join(file))?;
     for name in limits.lines().filter_map(|line| line.split_once(".wasm:")).map(|(name, _)| format!("{name}.wasm")) {
-        let size = measure(&files::read(&Kind::Shipped.folder(workspace).join(&name))?)?;
+        let size = measure(&fs::read(Kind::Shipped.folder(workspace).join(&name))?)?;
         let limit = read(&limits, &name).with_context(|| format!("in {file}"))?;
         workspace.say(format_args!("{name}: {size}; limit {limit}"));
         if size.raw > limit.raw || size.gzip > limit.gzip {

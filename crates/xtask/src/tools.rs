@@ -1,6 +1,6 @@
 //! Programs that Cargo does not provide: each is found, installed if that is safe, or named with instructions.
 
-use crate::workspace::output;
+use crate::workspace::{Workspace, output};
 use anyhow::{Context, Result, bail};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -22,23 +22,29 @@ pub(crate) fn wasm_target() -> Result<()> {
 }
 
 pub(crate) fn node() -> Result<PathBuf> {
-    Surroundings::here().find(None, &["node"]).context(NO_NODE)
+    which::which("node").context(NO_NODE)
 }
 
 pub(crate) fn npm() -> Result<PathBuf> {
-    Surroundings::here().find(None, &["npm", "npm.cmd"]).context(NO_NODE)
+    which::which("npm").context(NO_NODE)
 }
 
-pub(crate) fn python() -> Result<PathBuf> {
-    Surroundings::here().find(None, &["python3", "python"]).context(
-        "files are checked with libraries of Python 3.11 or newer, and it is not on the PATH (Debian: apt-get install \
-         python3 python3-venv)",
-    )
-}
-
-/// A program on the PATH.
-pub(crate) fn program(name: &str) -> Option<PathBuf> {
-    Surroundings::here().find(None, &[name])
+/// The subcommand `cargo NAME` at one version. If it is missing, it is installed into Cargo's target folder.
+pub(crate) fn cargo_tool(workspace: &Workspace, name: &str, version: &str) -> Result<PathBuf> {
+    let (program, folder) = (format!("cargo-{name}"), workspace.target.join("tools"));
+    let own = folder.join("bin").join(&program).with_extension(std::env::consts::EXE_EXTENSION);
+    for file in [own.clone(), program.clone().into()] {
+        let said = output(Command::new(&file).args([name, "--version"]));
+        if said.is_ok_and(|said| said.split_whitespace().last() == Some(version)) {
+            return Ok(file);
+        }
+    }
+    println!("installing {program} {version} into {}, once", folder.display());
+    let install = ["install", &program, "--locked", "--version", version, "--root"];
+    workspace.run(workspace.cargo(install).arg(&folder)).with_context(|| {
+        format!("{program} {version} is missing: `cargo install {program} --locked --version {version}`")
+    })?;
+    Ok(own)
 }
 
 const NO_NODE: &str = "the page is built and checked with Node.js 20 or newer and npm, and they are not on the PATH: \
@@ -128,14 +134,7 @@ impl Surroundings {
         if let Some(file) = variable {
             return Some(PathBuf::from(file)).filter(|file| file.is_file());
         }
-        let ending = std::env::consts::EXE_SUFFIX;
-        let folders: Vec<PathBuf> = std::env::split_paths(&self.path).collect();
-        let in_folders = |name: &&str| {
-            let candidates =
-                folders.iter().flat_map(|folder| [folder.join(format!("{name}{ending}")), folder.join(name)]);
-            candidates.into_iter().find(|file| file.is_file())
-        };
-        names.iter().find_map(in_folders)
+        names.iter().find_map(|name| which::which_in_global(name, Some(&self.path)).ok()?.next())
     }
 
     /// Whether programs may be installed: only as root on Debian, as in a fresh container, and only if no variable
@@ -155,12 +154,16 @@ mod tests {
     use super::*;
     use tempfile::TempDir;
 
+    fn install(program: &Path) {
+        crate::files::write(program, "").unwrap();
+        #[cfg(unix)]
+        std::fs::set_permissions(program, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
+    }
+
     /// An environment with a PATH of two folders; the second contains these programs.
     fn with(programs: &[&str]) -> (TempDir, Surroundings) {
         let folder = tempfile::tempdir().unwrap();
-        for program in programs {
-            crate::files::write(&folder.path().join("bin").join(program), "").unwrap();
-        }
+        programs.iter().for_each(|program| install(&folder.path().join("bin").join(program)));
         let path = std::env::join_paths([folder.path().join("none"), folder.path().join("bin")]).unwrap();
         (folder, Surroundings { path, chromium: None, driver: None, debian: true, root: true })
     }
@@ -171,7 +174,7 @@ mod tests {
         let bin = folder.path().join("bin");
         let expected = Browser { chromium: bin.join("chromium"), driver: bin.join("chromedriver") };
         assert_eq!(find_browser(&here).unwrap(), expected);
-        crate::files::write(&bin.join(SHELL), "").unwrap();
+        install(&bin.join(SHELL));
         assert_eq!(find_browser(&here).unwrap().chromium, bin.join(SHELL));
     }
 

@@ -5,8 +5,9 @@ use crate::esbuild::Esbuild;
 use crate::workspace::Workspace;
 use crate::{bindgen, files, tools};
 use anyhow::Result;
-use std::fs;
+use fs_err as fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// A wasm of the site: `NAME.wasm`.
 pub(crate) struct Wasm {
@@ -45,11 +46,11 @@ impl Wasm {
     /// fail there.
     fn write(&self, esbuild: &Esbuild, generated: &Path, site: &Path) -> Result<()> {
         fs::copy(generated.join(format!("{}_bg.wasm", self.name)), site.join(self.file()))?;
-        let glue = files::read_text(&generated.join(format!("{}.js", self.name)))?;
+        let glue = fs::read_to_string(generated.join(format!("{}.js", self.name)))?;
         files::write(&site.join(self.script), esbuild.minified("glue.js", &glue)? + &esbuild.script(self.worker)?)
     }
 
-    /// Where Cargo writes the compiled crate, and where it is kept, because its next features overwrite it.
+    /// Where Cargo puts the compiled crate, and where it is kept, because with its next features it is put there, too.
     fn compiled(&self, workspace: &Workspace, kind: Kind) -> [PathBuf; 2] {
         let folder = workspace.target.join(tools::WASM_TARGET).join(profile(kind));
         [self.package.replace('-', "_"), format!("site-{}", self.name)].map(|name| folder.join(name + ".wasm"))
@@ -70,9 +71,18 @@ pub(crate) fn compile(workspace: &Workspace, kind: Kind) -> Result<()> {
 /// Compiles a boundary crate, with one feature or with all.
 pub(crate) fn compile_one(workspace: &Workspace, kind: Kind, package: &str, feature: Option<&str>) -> Result<()> {
     let profile = format!("--profile={}", profile(kind));
-    let words = ["rustc", &profile, "--lib", "--crate-type=cdylib", "--target", tools::WASM_TARGET];
+    let words = ["rustc", &profile, "--lib", "--crate-type=cdylib", "--package", package];
     let features = feature.iter().flat_map(|feature| ["--no-default-features", "--features", feature]);
-    workspace.run(&mut workspace.cargo(words.into_iter().chain(["--package", package]).chain(features)))
+    workspace.run(&mut cargo(workspace, words.into_iter().chain(features)))
+}
+
+/// Cargo for wasm. The variable makes it keep what it compiles by features, so that a crate's wasms are linked only after
+/// a change: without it, they have one name and replace each other. An internal variable of Cargo, as Rust's own build
+/// sets it; a Cargo without it would only take longer.
+pub(crate) fn cargo<'a>(workspace: &Workspace, words: impl IntoIterator<Item = &'a str>) -> Command {
+    let mut command = workspace.cargo(words.into_iter().chain(["--target", tools::WASM_TARGET]));
+    command.env("__CARGO_DEFAULT_LIB_METADATA", "site");
+    command
 }
 
 fn profile(kind: Kind) -> &'static str {

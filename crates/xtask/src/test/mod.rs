@@ -157,11 +157,10 @@ fn run_native(workspace: &Workspace, options: &TestOptions, built: &Built, passe
     if options.has(Part::Outside) {
         let name = "files opened with other programs";
         report.step(workspace, name, |workspace, _| {
-            let program = built.program("lsys")?;
-            let beside = ["crates/xtask/outside", "crates/xtask/src/outside", "data_in"];
-            let beside: Vec<PathBuf> = beside.iter().map(|name| workspace.root.join(name)).collect();
-            let print = fingerprint([program].into_iter().chain(beside.iter().map(PathBuf::as_path)))?;
-            passed.once(report, name, &print, || outside::check(workspace, program))
+            let (program, lsys) = (built.program("outside")?, built.program("lsys")?);
+            let beside = ["crates/outside", "data_in"].map(|name| workspace.root.join(name));
+            let print = fingerprint([program, lsys].into_iter().chain(beside.iter().map(PathBuf::as_path)))?;
+            passed.once(report, name, &print, || outside::run(workspace, program, "check", lsys))
         });
     }
 }

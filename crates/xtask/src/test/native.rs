@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 /// What Cargo is told to compile: everything but the measurements, so that all crates share their libraries.
 pub(super) const CRATES: [&str; 3] = ["--workspace", "--exclude", "bench"];
 /// The programs that tests run. Not this one, which would be linked anew while it runs.
-const PROGRAMS: [&str; 4] = ["build", "--bin=lsys", "--bin=lsystem-fuzz", "--bin=site"];
+const PROGRAMS: [&str; 5] = ["build", "--bin=lsys", "--bin=lsystem-fuzz", "--bin=outside", "--bin=site"];
 /// What native tests read beside what is compiled into them.
 const DATA: [&str; 5] = ["data_in", "docs", "README.md", "www/js/tables.js", "crates/fuzz"];
 /// Tests that read the sources of all crates: they always run.

@@ -3,6 +3,7 @@
 use crate::files;
 use crate::report::Report;
 use anyhow::Result;
+use fs_err as fs;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -27,7 +28,7 @@ struct Entry {
 impl Passed {
     /// Reads the file. A missing or unreadable file means that nothing is known.
     pub(super) fn read(file: PathBuf, all: bool) -> Self {
-        let text = files::read_text(&file).unwrap_or_default();
+        let text = fs::read_to_string(&file).unwrap_or_default();
         let known = text.lines().filter_map(|line| {
             let mut words = line.splitn(3, ' ');
             let (print, seconds) = (words.next()?.to_owned(), words.next()?.parse().ok()?);
@@ -98,7 +99,7 @@ pub(super) fn fingerprint_of<'a>(
         let found = if path.is_dir() { files::list(path, is_own)? } else { vec![path.to_owned()] };
         for file in found.iter().filter(|file| wanted(file)) {
             all.update(file.strip_prefix(path)?.as_os_str().as_encoded_bytes());
-            all.update(Sha256::digest(files::read(file)?));
+            all.update(Sha256::digest(fs::read(file)?));
         }
     }
     Ok(files::hex(&all.finalize())[..32].to_owned())

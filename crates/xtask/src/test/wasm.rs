@@ -4,10 +4,11 @@
 use super::native::CRATES;
 use super::passed::{Passed, fingerprint};
 use crate::report::Report;
-use crate::wasms::PACKAGES;
+use crate::wasms::{self, PACKAGES};
 use crate::workspace::Workspace;
 use crate::{files, tools};
 use anyhow::Result;
+use fs_err as fs;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::process::Command;
@@ -28,8 +29,8 @@ pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
     // share their libraries with the page that `serve` builds.
     let words = ["test", "--no-run", "--tests", "--profile=draft", "--message-format=json-render-diagnostics"];
     let packages = PACKAGES.iter().flat_map(|package| ["--package", package]);
-    let mut command = workspace.cargo(words.into_iter().chain(packages).chain(["--target", tools::WASM_TARGET]));
-    if let Ok(digests) = files::read_text(&digests(workspace)) {
+    let mut command = wasms::cargo(workspace, words.into_iter().chain(packages));
+    if let Ok(digests) = fs::read_to_string(digests(workspace)) {
         command.env("LSYSTEM_SAME_BITS", digests);
     }
     let messages = workspace.output(&mut command)?;
@@ -53,7 +54,7 @@ pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Re
         // The driver leaves megabytes of profiles behind.
         let temporary = tempfile::tempdir()?;
         let own = workspace.root.join("crates/lsystem-wasm/webdriver.json");
-        let mut capabilities: Value = serde_json::from_slice(&files::read(&own)?)?;
+        let mut capabilities: Value = serde_json::from_slice(&fs::read(&own)?)?;
         capabilities["goog:chromeOptions"]["binary"] = browser.chromium.to_string_lossy().into();
         let capabilities_file = temporary.path().join("webdriver.json");
         files::write(&capabilities_file, capabilities.to_string())?;

@@ -1,8 +1,8 @@
 //! The programs that open files.
 
-use crate::workspace::{Workspace, output};
-use crate::{files, page, tools};
+use crate::{Options, output};
 use anyhow::{Context, Result};
+use fs_err as fs;
 use serde_json::Value;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ const OPTIONAL: [(&str, &str, &str); 5] = [
 ];
 
 /// The installed programs.
-pub(super) struct Programs {
+pub(crate) struct Programs {
     folder: PathBuf,
     python: PathBuf,
     optional: Vec<(&'static str, Option<PathBuf>)>,
@@ -27,13 +27,11 @@ pub(super) struct Programs {
 }
 
 impl Programs {
-    /// Finds the programs, and installs the libraries of the two lock files: those of Node.js beside their list, those
-    /// of Python below `target/`.
-    pub(super) fn get(workspace: &Workspace) -> Result<Self> {
-        let folder = workspace.root.join("crates/xtask/outside");
-        page::packages(&folder).context("installing the glTF validator, which needs the npm registry")?;
-        let python = python(workspace, &folder)?;
-        let optional: Vec<_> = OPTIONAL.iter().map(|&(name, ..)| (name, tools::program(name))).collect();
+    /// Finds the programs, and installs the libraries of Python.
+    pub(crate) fn get(options: &Options) -> Result<Self> {
+        let folder = options.scripts();
+        let python = python(options)?;
+        let optional: Vec<_> = OPTIONAL.iter().map(|&(name, ..)| (name, which::which(name).ok())).collect();
         let mut programs = Self { folder, python, optional, has_tikz: false };
         // A LaTeX without its libraries is as good as none.
         programs.has_tikz = programs.optional("kpsewhich").is_some_and(|program| {
@@ -44,17 +42,17 @@ impl Programs {
     }
 
     /// A program of the system, if it is installed.
-    pub(super) fn optional(&self, name: &str) -> Option<&Path> {
+    pub(crate) fn optional(&self, name: &str) -> Option<&Path> {
         self.optional.iter().find(|(own, _)| *own == name)?.1.as_deref()
     }
 
     /// LaTeX with TikZ, if it is installed.
-    pub(super) fn latex(&self) -> Option<&Path> {
+    pub(crate) fn latex(&self) -> Option<&Path> {
         self.optional("pdflatex").filter(|_| self.has_tikz)
     }
 
     /// What is not checked because a program is missing, a line for each.
-    pub(super) fn missing(&self) -> Vec<String> {
+    pub(crate) fn missing(&self) -> Vec<String> {
         let is_missing = |name: &str| match name {
             "pdflatex" => self.latex().is_none(),
             // Only there to look for the libraries of LaTeX.
@@ -68,7 +66,7 @@ impl Programs {
     }
 
     /// The answers of `look.py` to these questions.
-    pub(super) fn look(&self, questions: &[Value]) -> Result<Vec<Value>> {
+    pub(crate) fn look(&self, questions: &[Value]) -> Result<Vec<Value>> {
         let mut command = Command::new(&self.python);
         command.arg(self.folder.join("look.py")).stdin(Stdio::piped()).stdout(Stdio::piped());
         let mut child = command.spawn().context("starting Python")?;
@@ -79,29 +77,33 @@ impl Programs {
     }
 
     /// The reports of the glTF validator about these files.
-    pub(super) fn validate_gltf(&self, files: &[PathBuf]) -> Result<Vec<Value>> {
-        let mut command = Command::new(tools::node()?);
+    pub(crate) fn validate_gltf(&self, files: &[PathBuf]) -> Result<Vec<Value>> {
+        let mut command = Command::new("node");
         Ok(serde_json::from_str(&output(command.arg(self.folder.join("look.mjs")).args(files))?)?)
     }
 }
 
-/// The Python of the virtual environment `target/outside/venv`, with the libraries of `requirements.txt`. A copy of the
+/// The Python of a virtual environment with the libraries of `requirements.txt`. A copy of the
 /// installed list shows whether this has been done.
-pub(super) fn python(workspace: &Workspace, folder: &Path) -> Result<PathBuf> {
-    let list = folder.join("requirements.txt");
-    let wanted = files::read(&list)?;
-    let environment = workspace.target.join("outside/venv");
+pub(crate) fn python(options: &Options) -> Result<PathBuf> {
+    let list = options.scripts().join("requirements.txt");
+    let wanted = fs::read(&list)?;
+    let environment = options.folder.join("venv");
     let python = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     let installed = environment.join("installed.txt");
-    if installed.is_file() && files::read(&installed)? == wanted {
+    if installed.is_file() && fs::read(&installed)? == wanted {
         return Ok(python);
     }
-    output(Command::new(tools::python()?).args(["-m", "venv", "--clear"]).arg(&environment))
+    let system = ["python3", "python"].iter().find_map(|name| which::which(name).ok()).context(
+        "files are checked with libraries of Python 3.11 or newer, and it is not on the PATH (Debian: apt-get install \
+         python3 python3-venv)",
+    )?;
+    output(Command::new(system).args(["-m", "venv", "--clear"]).arg(&environment))
         .context("making a virtual environment of Python (Debian: apt-get install python3-venv)")?;
     let words = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary=:all:"];
     output(Command::new(&python).args(words).arg("--require-hashes").arg("--requirement").arg(&list)).context(
         "installing vpype, trimesh, Pillow, pypdf and markdown-it, which needs PyPI and Python 3.11 or newer",
     )?;
-    files::write(&installed, wanted)?;
+    fs::write(&installed, wanted)?;
     Ok(python)
 }

@@ -1,7 +1,6 @@
 //! `cargo xtask bench plot`: plots beside those that vpype makes of the plain SVG.
 
-use super::programs;
-use crate::workspace::{Workspace, output};
+use crate::{Options, output, programs};
 use anyhow::{Context, Result};
 use std::process::Command;
 
@@ -20,16 +19,13 @@ const SYSTEMS: [&str; 10] = [
 ];
 
 /// Prints a table: the ink of each system, what is drawn and travelled, and the times.
-pub(crate) fn bench(workspace: &Workspace) -> Result<()> {
-    let folder = workspace.root.join("crates/xtask/outside");
-    let python = programs::python(workspace, &folder)?;
-    workspace.run(&mut workspace.cargo(["build", "--quiet", "--release", "--package=lsystem-cli"]))?;
-    let lsys = workspace.target.join("release").join(format!("lsys{}", std::env::consts::EXE_SUFFIX));
+pub(crate) fn compare(options: &Options) -> Result<()> {
+    let python = programs::python(options)?;
     let vpype = python.parent().context("a folder")?.join(format!("vpype{}", std::env::consts::EXE_SUFFIX));
     let temporary = tempfile::tempdir()?;
-    let sources = SYSTEMS.map(|system| workspace.root.join("data_in").join(format!("{system}.json")));
+    let sources = SYSTEMS.map(|system| options.source(system));
     let mut command = Command::new(&python);
-    command.arg(folder.join("plots.py")).arg(lsys).arg(vpype).arg(temporary.path()).args(sources);
+    command.arg(options.scripts().join("plots.py")).arg(&options.lsys).arg(vpype).arg(temporary.path()).args(sources);
     print!("{}", output(&mut command)?);
     Ok(())
 }

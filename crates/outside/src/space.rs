@@ -1,10 +1,10 @@
 //! Meshes.
 
-use super::asked::{Asked, number, numbers};
-use super::made::Made;
-use super::{equal, near};
-use crate::files;
+use crate::asked::{Asked, number, numbers};
+use crate::made::Made;
+use crate::{equal, near};
 use anyhow::{Result, ensure};
+use fs_err as fs;
 use serde_json::json;
 
 /// A curve in the plane, as tubes, and a bush with leaves.
@@ -14,14 +14,14 @@ const TUBE: f64 = 0.02;
 /// The part of the triangles that may be missing where parts repeat.
 const MISSING: f64 = 0.1;
 
-pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
+pub(crate) fn ask(made: &Made<'_>, asked: &mut Asked<'_>) -> Result<()> {
     for system in SYSTEMS {
         let mut sides = made.told(system)?.sides();
         sides.resize(3, 0.0);
         let longest = sides.iter().copied().fold(0.0, f64::max);
         let (obj, glb) = (made.draw(system, "obj", &[])?.0, made.draw(system, "glb", &[])?.0);
         // Faces of more than three corners are cut into triangles.
-        let text = files::read_text(&obj)?;
+        let text = fs::read_to_string(&obj)?;
         let faces = text.lines().filter_map(|line| line.strip_prefix("f "));
         let triangles: u64 = faces.map(|corners| corners.split_whitespace().count() as u64 - 2).sum();
         asked.validate_gltf(format!("{system} as glb"), &glb, move |answers| {

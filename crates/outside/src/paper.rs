@@ -1,11 +1,11 @@
 //! Figures and systems for papers.
 
-use super::asked::{Asked, numbers_in};
-use super::equal;
-use super::made::Made;
-use super::plane::{self, is_same, rendered};
-use crate::files;
+use crate::asked::{Asked, numbers_in};
+use crate::equal;
+use crate::made::Made;
+use crate::plane::{self, is_same, rendered};
 use anyhow::{Context, Result, bail, ensure};
+use fs_err as fs;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,7 +13,7 @@ use std::process::Command;
 /// A system that TikZ's library can draw, with rules that have signs and letters.
 const SIMPLE: &str = "curves/hilbert";
 
-pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
+pub(crate) fn ask(made: &Made<'_>, asked: &mut Asked<'_>) -> Result<()> {
     if asked.programs.latex().is_some() {
         for system in plane::SYSTEMS {
             picture(made, asked, system, "tikz", "\\usepackage{tikz}")?;
@@ -32,15 +32,15 @@ pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
 }
 
 /// Sets a file with LaTeX. Returns the PDF.
-fn latex(made: &Made, asked: &Asked<'_>, file: &Path, packages: &str) -> Result<PathBuf> {
+fn latex(made: &Made<'_>, asked: &Asked<'_>, file: &Path, packages: &str) -> Result<PathBuf> {
     let name = file.file_stem().context("a name")?.to_string_lossy().into_owned();
     let folder = made.new_folder(&format!("{name}-latex"))?;
-    let text = files::read_text(file)?;
+    let text = fs::read_to_string(file)?;
     let document = format!(
         "\\documentclass{{article}}\n\\usepackage[utf8]{{inputenc}}\n{packages}\n\\pagestyle{{empty}}\n\
          \\begin{{document}}\n\\hsize=200mm\\textwidth=200mm\\noindent\n{text}\n\\end{{document}}\n"
     );
-    files::write(&folder.join("page.tex"), document)?;
+    fs::write(folder.join("page.tex"), document)?;
     let program = asked.programs.latex().context("LaTeX")?;
     let words = ["-interaction=nonstopmode", "-halt-on-error", "page.tex"];
     let done = Command::new(program).args(words).current_dir(&folder).output()?;
@@ -53,7 +53,7 @@ fn latex(made: &Made, asked: &Asked<'_>, file: &Path, packages: &str) -> Result<
 }
 
 /// A picture that LaTeX draws, against the PNG.
-fn picture(made: &Made, asked: &mut Asked<'_>, system: &str, format: &str, packages: &str) -> Result<()> {
+fn picture(made: &Made<'_>, asked: &mut Asked<'_>, system: &str, format: &str, packages: &str) -> Result<()> {
     let (file, _) = made.draw(system, format, &[])?;
     let page = match latex(made, asked, &file, packages) {
         Ok(page) => page,
@@ -63,7 +63,7 @@ fn picture(made: &Made, asked: &mut Asked<'_>, system: &str, format: &str, packa
         }
     };
     let renamed = made.path(&format!("{}-set.pdf", file.file_stem().context("a name")?.to_string_lossy()));
-    files::write(&renamed, files::read(&page)?)?;
+    fs::write(&renamed, fs::read(&page)?)?;
     let mut questions = vec![json!({"look": "pdf", "file": renamed})];
     if let Some(page) = rendered(asked, made, &renamed)? {
         questions.push(json!({"look": "same", "file": page, "other": made.draw(system, "png", &[])?.0}));
@@ -76,7 +76,7 @@ fn picture(made: &Made, asked: &mut Asked<'_>, system: &str, format: &str, packa
 }
 
 /// A typeset system: the text of the page has the axiom, the number of steps and every production.
-fn typeset(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
+fn typeset(made: &Made<'_>, asked: &mut Asked<'_>, system: &str) -> Result<()> {
     let (file, _) = made.draw(system, "latex", &[])?;
     let packages = "\\usepackage{amsmath}\\usepackage{array}";
     let page = match latex(made, asked, &file, packages) {
@@ -86,7 +86,7 @@ fn typeset(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
             return Ok(());
         }
     };
-    let source: Value = serde_json::from_slice(&files::read(&made.source(system))?)?;
+    let source: Value = serde_json::from_slice(&fs::read(made.source(system))?)?;
     asked.look(
         format!("{system} as latex"),
         "pdflatex, pypdf",
@@ -110,19 +110,19 @@ fn typeset(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
 }
 
 /// The entries of a file without a warning.
-fn bibtex(made: &Made, program: &Path, system: &str) -> Result<String> {
+fn bibtex(made: &Made<'_>, program: &Path, system: &str) -> Result<String> {
     let (file, _) = made.draw(system, "bibtex", &[])?;
-    let entries = files::read_text(&file)?.lines().filter(|line| line.starts_with('@')).count();
+    let entries = fs::read_to_string(&file)?.lines().filter(|line| line.starts_with('@')).count();
     let name = file.file_stem().context("a name")?.to_string_lossy().into_owned();
     let folder = made.new_folder(&format!("{name}-bibtex"))?;
-    files::write(&folder.join("all.bib"), files::read(&file)?)?;
-    files::write(&folder.join("page.aux"), "\\relax\n\\citation{*}\n\\bibstyle{plain}\n\\bibdata{all}\n")?;
+    fs::write(folder.join("all.bib"), fs::read(&file)?)?;
+    fs::write(folder.join("page.aux"), "\\relax\n\\citation{*}\n\\bibstyle{plain}\n\\bibdata{all}\n")?;
     let done = Command::new(program).arg("page").current_dir(&folder).output()?;
-    let log = files::read_text(&folder.join("page.blg"))?;
+    let log = fs::read_to_string(folder.join("page.blg"))?;
     ensure!(done.status.success(), "{log}");
     let warnings = log.lines().find(|line| line.contains("warning")).map_or(0.0, |line| numbers_in(line)[0]);
     equal("warnings", warnings, 0.0)?;
-    let set = files::read_text(&folder.join("page.bbl"))?.matches("\\bibitem{").count();
+    let set = fs::read_to_string(folder.join("page.bbl"))?.matches("\\bibitem{").count();
     equal("entries", set, entries)?;
     Ok(format!("{set} entries"))
 }

@@ -1,16 +1,16 @@
 //! Pictures in the plane and plots.
 
-use super::asked::{Asked, number, numbers, numbers_in};
-use super::made::Made;
-use super::{equal, near};
-use crate::workspace::output;
+use crate::asked::{Asked, number, numbers, numbers_in};
+use crate::made::Made;
+use crate::output;
+use crate::{equal, near};
 use anyhow::{Result, ensure};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// A curve of one colour, and a plant whose colours lie on each other.
-pub(super) const SYSTEMS: [&str; 2] = ["curves/hilbert", "abop/1.24f"];
+pub(crate) const SYSTEMS: [&str; 2] = ["curves/hilbert", "abop/1.24f"];
 /// A plot whose lines are finer than any pen, on a small sheet: vpype takes a minute to read 50,000 polylines.
 const DEEP: [&str; 6] = ["-n", "40", "--sheet", "100x100", "--pen", "0.5"];
 /// The largest difference of two pictures, in parts of the drawing's longer side: pictures are compared on a grid of 400
@@ -18,7 +18,7 @@ const DEEP: [&str; 6] = ["-n", "40", "--sheet", "100x100", "--pen", "0.5"];
 /// much again.
 const FAR: f64 = 4.0 / 400.0;
 
-pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
+pub(crate) fn ask(made: &Made<'_>, asked: &mut Asked<'_>) -> Result<()> {
     for system in SYSTEMS {
         svg(made, asked, system)?;
         png(made, asked, system)?;
@@ -31,7 +31,7 @@ pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
 }
 
 /// The strokes of both forms of SVG against the table of segments, which another writer makes.
-fn svg(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
+fn svg(made: &Made<'_>, asked: &mut Asked<'_>, system: &str) -> Result<()> {
     let told = made.told(system)?;
     let table = json!({"look": "table", "file": made.draw(system, "csv", &[])?.0});
     for format in ["svg", "svg-compact"] {
@@ -61,7 +61,7 @@ fn svg(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
     Ok(())
 }
 
-fn png(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
+fn png(made: &Made<'_>, asked: &mut Asked<'_>, system: &str) -> Result<()> {
     let (file, _) = made.draw(system, "png", &["--size", "640x400", "--dpi", "300"])?;
     asked.look(format!("{system} as png"), "Pillow", [json!({"look": "png", "file": file})], |answers| {
         equal("pixels", numbers(&answers[0]["size"]), vec![640.0, 400.0])?;
@@ -75,7 +75,7 @@ fn png(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
 }
 
 /// The page of a PDF, and its ink against that of the PNG.
-fn pdf(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
+fn pdf(made: &Made<'_>, asked: &mut Asked<'_>, system: &str) -> Result<()> {
     let (sheet, margin) = ([148.0, 210.0], 15.0);
     let (file, _) = made.draw(system, "pdf", &["--sheet", "a5", "--whole-sheet", "--margin", "15"])?;
     asked.look(format!("{system} as pdf"), "pypdf", [json!({"look": "pdf", "file": file})], move |answers| {
@@ -104,7 +104,7 @@ fn pdf(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
 }
 
 /// A PDF's first page as a picture, if there is a program for that.
-pub(super) fn rendered(asked: &Asked<'_>, made: &Made, file: &Path) -> Result<Option<PathBuf>> {
+pub(crate) fn rendered(asked: &Asked<'_>, made: &Made<'_>, file: &Path) -> Result<Option<PathBuf>> {
     let Some(program) = asked.programs.optional("pdftoppm") else { return Ok(None) };
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let base = made.path(&format!("{name}-page"));
@@ -113,14 +113,14 @@ pub(super) fn rendered(asked: &Asked<'_>, made: &Made, file: &Path) -> Result<Op
 }
 
 /// That two pictures have the same ink.
-pub(super) fn is_same(answer: &Value) -> Result<String> {
+pub(crate) fn is_same(answer: &Value) -> Result<String> {
     let far = number(&answer["far"]);
     near("largest difference from the other picture, in parts of its side", far, 0.0, FAR)?;
     Ok(format!("ink at most {:.2} % off", 100.0 * far))
 }
 
 /// The layers, lengths and sheet of a plot against the words of `lsys`.
-fn plot(made: &Made, asked: &mut Asked<'_>, system: &str, words: &[&str]) -> Result<PathBuf> {
+fn plot(made: &Made<'_>, asked: &mut Asked<'_>, system: &str, words: &[&str]) -> Result<PathBuf> {
     let (file, said) = made.draw(system, "plotter", words)?;
     let told = numbers_in(said.split_once("plot of").map_or("", |(_, told)| told));
     ensure!(told.len() > 5, "lsys did not tell about the plot: {said}");
@@ -173,7 +173,7 @@ fn pairs(found: &Value) -> Vec<[String; 2]> {
 }
 
 /// A deep drawing: the plot has the ink of the PNG.
-fn deep(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
+fn deep(made: &Made<'_>, asked: &mut Asked<'_>, system: &str) -> Result<()> {
     let plot = plot(made, asked, system, &DEEP)?;
     let (picture, _) = made.draw(system, "png", &DEEP[..2])?;
     asked.look(

@@ -1,19 +1,19 @@
 //! Systems, strings and pyramids of tiles.
 
-use super::asked::{Asked, number, numbers};
-use super::made::Made;
-use super::{equal, near, plane};
-use crate::files;
-use crate::workspace::output;
+use crate::asked::{Asked, number, numbers};
+use crate::made::Made;
+use crate::output;
+use crate::{equal, near, plane};
 use anyhow::{Context, Result};
+use fs_err as fs;
 use serde_json::{Value, json};
 
 /// The levels of a pyramid below the tile of all.
 const LEVELS: u32 = 2;
 
-pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
+pub(crate) fn ask(made: &Made<'_>, asked: &mut Asked<'_>) -> Result<()> {
     for system in plane::SYSTEMS {
-        let source: Value = serde_json::from_slice(&files::read(&made.source(system))?)?;
+        let source: Value = serde_json::from_slice(&fs::read(made.source(system))?)?;
         let symbols = made.told(system)?.symbols;
         let text = json!({"look": "words", "file": made.draw(system, "txt", &[])?.0});
         asked.look(format!("{system} as txt"), "Python", [text], move |answers| {
@@ -45,7 +45,7 @@ pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
 }
 
 /// The tiles of a pyramid: their number on each level, and the ink of the last level against that of a PNG of its size.
-fn pyramid(made: &Made, asked: &mut Asked<'_>, system: &str) -> Result<()> {
+fn pyramid(made: &Made<'_>, asked: &mut Asked<'_>, system: &str) -> Result<()> {
     let folder = made.path("tiles");
     let levels = format!("0..{LEVELS}");
     let mut command = made.command("tiles", system);

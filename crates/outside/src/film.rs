@@ -1,9 +1,9 @@
 //! Films.
 
-use super::asked::{Asked, number, numbers};
-use super::made::Made;
-use super::{equal, near};
-use crate::workspace::output;
+use crate::asked::{Asked, number, numbers};
+use crate::made::Made;
+use crate::output;
+use crate::{equal, near};
 use anyhow::{Context, Result, ensure};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -17,7 +17,7 @@ const SIZE: (u64, u64) = (160, 120);
 const SECONDS: u64 = 2;
 const FPS: u64 = 10;
 
-pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
+pub(crate) fn ask(made: &Made<'_>, asked: &mut Asked<'_>) -> Result<()> {
     let gif = made.path("film.gif");
     film(made, gif.to_string_lossy().as_ref(), &[])?;
     asked.look("film as gif", "Pillow", [json!({"look": "gif", "file": gif})], |answers| {
@@ -52,7 +52,7 @@ pub(super) fn ask(made: &Made, asked: &mut Asked<'_>) -> Result<()> {
 }
 
 /// Makes the film, and returns standard output.
-fn film(made: &Made, to: &str, words: &[&str]) -> Result<Vec<u8>> {
+fn film(made: &Made<'_>, to: &str, words: &[&str]) -> Result<Vec<u8>> {
     let mut command = made.command("animate", SYSTEM);
     let (seconds, rate, size) = (SECONDS.to_string(), FPS.to_string(), format!("{}x{}", SIZE.0, SIZE.1));
     command.args(["--to", to, "--seconds", &seconds, "--fps", &rate, "--size", &size]).args(words);

@@ -1,7 +1,6 @@
 //! Questions about files, and the checks of their answers.
 
-use super::programs::Programs;
-use crate::workspace::Workspace;
+use crate::programs::Programs;
 use anyhow::{Result, bail};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -10,8 +9,8 @@ use std::path::{Path, PathBuf};
 type Compare = Box<dyn Fn(&[Value]) -> Result<String>>;
 
 /// The checks so far. Python starts once for all questions, since its libraries take seconds to load.
-pub(super) struct Asked<'a> {
-    pub(super) programs: &'a Programs,
+pub(crate) struct Asked<'a> {
+    pub(crate) programs: &'a Programs,
     /// The output, the program that opens it, the numbers of its questions, and the comparison.
     checks: Vec<(String, &'static str, Vec<usize>, Compare)>,
     /// Checks that are done: the output, the program, and the result.
@@ -22,12 +21,12 @@ pub(super) struct Asked<'a> {
 }
 
 impl<'a> Asked<'a> {
-    pub(super) fn new(programs: &'a Programs) -> Self {
+    pub(crate) fn new(programs: &'a Programs) -> Self {
         Self { programs, checks: vec![], done: vec![], questions: vec![], gltf: vec![] }
     }
 
     /// Asks `look.py` these questions about an output.
-    pub(super) fn look(
+    pub(crate) fn look(
         &mut self,
         output: impl Into<String>,
         by: &'static str,
@@ -41,7 +40,7 @@ impl<'a> Asked<'a> {
     }
 
     /// Has the glTF validator read a file.
-    pub(super) fn validate_gltf(
+    pub(crate) fn validate_gltf(
         &mut self,
         output: impl Into<String>,
         file: &Path,
@@ -51,12 +50,12 @@ impl<'a> Asked<'a> {
     }
 
     /// Notes a check that needs no answers.
-    pub(super) fn note(&mut self, output: impl Into<String>, by: &'static str, result: Result<String>) {
+    pub(crate) fn note(&mut self, output: impl Into<String>, by: &'static str, result: Result<String>) {
         self.done.push((output.into(), by, result));
     }
 
     /// Asks all questions, and prints a line for each check. Returns the numbers of right and of wrong outputs.
-    pub(super) fn finish(self, workspace: &Workspace) -> Result<(usize, usize)> {
+    pub(crate) fn finish(self) -> Result<(usize, usize)> {
         let answers = self.programs.look(&self.questions)?;
         let files: Vec<PathBuf> = self.gltf.iter().map(|check| check.0.clone()).collect();
         let reports = self.programs.validate_gltf(&files)?;
@@ -71,10 +70,10 @@ impl<'a> Asked<'a> {
         let mut wrong = 0;
         for (output, by, result) in &done {
             match result {
-                Ok(found) => workspace.say(format_args!("{output}: {by}: {found}")),
+                Ok(found) => println!("{output}: {by}: {found}"),
                 Err(error) => {
                     wrong += 1;
-                    workspace.say(format_args!("{output}: {by}: WRONG: {error:#}"));
+                    println!("{output}: {by}: WRONG: {error:#}");
                 }
             }
         }
@@ -90,17 +89,17 @@ fn compared(answers: &[Value], compare: &Compare) -> Result<String> {
 }
 
 /// A number of an answer; no number if it is missing, which is near no other.
-pub(super) fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or(f64::NAN)
 }
 
 /// The numbers of an array of an answer.
-pub(super) fn numbers(value: &Value) -> Vec<f64> {
+pub(crate) fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().map_or_else(Vec::new, |array| array.iter().map(number).collect())
 }
 
 /// The numbers in a text, in order. Commas group the digits of none of them.
-pub(super) fn numbers_in(text: &str) -> Vec<f64> {
+pub(crate) fn numbers_in(text: &str) -> Vec<f64> {
     let pieces = text.split(|letter: char| !letter.is_ascii_digit() && letter != '.');
     pieces.filter_map(|piece| piece.trim_end_matches('.').parse().ok()).collect()
 }
