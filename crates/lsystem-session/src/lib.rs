@@ -53,6 +53,8 @@ mod session;
 mod sharing;
 mod solid;
 mod surface;
+#[cfg(test)]
+mod tests;
 mod viewer;
 
 pub use files::{FileRead, read_file};

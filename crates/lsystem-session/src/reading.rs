@@ -312,7 +312,7 @@ impl<S: Surface> Session<S> {
     }
 
     /// The position of the symbol that draws a segment.
-    fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
+    pub(crate) fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
         match self.reader(self.iterations())? {
             GenerationReader::Counted(word) => word.symbol_of_segment(segment),
             GenerationReader::Remembered(history) => history.symbol_of_segment(segment),
