@@ -66,7 +66,7 @@ export function createSharing({ canvas, playground, guard, wake, shown, memory }
     function receive(mate, { round: dealt, pane, made, memory: bytes }) {
         mate.memory = bytes;
         mate.owed -= 1;
-        if (made && playground.takeIn(dealt, pane.number, made.outcome)) {
+        if (made && playground.takeIn(dealt, pane.number, made.outcome.work, made.outcome.poor)) {
             const image = new ImageData(new Uint8ClampedArray(made.pixels.buffer), pane.width, pane.height);
             canvas.getContext('2d')?.putImageData(image, pane.x, pane.y);
         }
@@ -131,7 +131,8 @@ export function createMate({ master, playground, wake, memory }) {
             newState = null;
         }
         if (!begun) {
-            playground.beginPane(task.pane);
+            const { x, y, width, height, budget } = task.pane;
+            playground.beginPane(x, y, width, height, budget);
             begun = true;
         }
         const outcome = playground.stepPane();

@@ -5,9 +5,10 @@ use lsystem::Definition;
 use lsystem::files::FileContent;
 use lsystem::syntax::problems;
 use serde::Serialize;
+use ts_rs::TS;
 
 /// The contents of a file.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, TS)]
 pub struct FileRead {
     /// Null if the file cannot be used.
     pub definition: Option<Definition>,

@@ -7,10 +7,11 @@ use crate::sharing::Sharing;
 use crate::surface::Surface;
 use lsystem::Figure;
 use lsystem::render::{Pane, Spent};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use ts_rs::TS;
 
 /// A rectangle of the picture, in pixels of the canvas from the upper left corner, for a mate.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, TS)]
 pub struct SharedPane {
     /// The number of the pane in its round.
     pub number: usize,
@@ -27,7 +28,7 @@ pub struct SharedPane {
 }
 
 /// The work spent on a pane.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, TS)]
 pub struct Outcome {
     /// The units of work.
     pub work: f64,
@@ -76,8 +77,8 @@ impl<S: Surface> Session<S> {
     }
 
     /// On a mate: begins a pane of the picture with the last definition and view.
-    pub fn begin_pane(&mut self, SharedPane { x, y, width, height, budget, .. }: SharedPane) {
-        self.pane = Some((Pane { x, y, width, height }, budget));
+    pub fn begin_pane(&mut self, pane: Pane, budget: f32) {
+        self.pane = Some((pane, budget));
     }
 
     /// On a mate: works on the pane for about [`STEP`] milliseconds.

@@ -3,9 +3,10 @@
 use lsystem::Definition;
 use lsystem::syntax::{Field, byte_offset, classify, site, utf16_letters, utf16_span};
 use serde::Serialize;
+use ts_rs::TS;
 
 /// The texts as class letters ([`lsystem::syntax::Class`]), one for each UTF-16 unit, and the constants.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, TS)]
 pub struct Notation {
     /// The classes of the axiom.
     pub axiom: String,
@@ -18,7 +19,7 @@ pub struct Notation {
 }
 
 /// A named constant and the place of its value in the rules, in UTF-16 units.
-#[derive(Debug, PartialEq, Serialize)]
+#[derive(Debug, PartialEq, Serialize, TS)]
 pub struct ConstantSpan {
     /// The name.
     pub name: String,
@@ -50,7 +51,7 @@ pub fn notation(definition: &Definition) -> Notation {
 }
 
 /// The place of a written module.
-#[derive(Debug, PartialEq, Eq, Serialize)]
+#[derive(Debug, PartialEq, Eq, Serialize, TS)]
 pub struct Site {
     /// The number of the production (0-based); null for a module of the axiom.
     pub production: Option<usize>,

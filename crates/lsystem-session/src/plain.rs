@@ -5,9 +5,10 @@ use crate::report::Problem;
 use lsystem::syntax::problems;
 use lsystem::{Definition, Diagnostic, SegmentArrays, System};
 use serde::Serialize;
+use ts_rs::TS;
 
 /// The problems that keep a plain function from its result.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, TS)]
 pub struct ThrownProblems {
     /// The errors of the definition, with its warnings, or the exceeded limit.
     pub diagnostics: Vec<Problem>,

@@ -12,6 +12,7 @@ use lsystem::render::{Pointer, Target, fitted_ends, fitted_outline, fitted_polyg
 use lsystem::syntax::print_module;
 use lsystem::{Figure, Progress, pick};
 use serde::Serialize;
+use ts_rs::TS;
 
 /// The most blocks visited by one pick: some milliseconds, so that a pick takes no longer than a step.
 const VISITS: usize = 20_000;
@@ -33,7 +34,7 @@ enum GenerationReader<'a> {
 pub type Place = Vec<f64>;
 
 /// A page of a generation's string.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct StringPage {
     /// The number of symbols of the generation; null if the number is not known.
     pub length: Option<String>,
@@ -44,7 +45,7 @@ pub struct StringPage {
 }
 
 /// One link of the chain from the axiom to a symbol.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct AncestryLink {
     /// The generation of the symbol.
     pub generation: u32,
@@ -59,7 +60,7 @@ pub struct AncestryLink {
 }
 
 /// The descendants of a symbol in a later generation, as half-open ranges.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct Descendants {
     /// The positions of the symbols.
     pub symbols: [String; 2],
@@ -70,7 +71,7 @@ pub struct Descendants {
 }
 
 /// A symbol's ancestors, and its descendants in the shown generation.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct SymbolFacts {
     /// The chain from the axiom; empty if the derivation is too long to be remembered.
     pub ancestry: Vec<AncestryLink>,
@@ -81,7 +82,7 @@ pub struct SymbolFacts {
 }
 
 /// A segment, and the turtle there.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
 #[serde(rename_all = "camelCase")]
 pub struct SegmentFacts {
     /// The start, in model units.
@@ -101,7 +102,7 @@ pub struct SegmentFacts {
 }
 
 /// A heading.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, TS)]
 #[serde(untagged)]
 pub enum Direction {
     /// In the plane: degrees counter-clockwise from the right.
@@ -111,7 +112,7 @@ pub enum Direction {
 }
 
 /// A polygon.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct PolygonFacts {
     /// The vertices.
     pub outline: Vec<Place>,
@@ -122,7 +123,7 @@ pub struct PolygonFacts {
 }
 
 /// The mark under the pointer; all null or empty if there is none.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct Picked {
     /// The number of the segment, if the mark is a segment.
     pub segment: Option<String>,
@@ -139,7 +140,7 @@ pub struct Picked {
 }
 
 /// The turtle after the shown segments.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct Pose {
     /// Its place, in model units.
     pub at: Vec<f64>,

@@ -4,9 +4,10 @@ use lsystem::drawing::{kind, legend, why_empty};
 pub use lsystem::syntax::Problem;
 use lsystem::{Figure, System};
 use serde::Serialize;
+use ts_rs::TS;
 
 /// The properties of a definition and its problems. Counts are exact decimal strings, null while unknown.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, TS)]
 pub struct Report {
     /// Whether the definition has no errors.
     pub ok: bool,
@@ -37,7 +38,7 @@ pub struct Report {
 }
 
 /// A symbol in use and its actions.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, TS)]
 pub struct Legend {
     /// The symbol, with the names of its parameters.
     pub symbol: String,

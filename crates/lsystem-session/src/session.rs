@@ -13,9 +13,10 @@ use lsystem::syntax::{Kind, problems};
 use lsystem::{Camera, Definition, Diagnostic, Figure, Limits, Progress, System, Vantage, View, Viewport};
 use serde::Serialize;
 use std::borrow::Cow;
+use ts_rs::TS;
 
 /// The answer of [`Session::step`].
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, TS)]
 pub struct StepAnswer<'a> {
     /// Null if nothing more is known than before.
     pub report: Option<&'a Report>,

@@ -6,6 +6,7 @@ use crate::solid::SolidView;
 use crate::surface::{Clock, Surface};
 use lsystem::{Figure, Style, Vantage, Viewport};
 use serde::Serialize;
+use ts_rs::TS;
 
 /// The settings of a picture.
 #[derive(Clone, PartialEq)]
@@ -23,7 +24,7 @@ pub(crate) struct PictureSettings {
 }
 
 /// The picture on the canvas.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct Drawn {
     /// Whether no finer picture follows.
     pub complete: bool,
@@ -42,7 +43,7 @@ pub struct Drawn {
 }
 
 /// The one thing in a picture of a single colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
 #[serde(rename_all = "lowercase")]
 pub enum Only {
     /// No ink.

@@ -4,18 +4,19 @@ use crate::to_js;
 use lsystem_import::Remark;
 use lsystem_syntax::Definition;
 use serde::Serialize;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// Systems in the notation of another program or of a paper.
-#[derive(Serialize)]
-struct ImportReport {
+#[derive(Serialize, TS)]
+pub(crate) struct ImportReport {
     notation: &'static str,
     entries: Vec<ImportEntry>,
 }
 
 /// One of these systems.
-#[derive(Serialize)]
-struct ImportEntry {
+#[derive(Serialize, TS)]
+pub(crate) struct ImportEntry {
     name: String,
     /// Null if the system cannot be opened.
     definition: Option<Definition>,
@@ -23,8 +24,8 @@ struct ImportEntry {
 }
 
 /// What was not carried over, by line of the text, 1-based.
-#[derive(Serialize)]
-struct ImportRemark {
+#[derive(Serialize, TS)]
+pub(crate) struct ImportRemark {
     line: usize,
     text: String,
     message: String,

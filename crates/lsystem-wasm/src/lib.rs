@@ -17,7 +17,11 @@ pub use texts::{notation, qr_code, read_file, site_of};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::*;
+
+/// The types of arguments and results, for the generated declarations only.
+#[wasm_bindgen(typescript_custom_section)]
+const MESSAGES: &str = include_str!("../../../www/js/messages.d.ts");
 
 fn from_js<T: DeserializeOwned>(value: JsValue) -> Result<T, JsValue> {
     Ok(serde_wasm_bindgen::from_value(value)?)

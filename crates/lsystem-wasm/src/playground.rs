@@ -3,8 +3,8 @@
 use crate::canvas::{Canvas, clock};
 use crate::{from_js, to_js};
 use lsystem::Viewport;
-use lsystem::render::{PageCamera, PageView};
-use lsystem_session::{PaneStep, Session};
+use lsystem::render::{PageCamera, PageView, Pane};
+use lsystem_session::{Outcome, PaneStep, Session};
 use serde::Deserialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
@@ -159,30 +159,18 @@ impl Playground {
     }
 
     /// As [`Session::take_in`].
-    ///
-    /// # Errors
-    /// Throws if `outcome` is not of [`Playground::step_pane`].
+    /// `work` and `poor` are those of [`Playground::step_pane`].
     #[wasm_bindgen(js_name = takeIn)]
-    pub fn take_in(
-        &mut self,
-        round: u32,
-        number: usize,
-        #[wasm_bindgen(unchecked_param_type = "Outcome")] outcome: JsValue,
-    ) -> Result<bool, JsValue> {
-        Ok(self.0.take_in(round, number, from_js(outcome)?))
+    pub fn take_in(&mut self, round: u32, number: usize, work: f64, poor: bool) -> bool {
+        self.0.take_in(round, number, Outcome { work, poor })
     }
 
     /// As [`Session::begin_pane`].
-    ///
-    /// # Errors
-    /// Throws if `pane` is not of [`Playground::hand_out`].
+    /// The numbers are those of [`Playground::hand_out`], which are not passed as an object, because its reader takes
+    /// thousands of bytes.
     #[wasm_bindgen(js_name = beginPane)]
-    pub fn begin_pane(
-        &mut self,
-        #[wasm_bindgen(unchecked_param_type = "SharedPane")] pane: JsValue,
-    ) -> Result<(), JsValue> {
-        self.0.begin_pane(from_js(pane)?);
-        Ok(())
+    pub fn begin_pane(&mut self, x: u32, y: u32, width: u32, height: u32, budget: f32) {
+        self.0.begin_pane(Pane { x, y, width, height }, budget);
     }
 
     /// As [`Session::step_pane`]: `undefined` until the pane is complete, then its outcome; null if it cannot be made.

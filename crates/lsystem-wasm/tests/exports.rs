@@ -248,19 +248,21 @@ fn a_mate_makes_panes_of_the_picture() {
             if pane.is_null() {
                 break;
             }
-            mate.begin_pane(pane.clone()).unwrap();
+            let [number, x, y, width, height, budget] =
+                ["number", "x", "y", "width", "height", "budget"].map(|key| get(&pane, key).as_f64().unwrap());
+            mate.begin_pane(x as u32, y as u32, width as u32, height as u32, budget as f32);
             let outcome = outcome(&mut mate);
-            let [number, width, height] = ["number", "width", "height"].map(|key| get(&pane, key).as_f64().unwrap());
+            let (work, poor) = (get(&outcome, "work").as_f64().unwrap(), get(&outcome, "poor").is_truthy());
             assert_eq!(f64::from(mate.pane_pixels().length()), 4.0 * width * height);
-            assert!(!own.take_in(round + 1, number as usize, outcome.clone()).unwrap(), "another round");
-            assert!(own.take_in(round, number as usize, outcome).unwrap());
+            assert!(!own.take_in(round + 1, number as usize, work, poor), "another round");
+            assert!(own.take_in(round, number as usize, work, poor));
             made += 1;
         }
     }
     assert!(made > 0 && own.round() == 0);
     // A definition that cannot be drawn has no panes.
     mate.define(object(r#"{"axiom": "F", "rules": "F -> FF : 1\nF -> F : 1", "iterations": 1000}"#)).unwrap();
-    mate.begin_pane(object(r#"{"number": 0, "x": 0, "y": 0, "width": 16, "height": 16, "budget": 0}"#)).unwrap();
+    mate.begin_pane(0, 0, 16, 16, 0.0);
     assert!(outcome(&mut mate).is_null());
 }
 

@@ -58,7 +58,7 @@ fn a_pane_of_a_refused_drawing_is_refused() {
     bench.session.set_mates(1);
     bench.session.define(random(60));
     bench.settle();
-    let pane = crate::SharedPane { number: 0, x: 0, y: 0, width: 16, height: 16, budget: 1.0 };
-    bench.session.begin_pane(pane);
+    let pane = lsystem::render::Pane { x: 0, y: 0, width: 16, height: 16 };
+    bench.session.begin_pane(pane, 1.0);
     assert_eq!(bench.session.step_pane(), crate::PaneStep::Refused);
 }

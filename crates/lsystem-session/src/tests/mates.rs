@@ -39,11 +39,11 @@ fn a_shared_picture_has_the_pixels_of_one_session() {
         let round = own.session.round();
         // The session makes some of the panes itself.
         while let Some(pane) = own.session.hand_out(1) {
-            mate.session.begin_pane(pane);
+            let place = Pane { x: pane.x, y: pane.y, width: pane.width, height: pane.height };
+            mate.session.begin_pane(place, pane.budget);
             let outcome = outcome(&mut mate);
             assert!(!own.session.take_in(round + 1, pane.number, outcome), "another round");
             assert!(own.session.take_in(round, pane.number, outcome));
-            let place = Pane { x: pane.x, y: pane.y, width: pane.width, height: pane.height };
             own.screen.put(mate.session.pane_pixels(), LARGE, place).unwrap();
             made += 1;
         }

@@ -13,6 +13,7 @@ use lsystem_syntax::{Definition, Halt, Problem};
 use maker::{Order, Report, make};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// What the page asks for.
@@ -40,8 +41,9 @@ const fn one() -> f64 {
 }
 
 /// The report on a finished file.
-#[derive(Serialize)]
-struct ExportReport {
+#[derive(Serialize, TS)]
+pub(crate) struct ExportReport {
+    /// Whether the whole file was written: no limit was exceeded, and the definition has no errors.
     complete: bool,
     diagnostics: Vec<Problem>,
 }
