@@ -1,128 +1,142 @@
 // The messages between JavaScript and Rust: written by `cargo xtask tables` from the types in Rust, not by hand.
 
 /**
- * The properties of a definition and its problems. Counts are exact decimal strings, null while unknown.
+ * What a student sees of an exercise.
  */
-export type Report = { 
+export type AboutExercise = { title: string, task: string, hints: Array<string>, asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, 
 /**
- * Whether the definition has no errors.
+ * Whether some rules count that the student does not see.
  */
-ok: boolean, 
+hidesRules: boolean, asksForRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, 
 /**
- * All errors and warnings, also about limits.
+ * The beginning of the string to derive, if the string is asked for.
  */
-diagnostics: Array<Problem>, 
+text: string | null, 
 /**
- * As [`lsystem::drawing::kind`].
+ * The system with which the student starts.
  */
-kind: string, 
+start: import('./tables.js').Definition, 
 /**
- * Whether the drawing depends on the seed.
+ * The system without anything that the student found, and the fields, besides the rules, that the student has to
+ * find. With them and the student's rules before the others, the system is whole.
  */
-stochastic: boolean, 
-/**
- * Whether the drawing leaves the plane.
- */
-space: boolean, 
-/**
- * Whether the drawing shares its blocks.
- */
-memoised: boolean | null, 
-/**
- * The number of symbols of the generation.
- */
-symbols: string | null, 
-/**
- * The number of segments of the drawing.
- */
-segments: string | null, 
-/**
- * The number of blocks of the drawing.
- */
-blocks: number | null, 
-/**
- * The largest number of iterations within the limits, if the drawing exceeds a limit.
- */
-largest: number | null, 
-/**
- * The symbols in use.
- */
-legend: Array<Legend>, 
-/**
- * The reason why nothing is drawn.
- */
-empty: string | null, 
-/**
- * The picture's text alternative.
- */
-description: string, };
+fixed: import('./tables.js').Definition, free: (keyof import('./tables.js').Definition)[], };
 
 /**
- * A symbol in use and its actions.
+ * One link of the chain from the axiom to a symbol.
  */
-export type Legend = { 
+export type AncestryLink = { 
 /**
- * The symbol, with the names of its parameters.
+ * The generation of the symbol.
+ */
+generation: number, 
+/**
+ * The symbol, with its arguments in parentheses, if any.
  */
 symbol: string, 
 /**
- * The turtle's actions, in words.
+ * The position of the symbol in its generation.
  */
-actions: string, 
+index: string, 
 /**
- * Whether a production replaces the symbol.
+ * The production that made the symbol; null if the symbol was copied or stands in the axiom.
  */
-rewritten: boolean, };
+production: number | null, 
+/**
+ * The position in the successor, or in the axiom.
+ */
+position: number, };
 
 /**
- * A diagnostic in words, with its place in UTF-16 units.
+ * What must be the same.
  */
-export type Problem = { 
+export type Asks = "picture" | "text" | "segments" | "statistics";
+
 /**
- * `axiom`, `rules`, `overrides`, `file` or `numbers`.
+ * A system that was found, or that comes close.
  */
-field: 'axiom' | 'rules' | 'overrides' | 'file' | 'numbers', 
+export type Candidate = { definition: import('./tables.js').Definition, 
 /**
- * `error` or `warning`.
+ * The symbols of its rules, with their predecessors.
  */
-severity: 'error' | 'warning', 
+symbols: number, 
 /**
- * The problem, in a sentence.
+ * From 0 to 1.
  */
-message: string, 
+agreement: number, isFound: boolean, };
+
 /**
- * A possible remedy.
+ * The result of a comparison.
  */
-hint: string | null, 
+export type CheckReport = { isRight: boolean, 
 /**
- * The text that is probably meant in place of the problem's; empty where that is to be removed.
+ * The result in words: a sentence, and lines that show the difference.
  */
-fix: string | null, 
+words: string, 
 /**
- * The start of the place in the field.
+ * The place of the first symbol that differs, or that draws the first segment that differs: decimal digits.
+ */
+symbol: string | null, };
+
+/**
+ * A named constant and the place of its value in the rules, in UTF-16 units.
+ */
+export type ConstantSpan = { 
+/**
+ * The name.
+ */
+name: string, 
+/**
+ * Null if the value is not valid.
+ */
+value: number | null, 
+/**
+ * The start of the value's text.
  */
 start: number, 
 /**
- * The end of the place in the field.
+ * The end of the value's text.
  */
-end: number, };
+end: number, 
+/**
+ * Whether the value is one number, so that another number may replace it.
+ */
+number: boolean, };
 
 /**
- * The answer of [`Session::step`].
+ * A number of any size.
  */
-export type StepAnswer = { 
+export type Count = { 
 /**
- * Null if nothing more is known than before.
+ * Exact, in decimal digits; with chance, the expected value, rounded.
  */
-report: Report | null, 
+digits: string, 
 /**
- * Null if the canvas shows the same as before.
+ * The logarithm to base 10, for plots; null for 0.
  */
-drawn: Drawn | null, 
+log10: number | null, };
+
 /**
- * Whether nothing is left to do.
+ * The descendants of a symbol in a later generation, as half-open ranges.
  */
-idle: boolean, };
+export type Descendants = { 
+/**
+ * The positions of the symbols.
+ */
+symbols: [string, string], 
+/**
+ * The numbers of the segments.
+ */
+segments: [string, string], 
+/**
+ * In the plane the corners of a convex outline of the segments; in space the ends of a single segment.
+ */
+outline: Array<Array<number>>, };
+
+/**
+ * A heading.
+ */
+export type Direction = number | [number, number, number];
 
 /**
  * The picture on the canvas.
@@ -156,310 +170,6 @@ only: Only | null,
  * The turtle after the last shown segment; null if all segments are shown.
  */
 pose: Pose | null, };
-
-/**
- * The one thing in a picture of a single colour.
- */
-export type Only = "background" | "ink";
-
-/**
- * The turtle after the shown segments.
- */
-export type Pose = { 
-/**
- * Its place, in model units.
- */
-at: Array<number>, 
-/**
- * Its place.
- */
-fitted: Array<number>, 
-/**
- * Its heading.
- */
-heading: Direction, 
-/**
- * The branch level.
- */
-level: number, };
-
-/**
- * A heading.
- */
-export type Direction = number | [number, number, number];
-
-/**
- * A page of a generation's string.
- */
-export type StringPage = { 
-/**
- * The number of symbols of the generation; null if the number is not known.
- */
-length: string | null, 
-/**
- * The symbols of the page; null if the generation is too long to derive.
- */
-text: string | null, 
-/**
- * Whether each symbol ends with a line end, because some have arguments or names in backquotes.
- */
-apart: boolean, };
-
-/**
- * A symbol's ancestors, and its descendants in the shown generation.
- */
-export type SymbolFacts = { 
-/**
- * The chain from the axiom; empty if the derivation is too long to be remembered.
- */
-ancestry: Array<AncestryLink>, 
-/**
- * Null if the derivation is too long to be remembered.
- */
-part: Descendants | null, 
-/**
- * The first segment of the part.
- */
-stroke: SegmentFacts | null, };
-
-/**
- * The descendants of a symbol in a later generation, as half-open ranges.
- */
-export type Descendants = { 
-/**
- * The positions of the symbols.
- */
-symbols: [string, string], 
-/**
- * The numbers of the segments.
- */
-segments: [string, string], 
-/**
- * In the plane the corners of a convex outline of the segments; in space the ends of a single segment.
- */
-outline: Array<Array<number>>, };
-
-/**
- * One link of the chain from the axiom to a symbol.
- */
-export type AncestryLink = { 
-/**
- * The generation of the symbol.
- */
-generation: number, 
-/**
- * The symbol, with its arguments in parentheses, if any.
- */
-symbol: string, 
-/**
- * The position of the symbol in its generation.
- */
-index: string, 
-/**
- * The production that made the symbol; null if the symbol was copied or stands in the axiom.
- */
-production: number | null, 
-/**
- * The position in the successor, or in the axiom.
- */
-position: number, };
-
-/**
- * A segment, and the turtle there.
- */
-export type SegmentFacts = { 
-/**
- * The start, in model units.
- */
-from: Array<number>, 
-/**
- * The end, in model units.
- */
-to: Array<number>, 
-/**
- * The start.
- */
-fittedFrom: Array<number>, 
-/**
- * The end.
- */
-fittedTo: Array<number>, 
-/**
- * The direction from start to end.
- */
-heading: Direction, 
-/**
- * The branch level.
- */
-level: number, 
-/**
- * The colour index, not wrapped to the palette.
- */
-colour: number, };
-
-/**
- * The mark under the pointer; all null or empty if there is none.
- */
-export type Picked = { 
-/**
- * The number of the segment, if the mark is a segment.
- */
-segment: string | null, 
-/**
- * The number of the polygon, if the mark is a polygon.
- */
-polygon: string | null, 
-/**
- * The position of the symbol that draws the segment or opens the polygon; null if the generation cannot be read.
- */
-symbol: string | null, 
-/**
- * The chain from the axiom to the symbol.
- */
-ancestry: Array<AncestryLink>, 
-/**
- * The segment.
- */
-stroke: SegmentFacts | null, 
-/**
- * The polygon.
- */
-filled: PolygonFacts | null, };
-
-/**
- * A polygon.
- */
-export type PolygonFacts = { 
-/**
- * The vertices.
- */
-outline: Array<Array<number>>, 
-/**
- * The branch level.
- */
-level: number, 
-/**
- * The colour index, not wrapped to the palette.
- */
-colour: number, };
-
-/**
- * The texts as class letters ([`lsystem::syntax::Class`]), one for each UTF-16 unit, and the constants.
- */
-export type Notation = { 
-/**
- * The classes of the axiom.
- */
-axiom: string, 
-/**
- * The classes of the rules.
- */
-rules: string, 
-/**
- * The classes of the custom symbols.
- */
-overrides: string, 
-/**
- * The named constants of the rules.
- */
-constants: Array<ConstantSpan>, };
-
-/**
- * A named constant and the place of its value in the rules, in UTF-16 units.
- */
-export type ConstantSpan = { 
-/**
- * The name.
- */
-name: string, 
-/**
- * Null if the value is not valid.
- */
-value: number | null, 
-/**
- * The start of the value's text.
- */
-start: number, 
-/**
- * The end of the value's text.
- */
-end: number, 
-/**
- * Whether the value is one number, so that another number may replace it.
- */
-number: boolean, };
-
-/**
- * The place of a written module.
- */
-export type Site = { 
-/**
- * The number of the production (0-based); null for a module of the axiom.
- */
-production: number | null, 
-/**
- * The symbol that the production replaces; null for a module of the axiom.
- */
-predecessor: string | null, 
-/**
- * The number of the module in the successor or in the axiom (0-based).
- */
-position: number, };
-
-/**
- * The contents of a file.
- */
-export type FileRead = { 
-/**
- * Null if the file cannot be used.
- */
-definition: import('./tables.js').Definition | null, 
-/**
- * The problems of the file and of its definition.
- */
-diagnostics: Array<Problem>, };
-
-/**
- * A rectangle of the picture, in pixels of the canvas from the upper left corner, for a mate.
- */
-export type SharedPane = { 
-/**
- * The number of the pane in its round.
- */
-number: number, 
-/**
- * The left side.
- */
-x: number, 
-/**
- * The upper side.
- */
-y: number, 
-/**
- * The width.
- */
-width: number, 
-/**
- * The height.
- */
-height: number, 
-/**
- * The most work that may be spent on the pane.
- */
-budget: number, };
-
-/**
- * The work spent on a pane.
- */
-export type Outcome = { 
-/**
- * The units of work.
- */
-work: number, 
-/**
- * Whether the pane left out detail, because its budget was too small.
- */
-poor: boolean, };
 
 /**
  * An exercise.
@@ -524,9 +234,57 @@ tolerance: number | null,
 showsAnswer: boolean, };
 
 /**
- * What a student sees of a part of the target.
+ * The report on a finished file.
  */
-export type Given = "shown" | "free" | "hidden";
+export type ExportReport = { 
+/**
+ * Whether the whole file was written: no limit was exceeded, and the definition has no errors.
+ */
+complete: boolean, diagnostics: Array<Problem>, };
+
+/**
+ * A symbol with what it becomes.
+ */
+export type Family = { 
+/**
+ * The symbol, with its arguments.
+ */
+parent: string, 
+/**
+ * What it becomes, symbol by symbol.
+ */
+children: Array<string>, 
+/**
+ * How many symbols are not listed.
+ */
+more: string, 
+/**
+ * The place of the first of them in the next generation, 0-based.
+ */
+first: string, };
+
+/**
+ * The contents of a file.
+ */
+export type FileRead = { 
+/**
+ * Null if the file cannot be used.
+ */
+definition: import('./tables.js').Definition | null, 
+/**
+ * The problems of the file and of its definition.
+ */
+diagnostics: Array<Problem>, };
+
+/**
+ * What is known of a system; what is missing or null is to be found out.
+ */
+export type FindQuestion = { axiom: string | null, angle: number | null, heading: number | null, n: number | null, draws: string | null, };
+
+/**
+ * What a search found so far.
+ */
+export type FindReport = { candidates: Array<Candidate>, searched: string, };
 
 /**
  * The values with which a student starts, where they are free.
@@ -550,63 +308,46 @@ angle: number,
 n: number, };
 
 /**
- * What must be the same.
+ * One generation.
  */
-export type Asks = "picture" | "text" | "segments" | "statistics";
+export type Generation = { 
+/**
+ * The number of steps.
+ */
+n: number, 
+/**
+ * All symbols.
+ */
+symbols: Count, 
+/**
+ * All segments.
+ */
+segments: Count, 
+/**
+ * Each listed letter.
+ */
+letters: Array<Count>, 
+/**
+ * With chance, the standard deviation of the number of segments.
+ */
+spread: number | null, 
+/**
+ * The width and height of the drawing in the plane, in model units; null where it is too large.
+ */
+size: [number, number] | null, 
+/**
+ * The length of all segments, in model units; null where lengths change on the way.
+ */
+length: number | null, 
+/**
+ * Without branches, the turning of the whole way in the plane: degrees counter-clockwise, from 0 up to 360.
+ */
+turning: number | null, };
 
 /**
- * What a student sees of an exercise.
+ * What a student sees of a part of the target.
  */
-export type AboutExercise = { title: string, task: string, hints: Array<string>, asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, 
-/**
- * Whether some rules count that the student does not see.
- */
-hidesRules: boolean, asksForRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, 
-/**
- * The beginning of the string to derive, if the string is asked for.
- */
-text: string | null, 
-/**
- * The system with which the student starts.
- */
-start: import('./tables.js').Definition, 
-/**
- * The system without anything that the student found, and the fields, besides the rules, that the student has to
- * find. With them and the student's rules before the others, the system is whole.
- */
-fixed: import('./tables.js').Definition, free: (keyof import('./tables.js').Definition)[], };
-
-/**
- * A mark, as the page shows it.
- */
-export type MarkReport = { isSolved: boolean, agreement: number, percent: string, isSame: boolean | null, symbols: number, words: string, 
-/**
- * The beginning of the answer's string, if the string is asked for and nothing that makes it is hidden.
- */
-text: string | null, 
-/**
- * The errors of the answer.
- */
-errors: Array<string>, };
-
-/**
- * The result of a comparison.
- */
-export type CheckReport = { isRight: boolean, 
-/**
- * The result in words: a sentence, and lines that show the difference.
- */
-words: string, 
-/**
- * The place of the first symbol that differs, or that draws the first segment that differs: decimal digits.
- */
-symbol: string | null, };
-
-export type GrowthReport = { 
-/**
- * The growth, or why it is not known.
- */
-growth: Growth | null, why: string, csv: string, latex: string, shown: number, };
+export type Given = "shown" | "free" | "hidden";
 
 /**
  * How a system grows.
@@ -654,6 +395,327 @@ table: Array<Generation>,
 sentences: Array<string>, };
 
 /**
+ * How a number grows in the long run.
+ */
+export type GrowthKind = "dying" | "bounded" | "polynomial" | "exponential";
+
+export type GrowthReport = { 
+/**
+ * The growth, or why it is not known.
+ */
+growth: Growth | null, why: string, csv: string, latex: string, shown: number, };
+
+/**
+ * One of these systems.
+ */
+export type ImportEntry = { name: string, 
+/**
+ * Null if the system cannot be opened.
+ */
+definition: import('./tables.js').Definition | null, remarks: Array<ImportRemark>, };
+
+/**
+ * What was not carried over, by line of the text, 1-based.
+ */
+export type ImportRemark = { line: number, text: string, message: string, };
+
+/**
+ * Systems in the notation of another program or of a paper.
+ */
+export type ImportReport = { notation: string, entries: Array<ImportEntry>, };
+
+/**
+ * A key.
+ */
+export type KeyObject = { time: number, value: Array<number>, easing: string, };
+
+/**
+ * A symbol in use and its actions.
+ */
+export type Legend = { 
+/**
+ * The symbol, with the names of its parameters.
+ */
+symbol: string, 
+/**
+ * The turtle's actions, in words.
+ */
+actions: string, 
+/**
+ * Whether a production replaces the symbol.
+ */
+rewritten: boolean, };
+
+/**
+ * A mark, as the page shows it.
+ */
+export type MarkReport = { isSolved: boolean, agreement: number, percent: string, isSame: boolean | null, symbols: number, words: string, 
+/**
+ * The beginning of the answer's string, if the string is asked for and nothing that makes it is hidden.
+ */
+text: string | null, 
+/**
+ * The errors of the answer.
+ */
+errors: Array<string>, };
+
+/**
+ * The texts as class letters ([`lsystem::syntax::Class`]), one for each UTF-16 unit, and the constants.
+ */
+export type Notation = { 
+/**
+ * The classes of the axiom.
+ */
+axiom: string, 
+/**
+ * The classes of the rules.
+ */
+rules: string, 
+/**
+ * The classes of the custom symbols.
+ */
+overrides: string, 
+/**
+ * The named constants of the rules.
+ */
+constants: Array<ConstantSpan>, };
+
+/**
+ * The one thing in a picture of a single colour.
+ */
+export type Only = "background" | "ink";
+
+/**
+ * The work spent on a pane.
+ */
+export type Outcome = { 
+/**
+ * The units of work.
+ */
+work: number, 
+/**
+ * Whether the pane left out detail, because its budget was too small.
+ */
+poor: boolean, };
+
+/**
+ * The mark under the pointer; all null or empty if there is none.
+ */
+export type Picked = { 
+/**
+ * The number of the segment, if the mark is a segment.
+ */
+segment: string | null, 
+/**
+ * The number of the polygon, if the mark is a polygon.
+ */
+polygon: string | null, 
+/**
+ * The position of the symbol that draws the segment or opens the polygon; null if the generation cannot be read.
+ */
+symbol: string | null, 
+/**
+ * The chain from the axiom to the symbol.
+ */
+ancestry: Array<AncestryLink>, 
+/**
+ * The segment.
+ */
+stroke: SegmentFacts | null, 
+/**
+ * The polygon.
+ */
+filled: PolygonFacts | null, };
+
+/**
+ * A polygon.
+ */
+export type PolygonFacts = { 
+/**
+ * The vertices.
+ */
+outline: Array<Array<number>>, 
+/**
+ * The branch level.
+ */
+level: number, 
+/**
+ * The colour index, not wrapped to the palette.
+ */
+colour: number, };
+
+/**
+ * The turtle after the shown segments.
+ */
+export type Pose = { 
+/**
+ * Its place, in model units.
+ */
+at: Array<number>, 
+/**
+ * Its place.
+ */
+fitted: Array<number>, 
+/**
+ * Its heading.
+ */
+heading: Direction, 
+/**
+ * The branch level.
+ */
+level: number, };
+
+/**
+ * A preset, as the page asks for it.
+ */
+export type PresetObject = { "kind": "growth", n: number, } | { "kind": "turtle" } | { "kind": "turntable", azimuth: number, } | { "kind": "dive", place: Array<number>, space: boolean, };
+
+/**
+ * A diagnostic in words, with its place in UTF-16 units.
+ */
+export type Problem = { 
+/**
+ * `axiom`, `rules`, `overrides`, `file` or `numbers`.
+ */
+field: 'axiom' | 'rules' | 'overrides' | 'file' | 'numbers', 
+/**
+ * `error` or `warning`.
+ */
+severity: 'error' | 'warning', 
+/**
+ * The problem, in a sentence.
+ */
+message: string, 
+/**
+ * A possible remedy.
+ */
+hint: string | null, 
+/**
+ * The text that is probably meant in place of the problem's; empty where that is to be removed.
+ */
+fix: string | null, 
+/**
+ * The start of the place in the field.
+ */
+start: number, 
+/**
+ * The end of the place in the field.
+ */
+end: number, };
+
+/**
+ * The properties of a definition and its problems. Counts are exact decimal strings, null while unknown.
+ */
+export type Report = { 
+/**
+ * Whether the definition has no errors.
+ */
+ok: boolean, 
+/**
+ * All errors and warnings, also about limits.
+ */
+diagnostics: Array<Problem>, 
+/**
+ * As [`lsystem::drawing::kind`].
+ */
+kind: string, 
+/**
+ * Whether the drawing depends on the seed.
+ */
+stochastic: boolean, 
+/**
+ * Whether the drawing leaves the plane.
+ */
+space: boolean, 
+/**
+ * Whether the drawing shares its blocks.
+ */
+memoised: boolean | null, 
+/**
+ * The number of symbols of the generation.
+ */
+symbols: string | null, 
+/**
+ * The number of segments of the drawing.
+ */
+segments: string | null, 
+/**
+ * The number of blocks of the drawing.
+ */
+blocks: number | null, 
+/**
+ * The largest number of iterations within the limits, if the drawing exceeds a limit.
+ */
+largest: number | null, 
+/**
+ * The symbols in use.
+ */
+legend: Array<Legend>, 
+/**
+ * The reason why nothing is drawn.
+ */
+empty: string | null, 
+/**
+ * The picture's text alternative.
+ */
+description: string, };
+
+/**
+ * Some symbols of a generation, with what they become in the next one.
+ */
+export type Rows = { 
+/**
+ * The symbols.
+ */
+families: Array<Family>, 
+/**
+ * The place of the first of them, 0-based.
+ */
+start: string, 
+/**
+ * The numbers of symbols of this generation and of the next one.
+ */
+lengths: [string, string], };
+
+/**
+ * A script, as the page edits it.
+ */
+export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, frames: number, tracks: Array<TrackObject>, };
+
+/**
+ * A segment, and the turtle there.
+ */
+export type SegmentFacts = { 
+/**
+ * The start, in model units.
+ */
+from: Array<number>, 
+/**
+ * The end, in model units.
+ */
+to: Array<number>, 
+/**
+ * The start.
+ */
+fittedFrom: Array<number>, 
+/**
+ * The end.
+ */
+fittedTo: Array<number>, 
+/**
+ * The direction from start to end.
+ */
+heading: Direction, 
+/**
+ * The branch level.
+ */
+level: number, 
+/**
+ * The colour index, not wrapped to the palette.
+ */
+colour: number, };
+
+/**
  * The growth of the symbols or of the segments.
  */
 export type Series = { 
@@ -691,97 +753,33 @@ closed: string | null,
 closedFrom: number, };
 
 /**
- * How a number grows in the long run.
+ * A rectangle of the picture, in pixels of the canvas from the upper left corner, for a mate.
  */
-export type GrowthKind = "dying" | "bounded" | "polynomial" | "exponential";
-
+export type SharedPane = { 
 /**
- * One generation.
+ * The number of the pane in its round.
  */
-export type Generation = { 
+number: number, 
 /**
- * The number of steps.
+ * The left side.
  */
-n: number, 
+x: number, 
 /**
- * All symbols.
+ * The upper side.
  */
-symbols: Count, 
+y: number, 
 /**
- * All segments.
+ * The width.
  */
-segments: Count, 
+width: number, 
 /**
- * Each listed letter.
+ * The height.
  */
-letters: Array<Count>, 
+height: number, 
 /**
- * With chance, the standard deviation of the number of segments.
+ * The most work that may be spent on the pane.
  */
-spread: number | null, 
-/**
- * The width and height of the drawing in the plane, in model units; null where it is too large.
- */
-size: [number, number] | null, 
-/**
- * The length of all segments, in model units; null where lengths change on the way.
- */
-length: number | null, 
-/**
- * Without branches, the turning of the whole way in the plane: degrees counter-clockwise, from 0 up to 360.
- */
-turning: number | null, };
-
-/**
- * A number of any size.
- */
-export type Count = { 
-/**
- * Exact, in decimal digits; with chance, the expected value, rounded.
- */
-digits: string, 
-/**
- * The logarithm to base 10, for plots; null for 0.
- */
-log10: number | null, };
-
-/**
- * Some symbols of a generation, with what they become in the next one.
- */
-export type Rows = { 
-/**
- * The symbols.
- */
-families: Array<Family>, 
-/**
- * The place of the first of them, 0-based.
- */
-start: string, 
-/**
- * The numbers of symbols of this generation and of the next one.
- */
-lengths: [string, string], };
-
-/**
- * A symbol with what it becomes.
- */
-export type Family = { 
-/**
- * The symbol, with its arguments.
- */
-parent: string, 
-/**
- * What it becomes, symbol by symbol.
- */
-children: Array<string>, 
-/**
- * How many symbols are not listed.
- */
-more: string, 
-/**
- * The place of the first of them in the next generation, 0-based.
- */
-first: string, };
+budget: number, };
 
 /**
  * A string, and the place where the step to it replaced a symbol.
@@ -799,6 +797,87 @@ length: number,
  * Where the symbols are that replaced one: the place of the first, and their number. `None` for the axiom.
  */
 made: [number, number] | null, };
+
+/**
+ * The place of a written module.
+ */
+export type Site = { 
+/**
+ * The number of the production (0-based); null for a module of the axiom.
+ */
+production: number | null, 
+/**
+ * The symbol that the production replaces; null for a module of the axiom.
+ */
+predecessor: string | null, 
+/**
+ * The number of the module in the successor or in the axiom (0-based).
+ */
+position: number, };
+
+/**
+ * The answer of [`Session::step`].
+ */
+export type StepAnswer = { 
+/**
+ * Null if nothing more is known than before.
+ */
+report: Report | null, 
+/**
+ * Null if the canvas shows the same as before.
+ */
+drawn: Drawn | null, 
+/**
+ * Whether nothing is left to do.
+ */
+idle: boolean, };
+
+/**
+ * A page of a generation's string.
+ */
+export type StringPage = { 
+/**
+ * The number of symbols of the generation; null if the number is not known.
+ */
+length: string | null, 
+/**
+ * The symbols of the page; null if the generation is too long to derive.
+ */
+text: string | null, 
+/**
+ * Whether each symbol ends with a line end, because some have arguments or names in backquotes.
+ */
+apart: boolean, };
+
+/**
+ * A number of a system that a track can change.
+ */
+export type SubjectObject = { name: string, label: string, 
+/**
+ * The present value; null if there is none.
+ */
+value: Array<number> | null, 
+/**
+ * The range in words.
+ */
+expected: string, };
+
+/**
+ * A symbol's ancestors, and its descendants in the shown generation.
+ */
+export type SymbolFacts = { 
+/**
+ * The chain from the axiom; empty if the derivation is too long to be remembered.
+ */
+ancestry: Array<AncestryLink>, 
+/**
+ * Null if the derivation is too long to be remembered.
+ */
+part: Descendants | null, 
+/**
+ * The first segment of the part.
+ */
+stroke: SegmentFacts | null, };
 
 /**
  * The turtle's way through the beginning of a string.
@@ -820,6 +899,11 @@ isSolid: boolean,
  * The symbols in use, with their parameters, and what they do in words.
  */
 legend: Array<[string, string]>, };
+
+/**
+ * A track.
+ */
+export type TrackObject = { subject: string, keys: Array<KeyObject>, };
 
 /**
  * The turtle's state after a symbol.
@@ -849,87 +933,3 @@ stored: Array<[number, number, number]>,
  * The ends of the segment that the symbol draws.
  */
 segment: [[number, number, number], [number, number, number]] | null, };
-
-/**
- * The report on a finished file.
- */
-export type ExportReport = { 
-/**
- * Whether the whole file was written: no limit was exceeded, and the definition has no errors.
- */
-complete: boolean, diagnostics: Array<Problem>, };
-
-/**
- * Systems in the notation of another program or of a paper.
- */
-export type ImportReport = { notation: string, entries: Array<ImportEntry>, };
-
-/**
- * One of these systems.
- */
-export type ImportEntry = { name: string, 
-/**
- * Null if the system cannot be opened.
- */
-definition: import('./tables.js').Definition | null, remarks: Array<ImportRemark>, };
-
-/**
- * What was not carried over, by line of the text, 1-based.
- */
-export type ImportRemark = { line: number, text: string, message: string, };
-
-/**
- * What is known of a system; what is missing or null is to be found out.
- */
-export type FindQuestion = { axiom: string | null, angle: number | null, heading: number | null, n: number | null, draws: string | null, };
-
-/**
- * What a search found so far.
- */
-export type FindReport = { candidates: Array<Candidate>, searched: string, };
-
-/**
- * A system that was found, or that comes close.
- */
-export type Candidate = { definition: import('./tables.js').Definition, 
-/**
- * The symbols of its rules, with their predecessors.
- */
-symbols: number, 
-/**
- * From 0 to 1.
- */
-agreement: number, isFound: boolean, };
-
-/**
- * A script, as the page edits it.
- */
-export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, frames: number, tracks: Array<TrackObject>, };
-
-/**
- * A track.
- */
-export type TrackObject = { subject: string, keys: Array<KeyObject>, };
-
-/**
- * A key.
- */
-export type KeyObject = { time: number, value: Array<number>, easing: string, };
-
-/**
- * A number of a system that a track can change.
- */
-export type SubjectObject = { name: string, label: string, 
-/**
- * The present value; null if there is none.
- */
-value: Array<number> | null, 
-/**
- * The range in words.
- */
-expected: string, };
-
-/**
- * A preset, as the page asks for it.
- */
-export type PresetObject = { "kind": "growth", n: number, } | { "kind": "turtle" } | { "kind": "turntable", azimuth: number, } | { "kind": "dive", place: Array<number>, space: boolean, };

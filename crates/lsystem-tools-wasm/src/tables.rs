@@ -15,7 +15,7 @@ use lsystem_course::steps::{Rows, Single, Trace};
 use lsystem_session::{
     FileRead, Notation, Outcome, Picked, Report, SharedPane, Site, StepAnswer, StringPage, SymbolFacts,
 };
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
 
 const HEAD: &str = "// The messages between JavaScript and Rust: written by `cargo xtask tables` from the types in Rust, not by hand.\n";
@@ -23,18 +23,19 @@ const HEAD: &str = "// The messages between JavaScript and Rust: written by `car
 /// Declarations of types, and of the types of their members.
 struct Declarations {
     config: Config,
-    names: BTreeSet<String>,
-    text: String,
+    /// By name: the library visits members in another order after each compilation.
+    texts: BTreeMap<String, String>,
 }
 
 impl TypeVisitor for Declarations {
     fn visit<T: TS + 'static + ?Sized>(&mut self) {
         // Types without a place for a file are those of JavaScript itself.
-        if T::output_path().is_none() || !self.names.insert(T::ident(&self.config)) {
+        let name = T::ident(&self.config);
+        if T::output_path().is_none() || self.texts.contains_key(&name) {
             return;
         }
         let docs = T::docs().unwrap_or_default();
-        self.text += &format!("\n{docs}export {}\n", T::decl(&self.config));
+        self.texts.insert(name, format!("\n{docs}export {}\n", T::decl(&self.config)));
         T::visit_dependencies(self);
     }
 }
@@ -42,14 +43,14 @@ impl TypeVisitor for Declarations {
 fn declarations() -> String {
     // Counts that may exceed the integers of JavaScript are texts.
     let config = Config::new().with_large_int("number");
-    let mut all = Declarations { config, names: BTreeSet::new(), text: HEAD.to_owned() };
+    let mut all = Declarations { config, texts: BTreeMap::new() };
     macro_rules! visit {
         ($($name:ty),* $(,)?) => { $(all.visit::<$name>();)* };
     }
     visit!(Report, StepAnswer<'static>, StringPage, SymbolFacts, Picked, Notation, Site, FileRead, SharedPane, Outcome);
     visit!(Exercise, AboutExercise<'static>, MarkReport, CheckReport, GrowthReport, Rows, Single, Trace);
     visit!(ExportReport, ImportReport, FindQuestion, FindReport, ScriptObject, SubjectObject, PresetObject);
-    all.text
+    all.texts.into_values().fold(HEAD.to_owned(), |file, text| file + &text)
 }
 
 #[test]
