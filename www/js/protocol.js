@@ -1,6 +1,7 @@
 /**
- * The messages between the page and its workers, as types that both sides import. Nothing runs here. docs/worker.md
- * tells when messages are sent and which ones supersede others.
+ * The messages between the page and its workers, as types that both sides import. Nothing runs here. Contents that Rust
+ * reads or makes have the types of messages.d.ts, which is written from Rust. docs/worker.md tells when messages are sent
+ * and which ones supersede others.
  *
  * Counts and positions in strings and drawings may exceed the integers that a number holds exactly. They are big
  * integers on the way to the worker and decimal digits on the way back, counted from 0. Places on the drawing (`Place`)
@@ -15,71 +16,27 @@ export {};
 
 // Contents of messages.
 
-/** @typedef {'axiom' | 'rules' | 'overrides' | 'file' | 'numbers'} Field */
-
-/**
- * @typedef {object} Diagnostic
- * @property {Field} field
- * @property {'warning' | 'error'} severity
- * @property {string} message
- * @property {string | null} hint
- * @property {string | null} fix the text that is probably meant in place of the problem's; empty where that is to be removed
- * @property {number} start UTF-16 offset into the field
- * @property {number} end
- */
-
-/**
- * The properties of a definition, or its problems.
- * @typedef {object} Report
- * @property {boolean} ok when false, the last good drawing stays
- * @property {Diagnostic[]} diagnostics
- * @property {string} kind `deterministic`, or a comma-separated list of `stochastic`, `context-sensitive` and `parametric`
- * @property {boolean} stochastic
- * @property {boolean} space whether the drawing leaves the plane
- * @property {boolean | null} memoised whether the drawing shares its blocks; null while unknown
- * @property {string | null} symbols exact decimal digits; null while unknown
- * @property {string | null} segments exact decimal digits; null while unknown
- * @property {number | null} blocks the number of blocks of the drawing; null while unknown
- * @property {number | null} largest the most iterations within the limits, if a limit was exceeded
- * @property {{symbol: string, actions: string, rewritten: boolean}[]} legend
- * @property {string | null} empty why the drawing is empty
- * @property {string} description the text alternative of the picture
- */
+/** @typedef {import('./messages.js').Problem} Diagnostic */
+/** @typedef {Diagnostic['field']} Field */
+/** The properties of a definition, or its problems; if not `ok`, the last good drawing stays. @typedef {import('./messages.js').Report} Report */
 
 /** Width and height in device pixels; `ratio` is device pixels per CSS pixel. @typedef {{width: number, height: number, ratio: number}} Canvas */
-/**
- * In the plane: x to the right, y upwards, and the rounding remainders of both. In space: x, y and z of the model.
- * @typedef {number[]} Place
- */
-/** In the plane: degrees counter-clockwise from the right. In space: a vector. @typedef {number | number[]} Heading */
-
-/** The turtle's pose after the shown segments; `at` in model units. @typedef {{at: number[], fitted: Place, heading: Heading, level: number}} Pose */
-/** A segment; `from` and `to` in model units. @typedef {{from: number[], to: number[], fittedFrom: Place, fittedTo: Place, heading: Heading, level: number, colour: number}} SegmentFacts */
-/** A polygon. @typedef {{outline: Place[], level: number, colour: number}} PolygonFacts */
-/**
- * One link of the chain from the axiom to a symbol. `symbol` includes its arguments in parentheses; `index` is in
- * decimal digits; `position` is the place in the successor (or in the axiom); `production` is the number of a
- * production, or null if the symbol was copied or stands in the axiom. All numbers count from 0.
- * @typedef {{generation: number, symbol: string, index: string, production: number | null, position: number}} AncestryLink
- */
-/** The symbols and segments derived from a symbol, as half-open ranges. `outline` surrounds a polygon, a single segment, or in the plane all of them. @typedef {{symbols: [string, string], segments: [string, string], outline: Place[]}} Descendants */
-/** A page of a generation's string, and the length of the generation; both null if the generation is too long to derive. `apart`: each symbol ends with a line end, because symbols may have arguments. @typedef {{length: string | null, text: string | null, apart: boolean}} StringPage */
-/** `ancestry` is empty and `part` is null if the derivation is too long to be remembered; `stroke` is the first segment of the part. @typedef {{ancestry: AncestryLink[], part: Descendants | null, stroke: SegmentFacts | null}} SymbolFacts */
-/** The number of the nearest segment or polygon, its geometry (`stroke` or `filled`), and the number of the symbol that draws or opens it; all null if nothing is near. @typedef {{segment: string | null, polygon: string | null, symbol: string | null, ancestry: AncestryLink[], stroke: SegmentFacts | null, filled: PolygonFacts | null}} Picked */
+/** In the plane: x to the right, y upwards, and the rounding remainders of both. In space: x, y and z of the model. @typedef {number[]} Place */
+/** @typedef {import('./messages.js').Direction} Heading */
+/** @typedef {import('./messages.js').Pose} Pose */
+/** @typedef {import('./messages.js').SegmentFacts} SegmentFacts */
+/** @typedef {import('./messages.js').PolygonFacts} PolygonFacts */
+/** @typedef {import('./messages.js').AncestryLink} AncestryLink */
+/** @typedef {import('./messages.js').Descendants} Descendants */
+/** @typedef {import('./messages.js').StringPage} StringPage */
+/** @typedef {import('./messages.js').SymbolFacts} SymbolFacts */
+/** @typedef {import('./messages.js').Picked} Picked */
 /** @typedef {{axiom: string, rules: string, overrides: string}} Texts */
-/** `value` is null if invalid. The value's text stands from `start` to `end` in the rules; `number`: the text is a plain number, which another number may replace. @typedef {{name: string, value: number | null, start: number, end: number, number: boolean}} ConstantSpan */
-/**
- * How the syntax of texts is highlighted, valid or not: one class letter (crates/lsystem-wasm/src/notation.rs) for each
- * UTF-16 unit, and the named constants of the rules.
- * @typedef {Texts & {constants: ConstantSpan[]}} Notation
- */
-/** The number of a module in the axiom, or in the successor of a production with this predecessor; numbers count from 0. @typedef {{production: number | null, predecessor: string | null, position: number}} Site */
-/** `text` is the content of a readable text file that has problems. @typedef {{definition: Definition | null, diagnostics: Diagnostic[], text: string | null}} FileRead */
-/**
- * Systems in the notation of another program or of a paper. `definition` is null if a system cannot be opened; a remark
- * tells what was not carried over, by line of the text (counted from 1).
- * @typedef {{notation: string, entries: {name: string, definition: Definition | null, remarks: {line: number, text: string, message: string}[]}[]}} Imported
- */
+/** @typedef {import('./messages.js').ConstantSpan} ConstantSpan */
+/** @typedef {import('./messages.js').Notation} Notation */
+/** @typedef {import('./messages.js').Site} Site */
+/** `text` is the content of a readable text file that has problems. @typedef {import('./messages.js').FileRead & {text: string | null}} FileRead */
+/** @typedef {import('./messages.js').ImportReport} Imported */
 /** A format of exported files. @typedef {keyof typeof import('./late-tables.js').FORMATS} Format */
 
 // Questions and their answers.
@@ -114,13 +71,7 @@ export {};
  */
 
 /** The ids of the definition and view that the worker draws, and of the question that it answers, or 0. @typedef {{type: 'at', define: number, view: number, question: number}} At */
-/**
- * A picture of a definition (`id`) and a view. If not `complete`, the picture is coarse, and finer pictures follow
- * while nothing changes. `scale`: device pixels per fitted extent at zoom 1; `rough`: some lines stay slightly
- * displaced even in the finest picture; `only`: the one thing in a complete picture of a single colour; `slow`: the drawing in space takes long enough for mates to help; `pose`: null
- * if all segments are shown.
- * @typedef {{type: 'drawn', id: number, viewId: number, complete: boolean, scale: number, rough: boolean, slow: boolean, only: 'background' | 'ink' | null, bitmap: ImageBitmap, pose: Pose | null}} Picture
- */
+/** A picture of a definition (`id`) and a view. If not `complete`, finer pictures follow while nothing changes. @typedef {{type: 'drawn', id: number, viewId: number, bitmap: ImageBitmap} & import('./messages.js').Drawn} Picture */
 /** No more pictures follow for a definition and a view. @typedef {{type: 'done', id: number, viewId: number}} Done */
 /**
  * From a worker to the page. `hello`: the script runs and answers pings; `ready`: the wasm is ready too; `report`: sent
@@ -128,13 +79,13 @@ export {};
  * @typedef {{type: 'hello'} | {type: 'ready'} | {type: 'pong'} | At | {type: 'report', id: number, report: Report} | Picture | Done | Answer | {type: 'fatal', message: string}} FromWorker
  */
 
-/** A rectangle of the canvas, in its pixels; `budget` is the most work that may be spent on the pane. @typedef {{number: number, x: number, y: number, width: number, height: number, budget: number}} Pane */
+/** @typedef {import('./messages.js').SharedPane} Pane */
 /** The state that a mate needs for drawing. @typedef {{definition: Definition, view: ViewMessage, upto: bigint | null}} SharedState */
 /**
  * From a worker to its mate: a pane to draw, with the state unless the mate has it. A new `round` cancels former panes.
  * @typedef {{round: number, pane: Pane, state: SharedState | null} | {round: 0, pane: null, state: null}} ToMate
  */
-/** The work spent on a pane, and whether the budget was too small to draw everything (`poor`). @typedef {{work: number, poor: boolean}} Outcome */
+/** @typedef {import('./messages.js').Outcome} Outcome */
 /** A mate's answer to every pane; `made` is null if the pane was cancelled. `memory`: the size of the mate's wasm memory, in bytes. @typedef {{pane: Pane, round: number, memory: number, made: {outcome: Outcome, pixels: Uint8Array<ArrayBuffer>} | null}} FromMate */
 
 // Tools: workers that few visits need, each with a wasm of its own.
@@ -142,41 +93,27 @@ export {};
 /**
  * The call of the tool that makes files; its progress are the pieces of the file. `options`: those of
  * tables.js that differ from their defaults; `camera` is for drawings in space. A file is `complete` unless a limit was exceeded or the definition has errors.
- * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number, upto: bigint | null}, answer: {complete: boolean, diagnostics: Diagnostic[]}}}} ExportCalls
+ * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number, upto: bigint | null}, answer: import('./messages.js').ExportReport}}} ExportCalls
  */
 /** The calls of the tool that reads other notations; null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
-/**
- * An exercise (docs/exercises.md). `rules`: how each line of the target's rules is given.
- * @typedef {'shown' | 'free' | 'hidden'} Given
- * @typedef {keyof typeof import('./late-tables.js').ASKS} Asks
- * @typedef {{title: string, task: string, hints: string[], target: Definition, axiom: Given, angle: Given, n: Given, turtle: Given, rules: Given[], first: {axiom: string, rules: string, angle: number, n: number}, asks: Asks, mostSymbols: number | null, tolerance: number | null, showsAnswer: boolean}} Exercise
- */
-/**
- * What a student sees of an exercise. `text` is the beginning of the string to derive, if that is asked; `fixed` is the system without what the student found; `free` are the fields,
- * besides the rules, that the student has to find.
- * @typedef {{title: string, task: string, hints: string[], asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, hidesRules: boolean, asksForRules: boolean, shownRules: string, mostSymbols: number | null, tolerance: number | null, text: string | null, start: Definition, fixed: Definition, free: (keyof Definition)[]}} AboutExercise
- */
-/** A count: exact digits, and the logarithm to base 10 or null for 0. @typedef {{digits: string, log10: number | null}} Count */
-/**
- * How the generations of a system grow. `matrix`: how many of each letter (column) a letter (row) becomes in a step.
- * @typedef {{letters: string[], letterCount: number, matrix: number[][], isRandom: boolean, dimension: number | null, table: {n: number, symbols: Count, segments: Count, letters: Count[], spread: number | null, size: [number, number] | null}[], sentences: string[]}} Growth
- */
-/**
- * Symbols of a generation with what each becomes. `more`: how many symbols are not listed; `first`: the place of the
- * first one in the next generation.
- * @typedef {{families: {parent: string, children: string[], more: string, first: string}[], start: string, lengths: [string, string]}} StepRows
- */
-/** The turtle after a symbol. @typedef {{symbol: string, at: [number, number, number], axes: [number, number, number][], depth: number, stored: [number, number, number][], segment: [[number, number, number], [number, number, number]] | null}} TurtleState */
-/** A mark; `agreement` is from 0 to 1, and `isSame` is null if unknown; `text` is the beginning of the answer's string where the string is asked for. @typedef {{isSolved: boolean, agreement: number, percent: string, isSame: boolean | null, symbols: number, words: string, text: string | null, errors: string[]}} Mark */
+/** @typedef {import('./messages.js').Given} Given */
+/** @typedef {import('./messages.js').Asks} Asks */
+/** @typedef {import('./messages.js').Exercise} Exercise */
+/** @typedef {import('./messages.js').AboutExercise} AboutExercise */
+/** @typedef {import('./messages.js').Count} Count */
+/** @typedef {import('./messages.js').Growth} Growth */
+/** @typedef {import('./messages.js').Rows} StepRows */
+/** @typedef {import('./messages.js').TurtleState} TurtleState */
+/** @typedef {import('./messages.js').MarkReport} Mark */
 /**
  * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
  * for missing ink, 4 for ink that is too much.
  * @typedef {{
- *     check: {asked: {definition: Definition, output: string}, answer: {isRight: boolean, words: string, symbol: string | null}},
- *     growth: {asked: {definition: Definition}, answer: {growth: Growth | null, why: string, csv: string, latex: string, shown: number}},
+ *     check: {asked: {definition: Definition, output: string}, answer: import('./messages.js').CheckReport},
+ *     growth: {asked: {definition: Definition}, answer: import('./messages.js').GrowthReport},
  *     rows: {asked: {definition: Definition, n: number, start: string, count: number}, answer: StepRows},
- *     single: {asked: {definition: Definition, steps: number, rightmost: boolean}, answer: {text: string, length: number, made: [number, number] | null}[]},
- *     trace: {asked: {definition: Definition, n: number, count: number}, answer: {states: TurtleState[], length: string, isSolid: boolean, legend: [string, string][]}},
+ *     single: {asked: {definition: Definition, steps: number, rightmost: boolean}, answer: import('./messages.js').Single[]},
+ *     trace: {asked: {definition: Definition, n: number, count: number}, answer: import('./messages.js').Trace},
  *     write: {asked: {exercise: Exercise}, answer: string},
  *     open: {asked: {text: string}, answer: AboutExercise},
  *     picture: {asked: {text: string, width: number, height: number, ratio: number}, answer: Uint8Array<ArrayBuffer>},
@@ -185,10 +122,10 @@ export {};
  *     mark: {asked: {text: string, student: Definition}, answer: {mark: Mark, pixels: Uint8Array<ArrayBuffer>}},
  * }} CourseCalls
  */
-/** What is known of a system whose rules are searched; what is null is to be found out. @typedef {{axiom: string | null, angle: number | null, heading: number | null, n: number | null, draws: string | null}} FindQuestion */
+/** @typedef {import('./messages.js').FindQuestion} FindQuestion */
 /** Where rules are searched: levels of grey, row by row from above, 0 for black; or a string. @typedef {{grey: Uint8Array, width: number, height: number} | {text: string}} FindSource */
-/** A system that was found, or that comes close; `agreement` is from 0 to 1. @typedef {{definition: Definition, symbols: number, agreement: number, isFound: boolean}} Candidate */
-/** What a search found so far. `work`: the systems of a picture that it tried, or the symbols of a string that it read. @typedef {{candidates: Candidate[], searched: string, work: number, isMore: boolean}} FindReport */
+/** @typedef {import('./messages.js').Candidate} Candidate */
+/** `work`: the systems of a picture that a search tried, or the symbols of a string that it read. @typedef {import('./messages.js').FindReport & {work: number, isMore: boolean}} FindReport */
 /**
  * The calls of the tool that searches for rules. `begin` replaces the former search; `part` is which of `parts` searches
  * beside each other this one is. `search` goes on until `until` units of work are done in all, and its progress is a
@@ -199,11 +136,11 @@ export {};
  * }} FindCalls
  */
 /** A film: a system with the view that it begins with, and the text of its tracks (docs/films.md). @typedef {{definition: Definition, view: View | null, camera: Camera | null, text: string}} Film */
-/** A key of a track; `easing` is the pace to the next key. @typedef {{time: number, value: number[], easing: string}} FilmKey */
-/** @typedef {{subject: string, keys: FilmKey[]}} FilmTrack */
-/** The text of a film, read. `width` and `height` are in pixels. @typedef {{seconds: number, rate: number, width: number, height: number, ending: string, easing: string, frames: number, tracks: FilmTrack[]}} FilmScript */
-/** A usual film; `place` has the numbers of a view, or of a camera in space. @typedef {{kind: 'growth', n: number} | {kind: 'turtle'} | {kind: 'turntable', azimuth: number} | {kind: 'dive', place: number[], space: boolean}} FilmPreset */
-/** A number of a system that a track can change; `value` is the present one, and `expected` the range in words. @typedef {{name: string, label: string, value: number[] | null, expected: string}} FilmSubject */
+/** @typedef {import('./messages.js').KeyObject} FilmKey */
+/** @typedef {import('./messages.js').TrackObject} FilmTrack */
+/** @typedef {import('./messages.js').ScriptObject} FilmScript */
+/** @typedef {import('./messages.js').PresetObject} FilmPreset */
+/** @typedef {import('./messages.js').SubjectObject} FilmSubject */
 /**
  * The calls of the tool for films. `place` are the numbers of a key that shows the segment in the middle; the progress
  * of a GIF is the number of finished frames, with the next bytes of the file.

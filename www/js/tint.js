@@ -3,7 +3,7 @@
  * line into coloured spans. Pure functions.
  */
 
-/** Tints by the core's class letters (crates/lsystem-wasm/src/notation.rs); other letters have no tint. @type {Record<string, string>} */
+/** Tints by the core's class letters (crates/lsystem-session/src/notation.rs); other letters have no tint. @type {Record<string, string>} */
 const TINTS = {
     c: 'comment',
     h: 'heading',

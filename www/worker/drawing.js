@@ -1,11 +1,10 @@
 /** The drawing on the page. */
 
-import { STEP_MS, page } from './page.js';
+import { page } from './page.js';
 
 /** @typedef {wasm_bindgen.Playground} Playground */
 /** @typedef {import('../js/protocol.js').ViewMessage} ViewMessage */
 /** @typedef {import('./page.js').Inbox} Inbox */
-/** @typedef {import('./page.js').Step} Step */
 
 /**
  * Draws the newest definition and view, and reports both to the page.
@@ -33,13 +32,8 @@ export function createDrawing({ playground, canvas, inbox }) {
     let moving = false;
     /** Whether the last step left nothing to draw. */
     let wasIdle = true;
-    const tellAt = onChange(
-        (/** @type {number} */ define, /** @type {number} */ view, /** @type {number} */ question) =>
-            page.postMessage({ type: 'at', define, view, question }),
-    );
-    const tellDone = onChange((/** @type {number} */ id, /** @type {number} */ viewId) =>
-        page.postMessage({ type: 'done', id, viewId }),
-    );
+    const tellAt = onChange((/** @type {number} */ define, /** @type {number} */ view, /** @type {number} */ question) => page.postMessage({ type: 'at', define, view, question }));
+    const tellDone = onChange((/** @type {number} */ id, /** @type {number} */ viewId) => page.postMessage({ type: 'done', id, viewId }));
     const ids = () => /** @type {const} */ ([at.define?.id ?? 0, at.view?.id ?? 0]);
 
     /** @param {NonNullable<Inbox['define' | 'view']>} newest @param {() => void} act */
@@ -53,10 +47,6 @@ export function createDrawing({ playground, canvas, inbox }) {
     }
 
     return {
-        /** The number of iterations of the drawn definition. */
-        get iterations() {
-            return definition?.iterations ?? 0;
-        },
         get moving() {
             return moving;
         },
@@ -77,16 +67,14 @@ export function createDrawing({ playground, canvas, inbox }) {
                 if (define) {
                     at.define = define;
                     take(define, () => {
-                        report = /** @type {import('../js/protocol.js').Report} */ (
-                            playground.define(define.definition)
-                        );
+                        report = playground.define(define.definition);
                         ok = report.ok;
                         if (ok) definition = define.definition;
                     });
                 }
                 if (view) {
                     at.view = view;
-                    take(view, () => lookAt(playground, view));
+                    take(view, () => playground.look(view));
                 }
             }
             if (!wasIdle) tellAt(...ids(), 0);
@@ -99,10 +87,7 @@ export function createDrawing({ playground, canvas, inbox }) {
          * @returns {boolean} whether nothing is left to do
          */
         step(first) {
-            /** @type {Step} */
-            const { report, drawn, idle } = at.view
-                ? playground.step(STEP_MS)
-                : { report: null, drawn: null, idle: true };
+            const { report, drawn, idle } = at.view ? playground.step() : { report: null, drawn: null, idle: true };
             const [id, viewId] = ids();
             const news = (ok && report) || first;
             if (news) page.postMessage({ type: 'report', id, report: news });
@@ -110,22 +95,7 @@ export function createDrawing({ playground, canvas, inbox }) {
             if (drawn || idle) begun = null;
             if (drawn) {
                 const bitmap = canvas.transferToImageBitmap();
-                const { complete, scale, rough, slow, only } = drawn;
-                page.postMessage(
-                    {
-                        type: 'drawn',
-                        id,
-                        viewId,
-                        complete,
-                        scale,
-                        rough,
-                        slow,
-                        only,
-                        bitmap,
-                        pose: poseAt(playground, upto),
-                    },
-                    [bitmap],
-                );
+                page.postMessage({ type: 'drawn', id, viewId, bitmap, ...drawn }, [bitmap]);
             }
             // Tell the page not to wait for more pictures, even if there was none.
             if (idle && at.view) tellDone(id, viewId);
@@ -138,17 +108,6 @@ export function createDrawing({ playground, canvas, inbox }) {
     };
 }
 
-/** The turtle's pose after the last shown segment, or before the first one. @param {Playground} playground @param {bigint | null} upto @returns {import('../js/protocol.js').Pose | null} */
-function poseAt(playground, upto) {
-    if (upto === null) return null;
-    const began = upto > 0n;
-    /** @type {import('../js/protocol.js').SegmentFacts | null} */
-    const stroke = playground.segment(began ? upto - 1n : 0n);
-    if (!stroke) return null;
-    const { from, to, fittedFrom, fittedTo, heading, level } = stroke;
-    return { at: began ? to : from, fitted: began ? fittedTo : fittedFrom, heading, level };
-}
-
 /** Calls `act` only if the numbers have changed. @template {number[]} Numbers @param {(...numbers: Numbers) => void} act @returns {(...numbers: Numbers) => void} */
 function onChange(act) {
     let last = '';
@@ -158,20 +117,4 @@ function onChange(act) {
         last = now;
         act(...numbers);
     };
-}
-
-/** @param {Playground} playground @param {Pick<ViewMessage, 'width' | 'height' | 'ratio' | 'view' | 'camera'>} message */
-export function lookAt(playground, { width, height, ratio, view, camera }) {
-    playground.view(width, height, ratio, view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0);
-    if (camera)
-        playground.camera(
-            camera.azimuth,
-            camera.elevation,
-            camera.zoom,
-            camera.x,
-            camera.y,
-            camera.z,
-            camera.perspective,
-            camera.fade,
-        );
 }

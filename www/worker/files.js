@@ -16,7 +16,6 @@ export function createReadFile({ guard, tellAt }) {
     async function read({ type, id, file }) {
         const bytes = new Uint8Array(await file.arrayBuffer());
         tellAt(id);
-        /** @type {Omit<import('../js/protocol.js').FileRead, 'text'>} */
         const found = wasm_bindgen.read_file(bytes);
         return { type, id, ...found, text: found.diagnostics.length > 0 ? textOf(bytes) : null };
     }

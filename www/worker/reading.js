@@ -7,43 +7,14 @@
 /** @typedef {import('../js/protocol.js').Questions} Questions */
 /** @typedef {import('../js/protocol.js').Reading} Reading */
 
-/**
- * Answers questions about the newest definition's string and drawing.
- * @param {Playground} playground
- * @param {() => number} iterations the drawn generation
- */
-export function createReading(playground, iterations) {
+/** Answers questions about the newest definition's string and drawing. @param {Playground} playground */
+export function createReading(playground) {
     /** @type {{[T in Reading]: (question: Question<T>) => Questions[T]['answer']}} */
     const readers = {
-        string: ({ generation, start, count }) => {
-            const text = playground.slice(generation, start, count) ?? null;
-            return {
-                text,
-                length: (text !== null && playground.stringLength(generation)) || null,
-                apart: playground.apart,
-            };
-        },
-        symbol: ({ generation, index }) => {
-            /** @type {import('../js/protocol.js').Descendants | null} */
-            const part = playground.part(generation, index, iterations());
-            const stroke = part && playground.segment(BigInt(part.segments[0]));
-            return { ancestry: playground.ancestry(generation, index), part, stroke };
-        },
-        descendant: ({ generation, index, later }) => ({
-            start: playground.part(generation, index, later)?.symbols[0] ?? null,
-        }),
-        pick: ({ x, y, tolerance }) => {
-            /** @type {Pick<import('../js/protocol.js').Picked, 'segment' | 'polygon' | 'symbol'> | null} */
-            const found = playground.pick(x, y, tolerance);
-            if (!found) return { segment: null, polygon: null, symbol: null, ancestry: [], stroke: null, filled: null };
-            const { segment, polygon, symbol } = found;
-            return {
-                ...found,
-                ancestry: symbol === null ? [] : playground.ancestry(iterations(), BigInt(symbol)),
-                stroke: segment === null ? null : playground.segment(BigInt(segment)),
-                filled: polygon === null ? null : playground.polygon(BigInt(polygon)),
-            };
-        },
+        string: ({ generation, start, count }) => playground.string(generation, start, count),
+        symbol: ({ generation, index }) => playground.symbol(generation, index),
+        descendant: ({ generation, index, later }) => ({ start: playground.descendant(generation, index, later) ?? null }),
+        pick: ({ x, y, tolerance }) => playground.pick(x, y, tolerance),
     };
 
     return {

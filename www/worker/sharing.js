@@ -46,19 +46,14 @@ export function createSharing({ canvas, playground, guard, wake, shown, memory }
             for (const mate of mates) {
                 if (mate.owed >= most || !hasRoom(mate, revision)) continue;
                 // Keep the last panes for workers that become free first.
-                const task = playground.handOut(most > 1 ? 2 * mates.length : 0);
-                if (!task) return;
-                mate.port.postMessage({ round, pane: paneOf(task), state: mate.knows === revision ? null : state });
+                const pane = playground.handOut(most > 1 ? 2 * mates.length : 0);
+                if (!pane) return;
+                mate.port.postMessage({ round, pane, state: mate.knows === revision ? null : state });
                 mate.knows = revision;
                 mate.memory = Math.max(mate.memory, memory());
                 mate.owed += 1;
             }
         }
-    }
-
-    /** @param {Float64Array} task from the wasm @returns {Pane} */
-    function paneOf([number = 0, x = 0, y = 0, width = 0, height = 0, budget = 0]) {
-        return { number, x, y, width, height, budget };
     }
 
     /** Whether the memory allows a mate to build the newest drawing. @param {Mate} mate @param {number} revision */
@@ -103,11 +98,9 @@ export function createSharing({ canvas, playground, guard, wake, shown, memory }
  * @param {PortToMaster} worker.master the port to the main worker
  * @param {wasm_bindgen.Playground} worker.playground
  * @param {() => void} worker.wake
- * @param {(message: import('../js/protocol.js').ViewMessage) => void} worker.lookAt
  * @param {() => number} worker.memory of its wasm, in bytes
- * @param {number} worker.stepMs
  */
-export function createMate({ master, playground, wake, lookAt, memory, stepMs }) {
+export function createMate({ master, playground, wake, memory }) {
     /** The panes to draw, in turn. @type {{round: number, pane: Pane}[]} */
     const tasks = [];
     /** Whether the first task is begun. */
@@ -137,7 +130,7 @@ export function createMate({ master, playground, wake, lookAt, memory, stepMs })
         if (!task) return;
         if (newState) {
             playground.define(newState.definition);
-            lookAt(newState.view);
+            playground.look(newState.view);
             playground.play(newState.upto ?? undefined);
             newState = null;
         }
@@ -146,11 +139,8 @@ export function createMate({ master, playground, wake, lookAt, memory, stepMs })
             playground.beginPane(x, y, width, height, budget);
             begun = true;
         }
-        const spent = playground.stepPane(stepMs);
-        if (spent) {
-            const [work, poor] = spent;
-            deliver(work === undefined ? null : { work, poor: poor !== 0 });
-        }
+        const outcome = playground.stepPane();
+        if (outcome !== undefined) deliver(outcome);
         if (tasks.length > 0) wake();
     };
 }

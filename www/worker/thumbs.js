@@ -1,12 +1,10 @@
 /** Thumbnails for the gallery and the seed dialog. */
 
-import { lookAt } from './drawing.js';
-import { STEP_MS, page } from './page.js';
+import { page } from './page.js';
 
 /** @typedef {wasm_bindgen.Playground} Playground */
 /** @typedef {import('../js/protocol.js').Asked} Asked */
 /** @template {Asked} [T=Asked] @typedef {import('../js/protocol.js').Question<T>} Question */
-/** @typedef {import('./page.js').Step} Step */
 
 /**
  * Draws small pictures of other systems while nothing else is to do, each with a playground of its own.
@@ -27,9 +25,8 @@ export function createThumbs({ playground, waiting, tellAt }) {
         playground.forget();
         const canvas = new OffscreenCanvas(1, 1);
         const small = wasm_bindgen.Playground.small(canvas);
-        /** @type {import('../js/protocol.js').Report} */
         const { ok, empty } = small.define(definition);
-        lookAt(small, { width, height, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, camera });
+        small.look({ width, height, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, camera });
         const missing = ok ? empty : 'The rules have mistakes.';
         return { request, small, canvas, bitmap: null, steps: missing === null ? MOST_STEPS : 0, missing };
     }
@@ -57,9 +54,7 @@ export function createThumbs({ playground, waiting, tellAt }) {
             if (!request) return;
             tellAt(request.id);
             const thumb = (making ??= begin(request));
-            /** @type {Step} */
-            const { drawn, idle } =
-                thumb.steps > 0 ? thumb.small.step(STEP_MS) : { report: null, drawn: null, idle: true };
+            const { drawn, idle } = thumb.steps > 0 ? thumb.small.step() : { drawn: null, idle: true };
             thumb.steps -= 1;
             if (drawn) {
                 thumb.bitmap?.close();

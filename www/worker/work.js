@@ -1,6 +1,6 @@
 /** The order of the worker's tasks. */
 
-import { STEP_MS, page } from './page.js';
+import { page } from './page.js';
 import { createReading } from './reading.js';
 
 /** @typedef {wasm_bindgen.Playground} Playground */
@@ -26,14 +26,14 @@ export function createWork({ playground, inbox, drawing, sharing, readFile, thum
     /** Mates are checked again after this time without an answer. */
     const WAIT_MS = 40;
     const { questions } = inbox;
-    const reading = createReading(playground, () => drawing.iterations);
+    const reading = createReading(playground);
     const hasNews = () => inbox.define !== null || inbox.view !== null;
 
     /** Prepares a question's answer for one step. @param {Question} question @returns {boolean} whether the question can be answered */
     function canAnswer(question) {
         if (!reading.is(question)) return true;
         drawing.tellAt(question.id);
-        return playground.remember(question.type === 'string' ? question.generation : drawing.iterations, STEP_MS);
+        return playground.remember(question.type === 'string' ? question.generation : undefined);
     }
 
     /** @param {Inbox['questions'][number]} question */
@@ -43,17 +43,9 @@ export function createWork({ playground, inbox, drawing, sharing, readFile, thum
         if (reading.is(question)) return page.postMessage(reading.answer(question));
         switch (question.type) {
             case 'notation':
-                return page.postMessage({
-                    type: 'notation',
-                    id,
-                    .../** @type {import('../js/protocol.js').Notation} */ (wasm_bindgen.notation(question.texts)),
-                });
+                return page.postMessage({ type: 'notation', id, ...wasm_bindgen.notation(question.texts) });
             case 'site':
-                return page.postMessage({
-                    type: 'site',
-                    id,
-                    site: wasm_bindgen.siteOf(question.texts, question.field, question.offset),
-                });
+                return page.postMessage({ type: 'site', id, site: wasm_bindgen.siteOf(question.texts, question.field, question.offset) });
             case 'qr':
                 return page.postMessage({ type: 'qr', id, modules: wasm_bindgen.qr_code(question.text) ?? null });
             case 'seed':

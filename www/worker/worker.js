@@ -7,9 +7,9 @@
  * shows pictures on the way.
  */
 
-import { createDrawing, lookAt } from './drawing.js';
+import { createDrawing } from './drawing.js';
 import { createReadFile } from './files.js';
-import { STEP_MS, page } from './page.js';
+import { page } from './page.js';
 import { createMate, createSharing } from './sharing.js';
 import { createThumbs } from './thumbs.js';
 import { createWork } from './work.js';
@@ -55,27 +55,12 @@ import { createWork } from './work.js';
         const memory = () => instance.memory.buffer.byteLength;
         const playground = new wasm_bindgen.Playground(canvas);
         if (master) {
-            work = createMate({
-                master,
-                playground,
-                wake,
-                lookAt: (message) => lookAt(playground, message),
-                memory,
-                stepMs: STEP_MS,
-            });
+            work = createMate({ master, playground, wake, memory });
         } else {
             const drawing = createDrawing({ playground, canvas, inbox });
             const sharing = createSharing({ canvas, playground, guard, wake, shown: drawing.shown, memory });
             const readFile = createReadFile({ guard, tellAt: drawing.tellAt });
-            work = createWork({
-                playground,
-                inbox,
-                drawing,
-                sharing,
-                readFile,
-                thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }),
-                wake,
-            });
+            work = createWork({ playground, inbox, drawing, sharing, readFile, thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }), wake });
             setMates = sharing.setMates;
         }
         page.postMessage({ type: 'ready' });

@@ -16,6 +16,7 @@ const VEIL: &[u8] = b"Lindenmayer 1968";
 
 /// How much of a part of the target a student sees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Given {
     /// The student sees it and cannot change it.
@@ -29,6 +30,7 @@ pub enum Given {
 
 /// The property in which an answer must equal the target.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum Asks {
     /// The picture, up to its place and size.
@@ -94,6 +96,7 @@ impl Asks {
 
 /// The values with which a student starts, where they are free.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(default)]
 pub struct First {
     /// The axiom.
@@ -108,6 +111,7 @@ pub struct First {
 
 /// An exercise.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", default)]
 pub struct Exercise {
     /// The title.

@@ -98,6 +98,21 @@ impl Definition {
     }
 }
 
+/// The page's type of definitions is written from the table of fields: `www/js/tables.js`.
+#[cfg(feature = "typescript")]
+impl ts_rs::TS for Definition {
+    type WithoutGenerics = Self;
+    type OptionInnerType = Self;
+
+    fn name(_: &ts_rs::Config) -> String {
+        "import('./tables.js').Definition".to_owned()
+    }
+
+    fn inline(config: &ts_rs::Config) -> String {
+        Self::name(config)
+    }
+}
+
 impl Serialize for Definition {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(FIELDS.iter().filter_map(|spec| Some((spec.name, spec.get(self)?))))

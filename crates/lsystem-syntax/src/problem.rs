@@ -5,10 +5,13 @@ use serde::Serialize;
 
 /// A diagnostic in words, with its place in UTF-16 units.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Problem {
     /// `axiom`, `rules`, `overrides`, `file` or `numbers`.
+    #[cfg_attr(feature = "typescript", ts(type = "'axiom' | 'rules' | 'overrides' | 'file' | 'numbers'"))]
     pub field: &'static str,
     /// `error` or `warning`.
+    #[cfg_attr(feature = "typescript", ts(type = "'error' | 'warning'"))]
     pub severity: &'static str,
     /// The problem, in a sentence.
     pub message: String,

@@ -5,11 +5,12 @@ use lsystem_find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, Str
 use lsystem_syntax::Definition;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// The known properties of a system; missing or null ones are unknown.
-#[derive(Deserialize)]
-struct Asked {
+#[derive(Deserialize, TS)]
+pub(crate) struct FindQuestion {
     axiom: Option<String>,
     angle: Option<f64>,
     heading: Option<f64>,
@@ -17,7 +18,7 @@ struct Asked {
     draws: Option<String>,
 }
 
-impl Asked {
+impl FindQuestion {
     fn read(value: JsValue) -> Result<Question, JsValue> {
         let Self { axiom, angle, heading, n, draws } = from_js(value)?;
         Ok(Question { axiom, angle, heading, n, draws })
@@ -25,16 +26,16 @@ impl Asked {
 }
 
 /// The result of a search so far.
-#[derive(Serialize)]
-struct FindReport {
+#[derive(Serialize, TS)]
+pub(crate) struct FindReport {
     candidates: Vec<Candidate>,
     searched: String,
 }
 
 /// A system that was found, or that comes close.
-#[derive(Serialize)]
+#[derive(Serialize, TS)]
 #[serde(rename_all = "camelCase")]
-struct Candidate {
+pub(crate) struct Candidate {
     definition: Definition,
     /// The symbols of its rules, with their predecessors.
     symbols: usize,
@@ -71,7 +72,7 @@ impl RuleFinder {
         part: u32,
         parts: u32,
     ) -> Result<Self, JsValue> {
-        let question = Asked::read(question)?;
+        let question = FindQuestion::read(question)?;
         let picture = Arc::new(Picture::new(grey, width, height)?);
         let finder = Finder::new(&picture, &question, Share { index: part.into(), count: parts.max(1).into() })?;
         Ok(Self { search: Search::Picture(finder) })
@@ -83,7 +84,7 @@ impl RuleFinder {
     /// Throws a sentence if this cannot be searched.
     #[wasm_bindgen(js_name = ofString)]
     pub fn of_string(text: &str, question: JsValue) -> Result<Self, JsValue> {
-        let finder = StringFinder::new(text, &Asked::read(question)?)?;
+        let finder = StringFinder::new(text, &FindQuestion::read(question)?)?;
         Ok(Self { search: Search::String(finder) })
     }
 

@@ -4,11 +4,12 @@ use crate::to_js;
 use lsystem_import::{Fate, Part, Remark};
 use lsystem_syntax::Definition;
 use serde::Serialize;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// Systems in the notation of another program or of a paper.
-#[derive(Serialize)]
-struct ImportReport {
+#[derive(Serialize, TS)]
+pub(crate) struct ImportReport {
     notation: &'static str,
     entries: Vec<ImportEntry>,
     /// The parts of the text in order, without gaps.
@@ -16,8 +17,8 @@ struct ImportReport {
 }
 
 /// A part of the text, and what became of it.
-#[derive(Serialize)]
-struct ImportPart {
+#[derive(Serialize, TS)]
+pub(crate) struct ImportPart {
     /// In UTF-16 units.
     length: usize,
     /// `passed`, `read`, `noted` or `refused`.
@@ -29,8 +30,8 @@ struct ImportPart {
 }
 
 /// One of these systems.
-#[derive(Serialize)]
-struct ImportEntry {
+#[derive(Serialize, TS)]
+pub(crate) struct ImportEntry {
     name: String,
     /// Null if the system cannot be opened.
     definition: Option<Definition>,
@@ -38,8 +39,8 @@ struct ImportEntry {
 }
 
 /// A remark on a part that was not carried over, with its line of the text, 1-based.
-#[derive(Serialize)]
-struct ImportRemark {
+#[derive(Serialize, TS)]
+pub(crate) struct ImportRemark {
     line: usize,
     text: String,
     message: String,

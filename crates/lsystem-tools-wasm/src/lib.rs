@@ -11,6 +11,8 @@ mod film;
 mod find;
 #[cfg(feature = "import")]
 mod import;
+#[cfg(test)]
+mod tables;
 
 #[cfg(feature = "course")]
 pub use course::{OpenExercise, check_output, growth, one_by_one, step_rows, turtle_trace, write_exercise};

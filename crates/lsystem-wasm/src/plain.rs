@@ -1,13 +1,8 @@
-//! The two plain functions: a definition in, a string or typed arrays out.
+//! The two plain functions, and seeds for them.
 
-use crate::budget::LIMITS;
-use crate::report::{ThrownProblems, problems};
 use crate::{from_js, to_js};
-use lsystem::{Definition, Diagnostic, System};
+use lsystem_session::ThrownProblems;
 use wasm_bindgen::prelude::*;
-
-/// The most segments that [`draw`](fn@draw) returns. A segment takes 22 bytes, and twice as many during the copy.
-const ARRAY_SEGMENTS: u64 = 16 << 20;
 
 /// The segments of a drawing, in drawing order.
 #[wasm_bindgen(getter_with_clone)]
@@ -27,8 +22,7 @@ pub struct Segments {
 /// Throws `{diagnostics}` if the definition has errors or the string is too long.
 #[wasm_bindgen]
 pub fn expand(definition: JsValue, n: u32) -> Result<String, JsValue> {
-    let (definition, system) = compile(definition)?;
-    lsystem::expand(&system, n, &LIMITS).map_err(|limit| failure(&definition, &[limit]))
+    lsystem_session::expand(&from_js(definition)?, n).map_err(thrown)
 }
 
 /// The segments of generation `n` of a definition.
@@ -37,11 +31,7 @@ pub fn expand(definition: JsValue, n: u32) -> Result<String, JsValue> {
 /// Throws `{diagnostics}` if the definition has errors or the drawing is too large.
 #[wasm_bindgen]
 pub fn draw(definition: JsValue, n: u32) -> Result<Segments, JsValue> {
-    let (definition, system) = compile(definition)?;
-    let wrong = |limit| failure(&definition, &[limit]);
-    let drawing = lsystem::draw(&system, n, &LIMITS).map_err(wrong)?;
-    let mut arrays = lsystem::SegmentArrays::default();
-    drawing.write_segments(ARRAY_SEGMENTS, &mut arrays).map_err(wrong)?;
+    let arrays = lsystem_session::segments(&from_js(definition)?, n).map_err(thrown)?;
     Ok(Segments {
         segments: arrays.ends.as_slice().into(),
         colours: arrays.colours.as_slice().into(),
@@ -49,15 +39,16 @@ pub fn draw(definition: JsValue, n: u32) -> Result<Segments, JsValue> {
     })
 }
 
-fn compile(definition: JsValue) -> Result<(Definition, System), JsValue> {
-    let definition = from_js(definition)?;
-    let (system, diagnostics) = System::new(&definition);
-    match system {
-        Some(system) => Ok((definition, system)),
-        None => Err(failure(&definition, &diagnostics)),
-    }
+/// A random seed.
+///
+/// # Errors
+/// Throws if the browser has no source of randomness.
+#[wasm_bindgen]
+pub fn fresh_seed() -> Result<u32, JsValue> {
+    getrandom::u32().map_err(|error| JsValue::from_str(&error.to_string()))
 }
 
-fn failure(definition: &Definition, diagnostics: &[Diagnostic]) -> JsValue {
-    to_js(&ThrownProblems { diagnostics: problems(diagnostics, definition, "") }).unwrap_or_else(|error| error)
+#[expect(clippy::needless_pass_by_value, reason = "the error of a result")]
+fn thrown(problems: ThrownProblems) -> JsValue {
+    to_js(&problems).unwrap_or_else(|error| error)
 }

@@ -18,12 +18,14 @@ fn is(value: &JsValue, key: &str) -> bool {
 
 /// Works until the playground is idle.
 fn settle(playground: &mut Playground) {
-    while !is(&playground.step(50.0).unwrap(), "idle") {}
+    while !is(&playground.step().unwrap(), "idle") {}
 }
 
 fn playground(make: fn(OffscreenCanvas) -> Result<Playground, JsValue>, width: u32, height: u32) -> Playground {
     let mut playground = make(OffscreenCanvas::new(1, 1).unwrap()).unwrap();
-    playground.view(width, height, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0);
+    let view = r#""view": {"x": 0, "y": 0, "zoom": 1}, "camera": null"#;
+    let vantage = format!(r#"{{"width": {width}, "height": {height}, "ratio": 1, {view}}}"#);
+    playground.look(JSON::parse(&vantage).unwrap()).unwrap();
     playground
 }
 
@@ -38,7 +40,7 @@ fn largest(playground: &mut Playground, turn: char, refused: usize) -> usize {
         playground.define(JSON::parse(&definition).unwrap()).unwrap();
         let mut drawn = false;
         loop {
-            let step = playground.step(50.0).unwrap();
+            let step = playground.step().unwrap();
             let report = Reflect::get(&step, &"report".into()).unwrap();
             drawn |= !report.is_null() && !Reflect::get(&report, &"memoised".into()).unwrap().is_null();
             if is(&step, "idle") {
@@ -69,7 +71,7 @@ fn the_largest_drawings_stay_within_the_limit() {
         shown.play(Some(400_000));
         settle(&mut shown);
         within("a part of them");
-        while !shown.remember(8, 50.0) {}
+        while !shown.remember(Some(8)) {}
         within("read");
         shown.forget();
         let mut small = playground(Playground::small, 336, 336);

@@ -52,7 +52,8 @@ enum Command {
     /// The npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/; their
     /// interfaces compared with an older revision, and their documentation as docs.rs makes it
     Package(package::PackageOptions),
-    /// Update www/js/tables.js from the tables of the core; a test fails when the file is out of date
+    /// Update the tables in www/js from the tables of the core, and www/js/messages.d.ts from the messages of the
+    /// boundary; tests fail when the files are out of date
     Tables,
     /// Try random inputs
     Fuzz(fuzz::FuzzOptions),
@@ -98,8 +99,9 @@ fn run() -> Result<()> {
         Command::Outside => test::test(workspace, &test::TestOptions::only(test::Part::Outside)),
         Command::Package(options) => package::package(workspace, &options),
         Command::Tables => {
-            let tables = ["test", "--package=lsystem-playground", "--test=all", "tables::"];
-            workspace.run(workspace.cargo(tables).env("UPDATE_EXPECT", "1"))
+            let packages = ["--package=lsystem-playground", "--package=lsystem-tools-wasm"];
+            let tests = ["test", "--lib", "--test=all", "tables::"].into_iter().chain(packages);
+            workspace.run(workspace.cargo(tests).env("UPDATE_EXPECT", "1"))
         }
         Command::Fuzz(options) => fuzz::fuzz(workspace, options),
         Command::Bench { parts } => bench::bench(workspace, &parts),

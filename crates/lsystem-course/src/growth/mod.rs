@@ -41,6 +41,7 @@ const LIMITS: Limits =
 
 /// A number of any size.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Count {
     /// Exact, in decimal digits; with chance, the expected value, rounded.
     pub digits: String,
@@ -50,6 +51,7 @@ pub struct Count {
 
 /// One generation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Generation {
     /// The number of steps.
     pub n: u32,
@@ -71,6 +73,7 @@ pub struct Generation {
 
 /// How a number grows in the long run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "lowercase")]
 pub enum GrowthKind {
     /// It becomes 0.
@@ -85,6 +88,7 @@ pub enum GrowthKind {
 
 /// The growth of the symbols or of the segments.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Series {
     /// How it grows.
@@ -111,6 +115,7 @@ pub struct Series {
 
 /// How a system grows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Growth {
     /// The listed letters, in the order in which the axiom reaches them.

@@ -7,7 +7,7 @@ mod trace;
 
 pub use one_by_one::{Order, Single, one_by_one};
 pub use rows::{Family, Rows, rows};
-pub use trace::{State, trace};
+pub use trace::{State, Trace, trace};
 
 /// Why something cannot be shown, as a sentence.
 pub type Why = &'static str;

@@ -14,6 +14,7 @@ const MAX_LISTED: usize = 400;
 
 /// A string, and the place where the step to it replaced a symbol.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Single {
     /// The beginning of the string.

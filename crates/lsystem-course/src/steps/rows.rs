@@ -18,6 +18,7 @@ const LIMITS: Limits =
 
 /// A symbol with what it becomes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Family {
     /// The symbol, with its arguments.
@@ -32,6 +33,7 @@ pub struct Family {
 
 /// Some symbols of a generation, with what they become in the next one.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Rows {
     /// The symbols.

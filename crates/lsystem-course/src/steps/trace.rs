@@ -16,6 +16,8 @@ type Vector = [f64; 3];
 
 /// The turtle's state after a symbol.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "typescript", ts(rename = "TurtleState"))]
 #[serde(rename_all = "camelCase")]
 pub struct State {
     /// The symbol, with its arguments.
@@ -34,6 +36,7 @@ pub struct State {
 
 /// The turtle's way through the beginning of a string.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct Trace {
     /// The state at the start: the symbol is empty.

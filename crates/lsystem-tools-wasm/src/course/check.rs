@@ -5,12 +5,13 @@ use lsystem_course::Verdict;
 use lsystem_drawing::System;
 use lsystem_syntax::Definition;
 use serde::Serialize;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// The result of a comparison.
-#[derive(Serialize)]
+#[derive(Serialize, TS)]
 #[serde(rename_all = "camelCase")]
-struct CheckReport {
+pub(crate) struct CheckReport {
     is_right: bool,
     /// The result in words: a sentence, and lines that show the difference.
     words: String,

@@ -4,6 +4,7 @@ use crate::{from_js, to_js};
 use lsystem_course::{Asks, Exercise, Given, Grade, Marker, Marking};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// The units of work of one step: some milliseconds.
@@ -14,9 +15,9 @@ const MAX_SYMBOLS: usize = 5_000;
 const MAX_PIXELS: u32 = 4_000_000;
 
 /// The part of an exercise that a student sees.
-#[derive(Serialize)]
+#[derive(Serialize, TS)]
 #[serde(rename_all = "camelCase")]
-struct About<'a> {
+pub(crate) struct AboutExercise<'a> {
     title: &'a str,
     task: &'a str,
     hints: &'a [String],
@@ -38,13 +39,14 @@ struct About<'a> {
     /// The system without anything that the student found, and the fields, besides the rules, that the student has to
     /// find. With them and the student's rules before the others, the system is whole.
     fixed: Definition,
+    #[ts(type = "(keyof import('./tables.js').Definition)[]")]
     free: Vec<&'static str>,
 }
 
 /// A mark, as the page shows it.
-#[derive(Serialize)]
+#[derive(Serialize, TS)]
 #[serde(rename_all = "camelCase")]
-struct MarkReport {
+pub(crate) struct MarkReport {
     is_solved: bool,
     agreement: f64,
     percent: String,
@@ -84,7 +86,7 @@ impl OpenExercise {
     /// Throws only if the result cannot be translated.
     pub fn about(&self) -> Result<JsValue, JsValue> {
         let exercise = self.marker.exercise();
-        to_js(&About {
+        to_js(&AboutExercise {
             title: &exercise.title,
             task: &exercise.task,
             hints: &exercise.hints,

@@ -5,14 +5,15 @@ use lsystem_course::growth::{Growth, growth as growth_of};
 use lsystem_drawing::System;
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// The most letters of the matrix on the page.
 const MAX_SHOWN: usize = 12;
 
-#[derive(Serialize)]
+#[derive(Serialize, TS)]
 #[serde(rename_all = "camelCase")]
-struct GrowthReport {
+pub(crate) struct GrowthReport {
     /// The growth, or why it is not known.
     growth: Option<Growth>,
     why: String,

@@ -1,8 +1,8 @@
 //! Exercises, checks, growth and single steps.
 
-mod check;
-mod exercise;
-mod growth;
+pub(crate) mod check;
+pub(crate) mod exercise;
+pub(crate) mod growth;
 mod steps;
 
 pub use check::check_output;

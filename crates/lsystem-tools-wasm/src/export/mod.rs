@@ -14,6 +14,7 @@ use lsystem_syntax::{Definition, Halt, Problem};
 use maker::{Order, Report, make};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// The request of the page.
@@ -41,8 +42,9 @@ const fn one() -> f64 {
 }
 
 /// The report on a finished file.
-#[derive(Serialize)]
-struct ExportReport {
+#[derive(Serialize, TS)]
+pub(crate) struct ExportReport {
+    /// Whether the whole file was written: no limit was exceeded, and the definition has no errors.
     complete: bool,
     diagnostics: Vec<Problem>,
 }

@@ -1,8 +1,8 @@
 //! Films.
 
 mod player;
-mod preset;
-mod script;
+pub(crate) mod preset;
+pub(crate) mod script;
 
 pub use player::FilmPlayer;
 pub use preset::with_preset;

@@ -5,12 +5,13 @@ use crate::from_js;
 use lsystem_film::{Preset, Script};
 use lsystem_render::{Camera, View};
 use serde::Deserialize;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// A preset, as the page asks for it.
-#[derive(Deserialize)]
+#[derive(Deserialize, TS)]
 #[serde(tag = "kind", rename_all = "camelCase")]
-enum PresetObject {
+pub(crate) enum PresetObject {
     /// Growth to generation `n`.
     Growth { n: u32 },
     /// The turtle's way.

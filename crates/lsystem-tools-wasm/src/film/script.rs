@@ -7,11 +7,12 @@ use lsystem_film::{Script, Subject};
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::{Definition, Expected, FieldSpec, classify};
 use serde::Serialize;
+use ts_rs::TS;
 use wasm_bindgen::prelude::*;
 
 /// A script, as the page edits it.
-#[derive(Serialize)]
-struct ScriptObject {
+#[derive(Serialize, TS)]
+pub(crate) struct ScriptObject {
     seconds: f64,
     rate: u32,
     width: u32,
@@ -23,15 +24,15 @@ struct ScriptObject {
 }
 
 /// A track.
-#[derive(Serialize)]
-struct TrackObject {
+#[derive(Serialize, TS)]
+pub(crate) struct TrackObject {
     subject: String,
     keys: Vec<KeyObject>,
 }
 
 /// A key.
-#[derive(Serialize)]
-struct KeyObject {
+#[derive(Serialize, TS)]
+pub(crate) struct KeyObject {
     time: f64,
     value: Vec<f64>,
     easing: &'static str,
@@ -64,8 +65,8 @@ pub fn read_film(text: &str) -> Result<JsValue, JsValue> {
 }
 
 /// A number of a system that a track can change.
-#[derive(Serialize)]
-struct SubjectObject {
+#[derive(Serialize, TS)]
+pub(crate) struct SubjectObject {
     name: String,
     label: String,
     /// The present value; null if there is none.

@@ -6,7 +6,9 @@ use lsystem::render::{Pane, Spent};
 /// The number of the newest round of panes.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);
 
-/// The milliseconds to wait for an answer from mates when there is nothing else to do.
+/// The milliseconds to wait for an answer from mates when there is nothing else to do. A mate that works makes a pane in a
+/// few steps; one that must first build the drawing is still faster than this worker alone. A wait of more than nine
+/// frames would be seen where a mate was lost.
 const PATIENCE: f64 = 150.0;
 
 /// The panes of one round. Each is made by this worker or by a mate.

@@ -1,36 +1,22 @@
 //! The viewer of drawings in space. A coarse picture comes first, finer ones follow while the settings stay the same.
 
 use crate::budget::{affordable, halved};
-use crate::clock::Clock;
+use crate::pace::{Deadline, HURRIED_EFFORT, MOVING_WORK, Pace, WORK, is_long};
 use crate::sharing::{NextAction, Sharing};
-use crate::surface::CanvasSurface;
-use crate::viewer::{Drawn, Only, PictureSettings, Viewer, WORK};
+use crate::surface::{Clock, Surface};
+use crate::viewer::{Drawn, Only, PictureSettings, Viewer};
 use lsystem::render::{Effort, Pane, Quality, Spent};
 use lsystem::{Drawing, Progress, Solid, SolidRenderer, Viewport};
 use std::sync::Arc;
-use wasm_bindgen::JsValue;
 
-/// The wanted time of a moving picture, in milliseconds.
-const TARGET: f64 = 7.5;
-/// A moving picture that takes longer than this, in milliseconds, is finished with less effort.
-const HURRY: f64 = 9.0;
-/// After two moving pictures in a row that take longer than this, in milliseconds, with the time to show them, the next
-/// ones have half the width and height. Fewer pixels leave time for more detail.
-const HALVE: f64 = 10.5;
-/// The number of steps by which the quality of such half-size pictures rises.
-const FINER: i32 = 3;
-/// If a half-size picture with all detail takes no longer than this, in milliseconds, the next picture has full size.
-const WHOLE: f64 = 0.25 * TARGET;
-/// The quality of the picture between the first and the finest.
+/// The quality of the picture between the first and the finest: two steps below [`Quality::MOVING`], half its effort.
 const MIDDLE: Quality = Quality(12);
-/// The quality of the first picture of a drawing whose cost is unknown.
-const UNKNOWN: Quality = Quality(4);
-/// The cost of a drawing is unknown if it has at least about this many times the segments of the previous one.
+/// The cost of a drawing is unknown if it has at least about this many times the segments of the previous one. An edit that
+/// adds a generation rarely does more, and the pace then follows in two or three pictures.
 const LIKE: u128 = 8;
-/// A picture that takes longer than this, in milliseconds, would profit from mates.
+/// A picture that takes longer than this, in milliseconds, would profit from mates: with two frames or less, nobody sees
+/// the finest picture come.
 const SLOW: f64 = 30.0;
-/// The units of work between two checks of the clock for a moving picture.
-const MOVING_WORK: usize = WORK / 4;
 
 /// A drawing in space and its picture.
 pub(crate) struct SolidView {
@@ -44,15 +30,11 @@ pub(crate) struct SolidView {
     /// Whether the picture in the making is a moving picture: the first one of a new view, which must be fast.
     moving: bool,
     /// The quality at which moving pictures are in time.
-    pace: Quality,
-    /// Whether moving pictures have half the width and height.
-    half: bool,
-    /// The number of moving pictures in a row that were too slow.
-    late_pictures: u8,
+    pace: Pace,
     /// The milliseconds spent on the picture in the making.
     spent: f64,
-    /// The value of `spent` at which the effort is reduced next.
-    hurried: f64,
+    /// The value of `spent` at which the effort of a moving picture is reduced next.
+    deadline: Deadline,
     /// Whether mates help with the picture in the making.
     shared: bool,
     /// The panes of the shared picture.
@@ -72,11 +54,9 @@ impl Default for SolidView {
             quality: MIDDLE,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             moving: false,
-            pace: UNKNOWN,
-            half: false,
-            late_pictures: 0,
-            hurried: 0.0,
+            pace: Pace::default(),
             spent: 0.0,
+            deadline: Deadline::new(),
             shared: false,
             sharing: Sharing::default(),
             effort: Effort::default(),
@@ -85,38 +65,38 @@ impl Default for SolidView {
     }
 }
 
-impl Viewer for SolidView {
+impl<S: Surface> Viewer<S> for SolidView {
     fn begin(&mut self, settings: PictureSettings) {
         self.renderer.play(settings.upto);
         self.settings = Some(self.within_room(settings));
         self.moving = true;
-        self.refine(self.pace);
+        self.refine(self.pace.quality);
     }
 
     /// After a picture is shown, the next finer one begins.
-    fn paint(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue> {
+    fn paint(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<Drawn>, S::Error> {
         if self.shared {
             return self.paint_shared(clock, surface);
         }
         let (Some(drawing), Some(settings), false) = (&self.drawing, &self.settings, self.done) else {
             return Ok(None);
         };
-        let began = clock.now();
+        let began = clock();
         let progress = self.renderer.step(if self.moving { MOVING_WORK } else { WORK });
-        self.spent += clock.now() - began;
+        self.spent += clock() - began;
         if progress == Progress::More {
-            if self.moving && self.spent > self.hurried {
-                self.renderer.hurry(0.3);
-                self.hurried += 0.5 * HURRY;
+            if self.moving && self.deadline.has_passed(self.spent) {
+                self.renderer.hurry(HURRIED_EFFORT);
             }
-            if self.quality == Quality::FINEST && self.spent > HURRY && settings.mates > 0 && drawing.is_memoised() {
+            let is_long = self.quality == Quality::FINEST && is_long(self.spent);
+            if is_long && settings.mates > 0 && drawing.is_memoised() {
                 self.shared = true;
                 self.effort = Effort::new(self.quality, self.viewport);
                 self.sharing.start(SolidRenderer::panes(self.viewport));
             }
             return Ok(None);
         }
-        let finished = clock.now();
+        let finished = clock();
         surface.show(self.renderer.pixels(), self.viewport)?;
         let scale = settings.scale;
         let complete = self.quality == Quality::FINEST;
@@ -125,13 +105,13 @@ impl Viewer for SolidView {
         let moving = core::mem::take(&mut self.moving);
         let sharp = self.viewport == settings.viewport;
         if moving {
-            self.keep_pace(clock.now() - finished);
+            self.pace.learn(self.spent, clock() - finished);
         }
         self.done = complete;
         if !complete {
             self.refine(if sharp && self.quality >= MIDDLE { Quality::FINEST } else { MIDDLE });
         }
-        Ok(Some(Drawn { complete, scale, moving, rough: false, slow, only }))
+        Ok(Some(Drawn { complete, scale, moving, slow, only, ..Drawn::default() }))
     }
 
     fn is_done(&self) -> bool {
@@ -155,7 +135,7 @@ impl SolidView {
         // A drawing that grows or changes an angle takes about as long as the previous one.
         let known = self.drawing.as_ref().map_or(0, |former| former.segment_count());
         if drawing.segment_count() / LIKE > known {
-            self.pace = self.pace.min(UNKNOWN);
+            self.pace.be_careful();
         }
         self.drawing = Some(drawing);
     }
@@ -198,16 +178,16 @@ impl SolidView {
         let Some(settings) = &self.settings else { return };
         (self.done, self.shared) = (false, false);
         self.quality = quality;
-        self.viewport = if self.moving && self.half { halved(settings.viewport) } else { settings.viewport };
-        (self.spent, self.hurried) = (0.0, HURRY);
+        self.viewport = if self.moving && self.pace.is_half { halved(settings.viewport) } else { settings.viewport };
+        (self.spent, self.deadline) = (0.0, Deadline::new());
         self.renderer.begin(&settings.style, self.viewport, &settings.vantage.camera, quality);
     }
 
     /// Continues a picture that is shared with mates.
-    fn paint_shared(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue> {
+    fn paint_shared<S: Surface>(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<Drawn>, S::Error> {
         let Some(settings) = &self.settings else { return Ok(None) };
         let viewport = self.viewport;
-        match self.sharing.next_action(clock.now()) {
+        match self.sharing.next_action(clock()) {
             NextAction::Begin(pane) => {
                 self.renderer.begin_pane(
                     &settings.style,
@@ -228,42 +208,11 @@ impl SolidView {
             NextAction::Done if self.effort.is_too_small(self.sharing.spent()) => self.sharing.start_again(),
             NextAction::Done => {
                 (self.done, self.shared) = (true, false);
+                // A picture of a single colour is too quick to be shared, so nothing is the only thing in it.
                 let scale = settings.scale;
-                // A picture of a single colour is too quick to be shared.
-                let only = None;
-                return Ok(Some(Drawn { complete: true, scale, moving: false, rough: false, slow: true, only }));
+                return Ok(Some(Drawn { complete: true, scale, slow: true, ..Drawn::default() }));
             }
         }
         Ok(None)
-    }
-
-    /// Chooses the quality and size of the next moving picture, after one that took `shown` milliseconds to put on the
-    /// canvas.
-    fn keep_pace(&mut self, shown: f64) {
-        let finest = self.pace == Quality::MOVING;
-        self.pace = self.pace.paced(quality_steps(self.spent));
-        if self.half {
-            self.half = !finest || self.spent > WHOLE;
-            return;
-        }
-        self.late_pictures = if self.spent + shown > HALVE { self.late_pictures + 1 } else { 0 };
-        if self.late_pictures > 1 {
-            (self.half, self.late_pictures) = (true, 0);
-            self.pace = self.pace.paced(FINER);
-        }
-    }
-}
-
-/// The number of quality steps from a picture that took `spent` milliseconds to the next one. Two steps double the
-/// effort.
-fn quality_steps(spent: f64) -> i32 {
-    let ratio = TARGET / spent.max(0.01);
-    match ratio {
-        ..0.25 => -4,
-        ..0.5 => -2,
-        ..0.85 => -1,
-        ..1.5 => 0,
-        ..2.5 => 1,
-        _ => 3,
     }
 }

@@ -1,15 +1,12 @@
 //! The interface of a drawing's viewer: there is one viewer for the plane and one for space.
 
-use crate::clock::Clock;
 use crate::plane::PlaneView;
+use crate::reading::Pose;
 use crate::solid::SolidView;
-use crate::surface::CanvasSurface;
+use crate::surface::{Clock, Surface};
 use lsystem::{Figure, Style, Vantage, Viewport};
 use serde::Serialize;
-use wasm_bindgen::JsValue;
-
-/// The units of work between two checks of the clock: well under a millisecond.
-pub(crate) const WORK: usize = 16_384;
+use ts_rs::TS;
 
 /// The settings of a picture.
 #[derive(Clone, PartialEq)]
@@ -27,27 +24,31 @@ pub(crate) struct PictureSettings {
 }
 
 /// The picture on the canvas.
-#[derive(Serialize)]
-pub(crate) struct Drawn {
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
+pub struct Drawn {
     /// Whether no finer picture follows.
-    pub(crate) complete: bool,
+    pub complete: bool,
     /// Device pixels per fitted extent at zoom 1.
-    pub(crate) scale: f64,
+    pub scale: f64,
     /// Whether the picture is the first one of a new view in space, made fast because the view is probably moving.
-    pub(crate) moving: bool,
+    pub moving: bool,
     /// Whether the picture is complete but not exact, because an exact one would take too long.
-    pub(crate) rough: bool,
+    pub rough: bool,
     /// Whether the picture is in space and took so long that mates would help.
-    pub(crate) slow: bool,
-    /// The one thing in view: only complete pictures tell.
-    pub(crate) only: Option<Only>,
+    pub slow: bool,
+    /// The one thing in a complete picture of a single colour.
+    pub only: Option<Only>,
+    /// The turtle after the last shown segment; null if all segments are shown.
+    pub pose: Option<Pose>,
 }
 
 /// The one thing in a picture of a single colour.
-#[derive(Clone, Copy, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
 #[serde(rename_all = "lowercase")]
-pub(crate) enum Only {
+pub enum Only {
+    /// No ink.
     Background,
+    /// Ink everywhere.
     Ink,
 }
 
@@ -62,20 +63,18 @@ impl Only {
 }
 
 /// Makes the pictures of a drawing in steps.
-pub(crate) trait Viewer {
+pub(crate) trait Viewer<S: Surface> {
     /// Starts a picture and cancels the picture in the making.
     fn begin(&mut self, settings: PictureSettings);
 
     /// Continues the picture. Returns the picture on the canvas if it is new.
-    fn paint(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue>;
+    fn paint(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<Drawn>, S::Error>;
 
     /// Whether the finest picture is on the canvas.
     fn is_done(&self) -> bool;
 
     /// Whether a coarse picture is on the canvas and a finer one is in the making, so that there is no hurry.
-    fn is_refining(&self) -> bool {
-        false
-    }
+    fn is_refining(&self) -> bool;
 }
 
 /// The viewers of both spaces. One of them shows the drawing.
@@ -107,11 +106,11 @@ impl Views {
         }
     }
 
-    pub(crate) fn get(&self) -> &dyn Viewer {
+    pub(crate) fn get<S: Surface>(&self) -> &dyn Viewer<S> {
         if self.is_solid { &self.solid } else { &self.plane }
     }
 
-    pub(crate) fn get_mut(&mut self) -> &mut dyn Viewer {
+    pub(crate) fn get_mut<S: Surface>(&mut self) -> &mut dyn Viewer<S> {
         if self.is_solid { &mut self.solid } else { &mut self.plane }
     }
 }

@@ -1,19 +1,19 @@
 //! The viewer of drawings in the plane. A coarse picture comes first if the fine one takes longer than a frame.
 
 use crate::budget::affordable;
-use crate::clock::Clock;
-use crate::surface::CanvasSurface;
-use crate::viewer::{Drawn, Only, PictureSettings, Viewer, WORK};
+use crate::pace::{STEP, WORK};
+use crate::surface::{Clock, Surface};
+use crate::viewer::{Drawn, Only, PictureSettings, Viewer};
 use lsystem::render::Detail;
 use lsystem::{Drawing, Progress, Renderer};
 use std::sync::Arc;
-use wasm_bindgen::JsValue;
 
-/// The milliseconds that a fine picture may take before a coarse one is shown instead.
-const PATIENCE: f64 = 8.0;
+/// The milliseconds that a fine picture may take before a coarse one is shown instead: a step, since the page gets the next
+/// picture no earlier.
+const PATIENCE: f64 = STEP;
 
 /// The number of pictures that start coarse after a slow fine picture. Then a fine one is tried again, because the
-/// slowness may have been accidental.
+/// slowness may have been accidental. If it was not, one picture in five comes later than the others, by one step.
 const SKETCHES: u8 = 4;
 
 /// A drawing in the plane and its picture.
@@ -55,7 +55,7 @@ impl Default for PlaneView {
     }
 }
 
-impl Viewer for PlaneView {
+impl<S: Surface> Viewer<S> for PlaneView {
     fn begin(&mut self, settings: PictureSettings) {
         self.settings = Some(self.within_room(settings));
         if self.sketches > 0 || self.coarse.is_none() {
@@ -66,7 +66,7 @@ impl Viewer for PlaneView {
         }
     }
 
-    fn paint(&mut self, clock: &Clock, surface: &CanvasSurface) -> Result<Option<Drawn>, JsValue> {
+    fn paint(&mut self, clock: &Clock, surface: &mut S) -> Result<Option<Drawn>, S::Error> {
         let Some(settings) = &self.settings else { return Ok(None) };
         let &PictureSettings { viewport, scale, .. } = settings;
         match self.stage {
@@ -81,19 +81,19 @@ impl Viewer for PlaneView {
                     self.begin_fine();
                 }
                 self.stage = Stage::Fine { sketched: true };
-                Ok(Some(Drawn { complete: false, scale, moving: false, rough: false, slow: false, only: None }))
+                Ok(Some(Drawn { scale, ..Drawn::default() }))
             }
             Stage::Fine { sketched } => {
-                let start = clock.now();
+                let start = clock();
                 let progress = self.fine.step(WORK);
-                self.spent += clock.now() - start;
+                self.spent += clock() - start;
                 if progress == Progress::Done {
                     self.sketches = if self.spent > PATIENCE { SKETCHES } else { 0 };
                     self.stage = Stage::Done;
                     surface.show(self.fine.pixels(), viewport)?;
                     let rough = self.fine.stats().is_rough();
                     let only = Only::of(self.fine.pixels(), &settings.style);
-                    return Ok(Some(Drawn { complete: true, scale, moving: false, rough, slow: false, only }));
+                    return Ok(Some(Drawn { complete: true, scale, rough, only, ..Drawn::default() }));
                 }
                 if self.spent > PATIENCE {
                     self.sketches = SKETCHES;

@@ -1,0 +1,367 @@
+//! Reading a derivation: pages of its strings, the ancestry of symbols, and segments with their symbols. Numbers that may be
+//! large are decimal digits; all numbers count from 0.
+
+use crate::budget::HISTORY;
+use crate::pace::{STEP, WORK};
+use crate::session::Session;
+use crate::surface::Surface;
+use core::ops::Range;
+use lsystem::derive::{Ancestor, History, Part, Word};
+use lsystem::drawing::{Segment, StyleChange};
+use lsystem::render::{Pointer, Target, fitted_ends, fitted_outline, fitted_polygon};
+use lsystem::syntax::print_module;
+use lsystem::{Figure, Progress, pick};
+use serde::Serialize;
+use ts_rs::TS;
+
+/// The most blocks visited by one pick: some milliseconds, so that a pick takes no longer than a step.
+const VISITS: usize = 20_000;
+
+/// The most units of work to count the symbols of a string: some ten milliseconds, once for a string of more than 2^128
+/// symbols.
+const COUNTING: u64 = 64 * WORK as u64;
+
+/// A source of the symbols of a generation.
+enum GenerationReader<'a> {
+    /// Counts of the symbols that letters derive.
+    Counted(Word<'a>),
+    /// A remembered derivation.
+    Remembered(&'a History),
+}
+
+/// A place relative to the fitted centre, in fitted extents. In the plane: right, up, and a small correction of each. In
+/// space: along the three axes of the model.
+pub type Place = Vec<f64>;
+
+/// A page of a generation's string.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct StringPage {
+    /// The number of symbols of the generation; null if the number is not known.
+    pub length: Option<String>,
+    /// The symbols of the page; null if the generation is too long to derive.
+    pub text: Option<String>,
+    /// Whether each symbol ends with a line end, because some have arguments or names in backquotes.
+    pub apart: bool,
+}
+
+/// One link of the chain from the axiom to a symbol.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct AncestryLink {
+    /// The generation of the symbol.
+    pub generation: u32,
+    /// The symbol, with its arguments in parentheses, if any.
+    pub symbol: String,
+    /// The position of the symbol in its generation.
+    pub index: String,
+    /// The production that made the symbol; null if the symbol was copied or stands in the axiom.
+    pub production: Option<usize>,
+    /// The position in the successor, or in the axiom.
+    pub position: usize,
+}
+
+/// The descendants of a symbol in a later generation, as half-open ranges.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct Descendants {
+    /// The positions of the symbols.
+    pub symbols: [String; 2],
+    /// The numbers of the segments.
+    pub segments: [String; 2],
+    /// In the plane the corners of a convex outline of the segments; in space the ends of a single segment.
+    pub outline: Vec<Place>,
+}
+
+/// A symbol's ancestors, and its descendants in the shown generation.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct SymbolFacts {
+    /// The chain from the axiom; empty if the derivation is too long to be remembered.
+    pub ancestry: Vec<AncestryLink>,
+    /// Null if the derivation is too long to be remembered.
+    pub part: Option<Descendants>,
+    /// The first segment of the part.
+    pub stroke: Option<SegmentFacts>,
+}
+
+/// A segment, and the turtle there.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+#[serde(rename_all = "camelCase")]
+pub struct SegmentFacts {
+    /// The start, in model units.
+    pub from: Vec<f64>,
+    /// The end, in model units.
+    pub to: Vec<f64>,
+    /// The start.
+    pub fitted_from: Place,
+    /// The end.
+    pub fitted_to: Place,
+    /// The direction from start to end.
+    pub heading: Direction,
+    /// The branch level.
+    pub level: u32,
+    /// The colour index, not wrapped to the palette.
+    pub colour: i32,
+}
+
+/// A heading.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, TS)]
+#[serde(untagged)]
+pub enum Direction {
+    /// In the plane: degrees counter-clockwise from the right.
+    Degrees(f64),
+    /// In space: a unit vector.
+    Vector([f64; 3]),
+}
+
+/// A polygon.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct PolygonFacts {
+    /// The vertices.
+    pub outline: Vec<Place>,
+    /// The branch level.
+    pub level: u32,
+    /// The colour index, not wrapped to the palette.
+    pub colour: i32,
+}
+
+/// The mark under the pointer; all null or empty if there is none.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
+pub struct Picked {
+    /// The number of the segment, if the mark is a segment.
+    pub segment: Option<String>,
+    /// The number of the polygon, if the mark is a polygon.
+    pub polygon: Option<String>,
+    /// The position of the symbol that draws the segment or opens the polygon; null if the generation cannot be read.
+    pub symbol: Option<String>,
+    /// The chain from the axiom to the symbol.
+    pub ancestry: Vec<AncestryLink>,
+    /// The segment.
+    pub stroke: Option<SegmentFacts>,
+    /// The polygon.
+    pub filled: Option<PolygonFacts>,
+}
+
+/// The turtle after the shown segments.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct Pose {
+    /// Its place, in model units.
+    pub at: Vec<f64>,
+    /// Its place.
+    pub fitted: Place,
+    /// Its heading.
+    pub heading: Direction,
+    /// The branch level.
+    pub level: u32,
+}
+
+impl<S: Surface> Session<S> {
+    /// Drops the remembered derivation. [`Session::remember`] derives again.
+    pub fn forget(&mut self) {
+        self.history = None;
+    }
+
+    /// Derives, for about [`STEP`] milliseconds, the history that reading generation `generation` needs, or the shown one
+    /// without a number. Returns whether nothing is left to do. A generation that then still cannot be read is too long.
+    pub fn remember(&mut self, generation: Option<u32>) -> bool {
+        let end = (self.clock)() + STEP;
+        let n = self.iterations();
+        let generation = generation.unwrap_or(n);
+        let Some(system) = &self.system else { return true };
+        if system.word(generation).is_some() {
+            return true;
+        }
+        if self.history.is_none() {
+            self.history = system.history(n, &HISTORY);
+        }
+        let Some(history) = &mut self.history else { return true };
+        loop {
+            let known = if generation < n { history.symbols(generation).is_some() } else { history.is_complete() };
+            if known || history.step(WORK) == Progress::Done {
+                return true;
+            }
+            if (self.clock)() >= end {
+                return false;
+            }
+        }
+    }
+
+    /// At most `count` symbols of a generation from position `start` on; a module with arguments is one symbol.
+    pub fn string(&self, generation: u32, start: u128, count: usize) -> StringPage {
+        let text = self.slice(generation, start, count);
+        let length = text.is_some().then(|| self.string_length(generation)).flatten();
+        StringPage { length, text, apart: self.is_apart() }
+    }
+
+    /// A symbol's ancestors, and its descendants in the shown generation.
+    pub fn symbol(&self, generation: u32, index: u128) -> SymbolFacts {
+        let part = self.part(generation, index, self.iterations());
+        let first = part.as_ref().map(|part| part.segments.start);
+        SymbolFacts {
+            ancestry: self.ancestry(generation, index),
+            stroke: first.and_then(|first| self.segment(first)),
+            part: part.map(|part| self.descendants(part)),
+        }
+    }
+
+    /// The position in generation `later` of the first symbol that derives from the symbol at `index` of `generation`;
+    /// `None` if there is no such symbol or the later generation cannot be read.
+    pub fn descendant(&self, generation: u32, index: u128, later: u32) -> Option<String> {
+        Some(self.part(generation, index, later)?.symbols.start.to_string())
+    }
+
+    /// The mark within `tolerance` device pixels of a place on the canvas, in device pixels from the upper left corner.
+    pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Picked {
+        let pointer = Pointer { at: [x, y], tolerance, upto: self.upto, visits: VISITS };
+        let Some(figure) = &self.shown else { return Picked::default() };
+        let Some(found) = pick(figure, self.viewport, &self.vantage, &pointer) else { return Picked::default() };
+        let (symbol, picked) = match found.target {
+            Target::Segment(number) => {
+                let (segment, stroke) = (Some(number.to_string()), self.segment(number));
+                (self.symbol_of_segment(number), Picked { segment, stroke, ..Picked::default() })
+            }
+            Target::Polygon(number) => {
+                let (polygon, filled) = (Some(number.to_string()), polygon_facts(figure, number));
+                (self.symbol_of_polygon(number), Picked { polygon, filled, ..Picked::default() })
+            }
+        };
+        let ancestry = symbol.map_or_else(Vec::new, |symbol| self.ancestry(self.iterations(), symbol));
+        Picked { symbol: symbol.map(|symbol| symbol.to_string()), ancestry, ..picked }
+    }
+
+    /// Segment `number`; `None` after the last.
+    pub fn segment(&self, number: u128) -> Option<SegmentFacts> {
+        segment_facts(self.shown.as_ref()?, number)
+    }
+
+    /// The turtle after the last shown segment, or before the first one; `None` if all segments are shown.
+    pub(crate) fn pose(&self) -> Option<Pose> {
+        let upto = self.upto?;
+        let SegmentFacts { from, to, fitted_from, fitted_to, heading, level, .. } =
+            self.segment(upto.saturating_sub(1))?;
+        let (at, fitted) = if upto > 0 { (to, fitted_to) } else { (from, fitted_from) };
+        Some(Pose { at, fitted, heading, level })
+    }
+
+    /// The number of iterations of the drawn definition.
+    fn iterations(&self) -> u32 {
+        self.definition.iterations
+    }
+
+    /// Whether some symbols have arguments or names in backquotes.
+    fn is_apart(&self) -> bool {
+        self.system.as_ref().is_some_and(|system| !system.rules.is_plain())
+    }
+
+    fn string_length(&self, generation: u32) -> Option<String> {
+        match self.reader(generation)? {
+            GenerationReader::Counted(word) => {
+                let symbols = word.symbols();
+                if symbols < u128::MAX {
+                    return Some(symbols.to_string());
+                }
+                let mut counter = self.system.as_ref()?.symbols(generation);
+                counter.step(COUNTING);
+                // If counting takes too long, the number of symbols that can be read stands for the count.
+                Some(counter.count().map_or_else(|| symbols.to_string(), ToString::to_string))
+            }
+            GenerationReader::Remembered(history) => history.symbols(generation).map(|count| count.to_string()),
+        }
+    }
+
+    fn slice(&self, generation: u32, start: u128, length: usize) -> Option<String> {
+        let reader = self.reader(generation)?;
+        let mut text = String::new();
+        let apart = self.is_apart();
+        let mut visit = |symbol: char, arguments: &[f64]| {
+            if !apart {
+                return text.push(symbol);
+            }
+            print_module(symbol, arguments, &mut text);
+            text.push('\n');
+        };
+        match reader {
+            GenerationReader::Counted(word) => word.modules(start, length, &mut visit),
+            GenerationReader::Remembered(history) => {
+                history.symbols(generation)?;
+                history.modules(generation, start, length, &mut visit);
+            }
+        }
+        Some(text)
+    }
+
+    /// The chain from the axiom to the symbol at `index`. Empty if there is no such symbol or the generation cannot be
+    /// read.
+    fn ancestry(&self, generation: u32, index: u128) -> Vec<AncestryLink> {
+        let chain = match self.reader(generation) {
+            None => vec![],
+            Some(GenerationReader::Counted(word)) => word.ancestry(index),
+            Some(GenerationReader::Remembered(history)) => history.ancestry(generation, index),
+        };
+        chain.into_iter().map(|ancestor| self.link(ancestor)).collect()
+    }
+
+    /// The descendants in generation `later` of the symbol at `index` of `generation`.
+    fn part(&self, generation: u32, index: u128, later: u32) -> Option<Part> {
+        match self.reader(later)? {
+            GenerationReader::Counted(word) => word.part(generation, index),
+            GenerationReader::Remembered(history) => history.part(generation, index, later),
+        }
+    }
+
+    /// A part of the shown generation.
+    fn descendants(&self, Part { symbols, segments }: Part) -> Descendants {
+        let outline = self.shown.as_ref().map_or_else(Vec::new, |figure| fitted_outline(figure, segments.clone()));
+        Descendants { symbols: ends(symbols), segments: ends(segments), outline }
+    }
+
+    /// The position of the symbol that draws a segment.
+    pub(crate) fn symbol_of_segment(&self, segment: u128) -> Option<u128> {
+        match self.reader(self.iterations())? {
+            GenerationReader::Counted(word) => word.symbol_of_segment(segment),
+            GenerationReader::Remembered(history) => history.symbol_of_segment(segment),
+        }
+    }
+
+    /// The position of the symbol that opens a polygon.
+    fn symbol_of_polygon(&self, number: u128) -> Option<u128> {
+        self.shown.as_ref()?.symbol_of_polygon(self.system.as_ref()?, self.iterations(), number)
+    }
+
+    fn reader(&self, generation: u32) -> Option<GenerationReader<'_>> {
+        let word = self.system.as_ref()?.word(generation).map(GenerationReader::Counted);
+        word.or_else(|| self.history.as_ref().map(GenerationReader::Remembered))
+    }
+
+    fn link(&self, ancestor: Ancestor) -> AncestryLink {
+        let Ancestor { generation, symbol, arguments, index, production, position } = ancestor;
+        let mut module = String::new();
+        if self.is_apart() {
+            print_module(symbol, &arguments, &mut module);
+        } else {
+            module.push(symbol);
+        }
+        AncestryLink { generation, symbol: module, index: index.to_string(), production, position }
+    }
+}
+
+fn segment_facts(figure: &Figure, number: u128) -> Option<SegmentFacts> {
+    let Segment { from, to, level, colour, .. } = figure.segments_from(number).next()?;
+    let [fitted_from, fitted_to] = fitted_ends(figure, number)?;
+    let (heading, dimensions) = match figure {
+        Figure::Plane(drawing) => (Direction::Degrees(drawing.heading_at(number)?), 2),
+        Figure::Space(_) => {
+            let way = [0, 1, 2].map(|i| to[i] - from[i]);
+            let length = way.map(|c| c * c).iter().sum::<f64>().sqrt();
+            (Direction::Vector(way.map(|c| if length > 0.0 { c / length } else { 0.0 })), 3)
+        }
+    };
+    let [from, to] = [from, to].map(|end| end.into_iter().take(dimensions).collect());
+    Some(SegmentFacts { from, to, fitted_from, fitted_to, heading, level, colour })
+}
+
+fn polygon_facts(figure: &Figure, number: u128) -> Option<PolygonFacts> {
+    let StyleChange { level, colour, .. } = figure.polygon_style(number)?;
+    Some(PolygonFacts { outline: fitted_polygon(figure, number), level, colour: colour.of(0) })
+}
+
+fn ends(range: Range<u128>) -> [String; 2] {
+    [range.start.to_string(), range.end.to_string()]
+}

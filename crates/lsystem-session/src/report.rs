@@ -1,0 +1,90 @@
+//! What the page is told of a definition.
+
+use lsystem::drawing::{kind, legend, why_empty};
+pub use lsystem::syntax::Problem;
+use lsystem::{Figure, System};
+use serde::Serialize;
+use ts_rs::TS;
+
+/// The properties of a definition and its problems. Counts are exact decimal strings, null while unknown.
+#[derive(Clone, Debug, Default, Serialize, TS)]
+pub struct Report {
+    /// Whether the definition has no errors.
+    pub ok: bool,
+    /// All errors and warnings, also about limits.
+    pub diagnostics: Vec<Problem>,
+    /// As [`lsystem::drawing::kind`].
+    pub kind: String,
+    /// Whether the drawing depends on the seed.
+    pub stochastic: bool,
+    /// Whether the drawing leaves the plane.
+    pub space: bool,
+    /// Whether the drawing shares its blocks.
+    pub memoised: Option<bool>,
+    /// The number of symbols of the generation.
+    pub symbols: Option<String>,
+    /// The number of segments of the drawing.
+    pub segments: Option<String>,
+    /// The number of blocks of the drawing.
+    pub blocks: Option<usize>,
+    /// The largest number of iterations within the limits, if the drawing exceeds a limit.
+    pub largest: Option<u32>,
+    /// The symbols in use.
+    pub legend: Vec<Legend>,
+    /// The reason why nothing is drawn.
+    pub empty: Option<String>,
+    /// The picture's text alternative.
+    pub description: String,
+}
+
+/// A symbol in use and its actions.
+#[derive(Clone, Debug, Serialize, TS)]
+pub struct Legend {
+    /// The symbol, with the names of its parameters.
+    pub symbol: String,
+    /// The turtle's actions, in words.
+    pub actions: String,
+    /// Whether a production replaces the symbol.
+    pub rewritten: bool,
+}
+
+impl Report {
+    /// The report on a definition that cannot be used.
+    pub(crate) fn wrong(diagnostics: Vec<Problem>) -> Self {
+        Self { diagnostics, ..Self::default() }
+    }
+
+    /// What is known of a system before it is drawn.
+    pub(crate) fn of(system: &System, n: u32, diagnostics: Vec<Problem>) -> Self {
+        let legend = legend(system).into_iter().map(|entry| Legend {
+            symbol: entry.module,
+            actions: entry.actions,
+            rewritten: entry.rewritten,
+        });
+        Self {
+            ok: true,
+            diagnostics,
+            kind: kind(system),
+            stochastic: system.is_stochastic(),
+            space: system.is_solid(),
+            legend: legend.collect(),
+            empty: why_empty(system, n),
+            ..Self::default()
+        }
+    }
+
+    /// Takes over what another report on the same drawing says about the drawing.
+    pub(crate) fn keep_drawing(self, former: Self) -> Self {
+        let Self { memoised, symbols, segments, blocks, largest, description, .. } = former;
+        Self { memoised, symbols, segments, blocks, largest, description, ..self }
+    }
+
+    /// Adds what the finished drawing knows.
+    pub(crate) fn add_drawing(&mut self, figure: &Figure) {
+        if let Some(symbols) = figure.symbol_count() {
+            self.symbols = Some(symbols.to_string());
+        }
+        self.memoised = Some(figure.is_memoised());
+        self.blocks = Some(figure.block_count());
+    }
+}
