@@ -32,8 +32,13 @@ export function createDrawing({ playground, canvas, inbox }) {
     let moving = false;
     /** Whether the last step left nothing to draw. */
     let wasIdle = true;
-    const tellAt = onChange((/** @type {number} */ define, /** @type {number} */ view, /** @type {number} */ question) => page.postMessage({ type: 'at', define, view, question }));
-    const tellDone = onChange((/** @type {number} */ id, /** @type {number} */ viewId) => page.postMessage({ type: 'done', id, viewId }));
+    const tellAt = onChange(
+        (/** @type {number} */ define, /** @type {number} */ view, /** @type {number} */ question) =>
+            page.postMessage({ type: 'at', define, view, question }),
+    );
+    const tellDone = onChange((/** @type {number} */ id, /** @type {number} */ viewId) =>
+        page.postMessage({ type: 'done', id, viewId }),
+    );
     const ids = () => /** @type {const} */ ([at.define?.id ?? 0, at.view?.id ?? 0]);
 
     /** @param {NonNullable<Inbox['define' | 'view']>} newest @param {() => void} act */

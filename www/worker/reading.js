@@ -13,7 +13,9 @@ export function createReading(playground) {
     const readers = {
         string: ({ generation, start, count }) => playground.string(generation, start, count),
         symbol: ({ generation, index }) => playground.symbol(generation, index),
-        descendant: ({ generation, index, later }) => ({ start: playground.descendant(generation, index, later) ?? null }),
+        descendant: ({ generation, index, later }) => ({
+            start: playground.descendant(generation, index, later) ?? null,
+        }),
         pick: ({ x, y, tolerance }) => playground.pick(x, y, tolerance),
     };
 

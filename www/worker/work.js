@@ -45,7 +45,11 @@ export function createWork({ playground, inbox, drawing, sharing, readFile, thum
             case 'notation':
                 return page.postMessage({ type: 'notation', id, ...wasm_bindgen.notation(question.texts) });
             case 'site':
-                return page.postMessage({ type: 'site', id, site: wasm_bindgen.siteOf(question.texts, question.field, question.offset) });
+                return page.postMessage({
+                    type: 'site',
+                    id,
+                    site: wasm_bindgen.siteOf(question.texts, question.field, question.offset),
+                });
             case 'qr':
                 return page.postMessage({ type: 'qr', id, modules: wasm_bindgen.qr_code(question.text) ?? null });
             case 'seed':

@@ -60,7 +60,15 @@ import { createWork } from './work.js';
             const drawing = createDrawing({ playground, canvas, inbox });
             const sharing = createSharing({ canvas, playground, guard, wake, shown: drawing.shown, memory });
             const readFile = createReadFile({ guard, tellAt: drawing.tellAt });
-            work = createWork({ playground, inbox, drawing, sharing, readFile, thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }), wake });
+            work = createWork({
+                playground,
+                inbox,
+                drawing,
+                sharing,
+                readFile,
+                thumbs: createThumbs({ playground, waiting: thumbs, tellAt: drawing.tellAt }),
+                wake,
+            });
             setMates = sharing.setMates;
         }
         page.postMessage({ type: 'ready' });

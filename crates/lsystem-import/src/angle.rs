@@ -1,6 +1,7 @@
 //! Angles as people write them: `25,7°`, `360/7`, `2π/5`, `pi/3`, `1.047 rad`, `1/6 turn`.
 
 use core::f64::consts::PI;
+use lsystem_base::decimal;
 
 /// Why a text gives no angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -138,7 +139,7 @@ impl Reader<'_> {
             points += usize::from(!digit(end));
             end += 1;
         }
-        let number = self.rest()[..end].replace(',', ".").parse().ok();
+        let number = decimal::read(&self.rest()[..end].replace(',', "."));
         self.at = if number.is_some() { self.at + end } else { before };
         number
     }

@@ -4,6 +4,7 @@ use crate::angle::{NoAngle, by_value, tidy};
 use crate::draft::Draft;
 use crate::source::Source;
 use core::ops::Range;
+use lsystem_base::decimal;
 use lsystem_base::number::number;
 use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern, Production, look_alike, parse};
 
@@ -470,7 +471,7 @@ fn shared_angle(said: &mut Statements) {
     if angles.iter().any(|angle| **angle != first) {
         return;
     }
-    let Ok(degrees) = first.parse::<f64>() else { return };
+    let Some(degrees) = decimal::read(&first) else { return };
     let span =
         said.meanings.iter().find(|(_, words)| words.value.contains(&first)).map(|(_, words)| words.span.clone());
     match &said.angle {

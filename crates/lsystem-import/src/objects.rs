@@ -22,6 +22,7 @@ use crate::tokens::{Kind, Node, tree};
 use crate::value::{Member, Unit, Value, What, elements, members};
 use crate::words::{is_prose, weighted};
 use core::ops::Range;
+use lsystem_base::decimal;
 
 /// Words of which a text without an axiom by that name has one.
 const FIELD: [&str; 6] = ["axiom", "l-system", "lsystem", "lindenmayer", "l_system", "turtle"];
@@ -612,7 +613,7 @@ fn angle_of(key: &str, value: &Value<'_>) -> Option<Angle> {
         What::Number(number, Unit::Unknown) => Some(by_key(*number)),
         What::Text(text) => {
             let trimmed = text.trim();
-            if let Ok(number) = trimmed.parse() {
+            if let Some(number) = decimal::read(trimmed) {
                 return Some(by_key(number));
             }
             let (degrees, _, end) = crate::angle::angle(trimmed).ok()?;

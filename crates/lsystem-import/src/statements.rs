@@ -16,6 +16,7 @@ use crate::phrases::{actions, symbols};
 use crate::source::Source;
 use crate::words::{is_language, is_prose, weight, weighted};
 use core::ops::Range;
+use lsystem_base::decimal;
 
 /// A text with more arrows is no description of a system.
 const MOST_RULES: usize = 20_000;
@@ -394,7 +395,7 @@ impl Reader<'_> {
             }
             Key::LengthFactor | Key::Heading => {
                 let number = angle(&text).ok().map(|(number, ..)| number);
-                let plain = text.trim().replace(',', ".").parse::<f64>().ok();
+                let plain = decimal::read(&text.trim().replace(',', "."));
                 let span = self.span(&whole);
                 match (label.key, plain, number) {
                     (Key::LengthFactor, Some(factor), _) => self.said.factor = Some(Said::new(factor, span.clone())),
@@ -713,7 +714,7 @@ impl Reader<'_> {
         let start = digits
             .rfind(|ch: char| !ch.is_ascii_digit() && !matches!(ch, '.' | ','))
             .map_or(0, |at| at + digits[at..].chars().next().map_or(1, char::len_utf8));
-        if let Ok(number) = digits[start..].replace(',', ".").parse::<f64>() {
+        if let Some(number) = decimal::read(&digits[start..].replace(',', ".")) {
             let span = self.span(&(line.start + start..line.start + sign));
             self.degrees = Some(Said::new(number, span));
         }
@@ -1131,7 +1132,7 @@ fn weak(text: &str) -> Option<Weak> {
 /// A number of a constant.
 fn constant(text: &str) -> Option<String> {
     let text = text.trim().trim_end_matches([';', ',']);
-    text.parse::<f64>().ok().filter(|number| number.is_finite()).map(|_| text.to_owned())
+    decimal::read(text).filter(|number| number.is_finite()).map(|_| text.to_owned())
 }
 
 /// Whether a line is a title: words without an arrow and without a label.

@@ -3,6 +3,7 @@
 //! The rules hold for most languages at once: JavaScript, JSON, Python, Java, C#, Lua, Ruby, Lisp. Code is not run.
 
 use core::ops::Range;
+use lsystem_base::decimal;
 
 /// A part of a text.
 #[derive(Clone, Debug)]
@@ -250,9 +251,9 @@ impl<'a> Lexer<'a> {
         let length = unit.find(|c: char| !c.is_alphanumeric() && c != '°' || c == 'π').unwrap_or(unit.len());
         let unit = unit[..length].to_owned();
         self.at += end + length;
-        let kind = match value.parse() {
-            Ok(value) => Kind::Number(value, unit),
-            Err(_) => Kind::Code,
+        let kind = match decimal::read(&value) {
+            Some(value) => Kind::Number(value, unit),
+            None => Kind::Code,
         };
         Token::Part(Node { kind, span: start..self.at, is_first })
     }

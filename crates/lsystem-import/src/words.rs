@@ -90,7 +90,7 @@ pub(super) fn weight(text: &str) -> Option<f64> {
     let number = |text: &str| {
         let text = text.trim();
         let plain = !text.is_empty() && text.chars().all(|c| c.is_ascii_digit() || c == '.' || c == ',');
-        plain.then(|| text.replace(',', ".").parse::<f64>().ok()).flatten()
+        plain.then(|| decimal::read(&text.replace(',', "."))).flatten()
     };
     let value = match digits.split_once('/') {
         Some((over, under)) => number(over)? / number(under)?,

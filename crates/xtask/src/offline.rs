@@ -54,7 +54,7 @@ mod tests {
         for (name, text) in [("index.html", ""), ("page.js", "abc"), ("playground.html", "x"), (WORKER, "work()")] {
             files::write(&site.join(name), text).unwrap();
         }
-        let list_files = |site: &Path| super::list_files(site, &["page.js".to_owned()]);
+        let list_files = |site: &Path| list_files(site, &["page.js".to_owned()]);
         assert!(list_files(site).is_err(), "what the first screen needs is missing");
         FIRST.iter().for_each(|name| files::write(&site.join(name), "").unwrap());
         list_files(site).unwrap();

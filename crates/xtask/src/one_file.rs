@@ -149,6 +149,7 @@ fn checked(script: String) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files;
 
     #[test]
     fn bytes_are_the_lower_halves_of_characters() {

@@ -40,7 +40,10 @@ const CHARACTERS = [...'FGXYfgAB+-[]{}()<>|!#%&\\/^$\'",;:.=* \n\t?~`@→ε−�
 function valueIn(roll, range) {
     const below = (/** @type {number} */ count) => Math.floor(roll() * count);
     const list = (/** @type {number} */ length, /** @type {() => unknown} */ member) => Array.from({ length }, member);
-    const colour = () => `#${below(2 ** 24).toString(16).padStart(6, '0')}`;
+    const colour = () =>
+        `#${below(2 ** 24)
+            .toString(16)
+            .padStart(6, '0')}`;
     switch (range.kind) {
         case 'number':
             return numberIn(roll, range);
@@ -57,7 +60,9 @@ function valueIn(roll, range) {
         case 'list':
             return list(range.count, () => valueIn(roll, range.each));
         case 'record':
-            return Object.fromEntries(Object.entries(range.members).map(([name, member]) => [name, valueIn(roll, member)]));
+            return Object.fromEntries(
+                Object.entries(range.members).map(([name, member]) => [name, valueIn(roll, member)]),
+            );
     }
 }
 
