@@ -1,5 +1,7 @@
 //! Words of languages beside words of symbols, and the weights of rules.
 
+use lsystem_base::decimal;
+
 /// Whether a text is words of a language, not of symbols.
 pub(super) fn is_prose(text: &str) -> bool {
     let mut words = text.split_whitespace().peekable();
