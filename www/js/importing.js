@@ -5,6 +5,7 @@
 
 import gallery from '../css/gallery.css';
 import styles from '../css/importing.css';
+import { showAccount } from './account.js';
 import { toast } from './announce.js';
 import { button, byId, closes, html, input, make, setText, withCode } from './dom.js';
 import markup from './importing.html';
@@ -38,7 +39,13 @@ export function createImporting({ store, engine, restyle }) {
     let cards = [];
     /** @type {Entry | null} */
     let chosen = null;
-    /** What is offered after text was pasted into a field. @type {Imported | null} */
+    /** The text that is shown, and what became of its parts. */
+    let text = '';
+    /** @type {Imported['account']} */
+    let account = [];
+    /** @type {Entry[]} */
+    let entries = [];
+    /** What is offered after text was pasted into a field. @type {{found: Imported, text: string} | null} */
     let offered = null;
 
     const seen = new IntersectionObserver(
@@ -70,35 +77,30 @@ export function createImporting({ store, engine, restyle }) {
         chosen = entry;
         for (const { entry: own, card } of cards) card.setAttribute('aria-pressed', String(own === entry));
         setText(html('import-name'), nameOf(entry));
-        html('import-remarks').replaceChildren(
-            ...entry.remarks
-                .slice(0, MOST_REMARKS)
-                .map(({ line, text, message }) =>
-                    make(
-                        'li',
-                        {},
-                        make('span', { class: 'place' }, `Line ${line}`),
-                        ' ',
-                        ...(text ? [make('code', {}, text), ' '] : []),
-                        ...withCode(message),
-                    ),
-                ),
+        const { source, parts } = showAccount(text, account, entries.indexOf(entry));
+        html('import-source').replaceChildren(...source);
+        // What the text leaves open has no part of it.
+        const open = entry.remarks.filter((remark) => remark.text === '').slice(0, MOST_REMARKS);
+        html('import-parts').replaceChildren(
+            ...open.map(({ message }) => make('li', { class: 'noted' }, ...withCode(message))),
+            ...parts,
         );
-        const more = entry.remarks.length - MOST_REMARKS;
-        if (more > 0) html('import-remarks').append(make('li', {}, `And ${more} more.`));
         setText(
             html('import-note'),
             entry.definition === null
                 ? 'This system cannot be opened:'
                 : entry.remarks.length > 0
-                  ? 'Not carried over, or changed:'
+                  ? 'Carried over with remarks:'
                   : 'Everything was carried over.',
         );
         button('import-open').disabled = entry.definition === null;
     }
 
-    /** @param {Imported} found */
-    function show({ notation, entries }) {
+    /** @param {Imported} found @param {string} pasted */
+    function show(found, pasted) {
+        const { notation } = found;
+        ({ account, entries } = found);
+        text = pasted;
         hideOffer();
         seen.disconnect();
         const readable = entries.filter(({ definition }) => definition !== null);
@@ -170,7 +172,7 @@ export function createImporting({ store, engine, restyle }) {
     button('import-open').addEventListener('click', accept);
     closes(dialog, 'close-import');
     button('import-cancel').addEventListener('click', () => dialog.close());
-    button('import-accept').addEventListener('click', () => offered && show(offered));
+    button('import-accept').addEventListener('click', () => offered && show(offered.found, offered.text));
     button('import-dismiss').addEventListener('click', hideOffer);
 
     return {
@@ -179,7 +181,7 @@ export function createImporting({ store, engine, restyle }) {
         /** Offers the systems of a text; returns whether there are any. @param {string} text */
         async offer(text) {
             const found = await read(text);
-            if (found) show(found);
+            if (found) show(found, text);
             return found !== null;
         },
 
@@ -187,7 +189,7 @@ export function createImporting({ store, engine, restyle }) {
         async offerPasted(text) {
             const found = await read(text);
             if (!found) return;
-            offered = found;
+            offered = { found, text };
             setText(
                 html('import-what'),
                 `This looks like ${found.notation}${found.entries.length > 1 ? ` (${found.entries.length} systems)` : ''}.`,

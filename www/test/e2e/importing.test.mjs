@@ -102,7 +102,7 @@ test('a file of many systems is a list of pictures, and says what cannot be open
         await until(async () => (await page.locator('#import-cards .thumb.inked').count()) === 2, 'two pictures');
         await page.click('#import-cards .card >> text=Odd');
         assert.ok(await page.isDisabled('#import-open'));
-        assert.match(await text(page, '#import-remarks'), /Line 13.*one heading/s);
+        assert.match(await text(page, '#import-parts'), /Line 13.*one heading/s);
         await page.click('#import-cards .card >> text=Dragon');
         await page.click('#import-open');
         await until(async () => (await page.inputValue('#axiom')) === 'FX', 'the dragon is open');
