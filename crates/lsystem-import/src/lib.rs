@@ -24,6 +24,7 @@ mod rules;
 mod tikz;
 mod value;
 mod words;
+pub mod write;
 
 #[cfg(test)]
 mod tests;
