@@ -33,7 +33,7 @@ pub(super) fn difference(a: &Definition, b: &Definition, counts_steps: bool) -> 
 }
 
 /// The productions of a grammar that differ only in their successors and weights, as ranges.
-fn choices(grammar: &Grammar) -> Vec<Vec<&Production>> {
+pub(super) fn choices(grammar: &Grammar) -> Vec<Vec<&Production>> {
     let mut found: Vec<Vec<&Production>> = Vec::new();
     let key =
         |rule: &Production| (rule.left.clone(), rule.predecessor.clone(), rule.right.clone(), rule.condition.clone());
@@ -97,12 +97,16 @@ fn difference_of(a: &Definition, b: &Definition) -> Option<String> {
 }
 
 /// The coordinates of all segments, then those of all polygons, as parts of the size of the drawing.
-fn shape(figure: &Figure) -> Vec<f64> {
+pub(super) fn shape(figure: &Figure) -> Vec<f64> {
     let ends = figure.segments_from(0).flat_map(|segment| [segment.from, segment.to]);
     let corners = (0..figure.polygon_count()).filter_map(|at| figure.vertices(at)).flatten();
-    let points: Vec<[f64; 3]> = ends.chain(corners).collect();
+    placed(&ends.chain(corners).collect::<Vec<_>>())
+}
+
+/// The coordinates of points as parts of the size of all.
+pub(super) fn placed(points: &[[f64; 3]]) -> Vec<f64> {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for point in &points {
+    for point in points {
         for axis in 0..3 {
             low[axis] = low[axis].min(point[axis]);
             high[axis] = high[axis].max(point[axis]);

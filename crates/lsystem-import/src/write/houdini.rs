@@ -107,6 +107,11 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     }
     rules.extend(spelling.repeated.iter().map(|(name, word)| format!("{name}={word}")));
     rules.extend(spelling.vanishing.iter().map(|name| format!("{name}=")));
+    // A node needs a rule.
+    if let (true, Some(own)) = (rules.is_empty(), source.symbols.first()) {
+        let name = spelling.name_of(own.symbol);
+        rules.push(format!("{name}={name}"));
+    }
     for (at, rule) in rules.iter().enumerate() {
         let _ = writeln!(text, "Rule {}: {rule}", at + 1);
     }
