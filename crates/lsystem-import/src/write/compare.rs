@@ -1,5 +1,6 @@
 //! Whether two definitions draw the same shape, as far as a few generations show.
 
+use super::source::{Need, Source};
 use lsystem_base::Limits;
 use lsystem_drawing::{Figure, System};
 use lsystem_syntax::{Definition, Grammar, Production, print_rules};
@@ -19,15 +20,14 @@ pub(super) fn difference(a: &Definition, b: &Definition, counts_steps: bool) -> 
     if counts_steps && a.iterations != b.iterations {
         return Some(format!("{} and {} iterations", a.iterations, b.iterations));
     }
-    let (Some(one), Some(other)) = (System::new(a).0, System::new(b).0) else { return Some("errors".to_owned()) };
-    if one.has_choices() || other.has_choices() {
+    let (Ok(one), Ok(other)) = (Source::new(a), Source::new(b)) else { return Some("errors".to_owned()) };
+    if one.needs(Need::Chance) || other.needs(Need::Chance) {
         if weights(&one.grammar) != weights(&other.grammar) {
             return Some("other weights".to_owned());
         }
         // The random numbers of programs differ, so each choice is compared alone.
-        let chosen = |of: &Definition, grammar: &Grammar, at| Definition { rules: chosen(grammar, at), ..of.clone() };
-        return (0..MOST_CHOICES)
-            .find_map(|at| difference_of(&chosen(a, &one.grammar, at), &chosen(b, &other.grammar, at)));
+        let chosen = |of: &Source<'_>, at| Definition { rules: chosen(of, at), ..of.definition.clone() };
+        return (0..MOST_CHOICES).find_map(|at| difference_of(&chosen(&one, at), &chosen(&other, at)));
     }
     difference_of(a, b)
 }
@@ -63,11 +63,11 @@ fn weights(grammar: &Grammar) -> Vec<String> {
 }
 
 /// The rules with one production of each choice, and without weights.
-fn chosen(grammar: &Grammar, at: usize) -> String {
-    let groups = choices(grammar);
+fn chosen(source: &Source<'_>, at: usize) -> String {
+    let groups = choices(&source.grammar);
     let one = |group: &Vec<&Production>| Production { weight: None, ..group[at % group.len()].clone() };
     let productions = groups.iter().map(one).collect();
-    print_rules(&Grammar { productions, ..grammar.clone() })
+    print_rules(&Grammar { productions, ..source.system.grammar.clone() })
 }
 
 fn difference_of(a: &Definition, b: &Definition) -> Option<String> {

@@ -139,15 +139,21 @@ impl<'a> File<'a> {
         }
     }
 
-    /// Whether the program does nothing at a symbol of this name.
+    /// Whether the program does nothing at a symbol of this name. `x` is special in L-Py, and `G` may be.
     fn is_idle(&self, name: char) -> bool {
-        let acting = if self.kind == Kind::Cpfg { "FfGg" } else { "Ffx" };
+        let acting = if self.kind == Kind::Cpfg { "FfGg" } else { "FfGgx" };
         name.is_ascii_alphabetic() && !acting.contains(name)
     }
 
     /// Names the symbols that are replaced, or are in contexts, or do nothing.
     fn name_all(&mut self) -> Result<(), Refusal> {
-        let stays = |own: &Symbol| !own.is_constant() || own.shape().is_empty();
+        // The symbols for a constant symbol must stay, too.
+        let changes =
+            |code: &str| self.source.symbols.iter().any(|own| !own.is_constant() && code.contains(own.symbol));
+        let code = |own: &Symbol| self.code(own, None).map_or(String::new(), |code| without_arguments(&code));
+        let stays = |own: &Symbol| {
+            !own.is_constant() || own.shape().is_empty() || !self.is_own(own.symbol, own, false) && changes(&code(own))
+        };
         let is_usable = |file: &Self, own: &Symbol| {
             let symbol = own.symbol;
             file.is_own(symbol, own, true)
@@ -220,6 +226,7 @@ impl<'a> File<'a> {
         for own in &self.source.symbols {
             let names = match self.name_of(own.symbol) {
                 Some(name) => name.to_string(),
+                None if self.is_own(own.symbol, own, false) => own.symbol.to_string(),
                 None => without_arguments(&self.code(own, None)?),
             };
             (if list.contains(&own.symbol) { &mut listed } else { &mut others }).extend(names.chars());
@@ -302,7 +309,9 @@ impl<'a> File<'a> {
         for module in modules {
             let arguments = self.arguments(module)?;
             match (self.name_of(module.symbol), self.source.symbol(module.symbol)) {
-                (None, Some(symbol)) => text.push(&self.code(symbol, arguments.first().map(String::as_str))?),
+                (None, Some(own)) if !self.is_own(own.symbol, own, !arguments.is_empty()) => {
+                    text.push(&self.code(own, arguments.first().map(String::as_str))?);
+                }
                 (name, _) => text.push(&numbered(name.unwrap_or(module.symbol), &arguments)),
             }
         }
@@ -349,7 +358,7 @@ impl<'a> File<'a> {
             let _ = write!(text, " : {}", self.expression(condition)?);
         }
         let _ = write!(text, " --> {}", if successor.is_empty() { "*" } else { successor });
-        if let Some(weight) = &rule.weight {
+        if let Some(weight) = rule.weight.as_ref().filter(|_| self.kind == Kind::Cpfg) {
             let _ = write!(text, " : {}", self.expression(weight)?);
         }
         Ok(text)

@@ -92,6 +92,9 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let mut text = String::new();
     let heading = definition.heading - 90.0;
     let start = if heading == 0.0 { String::new() } else { format!("-({})", plain_number(heading)) };
+    if !spelling.stays(source, &start) {
+        return Err(Refusal::new("Houdini starts upwards, and productions look at the turns"));
+    }
     let _ = writeln!(text, "Premise: {start}{}", writer.word(&source.grammar.axiom, none)?);
     match &source.grammar.seen {
         Seen::All => {}
@@ -108,9 +111,8 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     rules.extend(spelling.repeated.iter().map(|(name, word)| format!("{name}={word}")));
     rules.extend(spelling.vanishing.iter().map(|name| format!("{name}=")));
     // A node needs a rule.
-    if let (true, Some(own)) = (rules.is_empty(), source.symbols.first()) {
-        let name = spelling.name_of(own.symbol);
-        rules.push(format!("{name}={name}"));
+    if rules.is_empty() {
+        rules.push("X=X".to_owned());
     }
     for (at, rule) in rules.iter().enumerate() {
         let _ = writeln!(text, "Rule {}: {rule}", at + 1);

@@ -42,7 +42,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
         fixed: "",
     };
     let spelling = Spelling::new(source, &alphabet)?;
-    let start = turn(source.definition.heading - 90.0);
+    let start = turn(source.definition.heading - 90.0).filter(|start| spelling.stays(source, start));
     let start = start.ok_or_else(|| Refusal::new("Inkscape starts upwards, and turns by the two angles only"))?;
     let word = |modules: &[Module]| spelling.word(modules);
     let rules = source.plain_rules();

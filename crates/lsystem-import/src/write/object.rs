@@ -63,6 +63,7 @@ pub(super) fn spelling(source: &Source<'_>, label: &str) -> Result<(Spelling, St
     };
     let spelling = Spelling::new(source, &alphabet)?;
     let start = turns(source.definition.heading - 90.0, (angle, '+'), (angle, '-'));
+    let start = start.filter(|start| spelling.stays(source, start));
     let start = start.ok_or_else(|| Refusal(format!("{label} starts upwards, and turns by its angle only")))?;
     Ok((spelling, start))
 }

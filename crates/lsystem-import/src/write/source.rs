@@ -118,6 +118,20 @@ impl<'a> Source<'a> {
             same.any(|(_, reached)| *reached)
         };
         grammar.productions.retain(|rule| occurs(rule.predecessor.symbol, rule.predecessor.parameters.len()));
+        if is_plain {
+            // The first production decides: it always applies, or it is one of those with a weight.
+            let mut decided: Vec<(char, bool)> = Vec::new();
+            grammar.productions.retain(|rule| {
+                let (symbol, is_weighted) = (rule.predecessor.symbol, rule.weight.is_some());
+                match decided.iter().find(|(own, _)| *own == symbol) {
+                    Some((_, first)) => *first && is_weighted,
+                    None => {
+                        decided.push((symbol, is_weighted));
+                        true
+                    }
+                }
+            });
+        }
         // Productions with a context come first, as ABOP has it. Other programs take the first that applies.
         grammar.productions.sort_by_key(|rule| !rule.is_context_sensitive());
         let mut symbols: Vec<Symbol> = Vec::new();

@@ -69,13 +69,10 @@ impl Spelling {
             }
         }
         // A word for a constant symbol must stay.
-        for (symbol, code) in codes {
-            let changes = |own: &&Symbol| !own.is_constant() && code.contains(speller.spelling.name_of(own.symbol));
-            if source.symbols.iter().any(|own| changes(&own)) {
-                return Err(alphabet.lacks(symbol));
-            }
+        match codes.iter().find(|(_, code)| !speller.spelling.stays(source, code)) {
+            Some((symbol, _)) => Err(alphabet.lacks(symbol)),
+            None => Ok(speller.spelling),
         }
-        Ok(speller.spelling)
     }
 
     /// Splits symbols that are replaced and act: an idle symbol carries the production, and the symbols behind it act
@@ -117,6 +114,11 @@ impl Spelling {
             }
         }
         Ok(speller.spelling)
+    }
+
+    /// Whether no production changes a word or looks at it.
+    pub(super) fn stays(&self, source: &Source<'_>, word: &str) -> bool {
+        !source.symbols.iter().any(|own| !own.is_constant() && word.contains(self.name_of(own.symbol)))
     }
 
     /// The symbol that productions of `symbol` replace.
@@ -201,7 +203,7 @@ impl<'a> Speller<'a> {
 
 /// A word of turns by `left` and `right` degrees that turns by `degrees`, all counter-clockwise but `right`.
 pub(super) fn turns(degrees: f64, left: (f64, char), right: (f64, char)) -> Option<String> {
-    const MOST: u32 = 60;
+    const MOST: u32 = 36;
     let is_whole = |angle: f64| {
         let rounds = angle / 360.0;
         (rounds - rounds.round()).abs() < 1e-12
