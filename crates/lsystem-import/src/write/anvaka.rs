@@ -44,7 +44,8 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
         };
         let _ = writeln!(actions, "  {name} => {action}");
     }
-    let name = |symbol: char| names.iter().find(|(own, _)| *own == symbol).map_or(symbol, |(_, name)| *name);
+    // In the order of the sorted symbols.
+    let name = |symbol: char| names.binary_search_by_key(&symbol, |(own, _)| *own).map_or(symbol, |at| names[at].1);
     let word = |modules: &[Module]| modules.iter().map(|module| name(module.symbol)).collect::<String>();
     let mut text = String::new();
     let title = source.title(&[]);

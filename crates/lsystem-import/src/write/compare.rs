@@ -4,6 +4,7 @@ use super::source::{Need, Source};
 use lsystem_base::Limits;
 use lsystem_drawing::{Figure, System};
 use lsystem_syntax::{Definition, Grammar, Production, print_rules};
+use std::collections::HashMap;
 
 /// The limits of one drawing.
 const LIMITS: Limits = Limits { symbols: 100_000, modules: 1 << 16, segments: 20_000, work: 1 << 20, memory: 64 << 20 };
@@ -35,13 +36,14 @@ pub(super) fn difference(a: &Definition, b: &Definition, counts_steps: bool) -> 
 /// The productions of a grammar that differ only in their successors and weights, as ranges.
 pub(super) fn choices(grammar: &Grammar) -> Vec<Vec<&Production>> {
     let mut found: Vec<Vec<&Production>> = Vec::new();
-    let key =
-        |rule: &Production| (rule.left.clone(), rule.predecessor.clone(), rule.right.clone(), rule.condition.clone());
+    let mut places: HashMap<String, usize> = HashMap::new();
     for rule in &grammar.productions {
-        match found.iter_mut().find(|group| group.first().is_some_and(|first| key(first) == key(rule))) {
-            Some(group) => group.push(rule),
-            None => found.push(vec![rule]),
+        let key = format!("{:?}{:?}{:?}{:?}", rule.left, rule.predecessor, rule.right, rule.condition);
+        let place = *places.entry(key).or_insert(found.len());
+        if place == found.len() {
+            found.push(Vec::new());
         }
+        found[place].push(rule);
     }
     found
 }

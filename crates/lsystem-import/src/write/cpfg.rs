@@ -9,6 +9,8 @@ use super::source::{Need, Source, Symbol, plain_number};
 use core::f64::consts::FRAC_1_SQRT_2;
 use core::fmt::Write;
 use lsystem_base::number::number;
+use lsystem_base::sorted::set;
+use lsystem_syntax::grammar::Values;
 use lsystem_syntax::{Action, Expr, Function, Module, Pattern, Production, Seen};
 
 /// The parts of systems that cpfg lacks, or has in other files.
@@ -91,7 +93,11 @@ struct File<'a> {
     /// Whether lengths count, and not only their proportions to the one length of a step.
     has_lengths: bool,
     names: Vec<(char, char)>,
+    values: Values<'a>,
 }
+
+/// More symbols that are replaced or in contexts have no names.
+const MOST_NAMED: usize = 80;
 
 impl<'a> File<'a> {
     fn new(source: &'a Source<'a>, kind: Kind) -> Result<Self, Refusal> {
@@ -107,7 +113,7 @@ impl<'a> File<'a> {
             || made
                 .into_iter()
                 .any(|module| !module.arguments.is_empty() && first(module.symbol).filter(is_length).is_some());
-        let mut file = Self { source, kind, label, has_lengths, names: Vec::new() };
+        let mut file = Self { source, kind, label, has_lengths, names: Vec::new(), values: source.grammar.values() };
         file.name_all()?;
         Ok(file)
     }
@@ -147,9 +153,14 @@ impl<'a> File<'a> {
 
     /// Names the symbols that are replaced, or are in contexts, or do nothing.
     fn name_all(&mut self) -> Result<(), Refusal> {
+        let bound: Vec<char> =
+            self.source.symbols.iter().filter(|own| !own.is_constant()).map(|own| own.symbol).collect();
+        let is_full = || Refusal(format!("{} has too few symbols", self.label));
+        if bound.len() > MOST_NAMED {
+            return Err(is_full());
+        }
         // The symbols for a constant symbol must stay, too.
-        let changes =
-            |code: &str| self.source.symbols.iter().any(|own| !own.is_constant() && code.contains(own.symbol));
+        let changes = |code: &str| bound.iter().any(|symbol| code.contains(*symbol));
         let code = |own: &Symbol| self.code(own, None).map_or(String::new(), |code| without_arguments(&code));
         let stays = |own: &Symbol| {
             !own.is_constant() || own.shape().is_empty() || !self.is_own(own.symbol, own, false) && changes(&code(own))
@@ -169,9 +180,10 @@ impl<'a> File<'a> {
                 self.is_idle(*c) && self.names.iter().all(|(_, name)| name != c)
             });
             let name = if cuts { Some('%') } else { free };
-            let name = name.ok_or_else(|| Refusal(format!("{} has too few symbols", self.label)))?;
+            let name = name.ok_or_else(is_full)?;
             self.names.push((own.symbol, name));
         }
+        self.names.sort_unstable();
         let cut = |own: &Symbol| own.actions.contains(&Action::Cut) && own.actions.len() > 1;
         match self.source.symbols.iter().find(|own| cut(own)) {
             Some(own) => Err(Refusal(format!("{} has no symbol that does what `{}` does", self.label, own.symbol))),
@@ -180,7 +192,7 @@ impl<'a> File<'a> {
     }
 
     fn name_of(&self, symbol: char) -> Option<char> {
-        self.names.iter().find(|(own, _)| *own == symbol).map(|(_, name)| *name)
+        self.names.binary_search_by_key(&symbol, |(own, _)| *own).ok().map(|at| self.names[at].1)
     }
 
     /// Constants whose names are no words of symbols; cpfg replaces them everywhere.
@@ -194,7 +206,7 @@ impl<'a> File<'a> {
     }
 
     fn expression(&self, expr: &Expr) -> Result<String, Refusal> {
-        let value = |name: &str| match self.source.grammar.constant(name) {
+        let value = |name: &str| match self.values.of(name) {
             Some(value) if !self.has_constant(name) => number(value),
             _ => name.to_owned(),
         };
@@ -221,6 +233,7 @@ impl<'a> File<'a> {
         if !self.source.needs(Need::Contexts) {
             return Ok(String::new());
         }
+        let list = set(list.iter().copied());
         // Constant symbols became other symbols.
         let (mut listed, mut others) = (Vec::new(), Vec::new());
         for own in &self.source.symbols {
@@ -229,7 +242,7 @@ impl<'a> File<'a> {
                 None if self.is_own(own.symbol, own, false) => own.symbol.to_string(),
                 None => without_arguments(&self.code(own, None)?),
             };
-            (if list.contains(&own.symbol) { &mut listed } else { &mut others }).extend(names.chars());
+            (if list.binary_search(&own.symbol).is_ok() { &mut listed } else { &mut others }).extend(names.chars());
         }
         // Brackets always delimit branches.
         listed.retain(|name| !"[]".contains(*name));

@@ -3,9 +3,9 @@
 //! `F` and `G` go along a heading that `+ - |` turn by 360/n degrees, and `D` and `M` along another, which `\nn` and `/nn`
 //! turn by any angle. A system is written with the first if its angle and its headings are such, or else with the second.
 
+use super::Refusal;
 use super::source::{Need, Source, plain_number};
 use super::spelling::{Alphabet, Spelling, turns};
-use super::{PLAIN, Refusal};
 use lsystem_syntax::{Action, Module};
 
 /// The parts of systems that Fractint lacks.
@@ -33,7 +33,9 @@ const MOST_RULES: usize = 25;
 const LONGEST: usize = 250;
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
-    debug_assert!(LACKS.iter().all(|need| PLAIN.contains(need)));
+    if source.needs(Need::SwappedTurns) && source.right_angle() != source.definition.angle {
+        return Err(Refusal::new("Fractint cannot swap turns by two angles"));
+    }
     let parts = 360.0 / source.definition.angle;
     let is_part =
         parts.fract() == 0.0 && (3.0..=50.0).contains(&parts) && source.right_angle() == source.definition.angle;

@@ -6,6 +6,7 @@ use super::source::{Need, Source, is_look, plain_number};
 use super::spelling::{Alphabet, Spelling};
 use core::fmt::Write;
 use lsystem_base::number::number;
+use lsystem_syntax::grammar::Values;
 use lsystem_syntax::{Action, Expr, Module, Pattern, Production, Seen};
 
 /// The parts of systems that Houdini lacks.
@@ -87,7 +88,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
         fixed: "[]",
     };
     let spelling = Spelling::new(source, &alphabet)?;
-    let writer = Writer { source, spelling: &spelling };
+    let writer = Writer { source, spelling: &spelling, values: source.grammar.values() };
     let none: &[Pattern] = &[];
     let mut text = String::new();
     let heading = definition.heading - 90.0;
@@ -127,6 +128,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
 struct Writer<'a> {
     source: &'a Source<'a>,
     spelling: &'a Spelling,
+    values: Values<'a>,
 }
 
 impl Writer<'_> {
@@ -152,7 +154,7 @@ impl Writer<'_> {
         text.push('=');
         text.push_str(&self.word(&rule.successor, &patterns)?);
         if let Some(weight) = &rule.weight {
-            let value = self.source.grammar.value(weight);
+            let value = self.values.value(weight);
             let value = value.ok_or_else(|| Refusal::new("Houdini cannot express probabilities with parameters"))?;
             text.push(':');
             text.push_str(&number(value.max(0.0)));
@@ -208,7 +210,7 @@ impl Writer<'_> {
     fn expression(&self, expr: &Expr, names: &[(String, char)]) -> Result<String, Refusal> {
         let value = |name: &str| match names.iter().any(|(own, _)| own == name) {
             true => renamed(name, names).to_string(),
-            false => self.source.grammar.constant(name).map_or_else(|| name.to_owned(), number),
+            false => self.values.of(name).map_or_else(|| name.to_owned(), number),
         };
         Arithmetic { label: "Houdini", name: &value, functions: COMMON, has_powers: true }.write(expr)
     }

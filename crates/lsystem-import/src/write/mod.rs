@@ -35,6 +35,8 @@ pub struct Notation {
     pub name: &'static str,
     /// The label on the page.
     pub label: &'static str,
+    /// A description, as a noun phrase.
+    pub help: &'static str,
     /// The ending of file names, without a dot.
     pub ending: &'static str,
     /// The parts of systems that the notation lacks.
@@ -93,18 +95,102 @@ const PLAIN: &[Need] = &[
 
 /// All notations, in the order of the page's list.
 pub static NOTATIONS: [Notation; 12] = [
-    Notation { name: "text", label: "Text", ending: "txt", lacks: &[], write: text::write },
-    Notation { name: "latex", label: "LaTeX", ending: "tex", lacks: &[], write: paper::latex },
-    Notation { name: "tikz", label: "TikZ", ending: "tex", lacks: &[], write: paper::tikz },
-    Notation { name: "python", label: "Python turtle", ending: "py", lacks: program::LACKS, write: python::write },
-    Notation { name: "p5", label: "p5.js sketch", ending: "js", lacks: program::LACKS, write: p5::write },
-    Notation { name: "js", label: "JavaScript object", ending: "js", lacks: object::LACKS, write: object::write },
-    Notation { name: "fractint", label: "Fractint", ending: "l", lacks: fractint::LACKS, write: fractint::write },
-    Notation { name: "inkscape", label: "Inkscape", ending: "txt", lacks: PLAIN, write: inkscape::write },
-    Notation { name: "houdini", label: "Houdini", ending: "txt", lacks: houdini::LACKS, write: houdini::write },
-    Notation { name: "cpfg", label: "cpfg", ending: "l", lacks: cpfg::LACKS, write: cpfg::write_cpfg },
-    Notation { name: "lpy", label: "L-Py", ending: "lpy", lacks: cpfg::LACKS_OF_LPY, write: cpfg::write_lpy },
-    Notation { name: "anvaka", label: "anvaka’s page", ending: "txt", lacks: PLAIN, write: anvaka::write },
+    Notation {
+        name: "text",
+        label: "Text",
+        help: "Labelled lines, as in papers, where our reader makes the same system of them",
+        ending: "txt",
+        lacks: &[],
+        write: text::write,
+    },
+    Notation {
+        name: "latex",
+        label: "LaTeX",
+        help: "Table for a paper, as in The Algorithmic Beauty of Plants",
+        ending: "tex",
+        lacks: &[],
+        write: paper::latex,
+    },
+    Notation {
+        name: "tikz",
+        label: "TikZ",
+        help: "Picture by the library lindenmayersystems, in one colour, of at most 100,000 symbols",
+        ending: "tex",
+        lacks: &[],
+        write: paper::tikz,
+    },
+    Notation {
+        name: "python",
+        label: "Python turtle",
+        help: "Program that draws with the standard module turtle",
+        ending: "py",
+        lacks: program::LACKS,
+        write: python::write,
+    },
+    Notation {
+        name: "p5",
+        label: "p5.js sketch",
+        help: "Sketch that derives and draws, for the editor of p5.js",
+        ending: "js",
+        lacks: program::LACKS,
+        write: p5::write,
+    },
+    Notation {
+        name: "js",
+        label: "JavaScript object",
+        help: "Object for JavaScript packages: F and G draw, f moves, + and - turn by one angle, and the first heading is up",
+        ending: "js",
+        lacks: object::LACKS,
+        write: object::write,
+    },
+    Notation {
+        name: "fractint",
+        label: "Fractint",
+        help: "Entry of a file, of at most 25 rules and lines of 250 characters; without the number of iterations",
+        ending: "l",
+        lacks: fractint::LACKS,
+        write: fractint::write,
+    },
+    Notation {
+        name: "inkscape",
+        label: "Inkscape",
+        help: "Lines for the dialog Extensions > Render > L-system, with headings that its angles reach from upwards",
+        ending: "txt",
+        lacks: PLAIN,
+        write: inkscape::write,
+    },
+    Notation {
+        name: "houdini",
+        label: "Houdini",
+        help: "Lines of the L-system node, with numbers as in its own symbols",
+        ending: "txt",
+        lacks: houdini::LACKS,
+        write: houdini::write,
+    },
+    Notation {
+        name: "cpfg",
+        label: "cpfg",
+        help: "File with the angles as numbers; circles only filled",
+        ending: "l",
+        lacks: cpfg::LACKS,
+        write: cpfg::write_cpfg,
+    },
+    Notation {
+        name: "lpy",
+        label: "L-Py",
+        help: "Arrow rules with the angles as numbers, arithmetic without functions and powers",
+        ending: "lpy",
+        lacks: cpfg::LACKS_OF_LPY,
+        write: cpfg::write_lpy,
+    },
+    Notation {
+        name: "anvaka",
+        label: "anvaka’s page",
+        help: "Text for anvaka’s page, with one action for each symbol",
+        ending: "txt",
+        lacks: PLAIN,
+        write: anvaka::write,
+    },
 ];
 
 impl Notation {
@@ -112,6 +198,11 @@ impl Notation {
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         NOTATIONS.iter().find(|notation| notation.name == name)
+    }
+
+    /// The parts of systems that the notation lacks, as noun phrases.
+    pub fn lacks(&self) -> impl Iterator<Item = &'static str> {
+        self.lacks.iter().map(|need| need.words())
     }
 }
 

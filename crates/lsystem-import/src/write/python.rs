@@ -148,6 +148,7 @@ const DRAW: &str = r#"def draw(word):
 def main():
     screen = turtle.Screen()
     screen.setup(800, 800)
+    screen.mode("world")
     screen.tracer(0)
     places = draw(derive())
     # The drawing fills the window.

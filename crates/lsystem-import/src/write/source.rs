@@ -1,8 +1,12 @@
 //! A system as writers see it: its symbols with their actions, and what it needs of a notation.
 
 use super::Refusal;
+use lsystem_base::sorted::set;
+use lsystem_derive::Letter;
 use lsystem_drawing::System;
-use lsystem_syntax::{Action, ColourBy, Definition, Diagnostic, Grammar, Module, Production, Style};
+use lsystem_syntax::{Action, ColourBy, Definition, Diagnostic, Grammar, Module, Pattern, Production, Style};
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 
 /// A part of a system that some notations lack.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,28 +116,28 @@ impl<'a> Source<'a> {
         // Symbols of productions for drawing occur in no generation.
         let reached: Vec<bool> = rules.reachable().into_iter().map(|reached| reached || !is_plain).collect();
         let mut grammar = system.grammar.clone();
-        let occurs = |symbol: char, arity: usize| {
-            let letters = rules.letters.iter().zip(&reached);
-            let mut same = letters.filter(|(own, _)| own.symbol == symbol && usize::from(own.arity) == arity);
-            same.any(|(_, reached)| *reached)
+        let occurs = |pattern: &Pattern| {
+            let letter = Letter { symbol: pattern.symbol, arity: u8::try_from(pattern.parameters.len()).ok()? };
+            rules.letters.binary_search(&letter).ok().filter(|at| reached[*at])
         };
-        grammar.productions.retain(|rule| occurs(rule.predecessor.symbol, rule.predecessor.parameters.len()));
+        grammar.productions.retain(|rule| occurs(&rule.predecessor).is_some());
         if is_plain {
             // The first production decides: it always applies, or it is one of those with a weight.
-            let mut decided: Vec<(char, bool)> = Vec::new();
-            grammar.productions.retain(|rule| {
-                let (symbol, is_weighted) = (rule.predecessor.symbol, rule.weight.is_some());
-                match decided.iter().find(|(own, _)| *own == symbol) {
-                    Some((_, first)) => *first && is_weighted,
-                    None => {
-                        decided.push((symbol, is_weighted));
-                        true
-                    }
+            let mut decided: HashMap<char, bool> = HashMap::new();
+            grammar.productions.retain(|rule| match decided.entry(rule.predecessor.symbol) {
+                Entry::Occupied(first) => *first.get() && rule.weight.is_some(),
+                Entry::Vacant(first) => {
+                    first.insert(rule.weight.is_some());
+                    true
                 }
             });
         }
         // Productions with a context come first, as ABOP has it. Other programs take the first that applies.
         grammar.productions.sort_by_key(|rule| !rule.is_context_sensitive());
+        let replaced = set(grammar.productions.iter().map(|rule| rule.predecessor.symbol));
+        let contexts =
+            |rule: &Production| rule.left.iter().chain(&rule.right).map(|own| own.symbol).collect::<Vec<_>>();
+        let matched = set(grammar.productions.iter().flat_map(contexts));
         let mut symbols: Vec<Symbol> = Vec::new();
         for ((letter, actions), _) in
             rules.letters.iter().zip(&system.turtle.actions).zip(&reached).filter(|(_, reached)| **reached)
@@ -142,12 +146,11 @@ impl<'a> Source<'a> {
             if symbols.last().is_some_and(|last| last.symbol == symbol) {
                 continue;
             }
-            let patterns = |rule: &Production| rule.left.iter().chain(&rule.right).any(|own| own.symbol == symbol);
             symbols.push(Symbol {
                 symbol,
                 actions: actions.clone(),
-                is_replaced: grammar.productions.iter().any(|rule| rule.predecessor.symbol == symbol),
-                is_matched: grammar.productions.iter().any(patterns),
+                is_replaced: replaced.binary_search(&symbol).is_ok(),
+                is_matched: matched.binary_search(&symbol).is_ok(),
             });
         }
         if is_plain {
@@ -221,24 +224,12 @@ impl<'a> Source<'a> {
     /// The productions of a system without contexts and parameters, by symbol.
     pub(super) fn plain_rules(&self) -> Vec<PlainRule<'_>> {
         let values = self.grammar.values();
-        let mut found: Vec<PlainRule<'_>> = Vec::new();
-        for symbol in self.symbols.iter().filter(|symbol| symbol.is_replaced) {
-            let own = self.grammar.productions.iter().filter(|rule| rule.predecessor.symbol == symbol.symbol);
-            let all: Vec<(Option<f64>, &[Module])> = own
-                .map(|rule| (rule.weight.as_ref().and_then(|weight| values.value(weight)), &*rule.successor))
-                .collect();
-            let weighted = all.iter().filter_map(|(weight, word)| Some((weight.filter(|w| *w > 0.0)?, *word)));
-            let mut successors: Vec<(f64, &[Module])> = weighted.collect();
-            // The first production always applies if it has no weight.
-            if let Some((weight, word)) = all.first()
-                && (weight.is_none() || successors.len() < 2)
-            {
-                successors =
-                    vec![(1.0, successors.first().filter(|_| weight.is_some()).map_or(*word, |first| first.1))];
-            }
-            found.push(PlainRule { symbol: symbol.symbol, successors });
+        let mut by_symbol: BTreeMap<char, Vec<(Option<f64>, &[Module])>> = BTreeMap::new();
+        for rule in &self.grammar.productions {
+            let weight = rule.weight.as_ref().and_then(|weight| values.value(weight));
+            by_symbol.entry(rule.predecessor.symbol).or_default().push((weight, &rule.successor));
         }
-        found
+        by_symbol.into_iter().map(|(symbol, all)| PlainRule { symbol, successors: decided(&all) }).collect()
     }
 
     /// The angle of a turn in the plane: degrees counter-clockwise. `None` for other actions.
@@ -294,6 +285,17 @@ impl<'a> Source<'a> {
         }
         found
     }
+}
+
+/// The successors that a symbol can have, with their weights.
+fn decided<'a>(all: &[(Option<f64>, &'a [Module])]) -> Vec<(f64, &'a [Module])> {
+    let weighted = all.iter().filter_map(|(weight, word)| Some((weight.filter(|w| *w > 0.0)?, *word)));
+    let weighted: Vec<(f64, &[Module])> = weighted.collect();
+    if weighted.len() > 1 {
+        return weighted;
+    }
+    let only = weighted.first().map(|first| first.1).or(all.first().map(|first| first.1));
+    only.into_iter().map(|word| (1.0, word)).collect()
 }
 
 /// A number without an exponent.

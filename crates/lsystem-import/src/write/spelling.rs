@@ -39,6 +39,11 @@ impl Spelling {
     /// # Errors
     /// A symbol that the notation cannot express.
     pub(super) fn new(source: &Source<'_>, alphabet: &Alphabet<'_>) -> Result<Self, Refusal> {
+        // No notation has so many, and the work grows with the square.
+        const MOST: usize = 500;
+        if source.symbols.len() > MOST {
+            return Err(alphabet.is_full());
+        }
         Self::direct(source, alphabet).or_else(|refusal| {
             let is_plain = !source.needs(Need::Contexts) && !source.needs(Need::Parameters);
             if is_plain { Self::split(source, alphabet) } else { Err(refusal) }
@@ -68,6 +73,7 @@ impl Spelling {
                 None => return Err(alphabet.lacks(symbol)),
             }
         }
+        speller.spelling.sort();
         // A word for a constant symbol must stay.
         match codes.iter().find(|(_, code)| !speller.spelling.stays(source, code)) {
             Some((symbol, _)) => Err(alphabet.lacks(symbol)),
@@ -113,7 +119,14 @@ impl Spelling {
                 speller.spelling.repeated.push((name, word));
             }
         }
+        speller.spelling.sort();
         Ok(speller.spelling)
+    }
+
+    /// Sorts the symbols for fast look-up.
+    fn sort(&mut self) {
+        self.words.sort_unstable();
+        self.names.sort_unstable();
     }
 
     /// Whether no production changes a word or looks at it.
@@ -123,12 +136,12 @@ impl Spelling {
 
     /// The symbol that productions of `symbol` replace.
     pub(super) fn name_of(&self, symbol: char) -> char {
-        self.names.iter().find(|(own, _)| *own == symbol).map_or(symbol, |(_, name)| *name)
+        self.names.binary_search_by_key(&symbol, |(own, _)| *own).map_or(symbol, |at| self.names[at].1)
     }
 
     /// The word for a symbol.
     pub(super) fn word_of(&self, symbol: char) -> &str {
-        self.words.iter().find(|(own, _)| *own == symbol).map_or("", |(_, word)| word)
+        self.words.binary_search_by_key(&symbol, |(own, _)| *own).map_or("", |at| &self.words[at].1)
     }
 
     /// A word of plain symbols.

@@ -218,8 +218,14 @@ fn systems() -> impl Strategy<Value = Definition> {
     let word = move |most| word(most).prop_map(balanced);
     let rule = (proptest::sample::select(vec!['F', 'G', 'X', 'A', 'b', 'f', '+']), word(8), 0_u32..4);
     let angle = proptest::sample::select(vec![90.0, 60.0, 45.0, 72.0, 25.7, 137.5, 5.5, 22.5, -30.0, 120.0]);
-    let overrides =
-        proptest::sample::select(vec!["", "A: draw", "G: move", "X: draw 0.5\nA: turn left 30", "b: draw, turn left"]);
+    let overrides = proptest::sample::select(vec![
+        "",
+        "A: draw",
+        "G: move",
+        "X: draw 0.5\nA: turn left 30",
+        "b: draw, turn left",
+        "b: swap turns\nX: length times 0.5",
+    ]);
     let dialect = proptest::sample::select(Dialect::ALL.to_vec());
     let more = (proptest::sample::select(vec![90.0, 0.0, 45.0, 30.0]), proptest::option::weighted(0.2, angle.clone()));
     let more = (more, proptest::sample::select(vec![1.0, 10.0, 0.3]), dialect);

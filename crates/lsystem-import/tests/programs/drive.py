@@ -47,7 +47,7 @@ class Turtle:
 
 class Screen:
     def __init__(self):
-        for name in ["setup", "tracer", "update", "mainloop", "setworldcoordinates"]:
+        for name in ["setup", "mode", "tracer", "update", "mainloop", "setworldcoordinates"]:
             setattr(self, name, lambda *arguments: None)
 
 
