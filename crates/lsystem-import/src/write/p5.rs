@@ -1,4 +1,5 @@
-//! A sketch for p5.js.
+//! A sketch for p5.js. The readers do not take it for an object with rules or for a text: it has no such word and no
+//! arrow.
 
 use super::Refusal;
 use super::program::{Data, lines};
@@ -17,12 +18,12 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
         if data.is_random {
             text.push_str("// Several successors have weights: one is chosen at random.\n");
         }
-        let _ = writeln!(text, "const RULES = {{\n{}}};", lines(&data.rules));
+        let _ = writeln!(text, "const SUCCESSORS = {{\n{}}};", lines(&data.rules));
     } else {
         let (list, excepts) = &data.seen;
         let list = super::object::quoted(list);
-        text.push_str("// Left context, symbol, right context, successor. The first rule that fits is applied.\n");
-        let _ = writeln!(text, "const RULES = [\n{}];", lines(&data.in_context));
+        text.push_str("// Left context, symbol, right context, successor. The first that fits is applied.\n");
+        let _ = writeln!(text, "const SUCCESSORS = [\n{}];", lines(&data.in_context));
         text.push_str(if *excepts {
             "// The symbols that contexts do not see.\n"
         } else {
@@ -50,20 +51,22 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
 }
 
 const PLAIN: &str = r"function successor(word, at) {
-    return Object.hasOwn(RULES, word[at]) ? RULES[word[at]] : word[at];
+    return SUCCESSORS[word[at]] ?? word[at];
 }
 
 ";
 
 const RANDOM: &str = r#"function successor(word, at) {
-    const rule = Object.hasOwn(RULES, word[at]) ? RULES[word[at]] : word[at];
-    if (typeof rule === "string") return rule;
-    let left = random(rule.reduce((sum, [weight]) => sum + weight, 0));
-    for (const [weight, result] of rule) {
+    const choice = SUCCESSORS[word[at]] ?? word[at];
+    if (typeof choice === "string") return choice;
+    let sum = 0;
+    for (const [weight] of choice) sum += weight;
+    let left = random(sum);
+    for (const [weight, result] of choice) {
         left -= weight;
         if (left < 0) return result;
     }
-    return rule[rule.length - 1][1];
+    return choice[choice.length - 1][1];
 }
 
 "#;
@@ -84,15 +87,17 @@ function neighbour(word, at, step) {
 }
 
 function fits(word, at, context, step) {
-    const wanted = step > 0 ? [...context] : [...context].reverse();
-    return wanted.every((symbol) => {
+    const wanted = [...context];
+    if (step < 0) wanted.reverse();
+    for (const symbol of wanted) {
         at = neighbour(word, at, step);
-        return at >= 0 && word[at] === symbol;
-    });
+        if (at < 0 || word[at] !== symbol) return false;
+    }
+    return true;
 }
 
 function successor(word, at) {
-    for (const [left, symbol, right, result] of RULES) {
+    for (const [left, symbol, right, result] of SUCCESSORS) {
         if (word[at] === symbol && fits(word, at, left, -1) && fits(word, at, right, 1)) return result;
     }
     return word[at];
@@ -103,7 +108,9 @@ function successor(word, at) {
 const DRAW: &str = r#"function derive() {
     let word = [...AXIOM];
     for (let n = 0; n < ITERATIONS; n++) {
-        word = word.flatMap((_, at) => [...successor(word, at)]);
+        const next = [];
+        for (let at = 0; at < word.length; at++) next.push(...successor(word, at));
+        word = next;
     }
     return word;
 }
@@ -114,7 +121,7 @@ function trace(word) {
     const saved = [];
     const found = [];
     for (const symbol of word) {
-        for (const [command, number] of Object.hasOwn(ACTIONS, symbol) ? ACTIONS[symbol] : []) {
+        for (const [command, number] of ACTIONS[symbol] ?? []) {
             const { x, y, heading, size, sign } = turtle;
             if (command === "draw" || command === "move") {
                 const angle = (heading * Math.PI) / 180;
@@ -148,8 +155,8 @@ SEEDING    const lines = trace(derive());
     // The drawing fills the canvas.
     const scale = (0.9 * width) / Math.max(right - left, bottom - top);
     const [x, y] = [(left + right) / 2, (top + bottom) / 2];
-    const place = ([a, b]) => [width / 2 + scale * (a - x), height / 2 + scale * (b - y)];
     background(255);
-    for (const [x0, y0, x1, y1] of lines) line(...place([x0, y0]), ...place([x1, y1]));
+    translate(width / 2 - scale * x, height / 2 - scale * y);
+    for (const [x0, y0, x1, y1] of lines) line(scale * x0, scale * y0, scale * x1, scale * y1);
 }
 "#;

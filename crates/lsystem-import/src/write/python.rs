@@ -1,4 +1,5 @@
-//! A program in Python that draws with the standard module `turtle`.
+//! A program in Python that draws with the standard module `turtle`. The readers do not take it for an object with rules:
+//! it has no such word.
 
 use super::Refusal;
 use super::program::{Data, lines};
@@ -21,12 +22,12 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
         if data.is_random {
             text.push_str("# Several successors have weights: one is chosen at random.\n");
         }
-        let _ = writeln!(text, "RULES = {{\n{}}}", lines(&data.rules));
+        let _ = writeln!(text, "SUCCESSORS = {{\n{}}}", lines(&data.rules));
     } else {
         let (list, excepts) = &data.seen;
         let list = super::object::quoted(list);
-        text.push_str("# Left context, symbol, right context, successor. The first rule that fits is applied.\n");
-        let _ = writeln!(text, "RULES = [\n{}]", lines(&data.in_context));
+        text.push_str("# Left context, symbol, right context, successor. The first that fits is applied.\n");
+        let _ = writeln!(text, "SUCCESSORS = [\n{}]", lines(&data.in_context));
         text.push_str(if *excepts {
             "# The symbols that contexts do not see.\n"
         } else {
@@ -54,17 +55,17 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
 }
 
 const PLAIN: &str = r#"def successor(word, at):
-    return RULES.get(word[at], word[at])
+    return SUCCESSORS.get(word[at], word[at])
 
 
 "#;
 
 const RANDOM: &str = r#"def successor(word, at):
-    rule = RULES.get(word[at], word[at])
-    if isinstance(rule, str):
-        return rule
-    weights = [weight for weight, _ in rule]
-    return random.choices(rule, weights)[0][1]
+    choice = SUCCESSORS.get(word[at], word[at])
+    if isinstance(choice, str):
+        return choice
+    weights = [weight for weight, _ in choice]
+    return random.choices(choice, weights)[0][1]
 
 
 "#;
@@ -96,7 +97,7 @@ def fits(word, at, context, step):
 
 
 def successor(word, at):
-    for left, symbol, right, result in RULES:
+    for left, symbol, right, result in SUCCESSORS:
         if word[at] == symbol and fits(word, at, left, -1) and fits(word, at, right, 1):
             return result
     return word[at]

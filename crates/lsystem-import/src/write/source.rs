@@ -4,7 +4,7 @@ use super::Refusal;
 use lsystem_base::sorted::set;
 use lsystem_derive::Letter;
 use lsystem_drawing::System;
-use lsystem_syntax::{Action, ColourBy, Definition, Diagnostic, Grammar, Module, Pattern, Production, Style};
+use lsystem_syntax::{Action, Definition, Diagnostic, Grammar, Module, Pattern, Production, Style};
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 
@@ -268,10 +268,7 @@ impl<'a> Source<'a> {
     /// The parts of the definition that the text does not tell, as sentences.
     pub(super) fn left_out(&self, notation: &str) -> Vec<String> {
         let mut found = Vec::new();
-        let style = &self.definition.style;
-        let usual = Style::default();
-        let is_coloured = *style != usual || style.colour_by != ColourBy::Single && style.palette.len() > 1;
-        if is_coloured || self.acts(is_look) {
+        if self.definition.style != Style::default() || self.acts(is_look) {
             found.push("Colours and line widths are left out.".to_owned());
         }
         if self.definition.start != [0.0, 0.0] {

@@ -14,6 +14,7 @@ for (const file of files) {
         createCanvas() {},
         noLoop() {},
         background() {},
+        translate() {},
         randomSeed() {},
         random: (most) => Number(roll) * most,
         line: (x0, y0, x1, y1) => found.push(x0, -y0, x1, -y1),
