@@ -5,6 +5,7 @@ use crate::find::Known;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use lsystem::files::Format;
+use lsystem::import::write::{NOTATIONS, Notation};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
@@ -29,6 +30,8 @@ pub(crate) enum Command {
     Animate { file: PathBuf, to: PathBuf, film: Box<FilmOptions>, changes: Changes },
     /// Convert files of other programs to JSON files in a folder.
     Import { files: Vec<PathBuf>, to: PathBuf },
+    /// Print a system in another notation.
+    Export { file: PathBuf, notation: &'static Notation, changes: Changes },
     /// Compare the output of a program with a system.
     Check { file: PathBuf, output: PathBuf, changes: Changes },
     /// Find the rules of a string.
@@ -93,6 +96,14 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         Verb::Tiles { file, dir, options, changes } => Ok(Command::Tiles { file, dir, options, changes }),
         Verb::Animate { file, to, film, changes } => Ok(Command::Animate { file, to, film: Box::new(film), changes }),
         Verb::Import { files, to } => Ok(Command::Import { files, to }),
+        Verb::Export { file: Some(file), notation: Some(notation), list: false, changes } => {
+            Ok(Command::Export { file, notation, changes })
+        }
+        Verb::Export { .. } => {
+            let width = NOTATIONS.iter().map(|notation| notation.name.len()).max().unwrap_or_default();
+            let line = |notation: &Notation| format!("{:width$}  {}\n", notation.name, notation.help);
+            Ok(Command::Print(NOTATIONS.iter().map(line).collect()))
+        }
         Verb::Check { file, output, changes } => match file == output && file.as_os_str() == "-" {
             false => Ok(Command::Check { file, output, changes }),
             true => Err(explain("check", "standard input (-) can be read only once".to_owned())),
@@ -256,6 +267,9 @@ mod tests {
                 format!("animate {file:?} to {to:?} dive {:?} track {:?}", film.dive, film.track)
             }
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
+            Ok(Command::Export { file, notation, changes }) => {
+                format!("export {file:?} as {} {}", notation.name, with(changes))
+            }
             Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
             Ok(Command::Find { text, known, json }) => format!("find {text} {known:?} json {json}"),
@@ -353,6 +367,11 @@ mod tests {
         check(
             "draw old.l out --entry Bush",
             &expect![[r#"draw "old.l" to Write("out", [txt, svg]) n None seed None entry Bush"#]],
+        );
+        check("export --as cpfg a.l", &expect![[r#"export "a.l" as cpfg n None seed None"#]]);
+        check(
+            "export --list",
+            &expect!["print text      Labelled lines, as in papers, where our reader makes the same system of them"],
         );
         check("import a.l folder --to out", &expect![[r#"import ["a.l", "folder"] to "out""#]]);
         check("check a.json out.txt -n 3", &expect![[r#"check "a.json" "out.txt" n Some(3) seed None"#]]);

@@ -8,6 +8,7 @@ mod check;
 mod cli;
 mod cores;
 mod draw;
+mod export;
 mod file_flags;
 mod find;
 mod growth;
@@ -95,6 +96,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Tiles { file, dir, options, changes } => tiles::tiles(&file, &dir, &options, &changes),
         Command::Animate { file, to, film, changes } => animate::animate(&file, &to, &film, &changes),
         Command::Import { files, to } => import::import(&files, &to),
+        Command::Export { file, notation, changes } => export::export(&file, notation, &changes),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Find { text, known, json } => find::find(&text, &known, json),
         Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
