@@ -28,36 +28,64 @@ fn systems_are_written_in_other_notations() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path();
     std::fs::write(path.join("old.l"), BUSH).expect("written");
-    check(path, "export old.l --entry bush --as cpfg -n 4", 0, &expect![[r#"
+    check(
+        path,
+        "export old.l --entry bush --as cpfg -n 4",
+        0,
+        &expect![[r#"
         lsystem: 1
         /* Bush */
         derivation length: 4
         axiom: +(-90)+(22.5)+(22.5)+(22.5)+(22.5)F
         F --> FF-(22.5)[-(22.5)F+(22.5)F+(22.5)F]+(22.5)[+(22.5)F-(22.5)F-(22.5)F]
         endlsystem
-    "#]], &expect![[r#"
+    "#]],
+        &expect![[r#"
         warning: old.l:6: The text gives no number of iterations; 4 is chosen by the size
-    "#]]);
-    check(path, "export old.l --entry Bush --as inkscape -n 3", 0, &expect![[r#"
+    "#]],
+    );
+    check(
+        path,
+        "export old.l --entry Bush --as inkscape -n 3",
+        0,
+        &expect![[r#"
         Axiom: ++++----F
         Rules: F=FF+[+F-F-F]-[-F+F+F]
         Order: 3
         Step length (px): 10
         Left angle: 22.5
         Right angle: 22.5
-    "#]], &expect![[r#"
+    "#]],
+        &expect![[r#"
         warning: old.l:6: The text gives no number of iterations; 4 is chosen by the size
-    "#]]);
-    check(path, "export old.l --entry Koch --as inkscape -n 3", 1, &expect![""], &expect![[r#"
+    "#]],
+    );
+    check(
+        path,
+        "export old.l --entry Koch --as inkscape -n 3",
+        1,
+        &expect![""],
+        &expect![[r#"
         warning: old.l:1: The text gives no number of iterations; 5 is chosen by the size
         error: old.l: Inkscape starts upwards, and turns by the two angles only
-    "#]]);
+    "#]],
+    );
     let system = r##"{"initial": "A(1)", "rules": ["A(x) -> F(x)[+A(x/2)]"], "angle_deg": 30, "num_iters": 3, "style": {"background": "#000000"}}"##;
     std::fs::write(path.join("tree.json"), system).expect("written");
-    check(path, "export tree.json --as fractint", 1, &expect![""], &expect![[r#"
+    check(
+        path,
+        "export tree.json --as fractint",
+        1,
+        &expect![""],
+        &expect![[r#"
         error: tree.json: Fractint: parameters cannot be expressed
-    "#]]);
-    check(path, "export tree.json --as lpy", 0, &expect![[r#"
+    "#]],
+    );
+    check(
+        path,
+        "export tree.json --as lpy",
+        0,
+        &expect![[r#"
         Axiom: A(1)
         derivation length: 3
         production:
@@ -66,12 +94,20 @@ fn systems_are_written_in_other_notations() {
         maximum depth: 1
         A(p1) --> F(p1)
         endlsystem
-    "#]], &expect![[r#"
+    "#]],
+        &expect![[r#"
         warning: tree.json: Colours and line widths are left out.
-    "#]]);
-    check(path, "export missing.l --as lpy", 1, &expect![""], &expect![[r#"
+    "#]],
+    );
+    check(
+        path,
+        "export missing.l --as lpy",
+        1,
+        &expect![""],
+        &expect![[r#"
         error: missing.l: No such file or directory (os error 2)
-    "#]]);
+    "#]],
+    );
     let (code, out, _) = lsys(path, "export --list");
     assert_eq!(code, Some(0));
     assert!(out.contains("fractint") && out.contains("Sketch that derives"), "{out}");

@@ -84,6 +84,9 @@ pub(super) fn is_look(action: Action) -> bool {
     matches!(action, Action::SetColour(_) | Action::AddColour(_) | Action::SetWidth(_) | Action::ScaleWidth(_))
 }
 
+/// A successor with its weight, if it has one.
+type Choice<'a> = (Option<f64>, &'a [Module]);
+
 /// The productions of a symbol in a system without contexts and parameters.
 #[derive(Clone, Debug)]
 pub(super) struct PlainRule<'a> {
@@ -224,7 +227,7 @@ impl<'a> Source<'a> {
     /// The productions of a system without contexts and parameters, by symbol.
     pub(super) fn plain_rules(&self) -> Vec<PlainRule<'_>> {
         let values = self.grammar.values();
-        let mut by_symbol: BTreeMap<char, Vec<(Option<f64>, &[Module])>> = BTreeMap::new();
+        let mut by_symbol: BTreeMap<char, Vec<Choice<'_>>> = BTreeMap::new();
         for rule in &self.grammar.productions {
             let weight = rule.weight.as_ref().and_then(|weight| values.value(weight));
             by_symbol.entry(rule.predecessor.symbol).or_default().push((weight, &rule.successor));
@@ -285,7 +288,7 @@ impl<'a> Source<'a> {
 }
 
 /// The successors that a symbol can have, with their weights.
-fn decided<'a>(all: &[(Option<f64>, &'a [Module])]) -> Vec<(f64, &'a [Module])> {
+fn decided<'a>(all: &[Choice<'a>]) -> Vec<(f64, &'a [Module])> {
     let weighted = all.iter().filter_map(|(weight, word)| Some((weight.filter(|w| *w > 0.0)?, *word)));
     let weighted: Vec<(f64, &[Module])> = weighted.collect();
     if weighted.len() > 1 {
