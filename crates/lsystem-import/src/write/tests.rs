@@ -122,7 +122,10 @@ fn check_programs(name: &str, interpreter: &str, driver: &str) {
     for roll in [0.1, 0.5, 0.95] {
         let (mut cases, mut paths) = (Vec::new(), Vec::new());
         for (what, definition) in gallery() {
-            let definition = Definition { iterations: definition.iterations.min(4), ..definition };
+            // Signals in contexts take many steps to reach branches.
+            let productions = parse(&definition.axiom, &definition.rules).0.productions;
+            let most = if productions.iter().any(Production::is_context_sensitive) { 20 } else { 4 };
+            let definition = Definition { iterations: definition.iterations.min(most), ..definition };
             let Ok(written) = export(&definition, notation) else { continue };
             let is_random = System::new(&definition).0.is_some_and(|system| system.has_choices());
             if roll != 0.5 && !is_random {
