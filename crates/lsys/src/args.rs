@@ -5,6 +5,7 @@ use crate::find::Known;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use lsystem::files::Format;
+use lsystem::import::write::{NOTATIONS, Notation};
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
@@ -31,6 +32,8 @@ pub(crate) enum Command {
     Import { files: Vec<PathBuf>, to: PathBuf },
     /// Print what is read from a file, part by part.
     Account { files: Vec<PathBuf> },
+    /// Print a system in another notation.
+    Export { file: PathBuf, notation: &'static Notation, changes: Changes },
     /// Compare the output of a program with a system.
     Check { file: PathBuf, output: PathBuf, changes: Changes },
     /// Find the rules of a string.
@@ -96,6 +99,14 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         Verb::Animate { file, to, film, changes } => Ok(Command::Animate { file, to, film: Box::new(film), changes }),
         Verb::Import { files, to: Some(to), .. } => Ok(Command::Import { files, to }),
         Verb::Import { files, .. } => Ok(Command::Account { files }),
+        Verb::Export { file: Some(file), notation: Some(notation), list: false, changes } => {
+            Ok(Command::Export { file, notation, changes })
+        }
+        Verb::Export { .. } => {
+            let width = NOTATIONS.iter().map(|notation| notation.name.len()).max().unwrap_or_default();
+            let line = |notation: &Notation| format!("{:width$}  {}\n", notation.name, notation.help);
+            Ok(Command::Print(NOTATIONS.iter().map(line).collect()))
+        }
         Verb::Check { file, output, changes } => match file == output && file.as_os_str() == "-" {
             false => Ok(Command::Check { file, output, changes }),
             true => Err(explain("check", "standard input (-) can be read only once".to_owned())),
@@ -260,6 +271,9 @@ mod tests {
             }
             Ok(Command::Import { files, to }) => format!("import {files:?} to {to:?}"),
             Ok(Command::Account { files }) => format!("account of {files:?}"),
+            Ok(Command::Export { file, notation, changes }) => {
+                format!("export {file:?} as {} {}", notation.name, with(changes))
+            }
             Ok(Command::Check { file, output, changes }) => format!("check {file:?} {output:?} {}", with(changes)),
             Ok(Command::Print(text)) => format!("print {}", text.lines().next().unwrap_or_default()),
             Ok(Command::Find { text, known, json }) => format!("find {text} {known:?} json {json}"),
@@ -359,6 +373,11 @@ mod tests {
             &expect![[r#"draw "old.l" to Write("out", [txt, svg]) n None seed None entry Bush"#]],
         );
         check("import a.l --account", &expect![[r#"account of ["a.l"]"#]]);
+        check("export --as cpfg a.l", &expect![[r#"export "a.l" as cpfg n None seed None"#]]);
+        check(
+            "export --list",
+            &expect!["print text      Labelled lines, as in papers, where our reader makes the same system of them"],
+        );
         check("import a.l folder --to out", &expect![[r#"import ["a.l", "folder"] to "out""#]]);
         check("check a.json out.txt -n 3", &expect![[r#"check "a.json" "out.txt" n Some(3) seed None"#]]);
         check("help draw", &expect!["print Write or print pictures, meshes, segments and strings"]);

@@ -8,6 +8,7 @@ use clap_complete::Shell;
 use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE};
 use lsystem::files::{FORMATS, Format};
 use lsystem::film::{Easing, Ending};
+use lsystem::import::write::{NOTATIONS, Notation};
 use lsystem::render::{Share, TilePlace};
 use std::num::NonZero;
 use std::path::PathBuf;
@@ -129,6 +130,23 @@ pub(crate) enum Verb {
         /// Print instead what became of every part of the text: read, noted, or the reason of a refusal
         #[arg(long, conflicts_with = "to")]
         account: bool,
+    },
+    /// Print a system in the notation of another program
+    ///
+    /// What the notation cannot express is an error with the reason; no other picture is written in its
+    /// place. What changes only looks is left out with a warning.
+    #[command(verbatim_doc_comment)]
+    Export {
+        #[arg(help = FILE, value_hint = ValueHint::FilePath, required_unless_present = "list")]
+        file: Option<PathBuf>,
+        /// Notation of the text
+        #[arg(long = "as", value_name = "NAME", required_unless_present = "list", value_parser = notations())]
+        notation: Option<&'static Notation>,
+        /// List the notations
+        #[arg(long)]
+        list: bool,
+        #[command(flatten)]
+        changes: Changes,
     },
     /// Compare what a program printed with a system
     ///
@@ -446,6 +464,11 @@ impl FromStr for EasingName {
 fn formats() -> impl TypedValueParser<Value = &'static Format> {
     let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.help));
     PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
+}
+
+fn notations() -> impl TypedValueParser<Value = &'static Notation> {
+    let values = NOTATIONS.iter().map(|notation| PossibleValue::new(notation.name).help(notation.help));
+    PossibleValuesParser::new(values).try_map(|name| Notation::named(&name).ok_or("there is no such notation"))
 }
 
 /// The size of a picture, in pixels.

@@ -9,6 +9,7 @@ mod check;
 mod cli;
 mod cores;
 mod draw;
+mod export;
 mod file_flags;
 mod find;
 mod growth;
@@ -97,6 +98,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Animate { file, to, film, changes } => animate::animate(&file, &to, &film, &changes),
         Command::Import { files, to } => import::import(&files, &to),
         Command::Account { files } => account::account(&files),
+        Command::Export { file, notation, changes } => export::export(&file, notation, &changes),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Find { text, known, json } => find::find(&text, &known, json),
         Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),

@@ -145,6 +145,11 @@ enum Section {
 fn system(source: Source<'_>, kind: Kind) -> Draft<'_> {
     let mut draft = Draft::new(source, "", 1);
     draft.definition.step = 1.0;
+    if kind == Kind::LPy {
+        // The other way round than in ABOP and cpfg.
+        draft.meaning('/', "roll left");
+        draft.meaning('\\', "roll right");
+    }
     let mut parts = Parts::default();
     let mut macros: BTreeMap<String, String> = BTreeMap::new();
     let mut section = Section::Productions;
@@ -452,6 +457,11 @@ impl Words<'_> {
                         draft.note(line, "@O", "A sphere is drawn as a disc");
                     }
                     out.push('●');
+                    at += 2;
+                }
+                // Rolls until the turtle's left is level, as `$` of ABOP.
+                ('@', Some('v')) => {
+                    out.push('$');
                     at += 2;
                 }
                 ('@' | '~' | '?', Some(kind)) if !kind.is_whitespace() => {

@@ -39,6 +39,7 @@ mod tikz;
 mod tokens;
 mod value;
 mod words;
+pub mod write;
 
 #[cfg(test)]
 mod tests;

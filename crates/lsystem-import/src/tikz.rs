@@ -12,6 +12,7 @@
 use crate::draft::{Draft, production};
 use crate::rules::split_rule;
 use crate::source::Source;
+use lsystem_base::number::number;
 use lsystem_syntax::{Grammar, Module};
 
 /// A declared system.
@@ -19,6 +20,16 @@ struct Declared<'a> {
     name: &'a str,
     body: &'a str,
 }
+
+/// The library's commands, in the words of custom symbols.
+const COMMANDS: [(&str, &str); 6] = [
+    ("\\pgflsystemdrawforward", "draw"),
+    ("\\pgflsystemmoveforward", "move"),
+    ("\\pgflsystemturnleft", "turn left"),
+    ("\\pgflsystemturnright", "turn right"),
+    ("\\pgflsystemsavestate", "open branch"),
+    ("\\pgflsystemrestorestate", "close branch"),
+];
 
 /// The most declarations and the most uses that are read.
 const MOST: usize = 500;
@@ -103,7 +114,7 @@ fn system<'a>(source: Source<'a>, text: &str, declared: &[Declared<'_>], line: u
     for option in options(text) {
         let (key, value) = option.split_once('=').map_or((option, ""), |(key, value)| (key.trim(), value.trim()));
         let value = group(value).map_or(value, |(inside, _)| inside.trim());
-        let number = |draft: &mut Draft| {
+        let numeric = |draft: &mut Draft| {
             let number = lsystem_base::decimal::read(value.trim_end_matches('°').trim());
             if number.is_none() {
                 draft.refuse(line, option, "This is not a number");
@@ -117,17 +128,17 @@ fn system<'a>(source: Source<'a>, text: &str, declared: &[Declared<'_>], line: u
             }
             "order" => draft.iterations(line, value),
             "angle" => {
-                draft.definition.angle = number(&mut draft);
+                draft.definition.angle = numeric(&mut draft);
                 draft.definition.right_angle = None;
             }
             "left angle" => {
                 let right = draft.definition.right_angle.unwrap_or(draft.definition.angle);
-                draft.definition.angle = number(&mut draft);
+                draft.definition.angle = numeric(&mut draft);
                 draft.definition.right_angle = Some(right);
             }
-            "right angle" => draft.definition.right_angle = Some(number(&mut draft)),
-            "randomize angle percent" => draft.definition.angle_variation = number(&mut draft),
-            "randomize step percent" => draft.definition.length_variation = number(&mut draft),
+            "right angle" => draft.definition.right_angle = Some(numeric(&mut draft)),
+            "randomize angle percent" => draft.definition.angle_variation = numeric(&mut draft),
+            "randomize step percent" => draft.definition.length_variation = numeric(&mut draft),
             "rule set" => options(value).into_iter().for_each(|rule| add_rule(rule, line, &mut grammar, &mut draft)),
             "step" | "anchor" => {}
             _ if value.is_empty() => match declared.iter().rev().find(|one| one.name == key) {
@@ -160,23 +171,33 @@ fn body(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft<'_>) {
         let parts =
             group(&text[at + mark.len()..]).and_then(|(symbol, rest)| Some((symbol.trim(), group(rest)?.0.trim())));
         let Some((symbol, code)) = parts else { continue };
-        let actions = match code {
-            "\\pgflsystemdrawforward" => "draw",
-            "\\pgflsystemmoveforward" => "move",
-            "\\pgflsystemturnleft" => "turn left",
-            "\\pgflsystemturnright" => "turn right",
-            "\\pgflsystemsavestate" => "open branch",
-            "\\pgflsystemrestorestate" => "close branch",
-            "" => "",
-            _ => {
-                draft.refuse(line, code, "The code of this symbol is not run");
-                continue;
-            }
+        let Some(actions) = actions(code) else {
+            draft.refuse(line, code, "The code of this symbol is not run");
+            continue;
         };
         if let Some(symbol) = symbol.chars().next() {
             draft.meaning(symbol, actions);
         }
     }
+}
+
+/// The actions of a code of known commands, in the words of custom symbols; `None` for other code.
+fn actions(code: &str) -> Option<String> {
+    let mut found = Vec::new();
+    let mut rest = code.trim();
+    while !rest.is_empty() {
+        if let Some((angle, behind)) = rest.strip_prefix("\\pgftransformrotate").and_then(group) {
+            let angle = lsystem_base::decimal::read(angle.trim()).filter(|angle| angle.is_finite())?;
+            let side = if angle < 0.0 { "right" } else { "left" };
+            found.push(format!("turn {side} {}", number(angle.abs())));
+            rest = behind.trim_start();
+            continue;
+        }
+        let (command, words) = COMMANDS.iter().find(|(command, _)| rest.starts_with(command))?;
+        found.push((*words).to_owned());
+        rest = rest[command.len()..].trim_start();
+    }
+    Some(found.join(", "))
 }
 
 fn add_rule(text: &str, line: usize, grammar: &mut Grammar, draft: &mut Draft<'_>) {

@@ -1,6 +1,7 @@
-//! The readers of other notations.
+//! The readers and the writers of other notations.
 
-use crate::to_js;
+use crate::{from_js, to_js};
+use lsystem_import::write::{Notation, Written, export};
 use lsystem_import::{Fate, Part, Remark};
 use lsystem_syntax::Definition;
 use serde::Serialize;
@@ -79,4 +80,30 @@ fn import_part(text: &str, Part { span, fate, entry, words }: Part) -> ImportPar
     // The parts follow each other, so their lengths say their places.
     let length = text.get(span).unwrap_or_default().encode_utf16().count();
     ImportPart { length, fate, entry, words }
+}
+
+/// A system in another notation, or the reason why there is none.
+#[derive(Serialize, TS)]
+pub(crate) struct WriteReport {
+    /// Null if the notation cannot express the system.
+    text: Option<String>,
+    /// Sentences: what is left out, or the reason.
+    notes: Vec<String>,
+}
+
+/// Writes a definition in the notation with this name, of the table `NOTATIONS`: `{text, notes}`. `text` is null if the
+/// notation cannot express the system, and `notes` then has the reason; otherwise `notes` has sentences about what is
+/// left out.
+///
+/// # Errors
+/// Throws if the definition is none, or if the result cannot be translated.
+#[wasm_bindgen(js_name = writeSystem)]
+pub fn write_system(definition: JsValue, notation: &str) -> Result<JsValue, JsValue> {
+    let definition: Definition = from_js(definition)?;
+    let report = match Notation::named(notation).map(|notation| export(&definition, notation)) {
+        Some(Ok(Written { text, left_out })) => WriteReport { text: Some(text), notes: left_out },
+        Some(Err(refusal)) => WriteReport { text: None, notes: vec![refusal.0] },
+        None => WriteReport { text: None, notes: vec!["There is no such notation".to_owned()] },
+    };
+    to_js(&report)
 }

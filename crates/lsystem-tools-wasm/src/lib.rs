@@ -23,7 +23,7 @@ pub use film::{FilmPlayer, read_film, subjects, with_preset};
 #[cfg(feature = "find")]
 pub use find::RuleFinder;
 #[cfg(feature = "import")]
-pub use import::import_systems;
+pub use import::{import_systems, write_system};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

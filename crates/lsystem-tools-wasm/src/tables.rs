@@ -8,7 +8,7 @@ use crate::export::ExportReport;
 use crate::film::preset::PresetObject;
 use crate::film::script::{ScriptObject, SubjectObject};
 use crate::find::{FindQuestion, FindReport};
-use crate::import::ImportReport;
+use crate::import::{ImportReport, WriteReport};
 use expect_test::expect_file;
 use lsystem_course::Exercise;
 use lsystem_course::steps::{Rows, Single, Trace};
@@ -49,7 +49,7 @@ fn declarations() -> String {
     }
     visit!(Report, StepAnswer<'static>, StringPage, SymbolFacts, Picked, Notation, Site, FileRead, SharedPane, Outcome);
     visit!(Exercise, AboutExercise<'static>, MarkReport, CheckReport, GrowthReport, Rows, Single, Trace);
-    visit!(ExportReport, ImportReport, FindQuestion, FindReport, ScriptObject, SubjectObject, PresetObject);
+    visit!(ExportReport, ImportReport, WriteReport, FindQuestion, FindReport, ScriptObject, SubjectObject, PresetObject);
     all.texts.into_values().fold(HEAD.to_owned(), |file, text| file + &text)
 }
 

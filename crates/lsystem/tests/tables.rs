@@ -1,11 +1,13 @@
-//! The tables of the core in other files: `www/js/tables.js` and `late-tables.js`, the tables of fields in `README.md` and `docs/links.md`,
-//! and the table of choices for plots in `docs/plotting.md`, must equal the core's. `cargo xtask tables` updates them.
+//! The tables of the core in other files must equal the core's: `www/js/tables.js` and `late-tables.js`, the tables of
+//! fields in `README.md` and `docs/links.md`, of choices for plots in `docs/plotting.md`, and of notations in
+//! `docs/imports.md`. `cargo xtask tables` updates them.
 
 use expect_test::expect_file;
 use lsystem::base::MAX_PICTURE_SIDE;
 use lsystem::base::number::number;
 use lsystem::course::Asks;
 use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, Format, OptionKind, Purpose};
+use lsystem::import::write::{NOTATIONS, Notation};
 use lsystem::plot::SHEETS;
 use lsystem::syntax::fields::Section;
 use lsystem::syntax::message::expected_words;
@@ -188,6 +190,13 @@ fn late_tables() -> String {
         )
         .unwrap();
     }
+    script_text += "});\n\n/** Notations that systems are written in, by name: what the page calls them, what they are, and the ending of files. */\n\
+        export const NOTATIONS = /* @__PURE__ */ Object.freeze({\n";
+    for notation in &NOTATIONS {
+        let Notation { name, label, help, ending, .. } = notation;
+        let [name, label, help, ending] = [name, label, help, ending].map(|text| quoted(text));
+        writeln!(script_text, "    {name}: {{ label: {label}, help: {help}, ending: {ending} }},").unwrap();
+    }
     script_text += "});\n\n/** What files are for, in the order of the page's dialog, with labels. */\n\
         export const PURPOSES = /* @__PURE__ */ Object.freeze({\n";
     for purpose in Purpose::ALL {
@@ -303,6 +312,16 @@ fn plot_rows() -> String {
     rows
 }
 
+/// The notations that systems are written in.
+fn notation_rows() -> String {
+    let mut rows = String::from("| name | what is written | what cannot be expressed |\n|---|---|---|\n");
+    for notation in &NOTATIONS {
+        let lacks: Vec<&str> = notation.lacks().collect();
+        writeln!(rows, "| `{}` | {} | {} |", notation.name, notation.help, lacks.join(", ")).unwrap();
+    }
+    rows
+}
+
 #[test]
 fn every_purpose_but_films_has_a_format() {
     for purpose in Purpose::ALL {
@@ -324,6 +343,8 @@ fn the_documents_tables_are_those_of_the_core() {
     expect_file!["../../../README.md"].assert_eq(&with_table(readme, &file_rows()));
     let links = include_str!("../../../docs/links.md");
     expect_file!["../../../docs/links.md"].assert_eq(&with_table(links, &link_rows()));
+    let imports = include_str!("../../../docs/imports.md");
+    expect_file!["../../../docs/imports.md"].assert_eq(&with_table(imports, &notation_rows()));
     let plotting = include_str!("../../../docs/plotting.md");
     expect_file!["../../../docs/plotting.md"].assert_eq(&with_table(plotting, &plot_rows()));
 }

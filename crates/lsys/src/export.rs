@@ -1,0 +1,22 @@
+//! `lsys export`: a system in the notation of another program.
+
+use crate::cli::Changes;
+use crate::{CommandFailure, input, print, say};
+use lsystem::import::write::{Notation, export as written};
+use lsystem::syntax::visible;
+use std::path::Path;
+
+/// Prints the system in `file` in another notation. What is left out is a warning.
+///
+/// # Errors
+/// [`CommandFailure::Words`] with the reason if the notation cannot express the system.
+pub(crate) fn export(file: &Path, notation: &Notation, changes: &Changes) -> Result<(), CommandFailure> {
+    let input = input::read(file, changes, &mut say)?;
+    let name = input.file.display();
+    let written = written(&input.definition, notation);
+    let written = written.map_err(|refusal| CommandFailure::Words(format!("{name}: {refusal}")))?;
+    for sentence in &written.left_out {
+        say(&format!("{}\n", visible(&format!("warning: {name}: {sentence}"))));
+    }
+    print(|out| out.write_all(written.text.as_bytes()))
+}

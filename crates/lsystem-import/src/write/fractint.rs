@@ -1,0 +1,132 @@
+//! Fractint's `.l` files: see the reader in `fractint.rs`.
+//!
+//! `F` and `G` go along a heading that `+ - |` turn by 360/n degrees, and `D` and `M` along another, which `\nn` and `/nn`
+//! turn by any angle. A system is written with the first if its angle and its headings are such, or else with the second.
+
+use super::Refusal;
+use super::source::{Need, Source, plain_number};
+use super::spelling::{Alphabet, Spelling, turns};
+use lsystem_syntax::{Action, Module};
+
+/// The parts of systems that Fractint lacks.
+pub(super) const LACKS: &[Need] = &[
+    Need::Contexts,
+    Need::Parameters,
+    Need::Chance,
+    Need::Variation,
+    Need::Images,
+    Need::Space,
+    Need::BranchLengths,
+    Need::Polygons,
+    Need::Circles,
+    Need::Cuts,
+    Need::Tropism,
+    Need::Growth,
+    Need::OpenBranches,
+];
+
+/// The letters that Fractint does not draw with, and that are no part of a number.
+const IDLE: &str = "XYZABEHJKLNOPRSTUVW";
+/// The most rules of a file.
+const MOST_RULES: usize = 25;
+/// The most characters of a line.
+const LONGEST: usize = 250;
+
+pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
+    if source.needs(Need::SwappedTurns) && source.right_angle() != source.definition.angle {
+        return Err(Refusal::new("Fractint cannot swap turns by two angles"));
+    }
+    let parts = 360.0 / source.definition.angle;
+    let is_part =
+        parts.fract() == 0.0 && (3.0..=50.0).contains(&parts) && source.right_angle() == source.definition.angle;
+    let fixed = if is_part { system(source, Some(parts)).ok() } else { None };
+    fixed.map_or_else(|| system(source, None), Ok)
+}
+
+/// The file with an angle of 360/`parts` degrees, or with turns by degrees.
+fn system(source: &Source<'_>, parts: Option<f64>) -> Result<String, Refusal> {
+    let angle = source.definition.angle;
+    let turn = |degrees: f64| match parts {
+        Some(_) => turns(degrees, (angle, '+'), (angle, '-')),
+        None => Some(match degrees {
+            0.0 => String::new(),
+            _ if degrees < 0.0 => format!("/{}", decimal(-degrees)),
+            _ => format!("\\{}", decimal(degrees)),
+        }),
+    };
+    let line = |letter: char, length: f64| {
+        if length == 1.0 {
+            return Some(letter.to_string());
+        }
+        // `@I` divides by the number.
+        let number = decimal(length);
+        (length > 0.0).then(|| format!("@{number}{letter}@I{number}"))
+    };
+    let own = |actions: &[Action]| match (actions, parts.is_some()) {
+        ([Action::Draw(length)], true) if source.length(*length) == 1.0 => "F",
+        ([Action::Draw(length)], false) if source.length(*length) == 1.0 => "D",
+        ([Action::Move(length)], true) if source.length(*length) == 1.0 => "G",
+        ([Action::Move(length)], false) if source.length(*length) == 1.0 => "M",
+        ([Action::TurnLeft(None)], true) => "+",
+        ([Action::TurnRight(None)], true) => "-",
+        ([Action::TurnRound], true) if parts.is_some_and(|parts| parts % 2.0 == 0.0) => "|",
+        ([Action::Push], _) => "[",
+        ([Action::Pop], _) => "]",
+        ([Action::SwapTurns], _) => "!",
+        _ => "",
+    };
+    let one = |action: &Action| match *action {
+        Action::Draw(length) | Action::DrawUnmarked(length) => {
+            line(if parts.is_some() { 'F' } else { 'D' }, source.length(length))
+        }
+        Action::Move(length) | Action::MoveUnmarked(length) => {
+            line(if parts.is_some() { 'G' } else { 'M' }, source.length(length))
+        }
+        Action::ScaleLength(factor) if factor > 0.0 => Some(format!("@{}", decimal(factor))),
+        Action::Push => Some("[".into()),
+        Action::Pop => Some("]".into()),
+        Action::SwapTurns => Some("!".into()),
+        other => turn(source.turn(other)?),
+    };
+    let code = |actions: &[Action]| actions.iter().map(one).collect::<Option<String>>();
+    let alphabet = Alphabet {
+        label: "Fractint",
+        idle: IDLE,
+        is_upper: true,
+        own: &own,
+        code: &code,
+        mortal: "FGDM",
+        fixed: "+-|[]",
+    };
+    let spelling = Spelling::new(source, &alphabet)?;
+    let start =
+        turn(source.definition.heading).ok_or_else(|| Refusal::new("Fractint cannot begin with this heading"))?;
+    let word = |modules: &[Module]| spelling.word(modules);
+    let mut lines = vec![
+        format!("Angle {}", parts.map_or_else(|| "4".to_owned(), plain_number)),
+        format!("Axiom {start}{}", word(&source.grammar.axiom)),
+    ];
+    for rule in source.plain_rules() {
+        let successor = rule.successors.first().map_or(String::new(), |(_, successor)| word(successor));
+        lines.push(format!("{}={successor}", spelling.name_of(rule.symbol)));
+    }
+    lines.extend(spelling.repeated.iter().map(|(name, word)| format!("{name}={word}")));
+    lines.extend(spelling.vanishing.iter().map(|name| format!("{name}=")));
+    if lines.len() - 2 > MOST_RULES {
+        return Err(Refusal::new(format!("Fractint reads at most {MOST_RULES} rules")));
+    }
+    if lines.iter().any(|line| line.len() > LONGEST) {
+        return Err(Refusal::new(format!("Fractint reads at most {LONGEST} characters on a line")));
+    }
+    let name: String = source.definition.label().chars().filter(char::is_ascii_alphanumeric).take(20).collect();
+    let name = if name.is_empty() { "System" } else { &name };
+    let title = source.title(&['{', '}', ';']);
+    let order = source.definition.iterations;
+    Ok(format!("{name} {{ ; {title}, order {order}\n  {}\n}}\n", lines.join("\n  ")))
+}
+
+/// A number above 0 with the digits that Fractint reads.
+fn decimal(value: f64) -> String {
+    let text = plain_number(value);
+    if text.len() <= 20 { text } else { format!("{value:.15}") }
+}

@@ -1,0 +1,167 @@
+//! A program in Python that draws with the standard module `turtle`. The readers do not take it for an object with rules:
+//! it has no such word.
+
+use super::Refusal;
+use super::program::{Data, lines};
+use super::source::Source;
+use core::fmt::Write;
+use lsystem_base::number::number;
+
+pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
+    let data = Data::new(source, "A Python program")?;
+    let title = source.title(&['"', '\\']);
+    let title = if title.is_empty() { "An L-system" } else { &title };
+    let mut text = format!("\"\"\"{title}: an L-system, drawn by turtle graphics.\"\"\"\n");
+    if data.is_random {
+        text.push_str("import random\n");
+    }
+    text.push_str("import turtle\n\n");
+    let definition = source.definition;
+    let _ = writeln!(text, "AXIOM = {}", data.axiom);
+    if data.in_context.is_empty() {
+        if data.is_random {
+            text.push_str("# Several successors have weights: one is chosen at random.\n");
+        }
+        let _ = writeln!(text, "SUCCESSORS = {{\n{}}}", lines(&data.rules));
+    } else {
+        let (list, excepts) = &data.seen;
+        let list = super::object::quoted(list);
+        text.push_str("# Left context, symbol, right context, successor. The first that fits is applied.\n");
+        let _ = writeln!(text, "SUCCESSORS = [\n{}]", lines(&data.in_context));
+        text.push_str(if *excepts {
+            "# The symbols that contexts do not see.\n"
+        } else {
+            "# The symbols that contexts see.\n"
+        });
+        let _ = writeln!(text, "{} = {list}", if *excepts { "IGNORED" } else { "CONSIDERED" });
+    }
+    let _ = writeln!(text, "ITERATIONS = {}", definition.iterations);
+    let _ = writeln!(text, "HEADING = {}  # degrees, counter-clockwise from the right", number(definition.heading));
+    text.push_str("# What the turtle does: lengths in steps, turns in degrees to the left.\n");
+    let _ = writeln!(text, "ACTIONS = {{\n{}}}\nSTEP = 10\n", lines(&data.actions));
+    if data.is_random {
+        let _ = writeln!(text, "random.seed({})\n", definition.seed);
+    }
+    text.push('\n');
+    if data.in_context.is_empty() {
+        text.push_str(if data.is_random { RANDOM } else { PLAIN });
+    } else {
+        let is_seen = if data.seen.1 { "symbol not in IGNORED" } else { "symbol in CONSIDERED" };
+        text.push_str(&CONTEXTS.replace("IS_SEEN", is_seen));
+    }
+    text.push_str(DERIVE);
+    text.push_str(DRAW);
+    Ok(text)
+}
+
+const PLAIN: &str = r#"def successor(word, at):
+    return SUCCESSORS.get(word[at], word[at])
+
+
+"#;
+
+const RANDOM: &str = r#"def successor(word, at):
+    choice = SUCCESSORS.get(word[at], word[at])
+    if isinstance(choice, str):
+        return choice
+    weights = [weight for weight, _ in choice]
+    return random.choices(choice, weights)[0][1]
+
+
+"#;
+
+const CONTEXTS: &str = r#"def neighbour(word, at, step):
+    """The place of the next symbol along the branch, to the left (-1) or to the right (1)."""
+    opens, closes = "[]" if step > 0 else "]["
+    depth = 0
+    while 0 <= at + step < len(word):
+        at += step
+        symbol = word[at]
+        if symbol == opens:
+            depth += 1
+        elif symbol == closes:
+            if depth == 0 and step > 0:
+                return None
+            depth = max(depth - 1, 0)
+        elif depth == 0 and IS_SEEN:
+            return at
+    return None
+
+
+def fits(word, at, context, step):
+    for wanted in context[::step]:
+        at = neighbour(word, at, step)
+        if at is None or word[at] != wanted:
+            return False
+    return True
+
+
+def successor(word, at):
+    for left, symbol, right, result in SUCCESSORS:
+        if word[at] == symbol and fits(word, at, left, -1) and fits(word, at, right, 1):
+            return result
+    return word[at]
+
+
+"#;
+
+const DERIVE: &str = r#"def derive():
+    word = AXIOM
+    for _ in range(ITERATIONS):
+        word = "".join(successor(word, at) for at in range(len(word)))
+    return word
+
+
+"#;
+
+const DRAW: &str = r#"def draw(word):
+    pen = turtle.Turtle(visible=False)
+    pen.penup()
+    pen.setheading(HEADING)
+    size, sign = STEP, 1
+    saved = []
+    places = [pen.position()]
+    for symbol in word:
+        for command, number in ACTIONS.get(symbol, []):
+            if command == "draw":
+                pen.pendown()
+                pen.forward(size * number)
+                pen.penup()
+                places.append(pen.position())
+            elif command == "move":
+                pen.forward(size * number)
+            elif command == "turn":
+                pen.left(sign * number)
+            elif command == "push":
+                saved.append((pen.position(), pen.heading(), size, sign))
+                size *= number
+            elif command == "pop" and saved:
+                position, heading, size, sign = saved.pop()
+                pen.setposition(position)
+                pen.setheading(heading)
+            elif command == "scale":
+                size *= number
+            elif command == "swap":
+                sign = -sign
+    return places
+
+
+def main():
+    screen = turtle.Screen()
+    screen.setup(800, 800)
+    screen.mode("world")
+    screen.tracer(0)
+    places = draw(derive())
+    # The drawing fills the window.
+    low_x, high_x = min(x for x, _ in places), max(x for x, _ in places)
+    low_y, high_y = min(y for _, y in places), max(y for _, y in places)
+    half = 0.55 * max(high_x - low_x, high_y - low_y, STEP)
+    x, y = (low_x + high_x) / 2, (low_y + high_y) / 2
+    screen.setworldcoordinates(x - half, y - half, x + half, y + half)
+    screen.update()
+    screen.mainloop()
+
+
+if __name__ == "__main__":
+    main()
+"#;
