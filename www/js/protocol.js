@@ -95,7 +95,10 @@ export {};
  * tables.js that differ from their defaults; `camera` is for drawings in space. A file is `complete` unless a limit was exceeded or the definition has errors.
  * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number, upto: bigint | null}, answer: import('./messages.js').ExportReport}}} ExportCalls
  */
-/** The calls of the tool that reads other notations; null if the text is in no known notation. @typedef {{import: {asked: {text: string}, answer: Imported | null}}} ImportCalls */
+/**
+ * The calls of the tool for other notations; `import` answers null if the text is in no known notation.
+ * @typedef {{import: {asked: {text: string}, answer: Imported | null}, write: {asked: {definition: Definition, notation: string}, answer: import('./messages.js').WriteReport}}} ImportCalls
+ */
 /** @typedef {import('./messages.js').Given} Given */
 /** @typedef {import('./messages.js').Asks} Asks */
 /** @typedef {import('./messages.js').Exercise} Exercise */

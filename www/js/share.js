@@ -9,13 +9,15 @@ import { bestLink, shortestLink } from './packed.js';
 import { qrFile, showQrPicture } from './qr.js';
 import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from './share-code.js';
 import markup from './share.html';
+import { createShareAs } from './share-as.js';
 import { createPreview } from './share-preview.js';
 
 /** Some programs cut longer links, in characters. */
 const LONG = 2000;
 
 /** @param {import('./dialogs.js').Page} page */
-export function createShare({ store, engine }) {
+export function createShare(page) {
+    const { store, engine } = page;
     addElements(markup, [styles]);
     const dialog = byId('share-dialog', HTMLDialogElement);
     const link = input('share-link');
@@ -53,6 +55,7 @@ export function createShare({ store, engine }) {
         link.value = address(best);
         setText(html('share-link-note'), linkNote(link.value));
         showCode(state, best);
+        as.refresh();
         await showQr(address(shortest), own);
     }
 
@@ -139,6 +142,7 @@ export function createShare({ store, engine }) {
         status.classList.toggle('alert', isAlert);
     }
 
+    const as = createShareAs(page, tell);
     copies(button('copy-share'), link, 'Link', tell);
     copies(button('copy-code'), code, 'Code', tell);
     for (const choice of [withView, theme, ...choices]) choice.addEventListener('change', refresh);

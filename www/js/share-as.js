@@ -1,0 +1,46 @@
+/** The part of the share dialog with the system in the notations of other programs. */
+
+import { copies } from './copy.js';
+import { button, byId, html, make, setText } from './dom.js';
+import { NOTATIONS } from './late-tables.js';
+import { createTool } from './tool.js';
+
+/**
+ * @param {import('./dialogs.js').Page} page
+ * @param {(words: string, isAlert: boolean) => void} tell
+ */
+export function createShareAs({ store }, tell) {
+    /** @type {ReturnType<typeof createTool<import('./protocol.js').ImportCalls>>} */
+    const tool = createTool('import');
+    const part = byId('share-as', HTMLDetailsElement);
+    const notation = byId('as-notation', HTMLSelectElement);
+    const text = byId('as-text', HTMLTextAreaElement);
+    const note = html('as-note');
+    /** The number of the last text; older ones are dropped. */
+    let turn = 0;
+
+    for (const [value, { label, help }] of Object.entries(NOTATIONS)) {
+        notation.append(make('option', { value, title: help }, label));
+    }
+
+    async function refresh() {
+        if (!part.open) return;
+        const own = ++turn;
+        setText(note, '');
+        try {
+            const answer = await tool.call('write', { definition: store.state, notation: notation.value });
+            if (own !== turn) return;
+            text.value = answer.text ?? '';
+            button('as-copy').disabled = answer.text === null;
+            setText(note, [answer.text === null ? 'Not possible:' : '', ...answer.notes].join(' ').trim());
+        } catch {
+            if (own === turn) setText(note, 'The writers of other notations did not load. Try again.');
+        }
+    }
+
+    part.addEventListener('toggle', refresh);
+    notation.addEventListener('change', refresh);
+    copies(button('as-copy'), text, 'Text', tell);
+
+    return { refresh };
+}
