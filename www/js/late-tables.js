@@ -31,6 +31,22 @@ export const FORMATS = /* @__PURE__ */ Object.freeze({
     'stl': { ending: 'stl', mime: 'model/stl', label: 'STL', help: 'Mesh of closed tubes and slabs for printers, 100 mm long', picture: false, purposes: ['mesh'], content: 'mesh', options: ['finest'] },
 });
 
+/** Notations that systems are written in, by name: what the page calls them, what they are, and the ending of files. */
+export const NOTATIONS = /* @__PURE__ */ Object.freeze({
+    'text': { label: 'Text', help: 'Labelled lines, as in papers, where our reader makes the same system of them', ending: 'txt' },
+    'latex': { label: 'LaTeX', help: 'Table for a paper, as in The Algorithmic Beauty of Plants', ending: 'tex' },
+    'tikz': { label: 'TikZ', help: 'Picture by the library lindenmayersystems, in one colour, of at most 100,000 symbols', ending: 'tex' },
+    'python': { label: 'Python turtle', help: 'Program that draws with the standard module turtle', ending: 'py' },
+    'p5': { label: 'p5.js sketch', help: 'Sketch that derives and draws, for the editor of p5.js', ending: 'js' },
+    'js': { label: 'JavaScript object', help: 'Object for JavaScript packages: F and G draw, f moves, + and - turn by one angle, and the first heading is up', ending: 'js' },
+    'fractint': { label: 'Fractint', help: 'Entry of a file, of at most 25 rules and lines of 250 characters; without the number of iterations', ending: 'l' },
+    'inkscape': { label: 'Inkscape', help: 'Lines for the dialog Extensions > Render > L-system, with headings that its angles reach from upwards', ending: 'txt' },
+    'houdini': { label: 'Houdini', help: 'Lines of the L-system node, with numbers as in its own symbols', ending: 'txt' },
+    'cpfg': { label: 'cpfg', help: 'File with the angles as numbers; circles only filled', ending: 'l' },
+    'lpy': { label: 'L-Py', help: 'Arrow rules with the angles as numbers, arithmetic without functions and powers', ending: 'lpy' },
+    'anvaka': { label: 'anvaka’s page', help: 'Text for anvaka’s page, with one action for each symbol', ending: 'txt' },
+});
+
 /** What files are for, in the order of the page's dialog, with labels. */
 export const PURPOSES = /* @__PURE__ */ Object.freeze({
     screen: 'Screen',

@@ -1,7 +1,7 @@
 // The messages between JavaScript and Rust: written by `cargo xtask tables` from the types in Rust, not by hand.
 
 /**
- * What a student sees of an exercise.
+ * The part of an exercise that a student sees.
  */
 export type AboutExercise = { title: string, task: string, hints: Array<string>, asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, 
 /**
@@ -48,7 +48,7 @@ production: number | null,
 position: number, };
 
 /**
- * What must be the same.
+ * The property in which an answer must equal the target.
  */
 export type Asks = "picture" | "text" | "segments" | "statistics";
 
@@ -217,7 +217,7 @@ rules: Array<Given>,
  */
 first: First, 
 /**
- * What must be the same.
+ * The property in which an answer must equal the target.
  */
 asks: Asks, 
 /**
@@ -251,7 +251,7 @@ export type Family = {
  */
 parent: string, 
 /**
- * What it becomes, symbol by symbol.
+ * The successor, symbol by symbol.
  */
 children: Array<string>, 
 /**
@@ -277,12 +277,12 @@ definition: import('./tables.js').Definition | null,
 diagnostics: Array<Problem>, };
 
 /**
- * What is known of a system; what is missing or null is to be found out.
+ * The known properties of a system; missing or null ones are unknown.
  */
 export type FindQuestion = { axiom: string | null, angle: number | null, heading: number | null, n: number | null, draws: string | null, };
 
 /**
- * What a search found so far.
+ * The result of a search so far.
  */
 export type FindReport = { candidates: Array<Candidate>, searched: string, };
 
@@ -345,7 +345,7 @@ length: number | null,
 turning: number | null, };
 
 /**
- * What a student sees of a part of the target.
+ * How much of a part of the target a student sees.
  */
 export type Given = "shown" | "free" | "hidden";
 
@@ -415,14 +415,39 @@ export type ImportEntry = { name: string,
 definition: import('./tables.js').Definition | null, remarks: Array<ImportRemark>, };
 
 /**
- * What was not carried over, by line of the text, 1-based.
+ * A part of the text, and what became of it.
+ */
+export type ImportPart = { 
+/**
+ * In UTF-16 units.
+ */
+length: number, 
+/**
+ * `passed`, `read`, `noted` or `refused`.
+ */
+fate: string, 
+/**
+ * The index of its system; null outside of all systems.
+ */
+entry: number | null, 
+/**
+ * What it became, or why it did not.
+ */
+words: string, };
+
+/**
+ * A remark on a part that was not carried over, with its line of the text, 1-based.
  */
 export type ImportRemark = { line: number, text: string, message: string, };
 
 /**
  * Systems in the notation of another program or of a paper.
  */
-export type ImportReport = { notation: string, entries: Array<ImportEntry>, };
+export type ImportReport = { notation: string, entries: Array<ImportEntry>, 
+/**
+ * The parts of the text in order, without gaps.
+ */
+account: Array<ImportPart>, };
 
 /**
  * A key.
@@ -933,3 +958,16 @@ stored: Array<[number, number, number]>,
  * The ends of the segment that the symbol draws.
  */
 segment: [[number, number, number], [number, number, number]] | null, };
+
+/**
+ * A system in another notation, or the reason why there is none.
+ */
+export type WriteReport = { 
+/**
+ * Null if the notation cannot express the system.
+ */
+text: string | null, 
+/**
+ * Sentences: what is left out, or the reason.
+ */
+notes: Array<string>, };
