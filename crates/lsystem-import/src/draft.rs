@@ -3,7 +3,9 @@
 use crate::account::{Fate, Mark};
 use crate::source::Source;
 use crate::{Entry, Remark};
-use core::ops::Range;
+use core::array::IntoIter;
+use core::iter::Flatten;
+use core::ops::{Range, RangeInclusive};
 use lsystem_base::sorted::set;
 use lsystem_base::{MAX_ITERATIONS, decimal};
 use lsystem_drawing::System;
@@ -11,7 +13,7 @@ use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::{
     Action, Definition, Grammar, Module, Production, parse, parse_overrides, print_axiom, print_rules,
 };
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A system while it is read: texts in our notation, and what was not carried over.
 #[derive(Debug)]
@@ -127,10 +129,21 @@ impl<'a> Draft<'a> {
         self.remarks.iter().any(|remark| remark.refused)
     }
 
-    /// Sets the actions of a symbol, in the words of custom symbols; empty for no action.
+    /// Sets the actions of a symbol, in the words of custom symbols; empty for no action. The last ones count.
     pub(super) fn meaning(&mut self, symbol: char, actions: impl Into<String>) {
-        self.meanings.retain(|(known, _)| *known != symbol);
         self.meanings.push((symbol, actions.into()));
+    }
+
+    /// Takes over a system that was read from a text inside this one, such as the code in a link. All its remarks are
+    /// about `span`.
+    pub(super) fn adopt(&mut self, mut inner: Draft<'_>, span: &Range<usize>) {
+        inner.account();
+        let line = self.source.line_of(span.start);
+        for Remark { text, message, refused, .. } in inner.remarks {
+            self.remark(line, span.clone(), &text, message, refused);
+        }
+        (self.definition, self.meanings, self.others) = (inner.definition, inner.meanings, inner.others);
+        (self.has_iterations, self.keeps_overrides) = (inner.has_iterations, inner.keeps_overrides);
     }
 
     /// Takes over a grammar of plain symbols.
@@ -223,11 +236,12 @@ impl<'a> Draft<'a> {
     fn custom_symbols(&mut self, grammar: &Grammar) {
         let images = grammar.images.iter().flat_map(|image| &image.successor);
         let symbols = set(grammar.made().chain(images).map(|module| module.symbol));
+        let meanings: HashMap<char, &str> =
+            self.meanings.iter().map(|(known, words)| (*known, words.as_str())).collect();
         let mut lines = Vec::new();
         for symbol in symbols {
-            let own = self.meanings.iter().find(|(known, _)| *known == symbol);
-            let words = match (own, self.others) {
-                (Some((_, words)), _) => words.as_str(),
+            let words = match (meanings.get(&symbol), self.others) {
+                (Some(words), _) => *words,
                 (None, Some(words)) => words,
                 (None, None) => continue,
             };
@@ -254,30 +268,37 @@ pub(super) fn production(symbol: char, successor: impl IntoIterator<Item = char>
 }
 
 /// Single characters that a system does not use, for actions and names that need a symbol of their own.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct FreeSymbols {
-    /// Sorted, each once.
-    used: Vec<char>,
+    used: HashSet<char>,
     given: HashMap<String, char>,
+    /// The letters that were not tried yet.
+    letters: Flatten<IntoIter<RangeInclusive<char>, 4>>,
+}
+
+impl Default for FreeSymbols {
+    fn default() -> Self {
+        // Letters without an action in any dialect that readers use, then Greek, then Latin and CJK letters.
+        let letters = ['a'..='z', 'α'..='ω', '\u{100}'..='\u{17f}', '\u{4e00}'..='\u{9fff}'];
+        Self { used: HashSet::new(), given: HashMap::new(), letters: letters.into_iter().flatten() }
+    }
 }
 
 impl FreeSymbols {
     /// Marks the characters of a text as used.
     pub(super) fn add_used(&mut self, text: &str) {
-        self.used = set(self.used.iter().copied().chain(text.chars()));
+        self.used.extend(text.chars());
     }
 
-    /// The symbol for a key, the same one for equal keys.
+    /// The symbol for a key, the same one for equal keys. There are more letters than custom symbols, so the last one
+    /// is never needed in a system that compiles.
     pub(super) fn get(&mut self, key: &str) -> char {
         if let Some(&symbol) = self.given.get(key) {
             return symbol;
         }
-        // Letters without an action in any dialect that readers use, then Greek, then Latin and CJK letters.
-        let letters =
-            ('a'..='z').filter(|c| !matches!(c, 'f' | 'g' | 'v')).chain('α'..='ω').chain('\u{100}'..='\u{17f}');
-        let letters = letters.chain('\u{4e00}'..='\u{9fff}').filter(|c| !matches!(c, 'ε' | 'ς'));
-        let symbol = letters.into_iter().find(|c| self.used.binary_search(c).is_err()).unwrap_or('\u{ac00}');
-        self.add_used(symbol.encode_utf8(&mut [0; 4]));
+        let acts = |c: char| matches!(c, 'f' | 'g' | 'v' | 'ε' | 'ς');
+        let symbol = self.letters.find(|c| !acts(*c) && !self.used.contains(c)).unwrap_or('\u{ac00}');
+        self.used.insert(symbol);
         self.given.insert(key.to_owned(), symbol);
         symbol
     }
