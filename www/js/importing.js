@@ -20,6 +20,9 @@ const SIDE = 168;
 /** The most remarks shown for one system. */
 const MOST_REMARKS = 40;
 
+/** The name of our own notation, whose files open without this dialog. */
+const OURS = 'our own JSON';
+
 /** @param {Entry} entry */
 const nameOf = ({ name }) => name || 'Untitled system';
 
@@ -148,11 +151,12 @@ export function createImporting(engine, { open, restyle }) {
     });
 
     return {
-        /** Offers the systems of a text; returns whether there are any. @param {string} text */
+        /** Offers the systems of a text in another notation than ours; returns whether there are any. @param {string} text */
         async offer(text) {
             const found = await read(text);
-            if (found) show(found);
-            return found !== null;
+            if (found === null || found.notation === OURS) return false;
+            show(found);
+            return true;
         },
     };
 }

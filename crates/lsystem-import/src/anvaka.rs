@@ -78,16 +78,19 @@ fn links<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let mut drafts = Vec::new();
     let mut behind = 0;
     for (at, _) in source.text.match_indices(ADDRESS) {
+        if at < behind {
+            continue;
+        }
         let is_end = |c: char| c.is_whitespace() || matches!(c, '"' | '\'' | '<' | '>' | '`');
         let rest = &source.text[at..];
         let address = &rest[..rest.find(is_end).unwrap_or(rest.len())];
-        let Some(code) = (at >= behind).then(|| address.split_once(CODE)).flatten() else { continue };
-        let code = code.1.split(['&', '#']).next().unwrap_or_default();
+        let scheme = source.text[..at].rsplit(|c: char| is_end(c) || c == '(').next().unwrap_or_default();
+        behind = at + address.len();
+        let Some((_, code)) = address.split_once(CODE) else { continue };
+        let code = code.split(['&', '#']).next().unwrap_or_default();
         // In Markdown, an address ends at the parenthesis that closes it.
         let code = code.find(')').filter(|end| !code[..*end].contains('(')).map_or(code, |end| &code[..end]);
-        behind = at + address.len();
-        let start = source.text[..at].rfind(|c: char| is_end(c) || c == '(').map_or(0, |before| before + 1);
-        drafts.push(link(source, start..source.place(code)?.end, code));
+        drafts.push(link(source, at - scheme.len()..source.place(code)?.end, code));
         if drafts.len() > MAX_ENTRIES {
             break;
         }
@@ -110,13 +113,14 @@ fn link<'a>(source: Source<'a>, span: Range<usize>, code: &str) -> Draft<'a> {
     draft
 }
 
-/// A percent-encoded text; `None` if it is damaged.
+/// A percent-encoded text; `None` if it is damaged. A plus sign is a blank where the writer escaped `:` or `+`.
 fn decoded(text: &str) -> Option<String> {
+    let has_blanks = ["%3A", "%3a", "%2B", "%2b"].iter().any(|escape| text.contains(escape));
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.bytes();
     while let Some(byte) = rest.next() {
         if byte != b'%' {
-            bytes.push(byte);
+            bytes.push(if byte == b'+' && has_blanks { b' ' } else { byte });
             continue;
         }
         let mut digit = || char::from(rest.next()?).to_digit(16);

@@ -74,7 +74,8 @@ fn first_word(line: &str) -> (&str, &str) {
 /// Whether a line gives an axiom, as in `Axiom F` or `axiom=F`.
 fn is_axiom(line: &str) -> bool {
     let (word, rest) = first_word(line);
-    word.eq_ignore_ascii_case("axiom") && !rest.is_empty() && !rest.starts_with(':')
+    // Scripts have strings, as in `axiom = "F"`.
+    word.eq_ignore_ascii_case("axiom") && !rest.is_empty() && !rest.starts_with([':', '"', '\'', '`'])
 }
 
 /// Whether a line gives an angle, as in `Angle 6`.
@@ -161,13 +162,9 @@ fn bare(source: Source<'_>) -> Option<Vec<Block<'_>>> {
     let lines: Vec<&str> = all.clone().map(|(line, _)| line).filter(|line| !line.is_empty()).collect();
     let has = |is: fn(&str) -> bool| lines.iter().any(|line| is(line));
     let is_one = |line: &&str| is_axiom(line) || is_angle(line) || is_rule(line);
-    let accepted = |line: &&str| digits(first_word(line).1).0.parse().is_ok_and(|n: u32| (3..=50).contains(&n));
-    let angles = lines.iter().filter(|line| is_angle(line));
-    if !lines.iter().all(|line| is_one(line))
-        || !has(is_axiom)
-        || !has(is_angle)
-        || !angles.clone().all(|a| accepted(a))
-    {
+    let is_accepted = |line: &&str| digits(first_word(line).1).0.parse().is_ok_and(|n: u32| (3..=50).contains(&n));
+    let mut angles = lines.iter().filter(|line| is_angle(line));
+    if !has(is_axiom) || !has(is_angle) || !lines.iter().all(is_one) || !angles.all(is_accepted) {
         return None;
     }
     let line = source.line_of(source.place(lines.first()?)?.start);

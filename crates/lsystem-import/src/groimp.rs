@@ -35,10 +35,19 @@ mod tests {
 
     #[test]
     fn cases() {
-        check("Axiom ==> A(1);\nA(x) ==> F(x) [RU(30) A(x*0.8)]", expect![[r#""#]]);
+        check(
+            "Axiom ==> A(1);\nA(x) ==> F(x) [RU(30) A(x*0.8)]",
+            expect![[r#"
+            GroIMP’s XL
+            []
+            refused 1 "Axiom ==> A(1);": This is XL, the language of GroIMP; its rules rewrite graphs with code, which is not run"#]],
+        );
         check(
             "module A(float len);\nprotected void init()\n[\n  Axiom ==> A(1);\n]\npublic void run()\n[\n  A(x) ==> F(x) [RU(30) RH(90) A(x*0.8)];\n]\n",
-            expect![[r#""#]],
+            expect![[r#"
+                GroIMP’s XL
+                []
+                refused 4 "Axiom ==> A(1);": This is XL, the language of GroIMP; its rules rewrite graphs with code, which is not run"#]],
         );
     }
 }

@@ -16,12 +16,15 @@ const OTHERS: [&str; 9] = ["v", "z", "controls", "theme", "host", "x", "by", "ha
 /// Keys of which a link of a system has one.
 const SYSTEM: [&str; 3] = ["axiom", "rules", "z"];
 
+/// The most compressed links of a text: a short link may unpack to a long system.
+const MOST_PACKED: usize = 100;
+
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     // Other texts have a first word that is no link, so they are not searched.
     let words = source.text.split_whitespace();
-    let mut drafts = Vec::new();
+    let (mut drafts, mut packed) = (Vec::new(), 0);
     for word in words {
-        drafts.push(link(source, word.trim_matches(['<', '>']))?);
+        drafts.push(link(source, word.trim_matches(['<', '>']), &mut packed)?);
         if drafts.len() > MAX_ENTRIES {
             break;
         }
@@ -29,18 +32,23 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     Some(drafts)
 }
 
-/// Reads a word; `None` if it is no link.
-fn link<'a>(source: Source<'a>, word: &'a str) -> Option<Draft<'a>> {
+/// Reads a word; `None` if it is no link. `compressed` counts the compressed links.
+fn link<'a>(source: Source<'a>, word: &'a str, compressed: &mut usize) -> Option<Draft<'a>> {
     let (before, hash) = word.split_once('#')?;
     let is_address = before.is_empty() || before.contains("://") || before.ends_with(".html") || before.ends_with('/');
     let has = |name: &str| fields_of(hash).any(|(key, _)| key == name);
     if !is_address || !has("v") || !SYSTEM.iter().any(|key| has(key)) {
         return None;
     }
-    let link = read_link(word)?;
     let place = source.place(word)?;
     let mut draft = Draft::new(source, "", source.line_of(place.start));
     draft.covers(place.clone());
+    *compressed += usize::from(has("z"));
+    if has("z") && *compressed > MOST_PACKED {
+        draft.refuse_at(place, format!("A text may have {MOST_PACKED} compressed links"));
+        return Some(draft);
+    }
+    let link = read_link(word)?;
     draft.pass(place.clone());
     for part in hash.split('&').filter(|part| part.find('=').is_none_or(|at| at == 0) && !part.is_empty()) {
         draft.note_at(draft.place(part), "This is no field of a link");

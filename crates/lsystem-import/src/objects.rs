@@ -713,8 +713,30 @@ mod tests {
                 refused 1 "() => true": Conditions are code, which is not read
                 note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left"#]],
         );
-        check(r#"{"initial": "F", "rules": {"F": "F+F"}, "angle_deg": 60, "num_iters": 2}"#, expect!["not recognised"]);
-        check(r#"{"initial": "F", "rules": ["F -> F+F"], "turtle": {}}"#, expect!["not recognised"]);
-        check(r#"{"initial": "F", "rules": {"F": "FF"}"#, expect!["not recognised"]);
+        check(
+            r#"{"initial": "F", "rules": {"F": "F+F"}, "angle_deg": 60, "num_iters": 2}"#,
+            expect![[r#"
+                our own JSON
+                []
+                n 2, angle 60, heading 90, every-letter
+                  F
+                  F -> F+F"#]],
+        );
+        check(
+            r#"{"initial": "F", "rules": ["F -> F+F"], "turtle": {}}"#,
+            expect![[r#"
+                our own JSON
+                []
+                n 1, angle 0, heading 90, abop
+                  F
+                  F -> F+F"#]],
+        );
+        check(
+            r#"{"initial": "F", "rules": {"F": "FF"}"#,
+            expect![[r#"
+                our own JSON
+                []
+                refused 1 "{": This object is never closed. Add `}`."#]],
+        );
     }
 }

@@ -13,9 +13,9 @@
 //! ```
 //!
 //! Several systems are separated by a line of `-`. Racket code follows a line of `=`; it decides what the symbols do and
-//! is not run. With the library `lindenmayer/turtle` the symbols are known: F draws and f moves by 2, the numbers of + and
-//! - are factors of θ, and ! sets the width. Of other code, definitions of a symbol that does nothing or the same as
-//! another one are read.
+//! is not run. With the library `lindenmayer/turtle` the symbols are known: F draws and f moves by 2, the numbers of `+`
+//! and `-` are factors of θ, and `!` sets the width. Of other code, definitions of a symbol that does nothing or the same
+//! as another one are read.
 
 use crate::MAX_ENTRIES;
 use crate::draft::Draft;

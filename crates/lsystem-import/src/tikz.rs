@@ -31,6 +31,8 @@ struct Declared<'a> {
 const MOST: usize = 500;
 /// The most bytes that are searched for the end of a group or a statement.
 const FAR: usize = 10_000;
+/// The keys of a system.
+const KEYS: [&str; 2] = ["l-system", "lindenmayer system"];
 /// The commands that begin a path.
 const PATHS: [&str; 7] = ["\\draw", "\\path", "\\fill", "\\shade", "\\clip", "\\node", "\\pattern"];
 
@@ -51,7 +53,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let mut drafts = Vec::new();
     // The declarations whose bytes have marks already.
     let mut used: HashSet<&str> = HashSet::new();
-    for key in ["l-system", "lindenmayer system"] {
+    for key in KEYS {
         for (at, mark) in tex.matches(text, key).take(MOST) {
             let rest = text[at + mark.len()..].trim_start();
             let Some((options, _)) = rest.strip_prefix('=').and_then(|rest| tex.group(rest)) else { continue };
@@ -71,7 +73,13 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         drafts.push((at, draft));
     }
     drafts.sort_by_key(|(at, _)| *at);
-    let drafts: Vec<Draft<'_>> = drafts.into_iter().map(|(_, draft)| draft).collect();
+    let mut drafts: Vec<Draft<'_>> = drafts.into_iter().map(|(_, draft)| draft).collect();
+    for command in ["\\pgftransform", "\\rotatebox", "\\reflectbox", "\\scalebox", "\\tikzset"] {
+        for (at, mark) in tex.matches(text, command).take(1) {
+            let place = at..at + mark.len();
+            drafts.iter_mut().take(1).for_each(|draft| draft.note_at(place.clone(), "This is not carried over"));
+        }
+    }
     (!drafts.is_empty()).then_some(drafts)
 }
 
@@ -241,8 +249,8 @@ impl<'a> Tex<'a> {
                 let place = draft.place(option);
                 match transform(option) {
                     Some(turned) => turn(turned, place, draft),
-                    // The system itself, whose options have marks of their own.
-                    None if place.contains(&at) => draft.pass(place),
+                    // A system, whose options have marks of their own.
+                    None if place.contains(&at) || KEYS.iter().any(|key| option.starts_with(key)) => draft.pass(place),
                     None => draft.note_at(place, "How the path is drawn is not carried over"),
                 }
             }
