@@ -67,7 +67,8 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let has = |names: &[&str]| keys.iter().any(|(key, _)| names.contains(&key.as_str()));
     let header =
         keys.iter().any(|(key, value)| matches!(key.as_str(), "rules" | "production rules") && value.is_empty());
-    if has(&["axiom", "start"]) && header && (has(&OWN) || text.contains("=>")) {
+    let (is_own, has_arrow) = (has(&OWN), text.contains("=>"));
+    if header && (has(&["axiom", "start"]) && (is_own || has_arrow) || is_own && has_arrow) {
         return Some(vec![system(source)]);
     }
     if has(&["axiom", "start"]) { None } else { links(source) }
@@ -231,7 +232,9 @@ fn setting<'a>(key: &str, value: &'a str, line: &'a str, parts: &mut Parts<'a>, 
             draft.read(place, format!("axiom {}", parts.axiom.iter().collect::<String>()));
         }
         "depth" => {
-            draft.iterations(draft.source.line_of(place.start), value);
+            // That page takes the number at the start, and goes on while the depth is not reached.
+            let depth = leading_number(value).map_or_else(|| value.to_owned(), |(n, _)| number(libm::ceil(n.max(0.0))));
+            draft.iterations(draft.source.line_of(place.start), &depth);
             draft.read(place, format!("n {}", draft.definition.iterations));
         }
         "angle" => match leading_number(value) {
@@ -378,7 +381,13 @@ const LENGTH: f64 = 10.0;
 /// Translates the acts, with the direction, and the grammar.
 fn finish<'a>(parts: Parts<'a>, draft: &mut Draft<'a>) {
     let Parts { axiom, rules, by_symbol, acts, angle, direction, direction_text } = parts;
-    let mut grammar = Grammar { axiom: axiom.into_iter().map(Module::from).collect(), ..Grammar::default() };
+    let mut axiom: Vec<Module> = axiom.into_iter().map(Module::from).collect();
+    if let Some((first, line)) = rules.first().filter(|_| axiom.is_empty()) {
+        axiom.push(Module::from(first.predecessor.symbol));
+        let why = "There is no axiom; as on that page, the symbol of the first rule is taken";
+        draft.note_at(draft.place(line), why);
+    }
+    let mut grammar = Grammar { axiom, ..Grammar::default() };
     let is_last = |at: usize, rule: &Production| by_symbol.get(&rule.predecessor.symbol) == Some(&at);
     let kept = rules.into_iter().enumerate().filter(|(at, (rule, _))| is_last(*at, rule));
     grammar.productions = kept.map(|(_, (rule, _))| rule).collect();

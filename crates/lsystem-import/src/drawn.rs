@@ -77,6 +77,7 @@ fn fractint_tells_what_has_no_effect() {
         assert!(told.contains(part), "{told}");
     }
     assert!(remarks("axiom F\nangle 30\nF=F+F").contains("360/30 = 12 degrees"));
+    assert!(remarks("P {\n angle 4\n axiom F\n F=F&#8722;F\n}").contains("name in HTML"));
     assert_eq!(import("{angle 4\n axiom F}{angle 4\n axiom G}").unwrap().entries.len(), 2);
 }
 
@@ -88,6 +89,14 @@ fn anvaka_colours_and_directions() {
     assert_eq!((oblique.len(), &oblique), (4, &flat));
     assert!(remarks("axiom: F\nrules:\n F => F+F\ndirection: [0, 1, 0.5]").contains("rises along z"));
     assert!(remarks("axiom: F\nrules:\n F => F+F\ndirection: [0, 0, 1]").contains("nothing is drawn in the plane"));
+}
+
+/// As on that page: the number at the start of the depth, and the first rule's symbol.
+#[test]
+fn anvaka_defaults() {
+    let text = "rules:\n X => X+F\n F => FF\ndepth: 1.5 steps\n";
+    assert_eq!((definition(text).iterations, string(text, 1).as_str()), (2, "X+F"));
+    assert!(remarks(text).contains("X => X+F: There is no axiom"));
 }
 
 /// `rotateX(a)` turns y towards z, and `rotateY(a)` turns x towards z.

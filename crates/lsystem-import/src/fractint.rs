@@ -413,6 +413,10 @@ fn word_of<'a>(letter: Option<char>, line: &'a str, text: &'a str, draft: &mut D
         }
     }
     let (text, rest) = text.split_at(end);
+    // A comment seems to begin at the end of `&minus;`.
+    if let Some(at) = text.rfind('&').filter(|at| is_entity(&text[at + 1..])) {
+        draft.refuse_at(draft.place(&text[at..]), "This is a character’s name in HTML; write the character itself");
+    }
     let became = match letter {
         None => format!("axiom {}", text.to_ascii_uppercase()),
         Some(letter) => format!("{} -> {}", upper(letter), text.to_ascii_uppercase()),
@@ -424,6 +428,14 @@ fn word_of<'a>(letter: Option<char>, line: &'a str, text: &'a str, draft: &mut D
         draft.refuse_at(draft.place(text), "Fractint needs the `]` of a branch in the same word as its `[`");
     }
     Word { letter, line, text, tokens: tokens(text) }
+}
+
+/// Whether a text is the name of a usual character in HTML, or its number.
+fn is_entity(name: &str) -> bool {
+    let number = name.strip_prefix('#').map(|digits| digits.trim_start_matches(['x', 'X']));
+    number.is_some_and(|digits| !digits.is_empty() && digits.chars().all(|c| c.is_ascii_hexdigit()))
+        || ["minus", "plus", "lt", "gt", "amp", "ndash", "mdash", "nbsp", "quot", "vert", "lbrack", "rbrack", "num"]
+            .contains(&name)
 }
 
 fn translate<'a>(parts: &mut Parts<'a>, draft: &mut Draft<'a>) {

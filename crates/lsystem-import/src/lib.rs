@@ -105,6 +105,7 @@ const READERS: &[(&str, Reader)] = &[
     ("JavaScript", objects::read),
     ("anvaka’s page", anvaka::read),
     ("a description", prose::read),
+    ("a link", link::read_within),
 ];
 
 /// Reads all systems of a text that another program or a person wrote in another notation. Returns `None` if no

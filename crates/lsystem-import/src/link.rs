@@ -1,5 +1,5 @@
-//! Links of our own page, in the readable and in the compressed form: `#v=1&axiom=F&rules=F%20-%3E%20FF`. A text of
-//! links alone is read; each link is a system.
+//! Links of our own page, in the readable and in the compressed form: `#v=1&axiom=F&rules=F%20-%3E%20FF`. Each link of a
+//! text is a system. A text of links alone is read before all others, and links in other texts behind all others.
 
 use crate::MAX_ENTRIES;
 use crate::draft::Draft;
@@ -19,17 +19,42 @@ const SYSTEM: [&str; 3] = ["axiom", "rules", "z"];
 /// The most compressed links of a text: a short link may unpack to a long system.
 const MOST_PACKED: usize = 100;
 
+/// The links in a text of links alone.
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
-    // Other texts have a first word that is no link, so they are not searched.
-    let words = source.text.split_whitespace();
+    links(source, source.text.split_whitespace().map(without_marks), |_| None)
+}
+
+/// The links in any text.
+pub(super) fn read_within<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+    let words = source.text.split_whitespace().map(|word| without_marks(word).trim_end_matches(['.', ',', ';']));
+    links(source, words, Some).filter(|drafts| !drafts.is_empty())
+}
+
+/// Reads all words that are links; at other words `other` decides whether to go on.
+fn links<'a>(
+    source: Source<'a>,
+    words: impl Iterator<Item = &'a str>,
+    other: fn(Vec<Draft<'a>>) -> Option<Vec<Draft<'a>>>,
+) -> Option<Vec<Draft<'a>>> {
     let (mut drafts, mut packed) = (Vec::new(), 0);
     for word in words {
-        drafts.push(link(source, word.trim_matches(['<', '>']), &mut packed)?);
+        match link(source, word, &mut packed) {
+            Some(draft) => drafts.push(draft),
+            None => drafts = other(drafts)?,
+        }
         if drafts.len() > MAX_ENTRIES {
             break;
         }
     }
     Some(drafts)
+}
+
+/// A word without the brackets and quotes around a link in it. Links have none of these characters.
+fn without_marks(word: &str) -> &str {
+    let Some(hash) = word.find('#') else { return word };
+    let start = word[..hash].rfind(['(', '<', '"', '`', '[']).map_or(0, |at| at + 1);
+    let end = word[hash..].find([')', '>', '"', '`', ']']).map_or(word.len(), |at| hash + at);
+    &word[start..end]
 }
 
 /// Reads a word; `None` if it is no link. `compressed` counts the compressed links.
@@ -158,6 +183,19 @@ mod tests {
             refused 1 "#v=1&rules=F%20-%3E%20FF": The link gives no axiom"##]],
         );
         check("#v=1&n=3", expect!["not recognised"]);
-        check("See #v=1&axiom=F&n=2", expect!["not recognised"]);
+        check("See [the line](https://example.org/#v=1&axiom=F&n=2), and (#v=1&axiom=G).", expect![[r#"
+            a link
+            []
+            n 2, angle 0, heading 90, abop
+              F
+            []
+            n 1, angle 0, heading 90, abop
+              G"#]]);
+        check("See https://example.org/#v=1&axiom=F&n=2.", expect![[r#"
+            a link
+            []
+            n 2, angle 0, heading 90, abop
+              F"#]]);
+        check("See issue #5 (v=1&axiom=F)", expect!["not recognised"]);
     }
 }

@@ -10,27 +10,28 @@ use lsystem_files::read_json;
 use lsystem_syntax::{Definition, Diagnostic};
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
-    let text = source.text.trim_start_matches('\u{feff}').trim_start();
+    let all = body(source.text.trim_start_matches('\u{feff}').trim());
+    let (text, from) = (all, source.place(all)?.start);
     if !text.starts_with(['{', '/']) || !has_key(text, "initial") {
         return None;
     }
-    let (definition, diagnostics) = read_json(source.text);
+    let (definition, diagnostics) = read_json(text);
     // Other texts with comments and braces may have such a word, too.
     if definition.is_none() && !text.starts_with('{') {
         return None;
     }
-    let all = source.text.trim();
-    let mut draft = Draft::new(source, "", 1);
+    let mut draft = Draft::new(source, "", source.line_of(from));
     draft.covers(draft.place(all));
     draft.read(draft.place(all), "the system");
     (draft.has_iterations, draft.keeps_overrides) = (true, true);
     for diagnostic in diagnostics {
         let hint = diagnostic.hint().map_or(String::new(), |hint| format!(". {hint}"));
         let message = format!("{}{hint}", diagnostic.message());
+        let place = from + diagnostic.span.start..from + diagnostic.span.end;
         if diagnostic.is_error() {
-            draft.refuse_at(diagnostic.span, message);
+            draft.refuse_at(place, message);
         } else {
-            draft.note_at(diagnostic.span, message);
+            draft.note_at(place, message);
         }
     }
     if let Some(definition) = definition {
@@ -42,6 +43,13 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         draft.definition = definition;
     }
     Some(vec![draft])
+}
+
+/// The text between the fences of Markdown, if they enclose all of a text; else the text itself.
+fn body(text: &str) -> &str {
+    let inside = text.strip_prefix("```").and_then(|rest| rest.strip_suffix("```"));
+    let inside = inside.and_then(|inside| inside.split_once('\n')).filter(|(name, _)| !name.contains('{'));
+    inside.map_or(text, |(_, inside)| inside.trim())
 }
 
 /// The place of a problem with a definition in the text of its file: of the line with the problem, if it stands there
@@ -137,6 +145,13 @@ mod tests {
               F -> FF : 0.5
             note 1 "[{\"p\": 0.5, \"e\": \"FF\"}]": The probabilities sum to 0.5, not to 1. They are read as weights: each is divided by the sum."#]],
         );
+        check("```json\n{\"initial\": \"F\",\n \"moon\": 1, \"rules\": {\"F\": \"FF\"}}\n```\n", expect![[r#"
+            our own JSON
+            []
+            n 1, angle 0, heading 90, every-letter
+              F
+              F -> FF
+            note 3 "\"moon\"": Unknown key `moon`"#]]);
         check("{\"initial_line_width\": 1, \"axiom\": \"F\"}", expect!["not recognised"]);
     }
 
