@@ -41,6 +41,8 @@ pub(super) struct Draft<'a> {
 
 /// Characters between statements without a meaning of their own.
 const SEPARATORS: &str = ",;:.=(){}[]'\"`“”‘’*_|•·-–";
+/// The most characters that say what a part became.
+const MOST_WORDS: usize = 200;
 /// The most remarks of a system.
 const MOST_REMARKS: usize = 100;
 
@@ -72,9 +74,15 @@ impl<'a> Draft<'a> {
         self.extents.push(span);
     }
 
-    /// This part is read; `became` says what it is in the definition, such as `angle 60`.
+    /// This part is read; `became` says what it is in the definition, such as `angle 60`. Long words are shortened,
+    /// because marks inside divide the part, and each division has the words.
     pub(super) fn read(&mut self, span: Range<usize>, became: impl Into<String>) {
-        self.marks.push(Mark { span, fate: Fate::Read, words: became.into() });
+        let mut words = became.into();
+        if let Some((end, _)) = words.char_indices().nth(MOST_WORDS) {
+            words.truncate(end);
+            words.push('…');
+        }
+        self.marks.push(Mark { span, fate: Fate::Read, words });
     }
 
     /// This part has no meaning for the system: a comment, markup, punctuation.
