@@ -307,6 +307,10 @@ fn one_of<'a>(section: Section, line: &'a str, parts: &mut Parts<'a>, draft: &mu
             }
             Some(act) => {
                 draft.read(place, format!("what {symbol} does"));
+                let rest = to.split_once(')').map_or("", |(_, rest)| rest.trim().trim_end_matches(';'));
+                if !rest.is_empty() {
+                    draft.note_at(draft.place(rest), "That page reads only the first call of an action");
+                }
                 parts.acts.insert(symbol, (act, line));
             }
             None => draft.refuse_at(place, "This action cannot be read"),

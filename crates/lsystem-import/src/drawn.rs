@@ -97,6 +97,8 @@ fn anvaka_defaults() {
     let text = "rules:\n X => X+F\n F => FF\ndepth: 1.5 steps\n";
     assert_eq!((definition(text).iterations, string(text, 1).as_str()), (2, "X+F"));
     assert!(remarks(text).contains("X => X+F: There is no axiom"));
+    let calls = "axiom: F\nrules:\n F => FF\nactions:\n F => draw(5); rotate(7);\n";
+    assert!(remarks(calls).contains("; rotate(7): That page reads only the first call"), "{}", remarks(calls));
 }
 
 /// `rotateX(a)` turns y towards z, and `rotateY(a)` turns x towards z.

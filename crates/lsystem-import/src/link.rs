@@ -183,19 +183,25 @@ mod tests {
             refused 1 "#v=1&rules=F%20-%3E%20FF": The link gives no axiom"##]],
         );
         check("#v=1&n=3", expect!["not recognised"]);
-        check("See [the line](https://example.org/#v=1&axiom=F&n=2), and (#v=1&axiom=G).", expect![[r#"
+        check(
+            "See [the line](https://example.org/#v=1&axiom=F&n=2), and (#v=1&axiom=G).",
+            expect![[r#"
             a link
             []
             n 2, angle 0, heading 90, abop
               F
             []
             n 1, angle 0, heading 90, abop
-              G"#]]);
-        check("See https://example.org/#v=1&axiom=F&n=2.", expect![[r#"
+              G"#]],
+        );
+        check(
+            "See https://example.org/#v=1&axiom=F&n=2.",
+            expect![[r#"
             a link
             []
             n 2, angle 0, heading 90, abop
-              F"#]]);
+              F"#]],
+        );
         check("See issue #5 (v=1&axiom=F)", expect!["not recognised"]);
     }
 }

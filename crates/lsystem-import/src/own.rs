@@ -145,13 +145,16 @@ mod tests {
               F -> FF : 0.5
             note 1 "[{\"p\": 0.5, \"e\": \"FF\"}]": The probabilities sum to 0.5, not to 1. They are read as weights: each is divided by the sum."#]],
         );
-        check("```json\n{\"initial\": \"F\",\n \"moon\": 1, \"rules\": {\"F\": \"FF\"}}\n```\n", expect![[r#"
+        check(
+            "```json\n{\"initial\": \"F\",\n \"moon\": 1, \"rules\": {\"F\": \"FF\"}}\n```\n",
+            expect![[r#"
             our own JSON
             []
             n 1, angle 0, heading 90, every-letter
               F
               F -> FF
-            note 3 "\"moon\"": Unknown key `moon`"#]]);
+            note 3 "\"moon\"": Unknown key `moon`"#]],
+        );
         check("{\"initial_line_width\": 1, \"axiom\": \"F\"}", expect!["not recognised"]);
     }
 
