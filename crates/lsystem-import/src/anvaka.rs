@@ -25,7 +25,7 @@ use crate::source::{Lines, Source};
 use core::ops::Range;
 use lsystem_base::decimal;
 use lsystem_base::number::number;
-use lsystem_syntax::{Grammar, Module, Production};
+use lsystem_syntax::{Grammar, Module, Production, look_alike};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The keys, in lower case. All other keys have no effect on that page.
@@ -283,6 +283,7 @@ fn one_of<'a>(section: Section, line: &'a str, parts: &mut Parts<'a>, draft: &mu
     };
     let mut letters = from.chars();
     let symbol = letters.next().filter(|_| letters.next().is_none());
+    let symbol = symbol.map(|symbol| look_alike(symbol).unwrap_or(symbol));
     match (section, symbol) {
         (Section::None, _) => draft.note_at(place, "This key has no effect on that page"),
         (_, None) if line.split_once(':').is_some_and(|(key, _)| key.chars().all(char::is_alphanumeric)) => {
@@ -330,8 +331,9 @@ fn word(text: &str, draft: &mut Draft<'_>) -> Vec<char> {
             rest = &rest[separator.len()..];
             continue;
         }
-        symbols.extend((!ch.is_whitespace()).then_some(ch));
-        rest = &rest[ch.len_utf8()..];
+        let (own, behind) = rest.split_at(ch.len_utf8());
+        symbols.extend(draft.symbols(own));
+        rest = behind;
     }
     symbols
 }

@@ -11,7 +11,7 @@ use lsystem_base::{MAX_ITERATIONS, decimal};
 use lsystem_drawing::System;
 use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::{
-    Action, Definition, Grammar, Module, Production, parse, parse_overrides, print_axiom, print_rules,
+    Action, Definition, Grammar, Module, Production, look_alike, parse, parse_overrides, print_axiom, print_rules,
 };
 use std::collections::{HashMap, HashSet};
 
@@ -152,6 +152,24 @@ impl<'a> Draft<'a> {
         }
         (self.definition, self.meanings, self.others) = (inner.definition, inner.meanings, inner.others);
         (self.has_iterations, self.keeps_overrides) = (inner.has_iterations, inner.keeps_overrides);
+    }
+
+    /// The symbols of a part of the text without white space. Typographic look-alikes, as on web pages, are read as what
+    /// they look like, with a remark.
+    pub(super) fn symbols(&mut self, part: &str) -> Vec<char> {
+        let start = self.place(part).start;
+        let mut symbols = Vec::new();
+        for (at, ch) in part.char_indices().filter(|(_, ch)| !ch.is_whitespace()) {
+            let read = look_alike(ch);
+            let span = start + at..start + at + ch.len_utf8();
+            match read {
+                Some(' ') => self.note_at(span, "This invisible character is left out"),
+                Some(read) => self.note_at(span, format!("Read as `{read}`")),
+                None => {}
+            }
+            symbols.extend(Some(read.unwrap_or(ch)).filter(|ch| *ch != ' '));
+        }
+        symbols
     }
 
     /// Takes over a grammar of plain symbols.

@@ -57,6 +57,16 @@ fn fractint_reads_look_alikes() {
 }
 
 #[test]
+fn anvaka_and_tikz_read_look_alikes() {
+    let anvaka = "axiom: F−F\nrules:\n F => F＋F\nactions:\n − => rotate(-30)\n";
+    let tikz = "\\draw[l-system={axiom=F–F,rule set={F -> F＋F}, order=1}] l-system;";
+    for text in [anvaka, tikz] {
+        assert_eq!(string(text, 1), "F+F-F+F", "{text}");
+        assert!(remarks(text).contains("Read as `-`") && remarks(text).contains("Read as `+`"), "{}", remarks(text));
+    }
+}
+
+#[test]
 fn fractint_has_all_colours() {
     let palette = definition("P {\n angle 4\n axiom c32FC255F\n}\n").style.palette;
     let part = |at: usize| palette[at].rgb;

@@ -16,7 +16,7 @@ use crate::source::Source;
 use core::ops::Range;
 use lsystem_base::decimal;
 use lsystem_base::number::number;
-use lsystem_syntax::{Grammar, Module};
+use lsystem_syntax::{Grammar, Module, look_alike};
 use std::collections::{HashMap, HashSet};
 
 /// A declared system.
@@ -352,9 +352,8 @@ fn system<'a>(
         };
         match key {
             "axiom" => {
-                let symbols = value.chars().filter(|c| !c.is_whitespace());
-                grammar.axiom = symbols.map(Module::from).collect();
                 draft.read(place, format!("axiom {value}"));
+                grammar.axiom = draft.symbols(value).into_iter().map(Module::from).collect();
             }
             "order" => {
                 draft.iterations(draft.source.line_of(place.start), value);
@@ -437,6 +436,7 @@ fn body<'a>(tex: &Tex<'a>, text: &'a str, grammar: &mut Grammar, draft: &mut Dra
         };
         match symbol.chars().next() {
             Some(symbol) => {
+                let symbol = look_alike(symbol).unwrap_or(symbol);
                 draft.meaning(symbol, actions);
                 draft.read(place, format!("{symbol}: {}", if actions.is_empty() { "nothing" } else { actions }));
             }
@@ -452,7 +452,7 @@ fn add_rule(text: &str, grammar: &mut Grammar, draft: &mut Draft<'_>) {
     match (letters.next(), letters.next()) {
         (Some(letter), None) => {
             draft.read(place, format!("{letter} -> {to}"));
-            grammar.productions.push(production(letter, to.chars().filter(|c| !c.is_whitespace())));
+            grammar.productions.push(production(look_alike(letter).unwrap_or(letter), draft.symbols(to)));
         }
         _ => draft.refuse_at(place, "This rule cannot be read"),
     }
