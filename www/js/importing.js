@@ -23,6 +23,11 @@ const SIDE = 168;
 /** The most remarks shown for one system. */
 const MOST_REMARKS = 40;
 
+const UNKNOWN =
+    'No L-system was found in the pasted text. It needs an axiom and a rule, such as: axiom F, F -> F+F, angle 60.';
+/** The name of our own notation, whose files open without this dialog. */
+const OURS = 'our own JSON';
+
 /** @param {Entry} entry */
 const nameOf = ({ name }) => name || 'Untitled system';
 
@@ -144,8 +149,13 @@ export function createImporting({ store, engine, restyle }) {
     function accept() {
         if (!chosen?.definition) return;
         dialog.close();
-        store.open(restyle({ ...chosen.definition, title: chosen.definition.title || chosen.name }));
-        toast(`Opened ${nameOf(chosen)}. Undo to go back.`);
+        take(chosen, chosen.definition);
+    }
+
+    /** @param {Entry} entry @param {import('./state.js').Definition} definition */
+    function take(entry, definition) {
+        store.open(restyle({ ...definition, title: definition.title || entry.name }));
+        toast(`Opened ${nameOf(entry)}. Undo to go back.`);
     }
 
     function hideOffer() {
@@ -178,11 +188,21 @@ export function createImporting({ store, engine, restyle }) {
     return {
         open: show,
 
-        /** Offers the systems of a text; returns whether there are any. @param {string} text */
+        /** Offers the systems of a text in another notation than ours; returns whether there are any. @param {string} text */
         async offer(text) {
             const found = await read(text);
-            if (found) show(found, text);
-            return found !== null;
+            if (found === null || found.notation === OURS) return false;
+            show(found, text);
+            return true;
+        },
+
+        /** Opens our own text that was pasted outside of fields, and offers other ones. @param {string} text */
+        async paste(text) {
+            const found = await read(text);
+            const [first] = found?.entries ?? [];
+            if (!found || !first) toast(UNKNOWN);
+            else if (found.notation === OURS && first.definition) take(first, first.definition);
+            else show(found, text);
         },
 
         /** Offers the systems of a text that was pasted into a field, where it stays if the reader wants it there. @param {string} text */

@@ -1,14 +1,10 @@
 /** What is pasted outside of dialogs: systems of other programs, and pictures whose rules are searched. */
 
-import { toast } from './announce.js';
 import { pictureIn } from './find/files.js';
 
 /** Shorter pasted text is no whole system, and longer text is not read, in characters. */
 const SHORTEST = 8;
 const LONGEST = 1 << 20;
-
-const UNKNOWN =
-    'No L-system was found in the pasted text. It needs an axiom and a rule, such as: axiom F, F -> F+F, angle 60.';
 
 /** Whether a text is looked into for systems of other programs. @param {string} text */
 export const mayBeSystem = (text) => text.length >= SHORTEST && text.length <= LONGEST;
@@ -29,6 +25,6 @@ export function followPasting(dialogs) {
         if (!mayBeSystem(text) || (isField && !['axiom', 'rules'].includes(target.id))) return;
         const importing = await dialogs.part('import');
         if (isField) await importing?.offerPasted(text);
-        else if (importing && !(await importing.offer(text))) toast(UNKNOWN);
+        else await importing?.paste(text);
     });
 }

@@ -132,7 +132,7 @@ globalThis.pictures = async (base64, files) => {
             const ends = Number(about.segments) <= MOST ? pictures.segments(MOST) : undefined;
             if (!ends) break;
             const lines = timed(() => {
-                let [low, high] = [
+                const [low, high] = [
                     [Infinity, Infinity],
                     [-Infinity, -Infinity],
                 ];

@@ -5,7 +5,7 @@ use crate::pending::Pending;
 use crate::{CommandFailure, print, say};
 use lsystem::base::MAX_TEXT;
 use lsystem::files::FileContent;
-use lsystem::import::{Entry, Imported, Remark, import_file};
+use lsystem::import::{Entry, Imported, OWN_JSON, Remark, import_file};
 use lsystem::syntax::visible;
 use lsystem::{Definition, System, read_file, write_json};
 use std::collections::BTreeSet;
@@ -93,7 +93,7 @@ fn import_one(file: &Path, to: &Path, taken: &mut BTreeSet<String>, totals: &mut
 
 /// The systems in a file of any notation, or the reason why there are none.
 fn entries_of(bytes: &[u8]) -> Result<Vec<Entry>, String> {
-    if let Some(Imported { entries, .. }) = import_file(bytes) {
+    if let Some(Imported { entries, .. }) = import_file(bytes).filter(|imported| imported.notation != OWN_JSON) {
         return Ok(entries);
     }
     let FileContent { definition, mut diagnostics, .. } = read_file(bytes);

@@ -6,7 +6,7 @@ use crate::{CommandFailure, settings};
 use lsystem::base::{LimitName, MAX_TEXT};
 use lsystem::drawing::FigureDrawer;
 use lsystem::files::FileContent;
-use lsystem::import::{Entry, Imported, Remark, import_file};
+use lsystem::import::{Entry, Imported, OWN_JSON, Remark, import_file};
 use lsystem::syntax::visible;
 use lsystem::{Definition, Diagnostic, Figure, Limits, Progress, System, read_file, render_diagnostic};
 use std::fs::File;
@@ -68,7 +68,9 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
 /// [`CommandFailure::Said`] if the system is refused; [`CommandFailure::Words`] if `entry` names no system, or is needed
 /// and missing.
 fn content(bytes: &[u8], name: &str, entry: Option<&str>, say: Say<'_>) -> Result<FileContent, CommandFailure> {
-    let Some(Imported { notation, entries, .. }) = import_file(bytes) else {
+    // Our own JSON is read as a file of ours, so that messages show their places in it.
+    let foreign = import_file(bytes).filter(|imported| imported.notation != OWN_JSON);
+    let Some(Imported { notation, entries, .. }) = foreign else {
         return match entry {
             Some(_) => Err(CommandFailure::Words(format!("{name}: --entry is for files with several systems"))),
             None => Ok(read_file(bytes)),
@@ -240,6 +242,24 @@ mod tests {
             *self.1 += buffer.len() as u64;
             Ok(buffer.len())
         }
+    }
+
+    #[test]
+    fn a_number_is_a_place_only_if_no_system_has_that_name() {
+        let text = b"3 {\n angle 4\n axiom F\n}\nb {\n angle 4\n axiom G\n}\nc {\n angle 4\n axiom D\n}\n";
+        for (entry, axiom) in [("3", Some("F")), ("2", Some("G")), ("B", Some("G")), ("1", Some("F")), ("4", None)] {
+            let found = content(text, "a.l", Some(entry), &mut |_| {}).ok().and_then(|found| found.definition);
+            assert_eq!(found.map(|found| found.axiom).as_deref(), axiom, "{entry}");
+        }
+    }
+
+    #[test]
+    fn files_of_ours_keep_the_places_of_their_problems() {
+        let text = br#"{"initial": "F", "rules": ["F -> FF"], "turtle": {}, "moon": 1}"#;
+        let FileContent { definition, diagnostics, json } = content(text, "a.json", None, &mut |_| {}).ok().unwrap();
+        assert_eq!((definition.map(|found| found.axiom).as_deref(), diagnostics.len()), (Some("F"), 1));
+        assert_eq!(json.as_bytes(), text);
+        assert!(content(text, "a.json", Some("a"), &mut |_| {}).is_err());
     }
 
     #[test]

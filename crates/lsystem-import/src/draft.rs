@@ -3,15 +3,17 @@
 use crate::account::{Fate, Mark};
 use crate::source::Source;
 use crate::{Entry, Remark};
-use core::ops::Range;
+use core::array::IntoIter;
+use core::iter::Flatten;
+use core::ops::{Range, RangeInclusive};
 use lsystem_base::sorted::set;
 use lsystem_base::{MAX_ITERATIONS, decimal};
 use lsystem_drawing::System;
 use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::{
-    Action, Definition, Grammar, Module, Production, parse, parse_overrides, print_axiom, print_rules,
+    Action, Definition, Grammar, Module, Production, look_alike, parse, parse_overrides, print_axiom, print_rules,
 };
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A system while it is read: texts in our notation, and what was not carried over.
 #[derive(Debug)]
@@ -45,6 +47,8 @@ const CONNECTIVES: [&str; 34] = [
     "of", "or", "rule", "rules", "so", "that", "the", "then", "this", "to", "we", "where", "with", "und", "et", "mit",
     "y",
 ];
+/// The most characters that say what a part became.
+const MOST_WORDS: usize = 200;
 /// The most remarks of a system.
 const MOST_REMARKS: usize = 100;
 
@@ -76,9 +80,15 @@ impl<'a> Draft<'a> {
         self.extents.push(span);
     }
 
-    /// This part is read; `became` says what it is in the definition, such as `angle 60`.
+    /// This part is read; `became` says what it is in the definition, such as `angle 60`. Long words are shortened,
+    /// because marks inside divide the part, and each division has the words.
     pub(super) fn read(&mut self, span: Range<usize>, became: impl Into<String>) {
-        self.marks.push(Mark { span, fate: Fate::Read, words: became.into() });
+        let mut words = became.into();
+        if let Some((end, _)) = words.char_indices().nth(MOST_WORDS) {
+            words.truncate(end);
+            words.push('…');
+        }
+        self.marks.push(Mark { span, fate: Fate::Read, words });
     }
 
     /// This part has no meaning for the system: a comment, markup, punctuation.
@@ -133,10 +143,39 @@ impl<'a> Draft<'a> {
         self.remarks.iter().any(|remark| remark.refused)
     }
 
-    /// Sets the actions of a symbol, in the words of custom symbols; empty for no action.
+    /// Sets the actions of a symbol, in the words of custom symbols; empty for no action. The last ones count.
     pub(super) fn meaning(&mut self, symbol: char, actions: impl Into<String>) {
-        self.meanings.retain(|(known, _)| *known != symbol);
         self.meanings.push((symbol, actions.into()));
+    }
+
+    /// Takes over a system that was read from a text inside this one, such as the code in a link. All its remarks are
+    /// about `span`.
+    pub(super) fn adopt(&mut self, mut inner: Draft<'_>, span: &Range<usize>) {
+        inner.account();
+        let line = self.source.line_of(span.start);
+        for Remark { text, message, refused, .. } in inner.remarks {
+            self.remark(line, span.clone(), &text, message, refused);
+        }
+        (self.definition, self.meanings, self.others) = (inner.definition, inner.meanings, inner.others);
+        (self.has_iterations, self.keeps_overrides) = (inner.has_iterations, inner.keeps_overrides);
+    }
+
+    /// The symbols of a part of the text without white space. Typographic look-alikes, as on web pages, are read as what
+    /// they look like, with a remark.
+    pub(super) fn symbols(&mut self, part: &str) -> Vec<char> {
+        let start = self.place(part).start;
+        let mut symbols = Vec::new();
+        for (at, ch) in part.char_indices().filter(|(_, ch)| !ch.is_whitespace()) {
+            let read = look_alike(ch);
+            let span = start + at..start + at + ch.len_utf8();
+            match read {
+                Some(' ') => self.note_at(span, "This invisible character is left out"),
+                Some(read) => self.note_at(span, format!("Read as `{read}`")),
+                None => {}
+            }
+            symbols.extend(Some(read.unwrap_or(ch)).filter(|ch| *ch != ' '));
+        }
+        symbols
     }
 
     /// Takes over a grammar of plain symbols.
@@ -230,11 +269,12 @@ impl<'a> Draft<'a> {
     fn custom_symbols(&mut self, grammar: &Grammar) {
         let images = grammar.images.iter().flat_map(|image| &image.successor);
         let symbols = set(grammar.made().chain(images).map(|module| module.symbol));
+        let meanings: HashMap<char, &str> =
+            self.meanings.iter().map(|(known, words)| (*known, words.as_str())).collect();
         let mut lines = Vec::new();
         for symbol in symbols {
-            let own = self.meanings.iter().find(|(known, _)| *known == symbol);
-            let words = match (own, self.others) {
-                (Some((_, words)), _) => words.as_str(),
+            let words = match (meanings.get(&symbol), self.others) {
+                (Some(words), _) => *words,
                 (None, Some(words)) => words,
                 (None, None) => continue,
             };
@@ -261,30 +301,37 @@ pub(super) fn production(symbol: char, successor: impl IntoIterator<Item = char>
 }
 
 /// Single characters that a system does not use, for actions and names that need a symbol of their own.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct FreeSymbols {
-    /// Sorted, each once.
-    used: Vec<char>,
+    used: HashSet<char>,
     given: HashMap<String, char>,
+    /// The letters that were not tried yet.
+    letters: Flatten<IntoIter<RangeInclusive<char>, 4>>,
+}
+
+impl Default for FreeSymbols {
+    fn default() -> Self {
+        // Letters without an action in any dialect that readers use, then Greek, then Latin and CJK letters.
+        let letters = ['a'..='z', 'α'..='ω', '\u{100}'..='\u{17f}', '\u{4e00}'..='\u{9fff}'];
+        Self { used: HashSet::new(), given: HashMap::new(), letters: letters.into_iter().flatten() }
+    }
 }
 
 impl FreeSymbols {
     /// Marks the characters of a text as used.
     pub(super) fn add_used(&mut self, text: &str) {
-        self.used = set(self.used.iter().copied().chain(text.chars()));
+        self.used.extend(text.chars());
     }
 
-    /// The symbol for a key, the same one for equal keys.
+    /// The symbol for a key, the same one for equal keys. There are more letters than custom symbols, so the last one
+    /// is never needed in a system that compiles.
     pub(super) fn get(&mut self, key: &str) -> char {
         if let Some(&symbol) = self.given.get(key) {
             return symbol;
         }
-        // Letters without an action in any dialect that readers use, then Greek, then Latin and CJK letters.
-        let letters =
-            ('a'..='z').filter(|c| !matches!(c, 'f' | 'g' | 'v')).chain('α'..='ω').chain('\u{100}'..='\u{17f}');
-        let letters = letters.chain('\u{4e00}'..='\u{9fff}').filter(|c| !matches!(c, 'ε' | 'ς'));
-        let symbol = letters.into_iter().find(|c| self.used.binary_search(c).is_err()).unwrap_or('\u{ac00}');
-        self.add_used(symbol.encode_utf8(&mut [0; 4]));
+        let acts = |c: char| matches!(c, 'f' | 'g' | 'v' | 'ε' | 'ς');
+        let symbol = self.letters.find(|c| !acts(*c) && !self.used.contains(c)).unwrap_or('\u{ac00}');
+        self.used.insert(symbol);
         self.given.insert(key.to_owned(), symbol);
         symbol
     }

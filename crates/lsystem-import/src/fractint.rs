@@ -11,13 +11,16 @@
 //! Case is ignored. Several rules for one letter are joined. `Angle n` is 360/n degrees. Fractint keeps two headings:
 //! `F` and `G` go along the first, which `+ - |` turn; `D` and `M` go along the second, which `\nn` and `/nn` turn. Both
 //! start to the right. Our turtle has one heading, so a system with both is read only if every group of turns changes
-//! both headings alike.
+//! both headings alike. Typographic look-alikes, as on web pages, are read as what they look like, with a remark.
 
+use crate::MAX_ENTRIES;
 use crate::draft::{Draft, FreeSymbols, production};
 use crate::source::Source;
+use core::ops::Range;
 use lsystem_base::decimal;
 use lsystem_base::number::number;
-use lsystem_syntax::{Colour, Grammar, Module};
+use lsystem_syntax::{Colour, Grammar, Module, look_alike};
+use std::collections::{HashMap, HashSet};
 
 /// A symbol of Fractint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,145 +31,182 @@ enum Token {
     Number(char, f64),
 }
 
-/// An entry of a file, as text.
-#[derive(Debug, Default)]
-struct Block {
-    name: String,
+/// An entry of a file.
+#[derive(Debug)]
+struct Block<'a> {
+    name: &'a str,
     line: usize,
-    /// The lines without comments, with their numbers.
-    lines: Vec<(usize, String)>,
+    /// Whether the braces are missing.
+    is_bare: bool,
+    span: Range<usize>,
+    /// The lines without comments.
+    lines: Vec<&'a str>,
+    comments: Vec<&'a str>,
 }
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
-    let text = source.text;
-    let blocks = entries(text).or_else(|| bare(text))?;
+    let blocks = entries(source).or_else(|| bare(source))?;
     Some(blocks.iter().map(|block| entry(source, block)).collect())
 }
 
-/// The text of a line before its comment.
-fn without_comment(line: &str) -> &str {
-    line.split(';').next().unwrap_or_default().trim()
+/// The character that a character stands for: itself, or what it looks like; a blank for invisible ones.
+fn plain(ch: char) -> char {
+    look_alike(ch).unwrap_or(ch)
 }
 
-/// The first word of a line, in lower case, and the rest without `=` and white space at its start.
-fn first_word(line: &str) -> (String, &str) {
-    let is_end = |c: char| c == '=' || c.is_whitespace();
+/// The text of a line before its comment, and the comment.
+fn split_comment(line: &str) -> (&str, &str) {
+    let (own, comment) = line.split_at(line.find(|c| plain(c) == ';').unwrap_or(line.len()));
+    (own.trim(), comment.trim_end())
+}
+
+/// Whether a character separates the first word of a line from the rest.
+fn is_end(c: char) -> bool {
+    plain(c) == '=' || c.is_whitespace()
+}
+
+/// The first word of a line, and the rest without `=` and white space at its start.
+fn first_word(line: &str) -> (&str, &str) {
     let at = line.find(is_end).unwrap_or(line.len());
-    (line[..at].to_ascii_lowercase(), line[at..].trim_start_matches(is_end))
+    (&line[..at], line[at..].trim_start_matches(is_end))
 }
 
 /// Whether a line gives an axiom, as in `Axiom F` or `axiom=F`.
 fn is_axiom(line: &str) -> bool {
     let (word, rest) = first_word(line);
-    word == "axiom" && !rest.is_empty() && !rest.starts_with(':')
+    // Scripts have strings, as in `axiom = "F"`.
+    word.eq_ignore_ascii_case("axiom") && !rest.is_empty() && !rest.starts_with([':', '"', '\'', '`'])
 }
 
 /// Whether a line gives an angle, as in `Angle 6`.
 fn is_angle(line: &str) -> bool {
     let (word, rest) = first_word(line);
-    word == "angle" && rest.starts_with(|c: char| c.is_ascii_digit())
+    word.eq_ignore_ascii_case("angle") && rest.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// Whether a line is a rule, as in `F=FF`.
 fn is_rule(line: &str) -> bool {
     let (word, rest) = first_word(line);
+    only(word).is_some() && word.len() < line.len() && !rest.starts_with(['>', '=', ':'])
+}
+
+/// The character of a text with one character.
+fn only(word: &str) -> Option<char> {
     let mut chars = word.chars();
-    let one = chars.next().is_some() && chars.next().is_none();
-    let marked = line.trim_start().chars().nth(1).is_some_and(|c| c == '=' || c.is_whitespace());
-    one && marked && !rest.starts_with(['>', '=', ':'])
+    let first = chars.next()?;
+    chars.next().is_none().then_some(first)
+}
+
+/// The digits at the start of an angle, which Fractint reads, and the rest.
+fn digits(text: &str) -> (&str, &str) {
+    text.split_at(text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len()))
 }
 
 /// The entries of a file that give an axiom or an angle; `None` if no entry gives an axiom.
-fn entries(text: &str) -> Option<Vec<Block>> {
-    let mut found: Vec<Block> = Vec::new();
-    let mut open: Option<Block> = None;
-    let mut title = String::new();
-    for (at, line) in text.lines().enumerate() {
-        let mut line = without_comment(line);
-        if open.is_none() {
-            let Some(brace) = line.find('{') else {
-                if !line.is_empty() {
-                    title = line.to_owned();
-                }
+fn entries(source: Source<'_>) -> Option<Vec<Block<'_>>> {
+    let start = |part: &str| source.place(part).unwrap_or_default().start;
+    let mut found: Vec<Block<'_>> = Vec::new();
+    let mut open: Option<Block<'_>> = None;
+    let mut is_sure = false;
+    let mut title = "";
+    for line in source.text.lines() {
+        let (mut line, comment) = split_comment(line);
+        loop {
+            let Some(block) = &mut open else {
+                let Some(brace) = line.find('{') else {
+                    title = if line.is_empty() { title } else { line };
+                    break;
+                };
+                let own = line[..brace].trim();
+                let name = core::mem::take(&mut title);
+                let name = if own.is_empty() { name } else { own }.trim_end_matches('=').trim();
+                let (from, at) = (start(if own.is_empty() { &line[brace..] } else { own }), start(line));
+                let (line_number, span) = (source.line_of(at), from..source.text.len());
+                let (lines, comments) = (Vec::new(), Vec::new());
+                open = Some(Block { name, line: line_number, is_bare: false, span, lines, comments });
+                line = line[brace + 1..].trim();
                 continue;
             };
-            let name = line[..brace].trim();
-            let name = if name.is_empty() { core::mem::take(&mut title) } else { name.to_owned() };
-            open = Some(Block { name: name.trim_end_matches('=').trim().to_owned(), line: at + 1, lines: Vec::new() });
-            line = line[brace + 1..].trim();
-        }
-        let end = line.find('}');
-        if let Some(source) = &mut open {
+            let end = line.find('}');
             let own = line[..end.unwrap_or(line.len())].trim();
             if !own.is_empty() {
-                source.lines.push((at + 1, own.to_owned()));
+                block.lines.push(own);
             }
+            let Some(end) = end else { break };
+            block.span.end = start(&line[end..]) + 1;
+            found.extend(open.take().and_then(|block| kept(block, &mut is_sure)));
+            line = line[end + 1..].trim();
         }
-        if end.is_some() {
-            found.extend(open.take());
-            title.clear();
+        match &mut open {
+            Some(block) if !comment.is_empty() => block.comments.push(comment),
+            _ => {}
+        }
+        if found.len() > MAX_ENTRIES {
+            break;
         }
     }
-    found.extend(open.take());
-    let sure = |source: &Block| {
-        let has = |is: fn(&str) -> bool| source.lines.iter().any(|(_, line)| is(line));
-        has(is_axiom) && (has(is_angle) || has(is_rule))
-    };
-    if !found.iter().any(sure) {
-        return None;
-    }
-    found.retain(|source| source.lines.iter().any(|(_, line)| is_axiom(line) || is_angle(line)));
-    Some(found)
+    found.extend(open.and_then(|block| kept(block, &mut is_sure)));
+    is_sure.then_some(found)
 }
 
-/// The inside of an entry alone: an angle, an axiom, and otherwise only rules.
-fn bare(text: &str) -> Option<Vec<Block>> {
-    let lines = text.lines().enumerate().map(|(at, line)| (at + 1, without_comment(line).to_owned()));
-    let lines: Vec<(usize, String)> = lines.filter(|(_, line)| !line.is_empty()).collect();
-    let has = |is: fn(&str) -> bool| lines.iter().any(|(_, line)| is(line));
-    let all = lines.iter().all(|(_, line)| is_axiom(line) || is_angle(line) || is_rule(line));
-    let line = lines.first()?.0;
-    (all && has(is_axiom) && has(is_angle)).then(|| vec![Block { name: String::new(), line, lines }])
+/// A block if it gives an axiom or an angle; `is_sure` is set if it is an entry without doubt.
+fn kept<'a>(block: Block<'a>, is_sure: &mut bool) -> Option<Block<'a>> {
+    let has = |is: fn(&str) -> bool| block.lines.iter().any(|line| is(line));
+    *is_sure |= has(is_axiom) && (has(is_angle) || has(is_rule));
+    (has(is_axiom) || has(is_angle)).then_some(block)
+}
+
+/// The inside of an entry alone: an angle that Fractint accepts, an axiom, and otherwise only rules.
+fn bare(source: Source<'_>) -> Option<Vec<Block<'_>>> {
+    let all = source.text.lines().map(split_comment);
+    let lines: Vec<&str> = all.clone().map(|(line, _)| line).filter(|line| !line.is_empty()).collect();
+    let has = |is: fn(&str) -> bool| lines.iter().any(|line| is(line));
+    let is_one = |line: &&str| is_axiom(line) || is_angle(line) || is_rule(line);
+    let is_accepted = |line: &&str| digits(first_word(line).1).0.parse().is_ok_and(|n: u32| (3..=50).contains(&n));
+    let mut angles = lines.iter().filter(|line| is_angle(line));
+    if !has(is_axiom) || !has(is_angle) || !lines.iter().all(is_one) || !angles.all(is_accepted) {
+        return None;
+    }
+    let line = source.line_of(source.place(lines.first()?)?.start);
+    let comments = all.map(|(_, comment)| comment).filter(|comment| !comment.is_empty()).collect();
+    Some(vec![Block { name: "", line, is_bare: true, span: 0..source.text.len(), lines, comments }])
 }
 
 /// Splits a word into symbols.
 fn tokens(word: &str) -> Vec<Token> {
-    let chars: Vec<char> = word.chars().map(|c| c.to_ascii_lowercase()).collect();
+    let chars = word.chars().map(|c| plain(c).to_ascii_lowercase()).filter(|c| !c.is_whitespace());
+    let mut chars = chars.peekable();
     let mut found = Vec::new();
-    let mut at = 0;
-    while at < chars.len() {
-        let ch = chars[at];
-        at += 1;
+    while let Some(ch) = chars.next() {
         if !matches!(ch, '@' | '\\' | '/' | 'c' | '<' | '>') {
             found.push(Token::Plain(ch));
             continue;
         }
         let (mut root, mut inverse) = (false, false);
         for _ in 0..2 {
-            match chars.get(at) {
+            match chars.next_if(|c| matches!(c, 'q' | 'i')) {
                 Some('q') => root = true,
-                Some('i') => inverse = true,
-                _ => break,
+                Some(_) => inverse = true,
+                None => break,
             }
-            at += 1;
         }
-        let from = at;
-        while chars.get(at).is_some_and(|c| c.is_ascii_digit() || *c == '.') {
-            at += 1;
+        let mut digits = String::new();
+        while let Some(digit) = chars.next_if(|c| c.is_ascii_digit() || *c == '.') {
+            digits.push(digit);
         }
-        found.push(Token::Number(ch, value(&chars[from..at], root, inverse)));
+        found.push(Token::Number(ch, value(&digits, root, inverse)));
     }
     found
 }
 
 /// The number after `@`, `\` and so on. Fractint reads up to a second decimal point and takes 0 for no number.
-fn value(digits: &[char], root: bool, inverse: bool) -> f64 {
+fn value(digits: &str, root: bool, inverse: bool) -> f64 {
     let mut points = 0;
-    let until_second_point = |c: &&char| {
-        points += usize::from(**c == '.');
+    let until_second_point = |c: &char| {
+        points += usize::from(*c == '.');
         points < 2
     };
-    let text: String = digits.iter().take_while(until_second_point).take(30).collect();
+    let text: String = digits.chars().take_while(until_second_point).take(30).collect();
     let mut value = decimal::read(&text).unwrap_or(0.0);
     if value <= 0.0 {
         return 0.0;
@@ -177,44 +217,74 @@ fn value(digits: &[char], root: bool, inverse: bool) -> f64 {
     if inverse { 1.0 / value } else { value }
 }
 
-/// The parts of a system.
+/// The axiom or one line of a rule.
 #[derive(Debug, Default)]
-struct Parts {
-    /// The number after `Angle`.
-    angle: u32,
-    axiom: Vec<Token>,
-    /// Letters with their joined successors, in the order of the file.
-    rules: Vec<(char, Vec<Token>)>,
-    /// All words with their lines.
-    words: Vec<(usize, String)>,
+struct Word<'a> {
+    /// The letter of a rule, in lower case; `None` for the axiom.
+    letter: Option<char>,
+    /// The whole line, and the word in it.
+    line: &'a str,
+    text: &'a str,
+    tokens: Vec<Token>,
 }
 
-impl Parts {
+/// The parts of a system.
+#[derive(Debug, Default)]
+struct Parts<'a> {
+    /// The number after `Angle`.
+    angle: u32,
+    axiom: Option<Word<'a>>,
+    /// The lines of rules, in the order of the file.
+    rules: Vec<Word<'a>>,
+}
+
+impl<'a> Parts<'a> {
+    fn words(&self) -> impl Iterator<Item = &Word<'a>> + Clone {
+        self.axiom.iter().chain(&self.rules)
+    }
+
+    fn words_mut(&mut self) -> impl Iterator<Item = &mut Word<'a>> {
+        self.axiom.iter_mut().chain(&mut self.rules)
+    }
+
     /// The symbols that can occur.
-    fn reachable(&self) -> Vec<char> {
-        let mut seen: Vec<char> = Vec::new();
-        let mut words = vec![&self.axiom[..]];
+    fn reachable(&self) -> HashSet<char> {
+        let mut by_letter: HashMap<char, Vec<&Word<'_>>> = HashMap::new();
+        for rule in &self.rules {
+            by_letter.entry(rule.letter.unwrap_or_default()).or_default().push(rule);
+        }
+        let mut seen = HashSet::new();
+        let mut words: Vec<&Word<'_>> = self.axiom.iter().collect();
         while let Some(word) = words.pop() {
-            for token in word {
+            for token in &word.tokens {
                 let (Token::Plain(ch) | Token::Number(ch, _)) = *token;
-                if !seen.contains(&ch) {
-                    seen.push(ch);
-                    let rule = self.rules.iter().find(|(letter, _)| *letter == ch);
-                    words.extend(rule.map(|(_, word)| &word[..]));
+                if seen.insert(ch) {
+                    words.extend(by_letter.remove(&ch).unwrap_or_default());
                 }
             }
         }
         seen
     }
 
-    /// The first line that contains one of these characters, and its text.
-    fn place(&self, chars: &[char]) -> (usize, String) {
-        let found = self.words.iter().find(|(_, word)| word.to_ascii_lowercase().contains(chars));
-        found.cloned().unwrap_or((self.words.first().map_or(1, |word| word.0), String::new()))
+    /// The joined words of the axiom and of each letter, in the order of the file.
+    fn joined(&self) -> Vec<(Option<char>, Vec<Token>)> {
+        let mut places: HashMap<Option<char>, usize> = HashMap::new();
+        let mut joined: Vec<(Option<char>, Vec<Token>)> = Vec::new();
+        for word in self.words() {
+            let place = *places.entry(word.letter).or_insert(joined.len());
+            match joined.get_mut(place) {
+                Some((_, tokens)) => tokens.extend_from_slice(&word.tokens),
+                None => joined.push((word.letter, word.tokens.clone())),
+            }
+        }
+        joined
     }
 
-    fn each_word(&mut self) -> impl Iterator<Item = &mut Vec<Token>> {
-        core::iter::once(&mut self.axiom).chain(self.rules.iter_mut().map(|rule| &mut rule.1))
+    /// The text of the first word with one of these characters; of the axiom if there is none.
+    fn place(&self, chars: &[char]) -> &'a str {
+        let has = |text: &str| text.chars().any(|c| chars.contains(&plain(c).to_ascii_lowercase()));
+        let found = self.words().find(|word| has(word.text));
+        found.or_else(|| self.words().next()).map_or("", |word| word.text)
     }
 }
 
@@ -228,103 +298,153 @@ enum Turns {
 }
 
 /// Reads an entry.
-fn entry<'a>(source: Source<'a>, block: &Block) -> Draft<'a> {
-    let mut draft = Draft::new(source, &block.name, block.line);
-    let parts = statements(block, &mut draft);
+fn entry<'a>(source: Source<'a>, block: &Block<'a>) -> Draft<'a> {
+    let mut draft = Draft::new(source, block.name, block.line);
+    draft.covers(block.span.clone());
+    block.comments.iter().for_each(|comment| draft.pass(draft.place(comment)));
+    if !block.name.is_empty() {
+        draft.read(draft.place(block.name), format!("name {}", block.name));
+    }
+    let mut parts = statements(block, &mut draft);
     if !draft.is_refused() {
-        translate(parts, &mut draft);
+        translate(&mut parts, &mut draft);
     }
     draft
 }
 
 /// Reads the lines of an entry.
-fn statements(block: &Block, draft: &mut Draft<'_>) -> Parts {
+fn statements<'a>(block: &Block<'a>, draft: &mut Draft<'a>) -> Parts<'a> {
     let mut parts = Parts::default();
-    let (mut has_axiom, mut has_angle) = (false, false);
-    for (at, line) in &block.lines {
+    let mut angle: Option<&str> = None;
+    for &line in &block.lines {
         let (word, rest) = first_word(line);
-        let mut rest = rest.split_whitespace();
-        match word.as_str() {
-            "axiom" => {
-                let axiom = rest.next().unwrap_or_default();
-                parts.axiom = word_of(axiom, *at, draft);
-                parts.words.push((*at, axiom.to_owned()));
-                has_axiom = true;
+        let (first, extra) = rest.split_at(rest.find(char::is_whitespace).unwrap_or(rest.len()));
+        let extra = extra.trim();
+        if word.eq_ignore_ascii_case("axiom") {
+            let axiom = word_of(None, line, first, draft);
+            if let Some(old) = parts.axiom.replace(axiom) {
+                draft.note_at(draft.place(old.line), "A later Axiom replaces this one");
             }
-            "angle" => {
-                let text = rest.next().unwrap_or_default();
-                let digits = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
-                parts.angle = text[..digits].parse().unwrap_or(0);
-                has_angle = true;
-                if !(3..=50).contains(&parts.angle) && parts.angle > 0 {
-                    draft.note(*at, line, "Fractint accepts angles from 3 to 50 only; 360 is divided by this number");
-                }
-                if digits < text.len() {
-                    draft.note(*at, line, "Fractint reads only the digits at the start of the number");
-                }
+        } else if word.eq_ignore_ascii_case("angle") {
+            let (number, more) = digits(first);
+            parts.angle = number.parse().unwrap_or(0);
+            if let Some(old) = angle.replace(line) {
+                draft.note_at(draft.place(old), "A later Angle replaces this one");
             }
-            _ if word.chars().count() == 1 => {
-                let letter = word.chars().next().unwrap_or_default();
-                if "+-/\\@|!c<>][".contains(letter) && letter != '!' {
-                    draft.refuse(*at, line, "Fractint does not allow a rule for this symbol");
-                    continue;
-                }
-                // `F==FF` is read as `F=FF`.
-                let successor = rest.next().unwrap_or_default();
-                let (successor, extra) = successor.split_once('=').unwrap_or((successor, ""));
-                if !extra.is_empty() {
-                    draft.refuse(*at, line, "Fractint does not allow a second `=` in a rule");
-                }
-                parts.words.push((*at, successor.to_owned()));
-                let mut made = word_of(successor, *at, draft);
-                match parts.rules.iter_mut().find(|rule| rule.0 == letter) {
-                    Some((_, joined)) => joined.append(&mut made),
-                    None => parts.rules.push((letter, made)),
-                }
+            let n = parts.angle;
+            draft.read(draft.place(line), format!("angle {}", number_of(360.0 / f64::from(n.max(1)))));
+            if !(3..=50).contains(&n) && n > 0 {
+                let why = "Fractint accepts angles from 3 to 50 only; 360 is divided by this number";
+                draft.note_at(draft.place(line), why);
+            } else if block.is_bare && n > 12 {
+                let degrees = number_of(360.0 / f64::from(n));
+                draft.note_at(draft.place(line), format!("As in Fractint, this is 360/{n} = {degrees} degrees"));
             }
-            _ => {
-                draft.refuse(*at, line, "Fractint cannot read this line");
+            if !more.is_empty() {
+                draft.note_at(draft.place(line), "Fractint reads only the digits at the start of the number");
+            }
+        } else if let Some(letter) = only(word).map(|letter| plain(letter).to_ascii_lowercase()) {
+            if "+-/\\@|c<>][".contains(letter) {
+                draft.refuse_at(draft.place(line), "Fractint does not allow a rule for this symbol");
                 continue;
             }
+            // `F==FF` is read as `F=FF`.
+            let (successor, second) = first.split_at(first.find(is_end).unwrap_or(first.len()));
+            if second.len() > 1 {
+                draft.refuse_at(draft.place(line), "Fractint does not allow a second `=` in a rule");
+            }
+            let rule = word_of(Some(letter), line, successor, draft);
+            parts.rules.push(rule);
+        } else {
+            draft.refuse_at(draft.place(line), "Fractint cannot read this line");
+            continue;
         }
-        let extra: Vec<&str> = rest.collect();
         if !extra.is_empty() {
-            draft.refuse(*at, &extra.join(" "), "Fractint does not allow more text after a blank");
+            draft.refuse_at(draft.place(extra), "Fractint does not allow more text after a blank");
         }
     }
-    if !has_axiom {
+    if parts.axiom.is_none() {
         draft.refuse(block.line, "", "There is no Axiom");
     }
-    if !has_angle || parts.angle == 0 {
+    if angle.is_none() || parts.angle == 0 {
         draft.refuse(block.line, "", "There is no Angle from 3 to 50");
     }
+    look_alikes(&parts, draft);
     parts
 }
 
-/// Reads a word. Brackets must match within it.
-fn word_of(text: &str, line: usize, draft: &mut Draft<'_>) -> Vec<Token> {
-    let mut word = tokens(text);
-    let mut depth = 0_usize;
-    for at in 0..word.len() {
-        match word[at] {
-            Token::Plain('[') => depth += 1,
-            Token::Plain(']') if depth == 0 => {
-                draft.note(line, text, "Fractint ignores the rest of a word after a `]` that closes nothing");
-                word.truncate(at);
-                return word;
+/// A number in few characters.
+fn number_of(value: f64) -> String {
+    number(libm::round(value * 1e6) / 1e6)
+}
+
+/// Notes the first of each kind of look-alike in the words.
+fn look_alikes(parts: &Parts<'_>, draft: &mut Draft<'_>) {
+    let mut seen = HashSet::new();
+    let mut places = Vec::new();
+    for word in parts.words() {
+        let from = draft.place(word.line).start;
+        for (at, ch) in word.line.char_indices().filter(|(_, ch)| !ch.is_ascii()) {
+            if let Some(read) = look_alike(ch).filter(|_| seen.insert(ch)) {
+                places.push((from + at..from + at + ch.len_utf8(), read));
             }
-            Token::Plain(']') => depth -= 1,
+        }
+    }
+    for (place, read) in places {
+        let message =
+            if read == ' ' { "This invisible character is left out".into() } else { format!("Read as `{read}`") };
+        draft.note_at(place, message);
+    }
+}
+
+/// Reads a word. Brackets must match within it.
+fn word_of<'a>(letter: Option<char>, line: &'a str, text: &'a str, draft: &mut Draft<'a>) -> Word<'a> {
+    let mut depth = 0_usize;
+    let mut end = text.len();
+    for (at, ch) in text.char_indices() {
+        match plain(ch) {
+            '[' => depth += 1,
+            ']' if depth == 0 => {
+                end = at;
+                break;
+            }
+            ']' => depth -= 1,
             _ => {}
         }
     }
-    if depth > 0 {
-        draft.refuse(line, text, "Fractint needs the `]` of a branch in the same word as its `[`");
+    let (text, rest) = text.split_at(end);
+    // A comment seems to begin at the end of `&minus;`.
+    if let Some(at) = text.rfind('&').filter(|at| is_entity(&text[at + 1..])) {
+        draft.refuse_at(draft.place(&text[at..]), "This is a character’s name in HTML; write the character itself");
     }
-    word
+    let became = match letter {
+        None => format!("axiom {}", text.to_ascii_uppercase()),
+        Some(letter) => format!("{} -> {}", upper(letter), text.to_ascii_uppercase()),
+    };
+    draft.read(draft.place(line), became);
+    if !rest.is_empty() {
+        draft.note_at(draft.place(rest), "Fractint ignores the rest of a word after a `]` that closes nothing");
+    } else if depth > 0 {
+        draft.refuse_at(draft.place(text), "Fractint needs the `]` of a branch in the same word as its `[`");
+    }
+    Word { letter, line, text, tokens: tokens(text) }
 }
 
-fn translate(mut parts: Parts, draft: &mut Draft<'_>) {
+/// Whether a text is the name of a usual character in HTML, or its number.
+fn is_entity(name: &str) -> bool {
+    let number = name.strip_prefix('#').map(|digits| digits.trim_start_matches(['x', 'X']));
+    number.is_some_and(|digits| !digits.is_empty() && digits.chars().all(|c| c.is_ascii_hexdigit()))
+        || ["minus", "plus", "lt", "gt", "amp", "ndash", "mdash", "nbsp", "quot", "vert", "lbrack", "rbrack", "num"]
+            .contains(&name)
+}
+
+fn translate<'a>(parts: &mut Parts<'a>, draft: &mut Draft<'a>) {
     let symbols = parts.reachable();
+    let is_used = |letter: Option<char>| letter.is_none_or(|letter| symbols.contains(&letter));
+    for rule in parts.rules.iter().filter(|rule| !is_used(rule.letter)) {
+        draft.note_at(draft.place(rule.line), "The axiom never becomes this letter, so its rule is left out");
+    }
+    parts.rules.retain(|rule| is_used(rule.letter));
     let has = |list: &str| list.chars().any(|c| symbols.contains(&c));
     draft.definition.heading = 0.0;
     draft.definition.angle = 360.0 / f64::from(parts.angle);
@@ -333,17 +453,17 @@ fn translate(mut parts: Parts, draft: &mut Draft<'_>) {
         (false, true) => Turns::Degrees,
         (true, true) if !has("+-|\\/") => Turns::Fixed,
         (true, true) => {
-            if let Some((line, text)) = unequal_turns(&mut parts, has("!")) {
+            if let Some(text) = unequal_turns(parts, has("!")) {
                 let why = "F and G go along one heading, turned by + - |, and D and M along another, turned by \\ and /. \
                            Our turtle has one heading, and here the two differ";
-                return draft.refuse(line, &text, why);
+                return draft.refuse_at(draft.place(text), why);
             }
             Turns::Fixed
         }
     };
     // Turns of the heading that no line and no move uses have no effect.
-    for word in parts.each_word() {
-        word.retain(|token| match token {
+    for word in parts.words_mut() {
+        word.tokens.retain(|token| match token {
             Token::Plain('+' | '-' | '|') => turns == Turns::Fixed,
             Token::Number('\\' | '/', degrees) => turns == Turns::Degrees && *degrees != 0.0,
             _ => true,
@@ -358,25 +478,24 @@ fn translate(mut parts: Parts, draft: &mut Draft<'_>) {
     draft.meaning('+', "turn left");
     draft.meaning('-', "turn right");
     draft.meaning('!', "swap turns");
-    turn_round(&parts, turns, has("!"), draft);
+    turn_round(parts, turns, has("!"), draft);
+    let joined = parts.joined();
     let mut free = FreeSymbols::default();
-    for word in parts.each_word() {
-        word.iter().for_each(|token| {
-            if let Token::Plain(ch) = token {
-                free.add_used(&upper(*ch).to_string());
-            }
-        });
+    for (letter, tokens) in &joined {
+        let plain = tokens.iter().filter_map(|token| if let Token::Plain(ch) = token { Some(*ch) } else { None });
+        plain.chain(*letter).for_each(|ch| free.add_used(upper(ch).encode_utf8(&mut [0; 4])));
     }
-    parts.rules.iter().for_each(|(letter, _)| free.add_used(&upper(*letter).to_string()));
-    let coloured = has("c<>");
+    let mut known = HashMap::new();
     let mut grammar = Grammar::default();
-    let mut modules =
-        |word: &[Token]| -> Vec<char> { word.iter().map(|token| symbol(*token, &mut free, draft)).collect() };
-    grammar.axiom = modules(&parts.axiom).into_iter().map(Module::from).collect();
-    let rules = parts.rules.iter().filter(|(letter, _)| symbols.contains(letter));
-    grammar.productions = rules.map(|(letter, word)| production(upper(*letter), modules(word))).collect();
-    if coloured {
-        colours(&parts, &mut grammar, &mut free, draft);
+    for (letter, tokens) in joined {
+        let word: Vec<char> = tokens.iter().map(|token| symbol(*token, &mut free, &mut known, draft)).collect();
+        match letter {
+            None => grammar.axiom = word.into_iter().map(Module::from).collect(),
+            Some(letter) => grammar.productions.push(production(upper(letter), word)),
+        }
+    }
+    if has("c<>") {
+        colours(parts, &mut grammar, &mut free, draft);
     }
     draft.grammar(&grammar);
 }
@@ -386,12 +505,15 @@ fn upper(ch: char) -> char {
     ch.to_ascii_uppercase()
 }
 
-/// The symbol for a token. Tokens with numbers become custom symbols.
-fn symbol(token: Token, free: &mut FreeSymbols, draft: &mut Draft<'_>) -> char {
+/// The symbol for a token. Tokens with numbers become custom symbols, which `known` holds.
+fn symbol(token: Token, free: &mut FreeSymbols, known: &mut HashMap<(char, u64), char>, draft: &mut Draft<'_>) -> char {
     let (ch, value) = match token {
         Token::Plain(ch) => return upper(ch),
         Token::Number(ch, value) => (ch, value),
     };
+    if let Some(symbol) = known.get(&(ch, value.to_bits())) {
+        return *symbol;
+    }
     let whole = value as i64;
     let actions = match ch {
         '@' => format!("length times {}", number(value)),
@@ -405,30 +527,29 @@ fn symbol(token: Token, free: &mut FreeSymbols, draft: &mut Draft<'_>) -> char {
         _ => format!("previous colour {}", whole % 256),
     };
     let symbol = free.get(&actions);
+    known.insert((ch, value.to_bits()), symbol);
     draft.meaning(symbol, actions);
     symbol
 }
 
 /// Sets the meaning of `|`: half a circle, or the nearest smaller angle to the right for an odd number of directions.
-fn turn_round(parts: &Parts, turns: Turns, swaps: bool, draft: &mut Draft<'_>) {
+fn turn_round<'a>(parts: &Parts<'a>, turns: Turns, swaps: bool, draft: &mut Draft<'a>) {
     let half = f64::from(parts.angle / 2) * 360.0 / f64::from(parts.angle);
     if parts.angle.is_multiple_of(2) {
         draft.meaning('|', "turn round");
         return;
     }
     draft.meaning('|', format!("turn right {}", number(half)));
-    let used = |word: &[Token]| word.contains(&Token::Plain('|'));
-    if turns == Turns::Fixed && swaps && (used(&parts.axiom) || parts.rules.iter().any(|rule| used(&rule.1))) {
-        let (line, text) = parts.place(&['|']);
+    if turns == Turns::Fixed && swaps && parts.words().any(|word| word.tokens.contains(&Token::Plain('|'))) {
         let why =
             "`|` is less than half a circle for an odd Angle, and `!` does not swap it: our turtle cannot do both";
-        draft.refuse(line, &text, why);
+        draft.refuse_at(draft.place(parts.place(&['|'])), why);
     }
 }
 
-/// Makes `\` and `/` unnecessary if each group of turns changes both headings alike. Otherwise returns the line and the
-/// text of a group that does not.
-fn unequal_turns(parts: &mut Parts, swaps: bool) -> Option<(usize, String)> {
+/// Looks whether each group of turns changes both headings alike, so that `\` and `/` are unnecessary. Otherwise returns
+/// the text of a word where they differ.
+fn unequal_turns<'a>(parts: &Parts<'a>, swaps: bool) -> Option<&'a str> {
     let unit = 360.0 / f64::from(parts.angle);
     let half = f64::from(parts.angle / 2) * unit;
     let odd = parts.angle % 2 == 1;
@@ -458,9 +579,9 @@ fn unequal_turns(parts: &mut Parts, swaps: bool) -> Option<(usize, String)> {
         close(&mut fixed, &mut degrees, &mut asymmetric);
         bad
     };
-    if wrong(&parts.axiom) || parts.rules.iter().any(|rule| wrong(&rule.1)) {
-        let place = parts.words.iter().find(|(_, word)| wrong(&tokens(word)));
-        return Some(place.cloned().unwrap_or_else(|| parts.place(&['+', '-', '|', '\\', '/'])));
+    if parts.joined().iter().any(|(_, word)| wrong(word)) {
+        let place = parts.words().find(|word| wrong(&word.tokens)).map(|word| word.text);
+        return Some(place.unwrap_or_else(|| parts.place(&['+', '-', '|', '\\', '/'])));
     }
     None
 }
@@ -485,16 +606,56 @@ const PALETTE: [[u8; 3]; 16] = [
     [252, 252, 252],
 ];
 
-/// Takes over colours: Fractint's first 16 colours, starting with number 15 on black.
-fn colours(parts: &Parts, grammar: &mut Grammar, free: &mut FreeSymbols, draft: &mut Draft<'_>) {
+/// The other colours of Fractint's default palette, which are those that a VGA starts with: 16 greys, and 24 hues in three
+/// brightnesses with three saturations each.
+fn higher_colours() -> impl Iterator<Item = [u8; 3]> {
+    const GREYS: [u8; 16] = [0, 5, 8, 11, 14, 17, 20, 24, 28, 32, 36, 40, 45, 50, 56, 63];
+    const LEVELS: [[u8; 5]; 9] = [
+        [0, 16, 31, 47, 63],
+        [31, 39, 47, 55, 63],
+        [45, 49, 54, 58, 63],
+        [0, 7, 14, 21, 28],
+        [14, 17, 21, 24, 28],
+        [20, 22, 24, 26, 28],
+        [0, 4, 8, 12, 16],
+        [8, 10, 12, 14, 16],
+        [11, 12, 13, 15, 16],
+    ];
+    // From blue over red and green: one of the three parts rises or falls in each sixth of the hues.
+    let hue = |at: usize, levels: [u8; 5]| {
+        let (up, down) = (levels[at % 4], levels[4 - at % 4]);
+        match at / 4 {
+            0 => [up, levels[0], levels[4]],
+            1 => [levels[4], levels[0], down],
+            2 => [levels[4], up, levels[0]],
+            3 => [down, levels[4], levels[0]],
+            4 => [levels[0], levels[4], up],
+            _ => [levels[0], down, levels[4]],
+        }
+    };
+    let hues = LEVELS.into_iter().flat_map(move |levels| (0..24).map(move |at| hue(at, levels)));
+    let all = GREYS.into_iter().map(|grey| [grey; 3]).chain(hues).chain([[0; 3]; 8]);
+    all.map(|rgb| rgb.map(|part| part * 4))
+}
+
+/// Takes over colours: those of Fractint's default palette, starting with number 15 on black.
+fn colours<'a>(parts: &Parts<'a>, grammar: &mut Grammar, free: &mut FreeSymbols, draft: &mut Draft<'a>) {
+    let tokens = || parts.words().flat_map(|word| &word.tokens);
+    let steps = tokens().any(|token| matches!(token, Token::Number('<' | '>', value) if *value >= 1.0));
+    let is_high = |token: &Token| matches!(token, Token::Number('c', value) if *value as i64 % 256 > 15);
+    let mut palette: Vec<[u8; 3]> = PALETTE.to_vec();
+    if steps || tokens().any(is_high) {
+        palette.extend(higher_colours());
+    }
     let style = &mut draft.definition.style;
-    style.palette = PALETTE.iter().map(|&rgb| Colour { rgb }).collect();
+    style.palette = palette.into_iter().map(|rgb| Colour { rgb }).collect();
     style.background = Colour { rgb: PALETTE[0] };
     let first = free.get("colour 15");
     draft.meaning(first, "colour 15");
     grammar.axiom.insert(0, Module::from(first));
-    let (line, text) = parts.place(&['c', '<', '>']);
-    draft.note(line, &text, "Colours are the first 16 of Fractint; higher numbers begin again");
+    let skips = if steps { "; there `<` and `>` leave out colour 0" } else { "" };
+    let message = format!("The text gives no palette; colours are those of Fractint’s default palette{skips}");
+    draft.note_at(draft.place(parts.place(&['c', '<', '>'])), message);
 }
 
 #[cfg(test)]
@@ -641,17 +802,17 @@ mod tests {
         check(
             "C {\nangle 4\naxiom c1f<2f>f>3fc300f\n}",
             expect![[r#"
-            Fractint
-            [C]
-            n 1, angle 90, heading 0, abop
-              haFbFcFdFeF
-              | a: colour 1
-              | b: next colour 2
-              | d: previous colour 3
-              | e: colour 44
-              | h: colour 15
-            note 3 "c1f<2f>f>3fc300f": Colours are the first 16 of Fractint; higher numbers begin again
-            note 1 "": The text gives no number of iterations; 1 is chosen by the size"#]],
+                Fractint
+                [C]
+                n 1, angle 90, heading 0, abop
+                  haFbFcFdFeF
+                  | a: colour 1
+                  | b: next colour 2
+                  | d: previous colour 3
+                  | e: colour 44
+                  | h: colour 15
+                note 3 "c1f<2f>f>3fc300f": The text gives no palette; colours are those of Fractint’s default palette; there `<` and `>` leave out colour 0
+                note 1 "": The text gives no number of iterations; 1 is chosen by the size"#]],
         );
     }
 
@@ -693,10 +854,10 @@ mod tests {
         check(
             "E {\nangle 4\naxiom f]f\nf=f[+f\n}",
             expect![[r#"
-            Fractint
-            [E]
-            note 3 "f]f": Fractint ignores the rest of a word after a `]` that closes nothing
-            refused 4 "f[+f": Fractint needs the `]` of a branch in the same word as its `[`"#]],
+                Fractint
+                [E]
+                note 3 "]f": Fractint ignores the rest of a word after a `]` that closes nothing
+                refused 4 "f[+f": Fractint needs the `]` of a branch in the same word as its `[`"#]],
         );
         check(
             "E {\nangle 4\naxiom f f\n+=ff\n what is this\n}",

@@ -10,11 +10,13 @@
 //!
 //! `F` draws and `f` moves; `+` turns right and `-` left; `&` pitches up and `^` down. The default angle is 90 degrees,
 //! and `"`, `_` and `!` scale by 0.9. Symbols that need geometry or change the angle are refused, and so are the time and
-//! the place of the turtle in rules.
+//! the place of the turtle in rules, and numbers of symbols that mean something else here.
 
 use crate::draft::Draft;
 use crate::source::Source;
-use lsystem_syntax::parse;
+use lsystem_base::decimal;
+use lsystem_base::number::number;
+use lsystem_syntax::{Module, parse};
 
 /// The actions of Houdini's symbols.
 const MEANINGS: [(char, &str); 17] = [
@@ -58,58 +60,101 @@ fn labelled(line: &str) -> Option<(&'static str, &str)> {
 }
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
-    let text = source.text;
-    let lines = text.lines().enumerate().filter_map(|(at, line)| Some((at + 1, labelled(line.trim())?)));
-    let lines: Vec<(usize, (&str, &str))> = lines.collect();
-    let has = |name: &str| lines.iter().any(|(_, (label, _))| *label == name);
+    let all = source.text.lines().map(str::trim).filter(|line| !line.is_empty());
+    let lines: Vec<(&str, Option<(&str, &str)>)> = all.map(|line| (line, labelled(line))).collect();
+    let has = |name: &str| lines.iter().any(|(_, found)| found.is_some_and(|(label, _)| label == name));
     if !has("premise") || !has("rule") {
         return None;
     }
-    let mut draft = Draft::new(source, "", lines.first().map_or(1, |line| line.0));
+    let first = lines.iter().find(|(_, found)| found.is_some()).map_or("", |(line, _)| line);
+    let mut draft = Draft::new(source, "", source.line_of(source.place(first).unwrap_or_default().start));
     draft.definition.angle = 90.0;
-    let mut rules = Vec::new();
-    for (at, (label, value)) in &lines {
-        match *label {
-            "premise" => draft.definition.axiom = (*value).to_owned(),
-            "rule" => rules.extend(rule(value, *at, &mut draft)),
-            "angle" => match value.parse() {
-                Ok(angle) => draft.definition.angle = angle,
-                Err(_) => draft.refuse(*at, value, "The angle is not a number"),
+    let (mut rules, mut ignored) = (Vec::new(), None);
+    // The last line of each label but `rule`, to note those that it replaces.
+    let mut last: Vec<(&str, &str)> = Vec::new();
+    for &(line, found) in &lines {
+        let place = draft.place(line);
+        draft.covers(place.clone());
+        let Some((label, value)) = found else {
+            draft.note_at(place, "This line is not read");
+            continue;
+        };
+        if let Some(old) = last.iter_mut().find(|(known, _)| *known == label && label != "rule") {
+            draft.note_at(draft.place(old.1), "A later line with the same label replaces this one");
+            old.1 = line;
+        } else if label != "rule" {
+            last.push((label, line));
+        }
+        match label {
+            "premise" => {
+                draft.definition.axiom = value.to_owned();
+                draft.read(place, format!("axiom {value}"));
+            }
+            "rule" => {
+                let rule = rule(value, &mut draft);
+                draft.read(place, rule.clone().unwrap_or_default());
+                rules.extend(rule);
+            }
+            "angle" => match decimal::read(value.trim_end_matches('°').trim()).filter(|angle| angle.is_finite()) {
+                Some(angle) => {
+                    draft.definition.angle = angle;
+                    draft.read(place, format!("angle {}", number(angle)));
+                }
+                None => draft.refuse_at(draft.place(value), "The angle is not a number"),
             },
-            "generations" => draft.iterations(*at, value),
-            "ignore" => rules.insert(0, format!("ignore: {value}")),
-            "seed" => draft.definition.seed = value.parse().unwrap_or_default(),
-            _ => {}
+            "generations" => {
+                draft.iterations(source.line_of(place.start), value);
+                draft.read(place, format!("n {}", draft.definition.iterations));
+            }
+            "ignore" => {
+                ignored = Some(format!("ignore: {value}"));
+                draft.read(place, format!("ignore: {value}"));
+            }
+            "seed" => match value.parse() {
+                Ok(seed) => {
+                    draft.definition.seed = seed;
+                    draft.read(place, format!("seed {seed}"));
+                }
+                Err(_) => draft.note_at(place, "The seed is not a whole number"),
+            },
+            // The size of the whole drawing.
+            _ => draft.pass(place),
         }
     }
-    for (at, line) in
-        text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty() && labelled(line.trim()).is_none())
-    {
-        draft.note(at + 1, line, "This line is not read");
-    }
-    draft.definition.rules = rules.join("\n");
+    draft.definition.rules = ignored.into_iter().chain(rules).collect::<Vec<_>>().join("\n");
     draft.others = Some("");
     MEANINGS.into_iter().for_each(|(symbol, actions)| draft.meaning(symbol, actions));
     draft.meaning('%', "cut branch");
     draft.meaning('\'', "next colour");
     draft.meaning('*', "roll left 180");
-    let (grammar, _) = parse(&draft.definition.axiom, &draft.definition.rules);
-    let line = draft.line;
-    for symbol in ['~', 'T', ';', '?', '$', '{', '}', '.', '#'] {
-        if grammar.made().any(|module| module.symbol == symbol) {
-            draft.refuse(line, &symbol.to_string(), "This symbol of Houdini has no equal here");
-        }
-    }
-    for symbol in ['J', 'K', 'M'] {
-        if grammar.made().any(|module| module.symbol == symbol) {
-            draft.note(line, &symbol.to_string(), "The geometry of this symbol is not carried over");
-        }
+    if draft.definition.out_of_range().is_empty() {
+        symbols(&mut draft);
     }
     Some(vec![draft])
 }
 
+/// Refuses and notes symbols that our turtle cannot follow.
+fn symbols(draft: &mut Draft<'_>) {
+    let (grammar, _) = parse(&draft.definition.axiom, &draft.definition.rules);
+    let line = draft.line;
+    let mut with = |symbols: &str, is: fn(&Module) -> bool, message: &str, refused: bool| {
+        for symbol in symbols.chars() {
+            if grammar.made().any(|module| module.symbol == symbol && is(module)) {
+                let text = symbol.to_string();
+                if refused { draft.refuse(line, &text, message) } else { draft.note(line, &text, message) }
+            }
+        }
+    };
+    with("~T;?${}.#", |_| true, "This symbol of Houdini has no equal here", true);
+    with("JKM", |_| true, "The geometry of this symbol is not carried over", false);
+    let scales = "The number of this symbol is a factor in Houdini; here it would be a width or another factor";
+    with("!_", |module| !module.arguments.is_empty(), scales, true);
+    with("\'%*|", |module| !module.arguments.is_empty(), "The number of this symbol has no equal here", true);
+    with("FfHhG", |module| module.arguments.len() > 1, "Only the first number, the length, is carried over", false);
+}
+
 /// A rule in our notation: the first `=` that is no comparison is the arrow.
-fn rule(text: &str, line: usize, draft: &mut Draft<'_>) -> Option<String> {
+fn rule(text: &str, draft: &mut Draft<'_>) -> Option<String> {
     let chars: Vec<char> = text.chars().collect();
     let mut depth = 0_usize;
     let arrow = (0..chars.len()).find(|&at| {
@@ -119,7 +164,7 @@ fn rule(text: &str, line: usize, draft: &mut Draft<'_>) -> Option<String> {
         depth == 0 && chars[at] == '=' && !compared
     });
     let Some(arrow) = arrow else {
-        draft.refuse(line, text, "This rule has no `=`");
+        draft.refuse_at(draft.place(text), "This rule has no `=`");
         return None;
     };
     let (head, body): (String, String) = (chars[..arrow].iter().collect(), chars[arrow + 1..].iter().collect());
@@ -131,7 +176,7 @@ fn rule(text: &str, line: usize, draft: &mut Draft<'_>) -> Option<String> {
         let own = head.split_once('(').and_then(|(_, rest)| rest.split(')').next()).unwrap_or_default();
         let named = |name: &str| own.split(',').any(|own| own.trim() == name);
         if !["t", "g", "x", "y", "z"].iter().any(|name| named(name)) {
-            draft.refuse(line, text, "The time, the age and the place of the turtle are not known in rules");
+            draft.refuse_at(draft.place(text), "The time, the age and the place of the turtle are not known in rules");
             return None;
         }
     }

@@ -26,10 +26,12 @@ mod decode;
 mod decomposition;
 mod draft;
 mod fractint;
+mod groimp;
 mod houdini;
 mod keys;
 mod link;
 mod objects;
+mod own;
 mod phrases;
 mod racket;
 mod rules;
@@ -41,6 +43,8 @@ mod value;
 mod words;
 pub mod write;
 
+#[cfg(test)]
+mod drawn;
 #[cfg(test)]
 mod tests;
 
@@ -92,14 +96,18 @@ pub struct Remark {
     pub span: Range<usize>,
 }
 
-/// The most systems that are read from one text.
+/// The most systems that are read from one text. A reader stops after one more.
 pub(crate) const MAX_ENTRIES: usize = 4096;
+
+/// The name of our own notation in JSON, which `lsystem_files::read_file` reads with places in the file.
+pub const OWN_JSON: &str = "our own JSON";
 
 /// A reader: the drafts of all systems in a text, or `None` if the text is in another notation.
 type Reader = for<'a> fn(Source<'a>) -> Option<Vec<Draft<'a>>>;
 
 /// All readers by the name of the notation. The first reader that recognises a text reads it.
 const READERS: &[(&str, Reader)] = &[
+    (OWN_JSON, own::read),
     ("a link", link::read),
     ("TikZ", tikz::read),
     ("cpfg", cpfg::read_cpfg),
@@ -107,9 +115,11 @@ const READERS: &[(&str, Reader)] = &[
     ("Houdini", houdini::read),
     ("Fractint", fractint::read),
     ("Racket", racket::read),
+    ("GroIMP’s XL", groimp::read),
     ("a program", objects::read),
     ("anvaka’s page", anvaka::read),
     ("a description", statements::read),
+    ("a link", link::read_within),
 ];
 
 /// Reads all systems of a text that another program or a person wrote in another notation. Returns `None` if no
@@ -125,17 +135,15 @@ pub fn import(text: &str) -> Option<Imported> {
     let source = Source::new(text, &lines);
     READERS.iter().find_map(|&(notation, read)| {
         let drafts = read(source).filter(|drafts| !drafts.is_empty())?;
-        let left_out = drafts.len().saturating_sub(MAX_ENTRIES);
+        let has_more = drafts.len() > MAX_ENTRIES;
         let (mut entries, mut marks) = (Vec::new(), Vec::new());
         for (at, draft) in drafts.into_iter().take(MAX_ENTRIES).enumerate() {
             let (entry, own) = draft.finish();
             entries.push(entry);
             marks.extend(own.into_iter().map(|mark| (at, mark)));
         }
-        if left_out > 0
-            && let Some(last) = entries.last_mut()
-        {
-            let message = format!("{left_out} more systems are not read: a text may have {MAX_ENTRIES}");
+        if has_more && let Some(last) = entries.last_mut() {
+            let message = format!("Only the first {MAX_ENTRIES} systems are read");
             last.remarks.push(Remark { line: 1, text: String::new(), message, refused: false, span: 0..0 });
         }
         Some(Imported { notation, entries, account: account(text.len(), marks) })

@@ -1059,35 +1059,27 @@ mod tests {
         check(
             r#"{"initial": "F", "rules": {"F": "F+F"}, "angle_deg": 60, "num_iters": 2}"#,
             expect![[r#"
-            a program
-            []
-            n 2, angle 60, heading 90, abop
-              F
-              F -> F+F
-            note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left"#]],
+                our own JSON
+                []
+                n 2, angle 60, heading 90, every-letter
+                  F
+                  F -> F+F"#]],
         );
         check(
             r#"{"initial": "F", "rules": ["F -> F+F"], "turtle": {}}"#,
             expect![[r#"
-            a program
-            []
-            n 13, angle 90, heading 90, abop
-              F
-              F -> F+F
-            note 1 "": The text gives no angle; 90 degrees is chosen
-            note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-            note 1 "": The text gives no number of iterations; 13 is chosen by the size"#]],
+                our own JSON
+                []
+                n 1, angle 0, heading 90, abop
+                  F
+                  F -> F+F"#]],
         );
         check(
             r#"{"initial": "F", "rules": {"F": "FF"}"#,
             expect![[r#"
-            a program
-            []
-            n 14, angle 90, heading 90, abop
-              F
-              F -> FF
-            note 1 "": The text does not say what symbols do; here F and G draw, f moves, + turns left
-            note 1 "": The text gives no number of iterations; 14 is chosen by the size"#]],
+                our own JSON
+                []
+                refused 1 "{": This object is never closed. Add `}`."#]],
         );
     }
 }

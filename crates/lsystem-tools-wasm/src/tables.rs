@@ -49,7 +49,16 @@ fn declarations() -> String {
     }
     visit!(Report, StepAnswer<'static>, StringPage, SymbolFacts, Picked, Notation, Site, FileRead, SharedPane, Outcome);
     visit!(Exercise, AboutExercise<'static>, MarkReport, CheckReport, GrowthReport, Rows, Single, Trace);
-    visit!(ExportReport, ImportReport, WriteReport, FindQuestion, FindReport, ScriptObject, SubjectObject, PresetObject);
+    visit!(
+        ExportReport,
+        ImportReport,
+        WriteReport,
+        FindQuestion,
+        FindReport,
+        ScriptObject,
+        SubjectObject,
+        PresetObject
+    );
     all.texts.into_values().fold(HEAD.to_owned(), |file, text| file + &text)
 }
 

@@ -12,6 +12,13 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
     assert_eq!(found, again, "the same text gives the same systems");
     let Some(imported) = found else { return };
     assert!(!imported.entries.is_empty());
+    // Every byte has one part.
+    let mut at = 0;
+    for part in &imported.account {
+        assert!(part.span.start == at && part.span.end > at, "{:?} behind {at}", part.span);
+        at = part.span.end;
+    }
+    assert_eq!(at, text.len(), "the account ends with the text");
     gauge.reach(imported.notation);
     let mut at = 0;
     for part in &imported.account {
@@ -32,7 +39,7 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
 }
 
 /// A system in each notation.
-const WHOLE: [&str; 19] = [
+const WHOLE: [&str; 24] = [
     "g = new Grammar(\"X\");\ng.addRule('X', \"F+X\"); // x\nangle = radians(25);\n",
     "rules = new Dictionary<char, string> { {'X', \"F+X\"} };\naxiom = \"X\";\ncase '+': right(25); case 'F': forward(1);\n",
     "<lsystem angle=\"25\"><axiom>X</axiom><rule char=\"X\">F+X</rule></lsystem>",
@@ -52,6 +59,11 @@ const WHOLE: [&str; 19] = [
     "Axiom: A\nderivation length: 2\nproduction:\nA --> F[+A]\n",
     "Premise: A(0)\nRule 1: A(i):i<=3=FA(i+1)\nAngle: 30\n",
     "#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&do=F%3A%20draw",
+    "#v=1&z=eNpLrMjMz7WNUCsqzUktto1Q0LVTcIvWjoh1i9aNiNWO4HIDi7ip5dmaqiXmpeek2hqZ6pkDAMlCD48&n=3",
+    "{\"initial\": \"F\", \"rules\": [\"F -> F[+F]F : 0.5\"], \"turtle\": {\"overrides\": {\"G\": \"move\"}}}\n",
+    "https://anvaka.github.io/lsystem/?code=axiom%3A%20F%0Arules%3A%0A%20F%20%3D%3E%20F%2BF%0Adirection:%200,1,1%0A",
+    "#lang lindenmayer racket\n## axiom ##\nF!(2)G\n## rules ##\nG -> GG\n## variables ##\nθ=1/2\n===\n(require lindenmayer/turtle)\n(define G F)\n(define (X t v) t)\n",
+    "\\begin{tikzpicture}[rotate=9] % {\n\\draw[rotate=90] (0,0) [l-system={rule set={F -> F-F}, % a\n axiom=F}] l-system;\n\\end{tikzpicture}\nAxiom ==> A(1); A(x) ==> F(x) [RU(30) A(x)];\n",
 ];
 
 /// Parts of the notations.
