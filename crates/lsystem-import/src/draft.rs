@@ -267,6 +267,11 @@ impl FreeSymbols {
         self.used = set(self.used.iter().copied().chain(text.chars()));
     }
 
+    /// The keys and their symbols.
+    pub(super) fn given(&self) -> impl Iterator<Item = (&str, char)> {
+        self.given.iter().map(|(key, symbol)| (key.as_str(), *symbol))
+    }
+
     /// The symbol for a key, the same one for equal keys.
     pub(super) fn get(&mut self, key: &str) -> char {
         if let Some(&symbol) = self.given.get(key) {

@@ -10,9 +10,7 @@
 
 mod account;
 mod anvaka;
-mod assignments;
 mod cpfg;
-mod decomposition;
 mod draft;
 mod fractint;
 mod houdini;
