@@ -72,6 +72,12 @@ impl Arithmetic {
     /// The value of arithmetic of constants.
     pub(super) fn value(&self, text: &str) -> Option<f64> {
         let text = self.translate(&self.macros.expand(text, Replaced::All).ok()?).ok()?;
+        let number = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(&text);
+        if number.starts_with(|c: char| c.is_ascii_digit())
+            && let Ok(value) = number.parse::<f64>()
+        {
+            return Some(value).filter(|value| value.is_finite());
+        }
         // Long sums are refused by the parser, so that this takes a time in proportion.
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let (grammar, diagnostics) = parse("", &format!("value_ = {text}"));
@@ -194,7 +200,9 @@ impl Arithmetic {
             .enumerate()
             .map(|(at, value)| format!("(floor({index}) == {at})*{}", number(*value)))
             .collect();
-        out.push_str(&format!("({})", parts.join(" + ")));
+        let parts = parts.join(" + ");
+        self.macros.spend(parts.len())?;
+        out.extend(["(", &parts, ")"]);
         Ok(behind)
     }
 }

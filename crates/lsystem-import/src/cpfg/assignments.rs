@@ -6,6 +6,9 @@ use super::macros::{is_part, token};
 /// The most characters of a production with its values in place.
 const LONGEST: usize = 4000;
 
+/// The most names with values.
+const MOST_VALUES: usize = 100;
+
 /// The reason for other code.
 const OTHER: &str = "Of the code in a production, only assignments are read";
 
@@ -56,6 +59,9 @@ impl Values {
     pub(super) fn assign(&mut self, name: &str, value: &str) -> Option<()> {
         let value = self.put(value.trim(), 1)?;
         self.0.retain(|(known, _)| known != name);
+        if self.0.len() >= MOST_VALUES {
+            return None;
+        }
         self.0.push((name.to_owned(), value));
         Some(())
     }

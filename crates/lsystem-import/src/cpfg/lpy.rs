@@ -197,7 +197,7 @@ impl<'c> File<'c> {
             // Parameters may stand in parentheses.
             for name in names.split(',').map(str::trim) {
                 let name = name.split(|c: char| !is_part(c)).next().unwrap_or_default();
-                if name.chars().nth(1).is_some() {
+                if name.chars().nth(1).is_some() && name.len() <= translate::LONGEST_NAME {
                     self.parts.names.insert(name.to_owned());
                 }
             }

@@ -8,6 +8,8 @@ pub(super) struct Macros {
     known: BTreeMap<String, Macro>,
     /// How many characters may still be written.
     work: Cell<usize>,
+    /// How many texts are being written inside one another.
+    depth: Cell<usize>,
 }
 
 struct Macro {
@@ -28,15 +30,15 @@ pub(super) enum Replaced {
 
 /// The most characters that are written for a text.
 const MOST_WORK: usize = 4_000_000;
-/// The most macros inside one another.
-const DEEPEST: usize = 24;
+/// The most macros inside one another: they are replaced recursively.
+const DEEPEST: usize = 50;
 /// The reason for a text that is too long.
-pub(super) const TOO_LONG: &str = "The macros make this too long";
+pub(super) const TOO_LONG: &str = "Macros or loops make this too long";
 
 impl Macros {
     /// Functions of another program in words of ours: the name, its parameters, and what stands in its place.
     pub(super) fn new(functions: &[(&str, &[&str], &str)]) -> Self {
-        let mut macros = Self { known: BTreeMap::new(), work: Cell::new(MOST_WORK) };
+        let mut macros = Self { known: BTreeMap::new(), work: Cell::new(MOST_WORK), depth: Cell::new(0) };
         for (name, parameters, body) in functions {
             let parameters = Some(parameters.iter().map(|&name| name.to_owned()).collect());
             macros.define((*name).to_owned(), parameters, (*body).to_owned(), false);
@@ -44,8 +46,15 @@ impl Macros {
         macros
     }
 
-    pub(super) fn define(&mut self, name: String, parameters: Option<Vec<String>>, body: String, is_constant: bool) {
-        self.known.insert(name, Macro { parameters, body, is_constant });
+    /// Defines a macro. Returns whether it takes the place of another.
+    pub(super) fn define(
+        &mut self,
+        name: String,
+        parameters: Option<Vec<String>>,
+        body: String,
+        is_constant: bool,
+    ) -> bool {
+        self.known.insert(name, Macro { parameters, body, is_constant }).is_some()
     }
 
     pub(super) fn len(&self) -> usize {
@@ -64,6 +73,7 @@ impl Macros {
             return Ok(text.to_owned());
         }
         let mut out = String::new();
+        self.depth.set(0);
         self.write(text, replaced, &mut Vec::new(), &mut out)?;
         Ok(out)
     }
@@ -76,6 +86,11 @@ impl Macros {
         out: &mut String,
     ) -> Result<(), &'static str> {
         self.spend(text.len())?;
+        let depth = self.depth.get();
+        if depth >= DEEPEST {
+            return Err(TOO_LONG);
+        }
+        self.depth.set(depth + 1);
         let mut rest = text;
         while let Some(token) = token(rest) {
             let behind = &rest[token.len()..];
@@ -112,13 +127,11 @@ impl Macros {
                     self.filled(&found.body, parameters, &values)?
                 }
             };
-            if active.len() >= DEEPEST {
-                return Err(TOO_LONG);
-            }
             active.push(name);
             self.write(&body, replaced, active, out)?;
             active.pop();
         }
+        self.depth.set(depth);
         Ok(())
     }
 

@@ -68,8 +68,9 @@ impl<'c> Parts<'c> {
     /// Sets a number that has a name; a second value replaces the first.
     pub(super) fn set_constant(&mut self, name: &str, value: f64) {
         let text = number(value);
-        self.arithmetic.macros.define(name.to_owned(), None, format!("({text})"), true);
-        self.constants.retain(|(known, _)| known != name);
+        if self.arithmetic.macros.define(name.to_owned(), None, format!("({text})"), true) {
+            self.constants.retain(|(known, _)| known != name);
+        }
         self.constants.push((name.to_owned(), text));
     }
 

@@ -44,7 +44,7 @@ struct Line<'c> {
     text: &'c str,
 }
 
-/// The most ways through a rule.
+/// The most ways through a rule, and conditions of a way.
 const MOST_WAYS: usize = 64;
 /// The most turns of a loop.
 const MOST_TURNS: f64 = 500.0;
@@ -114,10 +114,10 @@ fn block<'c>(lines: &[Line<'c>], at: &mut usize) -> Result<Vec<Statement<'c>>, W
         };
         match (word, found.last_mut()) {
             ("if", _) => found.push(Statement::If(vec![(head, body)])),
-            ("elif", Some(Statement::If(cases))) if cases.iter().all(|(condition, _)| !condition.is_empty()) => {
+            ("elif", Some(Statement::If(cases))) if cases.last().is_some_and(|(last, _)| !last.is_empty()) => {
                 cases.push((head, body));
             }
-            ("else", Some(Statement::If(cases))) if cases.iter().all(|(condition, _)| !condition.is_empty()) => {
+            ("else", Some(Statement::If(cases))) if cases.last().is_some_and(|(last, _)| !last.is_empty()) => {
                 cases.push(("", body));
             }
             ("for", _) => {
@@ -204,7 +204,7 @@ impl<'c> Ways<'_, 'c> {
             if open.len() > MOST_WAYS {
                 return Err(TOO_LONG.to_owned());
             }
-            self.arithmetic.macros.spend(open.iter().map(|way| 100 + way.made.len()).sum())?;
+            self.arithmetic.macros.spend(open.iter().map(|way| 20 + way.made.len()).sum())?;
             open = match statement {
                 Statement::Assign(name, value) => {
                     for way in &mut open {
@@ -263,6 +263,9 @@ impl<'c> Ways<'_, 'c> {
             let mut others = way;
             let mut has_else = false;
             for (condition, body) in cases {
+                if next.len() > MOST_WAYS || others.conditions.len() > MOST_WAYS {
+                    return Err(TOO_LONG.to_owned());
+                }
                 let condition = others.values.put(condition, 1).ok_or(TOO_LONG)?;
                 has_else |= condition.is_empty();
                 let mut own = others.clone();

@@ -1,7 +1,7 @@
 //! Words of cpfg and L-Py in our notation: names and symbols of several characters become single symbols.
 
 use super::arithmetic::Arithmetic;
-use super::macros::arguments;
+use super::macros::{arguments, is_part};
 use super::{Kind, Places};
 use crate::draft::{Draft, FreeSymbols};
 use core::ops::Range;
@@ -170,6 +170,9 @@ const LPY: &[(&str, Meaning)] = &[
     ("GetFrame", Refused(ASKS)),
 ];
 
+/// The most symbols with a remark.
+const MOST_REMARKS: usize = 600;
+
 /// A part of a production.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Role {
@@ -233,7 +236,9 @@ impl<'p> Symbols<'p> {
             return second.filter(|c| !c.is_whitespace() && *c != '(').map(|second| 1 + second.len_utf8());
         }
         if first == '@' || first == '?' || first.is_alphabetic() {
-            let longest = self.longest.min(text.len());
+            let parts = text.char_indices().skip(1).find(|&(at, c)| at >= self.longest || !is_part(c));
+            let longest = if first.is_alphabetic() { parts.map_or(text.len(), |(at, _)| at) } else { 4 };
+            let longest = self.longest.min(longest).min(text.len());
             let known = |end: &usize| text.get(..*end).is_some_and(|name| self.meanings.contains_key(name));
             if let Some(end) = (2..=longest).rev().find(known) {
                 return Some(end);
@@ -309,6 +314,9 @@ impl<'p> Symbols<'p> {
     ) {
         let is_cpfg = self.arithmetic.kind == Kind::Cpfg;
         match symbol {
+            _ if self.told.len() > MOST_REMARKS => {
+                return draft.refuse_at(place.clone(), "So many different symbols are not read");
+            }
             _ if symbol.starts_with('~') && symbol.len() > 1 => {
                 self.tell(symbol, place, &format!("The surface `{symbol}` is not drawn"), draft);
                 return out.push(self.free.get(symbol));

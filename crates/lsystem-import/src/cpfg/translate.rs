@@ -11,6 +11,10 @@ use core::ops::Range;
 use lsystem_syntax::{Diagnostic, Grammar, parse};
 use std::collections::BTreeSet;
 
+/// The most bytes of a name.
+pub(super) const LONGEST_NAME: usize = 60;
+/// The most numbers with names.
+const MOST_CONSTANTS: usize = 5000;
 /// The most bytes of all rules.
 const LONGEST: usize = 200_000;
 
@@ -20,8 +24,11 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
         draft.refuse(1, "", "There is no axiom");
     }
     let size = parts.all_rules().map(|rule| rule.head.len() + rule.successor.len()).sum::<usize>() + axiom.len();
-    if size > LONGEST || parts.constants.len() > 5000 {
+    if size > LONGEST {
         draft.refuse(1, "", "The rules are too long");
+    }
+    if parts.constants.len() > MOST_CONSTANTS {
+        draft.refuse(1, "", format!("At most {MOST_CONSTANTS} numbers with names are read"));
     }
     if draft.is_refused() {
         // What is understood is told all the same.
@@ -32,13 +39,13 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     let mut names = parts.names.clone();
     for rule in parts.all_rules() {
         let name = name_of(strict(rule.head));
-        if is_word(name, parts.arithmetic.kind) && names.len() < 500 {
+        if is_word(name, parts.arithmetic.kind) && name.len() <= LONGEST_NAME && names.len() < 500 {
             names.insert(name.to_owned());
         }
     }
     let mut symbols = Symbols::new(&parts.arithmetic, *places, &names);
-    symbols.free.add_used(axiom);
-    parts.all_rules().for_each(|rule| symbols.free.add_used(&[rule.head, &*rule.successor].concat()));
+    let words = parts.all_rules().flat_map(|rule| [rule.head, &*rule.successor]);
+    symbols.free.add_used(&words.chain([axiom]).collect::<String>());
     let mut words = Translation { parts, places: *places, symbols };
     let axiom_place = places.of(axiom);
     draft.definition.axiom = protected(words.word(words.turned(axiom, draft), &axiom_place, draft));
