@@ -198,6 +198,40 @@ fn symbols_of_cpfg() {
     refused(&cpfg("axiom: F\nF -> FF"), "no arrow `-->`");
 }
 
+#[test]
+fn chance_is_that_of_cpfg() {
+    let rules = |inside: &str| read(&cpfg(&format!("derivation length: 1\naxiom: A\n{inside}"))).rules;
+    // A seed makes a system stochastic, and a missing probability is 1.
+    assert_eq!(rules("seed: 3\nA --> F : 2\nA --> f"), "A --> F : 2\nA --> f : 1");
+    assert_eq!(rules("seed: 3\nA --> F\nA --> f\nB --> A"), "A --> F : 1\nA --> f : 1\nB --> A");
+    assert_eq!(rules("A --> F\nA --> f"), "A --> F\nA --> f");
+    // A homomorphism takes the first production that applies.
+    assert_eq!(rules("homomorphism\nA --> F : 1\nA --> f : 1"), "draw:\nA --> F\nA --> f");
+    noted(&cpfg("axiom: A\nA --> AA\nhomomorphism\nA --> F : 1"), "whatever its probability");
+}
+
+#[test]
+fn rules_that_look_like_comments_are_rules() {
+    let width = "derivation length: 1\naxiom: #(1)F\n#(w) --> #(w*3)";
+    assert_eq!(segments(&cpfg(width))[0].1, 3.0);
+    along(&cpfg("derivation length: 0\naxiom: //F&(90)F"), &[UP, [0.0, 0.0, 1.0]]);
+    along(&lpy("//(60)F", "A --> F"), &[UP]);
+    assert_eq!(word(&cpfg("derivation length: 1\naxiom: //AF\n/ < A --> B")), "//BF");
+}
+
+#[test]
+fn other_notations_are_left_to_their_readers() {
+    for text in [
+        "Axiom: F\nProduction: F -> FF\nAngle: 60\n",
+        "Axiom: F\nderivation length: 3\nF -> FF\n",
+        "Axiom: F\nderivation length: 3\nF = FF\n",
+    ] {
+        let notation = import(text).map(|imported| imported.notation);
+        assert!(!matches!(notation, Some("cpfg" | "L-Py")), "{text}");
+    }
+    refused(&cpfg("axiom: F\nhomomorphism: F --> G\nF --> FF"), "Nothing can stand behind `homomorphism`");
+}
+
 fn lpy(axiom: &str, rules: &str) -> String {
     format!("Axiom: {axiom}\nderivation length: 1\nproduction:\n{rules}\nendlsystem\n")
 }

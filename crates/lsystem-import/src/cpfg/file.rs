@@ -4,7 +4,7 @@ use super::assignments::{inlined, is_name};
 use super::clean::clean;
 use super::macros::{Replaced, arguments, is_part};
 use super::parts::{Parts, Rule, Section};
-use super::statements::{Class, Statement, arrow, keyword, statements};
+use super::statements::{Class, Statement, arrow, is_alone, keyword, statements};
 use super::{Kind, Places, code, translate};
 use crate::draft::Draft;
 use crate::source::{Lines, Source};
@@ -108,6 +108,9 @@ impl<'c> File<'c> {
     fn keyword(&mut self, word: &str, text: &'c str, rest: &'c str, places: &Places<'c>, draft: &mut Draft<'_>) {
         let place = places.of(text);
         draft.read(place.start..place.end - rest.len(), word);
+        if is_alone(word) && !matches!(rest, "" | "warnings" | "no warnings") {
+            return draft.refuse_at(places.of(rest), format!("Nothing can stand behind `{word}`"));
+        }
         match word {
             "axiom" => self.parts.axiom = Some(rest),
             "derivation length" | "derivationlength" => self.parts.length = Some(rest),
@@ -120,6 +123,7 @@ impl<'c> File<'c> {
                 }
                 Some(seed) => {
                     draft.definition.seed = seed as _;
+                    self.parts.is_stochastic = true;
                     draft.read(place, format!("seed {}", draft.definition.seed));
                 }
                 None => draft.note_at(place, "The seed is not read"),
@@ -253,6 +257,15 @@ impl<'c> File<'c> {
                 }
                 Err(why) => return draft.refuse_at(place, why),
             }
+        }
+        // The first production that applies is used there.
+        if self.section == Section::Images
+            && let Some(weight) = rule.weight.take()
+        {
+            draft.note_at(
+                places.of(weight),
+                "cpfg takes the first production of a homomorphism, whatever its probability",
+            );
         }
         self.parts.section(self.section).push(rule);
     }

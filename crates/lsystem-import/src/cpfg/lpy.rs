@@ -6,7 +6,7 @@ use super::file::split;
 use super::macros::is_part;
 use super::parts::{Parts, Rule, Section};
 use super::python::{head_and_rest, successors};
-use super::statements::{arrow, keyword};
+use super::statements::{arrow, is_alone, keyword};
 use super::{Kind, Places, translate};
 use crate::draft::Draft;
 use crate::source::{Lines, Source};
@@ -18,7 +18,11 @@ const NOT_RUN: &str = "Python code is not run";
 pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let text = source.text;
     let has = |names: &[&str]| text.lines().any(|line| keyword(line).is_some_and(|(word, _)| names.contains(&word)));
-    let (axiom, production, length) = (has(&["axiom"]), has(&["production"]), has(&["derivation length"]));
+    let (axiom, length) = (has(&["axiom"]), has(&["derivation length"]));
+    // A rule behind `Production:` is another notation.
+    let production = text.lines().any(|line| {
+        keyword(line).is_some_and(|(word, rest)| word == "production" && (rest.is_empty() || rest.starts_with('#')))
+    });
     let is_lpy = axiom && !has(&["lsystem"]) && (production || (length && (text.contains("-->") || only_python(text))));
     is_lpy.then(|| vec![system(source)])
 }
@@ -124,6 +128,9 @@ impl<'c> File<'c> {
     fn keyword(&mut self, word: &str, text: &'c str, rest: &'c str, draft: &mut Draft<'_>) {
         let place = self.places.of(text);
         draft.read(place.start..place.end - rest.len(), word);
+        if is_alone(word) && !rest.is_empty() {
+            return draft.refuse_at(self.places.of(rest), format!("Nothing can stand behind `{word}`"));
+        }
         let mut begin = |section: Option<Section>, became: &str| {
             draft.read(place.clone(), became);
             self.section = section;

@@ -161,7 +161,7 @@ pub(super) fn token(text: &str) -> Option<&str> {
     let first = text.chars().next()?;
     let is_number = first.is_ascii_digit();
     let end = if is_part(first) {
-        text.find(|c: char| !is_part(c) && !(is_number && c == '.')).unwrap_or(text.len())
+        text.find(|c: char| !(is_part(c) || is_number && c == '.')).unwrap_or(text.len())
     } else {
         first.len_utf8()
     };

@@ -42,6 +42,8 @@ pub(super) struct Parts<'c> {
     pub(super) depth: Option<&'c str>,
     pub(super) length: Option<&'c str>,
     pub(super) angle: Option<f64>,
+    /// Whether several rules that apply are chosen from at random, even without weights.
+    pub(super) is_stochastic: bool,
     /// Names of several characters that the text declares.
     pub(super) names: BTreeSet<String>,
 }
@@ -61,6 +63,7 @@ impl<'c> Parts<'c> {
             depth: None,
             length: None,
             angle: None,
+            is_stochastic: false,
             names: BTreeSet::new(),
         }
     }

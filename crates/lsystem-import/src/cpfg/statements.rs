@@ -53,20 +53,8 @@ pub(super) fn keyword(line: &str) -> Option<(&'static str, &str)> {
         None => (line, &line[line.len()..]),
     };
     let known = |word: &str| KEYWORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word.trim()));
-    let alone = |word: &str| {
-        matches!(
-            word,
-            "homomorphism"
-                | "interpretation"
-                | "decomposition"
-                | "endlsystem"
-                | "production"
-                | "ring lsystem"
-                | "endgroup"
-        )
-    };
     if let Some(word) = known(word) {
-        return (alone(word) || line.contains(':')).then_some((word, rest.trim()));
+        return (is_alone(word) || line.contains(':')).then_some((word, rest.trim()));
     }
     // `group 1:`, and words behind `homomorphism`.
     let (first, rest) = word.split_once(char::is_whitespace)?;
@@ -78,6 +66,14 @@ pub(super) fn keyword(line: &str) -> Option<(&'static str, &str)> {
         }
         _ => None,
     }
+}
+
+/// Whether nothing stands behind a keyword.
+pub(super) fn is_alone(word: &str) -> bool {
+    matches!(
+        word,
+        "homomorphism" | "interpretation" | "decomposition" | "endlsystem" | "production" | "ring lsystem" | "endgroup"
+    )
 }
 
 /// The statements of a text without comments.

@@ -46,7 +46,10 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     let mut symbols = Symbols::new(&parts.arithmetic, *places, &names);
     let words = parts.all_rules().flat_map(|rule| [rule.head, &*rule.successor]);
     symbols.free.add_used(&words.chain([axiom]).collect::<String>());
-    let mut words = Translation { parts, places: *places, symbols };
+    let mut known = BTreeSet::new();
+    let several = parts.rules.iter().map(name_and_arity).filter(|name| !known.insert(name.clone()));
+    let chosen = several.filter(|_| parts.is_stochastic).collect();
+    let mut words = Translation { parts, places: *places, symbols, chosen };
     let axiom_place = places.of(axiom);
     draft.definition.axiom = protected(words.word(words.turned(axiom, draft), &axiom_place, draft));
     draft.read(axiom_place, format!("axiom {}", draft.definition.axiom));
@@ -85,6 +88,8 @@ struct Translation<'p> {
     parts: &'p Parts<'p>,
     places: Places<'p>,
     symbols: Symbols<'p>,
+    /// The predecessors, as [`name_and_arity`] writes them, of several rules that are chosen from at random.
+    chosen: BTreeSet<String>,
 }
 
 impl Translation<'_> {
@@ -166,17 +171,18 @@ impl Translation<'_> {
     }
 
     fn read<'r>(&mut self, rule: &'r Rule<'_>, draft: &mut Draft<'_>) -> Result<String, (&'r str, String)> {
-        let mut line = self.symbols.read(rule.head, Role::Head, &rule.place, draft);
-        let strict = strict(&line);
+        let head = self.symbols.read(rule.head, Role::Head, &rule.place, draft);
+        let strict = strict(&head);
         let wrong = match () {
             () if strict.is_empty() => "This rule has no predecessor",
             () if modules(strict) != 1 => "Several symbols as predecessor have no equal here",
-            () if contexts(&line).any(|context| context.contains('=')) => "`=` in a context of cpfg has no equal here",
+            () if contexts(&head).any(|context| context.contains('=')) => "`=` in a context of cpfg has no equal here",
             () => "",
         };
         if !wrong.is_empty() {
             return Err((rule.head, wrong.to_owned()));
         }
+        let mut line = protected(head);
         let arithmetic = &self.parts.arithmetic;
         let condition = arithmetic.read(&rule.condition).map_err(|why| (&*rule.condition, why))?;
         if !matches!(&*condition, "" | "*" | "1") {
@@ -185,6 +191,8 @@ impl Translation<'_> {
         line.extend([" --> ", &self.word(&rule.successor, &rule.place, draft)]);
         if let Some(weight) = rule.weight {
             line.extend([" : ", &arithmetic.read(weight).map_err(|why| (weight, why))?]);
+        } else if self.chosen.contains(name_and_arity(rule).as_str()) {
+            line.push_str(" : 1");
         }
         Ok(line.trim_end().to_owned())
     }
@@ -210,6 +218,13 @@ fn strict(head: &str) -> &str {
     let from = split(head, '<').map_or(0, |at| at + 1);
     let rest = &head[from..];
     rest[..split(rest, '>').unwrap_or(rest.len())].trim()
+}
+
+/// The strict predecessor with the number of its parameters.
+fn name_and_arity(rule: &Rule<'_>) -> String {
+    let strict = strict(rule.head);
+    let (name, parameters) = strict.split_once('(').unwrap_or((strict, ""));
+    format!("{} {}", name.trim(), if parameters.is_empty() { 0 } else { parameters.split(',').count() })
 }
 
 /// The contexts of a head.
