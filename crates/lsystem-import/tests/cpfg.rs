@@ -142,6 +142,8 @@ fn code_that_computes_numbers_is_computed() {
     refused(&cpfg("StartEach: {b = b + 1;}\naxiom: A\nA --> F"), "every step");
     refused(&cpfg("Start: {while (b < 2) {b = b + 1;}}\naxiom: A\nA --> F"), "only assignments");
     refused(&cpfg("axiom: A(1)\nA(x) : {if (x > 2) {x = 1;}} 1 --> F"), "only assignments");
+    refused(&cpfg("axiom: A(1)\nA(x) : {y = ran(1);} 1 --> F(y)[+F(y)]"), "random number that is used several times");
+    assert_eq!(read(&cpfg("axiom: A(1)\nA(x) : {y = ran(1);} 1 --> F(y)")).rules, "A(x) --> F((ran(1)))");
     refused(&cpfg("axiom: A(1)\nA(x) --> F(func(1, x))"), "curve of another file");
     refused(&cpfg("axiom: A(1)\nA(x) --> F(bran(1, x))"), "`bran`");
     refused(&cpfg("axiom: A(1)\nA(x) --> F(x > 1 ? 1 : 2)"), "? :");
@@ -305,7 +307,7 @@ fn rules_of_python_are_conditions_and_successors() {
         ("A(x) --> F(1 if x > 2 else 3)", "`if` in arithmetic"),
         ("A(x) --> F(x // 2)", "whole division"),
         ("A(x) << B : produce F", "in the new string"),
-        ("A(x):\n  y = random()\n  produce F(y)[+F(y)]", "random number with a name"),
+        ("A(x):\n  y = random()\n  produce F(y)[+F(y)]", "random number that is used several times"),
     ] {
         refused(&lpy("A(1)", rule), why);
     }

@@ -2,6 +2,7 @@
 //! place of the names.
 
 use super::macros::{is_part, token};
+use core::cell::Cell;
 
 /// The most characters of a production with its values in place.
 const LONGEST: usize = 4000;
@@ -29,15 +30,29 @@ pub(super) fn inlined(
     };
     let mut values = Values::default();
     values.assign_all(first, is_global)?;
-    let condition = values.put(condition.trim(), 1).ok_or(OTHER)?;
+    let condition = values.put(condition.trim(), 1)?;
     values.assign_all(second, is_global)?;
-    let successor = values.put(successor, 0).ok_or(OTHER)?;
+    let successor = values.put(successor, 0)?;
     Ok((condition, successor))
 }
 
+/// The reason for values that become too long in their places.
+pub(super) const TOO_LONG: &str = "This rule becomes too long with values in place of names";
+
+/// The functions whose values are random, in cpfg and in Python.
+const RANDOM: [&str; 6] = ["ran(", "random(", "uniform(", "gauss(", "normalvariate(", "randint("];
+
 /// The values of names, by the last assignment.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Values(Vec<(String, String)>);
+pub(super) struct Values(Vec<Value>);
+
+#[derive(Clone, Debug)]
+struct Value {
+    name: String,
+    text: String,
+    /// Whether a random value was written already.
+    used: Cell<bool>,
+}
 
 impl Values {
     /// Reads assignments. Code that only prints has no effect.
@@ -50,43 +65,49 @@ impl Values {
             if is_global(name) {
                 return Err("This code changes a number of the whole system while it grows, which has no equal here");
             }
-            self.assign(name, value).ok_or(OTHER)?;
+            self.assign(name, value)?;
         }
         Ok(())
     }
 
-    /// Assigns a value in which earlier names may stand; `None` if it becomes too long.
-    pub(super) fn assign(&mut self, name: &str, value: &str) -> Option<()> {
-        let value = self.put(value.trim(), 1)?;
-        self.0.retain(|(known, _)| known != name);
+    /// Assigns a value in which earlier names may stand.
+    pub(super) fn assign(&mut self, name: &str, value: &str) -> Result<(), &'static str> {
+        let text = self.put(value.trim(), 1)?;
+        self.0.retain(|known| known.name != name);
         if self.0.len() >= MOST_VALUES {
-            return None;
+            return Err(TOO_LONG);
         }
-        self.0.push((name.to_owned(), value));
-        Some(())
+        self.0.push(Value { name: name.to_owned(), text, used: Cell::new(false) });
+        Ok(())
     }
 
-    /// Writes values in place of names inside parentheses; `depth` is 1 for arithmetic, which is inside already. `None`
-    /// if that becomes too long.
-    pub(super) fn put(&self, text: &str, mut depth: usize) -> Option<String> {
+    /// Writes values in place of names inside parentheses; `depth` is 1 for arithmetic, which is inside already.
+    pub(super) fn put(&self, text: &str, mut depth: usize) -> Result<String, &'static str> {
         if self.0.is_empty() {
-            return Some(text.to_owned());
+            return Ok(text.to_owned());
         }
         let mut out = String::new();
         let mut rest = text;
         while let Some(ch) = rest.chars().next() {
             depth = (depth + usize::from(ch == '(')).saturating_sub(usize::from(ch == ')'));
-            let word = if depth > 0 { token(rest)? } else { &rest[..ch.len_utf8()] };
-            match self.0.iter().find(|(name, _)| depth > 0 && name == word) {
-                Some((_, value)) => out.extend(["(", value, ")"]),
+            let word = if depth > 0 { token(rest).unwrap_or(rest) } else { &rest[..ch.len_utf8()] };
+            match self.0.iter().find(|value| depth > 0 && value.name == word) {
+                Some(value) => {
+                    // Written twice, it would be two random numbers.
+                    let is_random = RANDOM.iter().any(|name| value.text.contains(name));
+                    if is_random && value.used.replace(true) {
+                        return Err("A random number that is used several times has no equal here");
+                    }
+                    out.extend(["(", &value.text, ")"]);
+                }
                 None => out.push_str(word),
             }
             if out.len() > LONGEST {
-                return None;
+                return Err(TOO_LONG);
             }
             rest = &rest[word.len()..];
         }
-        Some(out)
+        Ok(out)
     }
 }
 

@@ -9,7 +9,7 @@
 //! ```
 
 use super::arithmetic::Arithmetic;
-use super::assignments::{Values, is_name, prints};
+use super::assignments::{TOO_LONG, Values, is_name, prints};
 use super::macros::arguments;
 use core::ops::Range;
 use std::borrow::Cow;
@@ -50,7 +50,6 @@ const MOST_WAYS: usize = 64;
 const MOST_TURNS: f64 = 500.0;
 /// The most bytes of all successors of a rule.
 const LONGEST: usize = 20_000;
-const TOO_LONG: &str = "This rule becomes too long";
 
 /// The successors of a rule, whose code is `inline` behind its colon and `lines` below.
 pub(super) fn successors<'c>(
@@ -208,17 +207,13 @@ impl<'c> Ways<'_, 'c> {
             open = match statement {
                 Statement::Assign(name, value) => {
                     for way in &mut open {
-                        // A random number would be another one at each of its uses.
-                        if value.contains("rand") || value.contains("uniform") || value.contains("gauss") {
-                            return Err("Python code is not run: a random number with a name".to_owned());
-                        }
-                        way.values.assign(name, value).ok_or(TOO_LONG)?;
+                        way.values.assign(name, value)?;
                     }
                     open
                 }
                 Statement::Produce(word, ends) => {
                     for way in &mut open {
-                        let own = way.values.put(word, 0).ok_or(TOO_LONG)?;
+                        let own = way.values.put(word, 0)?;
                         if way.made.is_empty() && own == *word {
                             way.made = Cow::Borrowed(word);
                         } else {
@@ -240,11 +235,11 @@ impl<'c> Ways<'_, 'c> {
                 Statement::For(name, range, body) => {
                     let mut next = Vec::new();
                     for way in open {
-                        let range = way.values.put(range, 1).ok_or(TOO_LONG)?;
+                        let range = way.values.put(range, 1)?;
                         let mut ways = vec![way];
                         for value in self.range(&range)? {
                             for way in &mut ways {
-                                way.values.assign(name, &value.to_string()).ok_or(TOO_LONG)?;
+                                way.values.assign(name, &value.to_string())?;
                             }
                             ways = self.run(body, ways)?;
                         }
@@ -266,7 +261,7 @@ impl<'c> Ways<'_, 'c> {
                 if next.len() > MOST_WAYS || others.conditions.len() > MOST_WAYS {
                     return Err(TOO_LONG.to_owned());
                 }
-                let condition = others.values.put(condition, 1).ok_or(TOO_LONG)?;
+                let condition = others.values.put(condition, 1)?;
                 has_else |= condition.is_empty();
                 let mut own = others.clone();
                 if !condition.is_empty() {
