@@ -112,6 +112,8 @@ fn macros_are_replaced_as_the_preprocessor_does() {
     assert_eq!(drawn("#define A FA", "A A"), 2);
     assert_eq!(drawn("#define A F A", "A A"), 2);
     along("#define half(x) ((x)/2)\nlsystem: 1\nderivation length: 1\naxiom: A(2)\nA(s) --> F(half(s))\n", &[UP]);
+    // Functions are no macros where symbols stand.
+    assert_eq!(word(&cpfg("derivation length: 0\naxiom: log(2)")), "log(2)");
     // The preprocessor writes sums without parentheses.
     along("#define S 1+2\nlsystem: 1\nderivation length: 0\naxiom: F(S*2)\n", &[[0.0, 5.0, 0.0]]);
     along("#define S (1+2)\nlsystem: 1\nderivation length: 0\naxiom: F(S*2)\n", &[[0.0, 6.0, 0.0]]);
@@ -255,6 +257,9 @@ fn symbols_of_lpy() {
     assert_eq!(read(&lpy("Sphere(min(1, 2))", "A --> F")).axiom, "●(2*(min(1, 2)))");
     assert_eq!(segments(&lpy("F_(2)F", "A --> F"))[1].1, 2.0);
     assert_eq!(segments(&lpy("FSetWidth(3)F!(0.5)F", "A --> F"))[1].1, 3.0);
+    // What is not drawn may have any arguments, unless a rule replaces it.
+    along(&lpy("F @L('a text') @g(scene[0]) F", "A --> F"), &[UP, UP]);
+    refused(&lpy("F ~l(name.x)", "~l(x) --> F"), "The arguments of `~l`");
     refused(&lpy("F MoveTo(1,2,3) F", "A --> F"), "place of its own");
     refused(&lpy("F Sweep(c,s,1,1) F", "A --> F"), "Sweeps");
     refused(&lpy("F?P(x,y,z)", "A --> F"), "state of the turtle");

@@ -18,6 +18,8 @@ struct Macro {
     body: String,
     /// Whether the macro is also a constant, which arithmetic leaves as it stands.
     is_constant: bool,
+    /// Whether the text defines the macro, which then also counts where symbols stand.
+    is_own: bool,
 }
 
 /// What is replaced.
@@ -41,7 +43,8 @@ impl Macros {
         let mut macros = Self { known: BTreeMap::new(), work: Cell::new(MOST_WORK), depth: Cell::new(0) };
         for (name, parameters, body) in functions {
             let parameters = Some(parameters.iter().map(|&name| name.to_owned()).collect());
-            macros.define((*name).to_owned(), parameters, (*body).to_owned(), false);
+            let body = (*body).to_owned();
+            macros.known.insert((*name).to_owned(), Macro { parameters, body, is_constant: false, is_own: false });
         }
         macros
     }
@@ -54,16 +57,16 @@ impl Macros {
         body: String,
         is_constant: bool,
     ) -> bool {
-        self.known.insert(name, Macro { parameters, body, is_constant }).is_some()
+        self.known.insert(name, Macro { parameters, body, is_constant, is_own: true }).is_some()
     }
 
     pub(super) fn len(&self) -> usize {
         self.known.len()
     }
 
-    /// Whether this is the name of a macro with parameters.
+    /// Whether this is the name of a macro of the text with parameters.
     pub(super) fn has_parameters(&self, name: &str) -> bool {
-        self.known.get(name).is_some_and(|found| found.parameters.is_some())
+        self.known.get(name).is_some_and(|found| found.is_own && found.parameters.is_some())
     }
 
     /// The text with macros replaced, as the preprocessor replaces them: where a whole name stands. An error if that

@@ -191,6 +191,9 @@ pub(super) struct Symbols<'p> {
     longest: usize,
     pub(super) free: FreeSymbols,
     told: BTreeSet<String>,
+    /// Symbols that are not drawn: those whose arguments are left out, and those that rules replace.
+    bare: BTreeMap<String, Range<usize>>,
+    replaced: BTreeSet<String>,
 }
 
 impl<'p> Symbols<'p> {
@@ -202,7 +205,16 @@ impl<'p> Symbols<'p> {
         // An own name counts before the library's.
         meanings.extend(names.iter().map(|name| (name.clone(), Plain)));
         let longest = meanings.keys().map(String::len).max().unwrap_or_default();
-        Self { arithmetic, places, meanings, longest, free: FreeSymbols::default(), told: BTreeSet::new() }
+        Self {
+            arithmetic,
+            places,
+            meanings,
+            longest,
+            free: FreeSymbols::default(),
+            told: BTreeSet::new(),
+            bare: BTreeMap::new(),
+            replaced: BTreeSet::new(),
+        }
     }
 
     /// A word in our notation. `place` is where it stands if it is no part of the text.
@@ -258,10 +270,18 @@ impl<'p> Symbols<'p> {
         draft: &mut Draft<'_>,
         out: &mut String,
     ) {
+        let is_drawn = !symbol.starts_with('~') && !matches!(self.meanings.get(symbol), Some(LeftOut(_)));
+        if role == Role::Head && !is_drawn {
+            self.replaced.insert(symbol.to_owned());
+        }
         let mut inside = match inside {
             Some(inside) if role == Role::Head => Some(inside.trim().to_owned()),
             Some(inside) => match self.arithmetic.read(inside) {
                 Ok(inside) => Some(inside),
+                Err(_) if !is_drawn => {
+                    self.bare.insert(symbol.to_owned(), place.clone());
+                    None
+                }
                 Err(why) => return draft.refuse_at(self.places.or(inside, place), why),
             },
             None => None,
@@ -353,6 +373,14 @@ impl<'p> Symbols<'p> {
             _ => {}
         }
         out.push_str(symbol);
+    }
+
+    /// Refuses the system if a rule replaces a symbol whose arguments are left out.
+    pub(super) fn check_bare(&self, draft: &mut Draft<'_>) {
+        let wrong = self.bare.iter().filter(|(symbol, _)| self.replaced.contains(*symbol));
+        wrong.for_each(|(symbol, place)| {
+            draft.refuse_at(place.clone(), format!("The arguments of `{symbol}`, which a rule replaces, are not read"));
+        });
     }
 
     /// The symbols that stand for surfaces.

@@ -59,6 +59,7 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     let rules = lines(&parts.rules, draft);
     let images = lines(&parts.images, draft);
     let decompositions = lines(&parts.decompositions, draft);
+    words.symbols.check_bare(draft);
     let seen: Vec<String> = parts.seen.iter().map(|(word, list)| words.seen(word, list, draft)).collect();
     let mut used: BTreeSet<&str> = identifiers(&draft.definition.axiom).collect();
     used.extend([&rules[..], &images, &decompositions].into_iter().flatten().flat_map(|line| identifiers(line)));
