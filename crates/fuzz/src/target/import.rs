@@ -26,7 +26,7 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
 }
 
 /// A system in each notation.
-const WHOLE: [&str; 13] = [
+const WHOLE: [&str; 15] = [
     "Koch {\n  Angle 6 ; six\n  Axiom F--F--F\n  F=F+F--F+F\n  X=@.5C1\\30D/30[!|M]\n}\n",
     "new LSystem({axiom: 'F++F', productions: {'F': 'F-F', 'A<B>C': [{weight: 2, successor: 'X'}]}})",
     "{axiom: \"A\", rules: [[\"A\", \"B-F\"], {in: 'F', out: 'FF'}], alpha: 0, theta: Math.PI / 3, iterations: 3}",
@@ -38,6 +38,8 @@ const WHOLE: [&str; 13] = [
     "lsystem: 1\n#define r 0.9\nderivation length: 3\naxiom: Ab(1)\nAb(s) : s > 0 --> F(s)[+Ab(s*r)]\nhomomorphism\nAb(s) --> @o(1)\n",
     "lsystem: 1\nderivation length: 3\naxiom: A(1)\nA(x) : {y=x+1; z=y*y;} y<3 {w=z;} --> B(w)A(y)\ndecomposition\nmaximum depth: 9\nB(x) : x < 2 --> F(x)[B(x+x)]\nB(x) --> *\n",
     "Axiom: A\nderivation length: 2\nproduction:\nA --> F[+A]\n",
+    "#define H(x) ((x)/2)\n#define L FF\nlsystem: 1\nseed: 2\nStart: {a = 2; b = a*a;}\nDefine: {array c[2] = {1, 2};}\nderivation length: 2\nignore: ~+\naxiom: L A(0)\nA(n) : n < 2 &&\n\tn > -1 --> F(H(c[n]))~l(n)\n\t[+A(n+1)]\nhomomorphism\nmaximum depth: 3\nF --> G+G\nG --> f(b)F\nendlsystem\n",
+    "x = 2\nmodule Apex\nAxiom: Apex(0)Sphere(x)\nderivation length: 2\nproduction:\nApex(t):\n  y = t+1\n  if t < x:\n    for i in range(2): nproduce [/(i*90)F(y)]\n    produce Apex(y)\n  else: produce *\ninterpretation:\nF(a) --> _(a)F(a)\nendlsystem\n",
     "Premise: A(0)\nRule 1: A(i):i<=3=FA(i+1)\nAngle: 30\n",
     "#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&do=F%3A%20draw",
 ];

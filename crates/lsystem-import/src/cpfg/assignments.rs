@@ -1,5 +1,5 @@
-//! Local assignments of cpfg's productions: `A(x) : {y = x + 1;} y < 3 {z = 2 * y;} --> A(z)`. The values are written in
-//! place of the names.
+//! Local assignments of cpfg's productions: `A(x) : {y = x + 1;} y < 3 {z = 2 * y;} --> A(z)`. The values are written
+//! in place of the names.
 
 use super::macros::{is_part, token};
 use core::cell::Cell;

@@ -1,6 +1,6 @@
 //! The decompositions of cpfg: productions that replace the modules of the axiom and of every successor at once, until
-//! none applies. Where that ends, they are written into the axiom and the successors. A homomorphism that applies to its
-//! own results is written into itself in the same way.
+//! none applies. Where that ends, they are written into the axiom and the successors. A homomorphism that applies to
+//! its own results is written into itself in the same way.
 
 use core::cell::Cell;
 use lsystem_syntax::grammar::Values;

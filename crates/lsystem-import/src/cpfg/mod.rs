@@ -13,8 +13,8 @@
 //!
 //! The rules are nearly in our notation. Names of several letters become single symbols. Macros are replaced, except
 //! those that are constants. Decompositions are written into the successors, and the values of assignments in place of
-//! their names. Other code, includes, and symbols that need other files are refused. The angle of cpfg stands in another
-//! file.
+//! their names. Other code, includes, and symbols that need other files are refused. The angle of cpfg stands in
+//! another file.
 
 mod arithmetic;
 mod assignments;

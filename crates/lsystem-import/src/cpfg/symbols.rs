@@ -383,9 +383,9 @@ impl<'p> Symbols<'p> {
         });
     }
 
-    /// The symbols that stand for surfaces.
-    pub(super) fn surfaces(&self) -> impl Iterator<Item = char> {
-        self.free.given().filter(|(name, _)| name.starts_with('~')).map(|(_, symbol)| symbol)
+    /// The symbols that stand for surfaces, sorted.
+    pub(super) fn surfaces(&self) -> BTreeSet<char> {
+        self.free.given().filter(|(name, _)| name.starts_with('~')).map(|(_, symbol)| symbol).collect()
     }
 
     /// Adds a remark at the first place of a symbol.

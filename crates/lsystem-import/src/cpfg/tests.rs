@@ -64,6 +64,17 @@ fn refused() {
             refused 4 "?P": This asks for the state of the turtle, which rules do not know here"#]],
     );
     check(
+        "Axiom: A\nderivation length: 4\nproduction:\nA(x) :\n  while x < 3: x += 1\n  produce FA\nB --> F\n",
+        expect![[r#"
+            L-Py
+            []
+            refused 5 "while x < 3: x += 1": Python code is not run"#]],
+    );
+}
+
+#[test]
+fn a_homomorphism_applies_once_where_no_depth_is_given() {
+    check(
         "lsystem: 1\nderivation length: 2\naxiom: A\nA --> F\nhomomorphism\nF --> F[+F]\n",
         expect![[r#"
             cpfg
