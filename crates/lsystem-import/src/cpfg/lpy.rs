@@ -111,6 +111,7 @@ impl<'c> File<'c> {
             return self.python(text, block, whole, draft);
         };
         // Rules of Python.
+        draft.read(whole.clone(), "a rule");
         match successors(inline, block, &self.parts.arithmetic) {
             Ok(made) => {
                 for made in made {
@@ -119,7 +120,6 @@ impl<'c> File<'c> {
                     self.check_head(&rule, draft);
                     self.parts.section(section).push(rule);
                 }
-                draft.read(whole, "rules");
             }
             Err((code, why)) => draft.refuse_at(self.places.or(code, &whole), why),
         }
