@@ -298,6 +298,11 @@ fn rules_of_python_are_conditions_and_successors() {
         rules("A(x):\n  if x ** 2 > 4 and not x == 5: produce F(int(x))"),
         "A(x) : x ^ 2 > 4 and not x == 5 --> F((floor(abs(x))*(((x) > 0) - ((x) < 0))))"
     );
+    // A number of chance that decides once.
+    assert_eq!(
+        rules("A(x):\n  y = random()\n  if y < 0.5: produce F\n  else: produce f"),
+        "A(x) : (random(0, 1)) < 0.5 --> F\nA(x) --> f"
+    );
     // Angles of Python's functions are radians.
     along(
         "from math import *\nAxiom: F(sin(radians(30)))\nderivation length: 0\nproduction:\nendlsystem\n",
@@ -312,6 +317,11 @@ fn rules_of_python_are_conditions_and_successors() {
         ("A(x) --> F(1 if x > 2 else 3)", "`if` in arithmetic"),
         ("A(x) --> F(x // 2)", "whole division"),
         ("A(x) << B : produce F", "in the new string"),
+        (
+            "A(x):\n  y = random()\n  if y < 0.5:\n    if x > 2: produce F\n    else: produce f\n  else: produce B",
+            "random number that is used several times",
+        ),
+        ("A(x):\n  if random() < 0.5: x = 3\n  produce F(x)", "random number that is used several times"),
         ("A(x):\n  y = random()\n  produce F(y)[+F(y)]", "random number that is used several times"),
     ] {
         refused(&lpy("A(1)", rule), why);

@@ -42,6 +42,14 @@ pub(super) const TOO_LONG: &str = "This rule becomes too long with values in pla
 /// The functions whose values are random, in cpfg and in Python.
 const RANDOM: [&str; 6] = ["ran(", "random(", "uniform(", "gauss(", "normalvariate(", "randint("];
 
+/// The reason for one random number in several places.
+pub(super) const SEVERAL: &str = "A random number that is used several times has no equal here";
+
+/// Whether arithmetic has random numbers.
+pub(super) fn is_random(text: &str) -> bool {
+    RANDOM.iter().any(|name| text.contains(name))
+}
+
 /// The values of names, by the last assignment.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Values(Vec<Value>);
@@ -94,9 +102,8 @@ impl Values {
             match self.0.iter().find(|value| depth > 0 && value.name == word) {
                 Some(value) => {
                     // Written twice, it would be two random numbers.
-                    let is_random = RANDOM.iter().any(|name| value.text.contains(name));
-                    if is_random && value.used.replace(true) {
-                        return Err("A random number that is used several times has no equal here");
+                    if is_random(&value.text) && value.used.replace(true) {
+                        return Err(SEVERAL);
                     }
                     out.extend(["(", &value.text, ")"]);
                 }

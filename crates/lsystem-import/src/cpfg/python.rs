@@ -9,7 +9,7 @@
 //! ```
 
 use super::arithmetic::Arithmetic;
-use super::assignments::{TOO_LONG, Values, is_name, prints};
+use super::assignments::{SEVERAL, TOO_LONG, Values, is_name, is_random, prints};
 use super::macros::arguments;
 use core::ops::Range;
 use std::borrow::Cow;
@@ -267,7 +267,13 @@ impl<'c> Ways<'_, 'c> {
                 if !condition.is_empty() {
                     own.conditions.push(condition.clone());
                 }
+                let made = self.made.len();
                 let ends = self.run(body, vec![own])?;
+                // Each rule would draw another number.
+                let rules = self.made.len() - made + ends.len();
+                if is_random(&condition) && (rules > 1 || !ends.is_empty()) {
+                    return Err(SEVERAL.to_owned());
+                }
                 // Where each way of this case makes a successor, the order of the rules says the rest.
                 if !condition.is_empty() && !ends.is_empty() {
                     others.conditions.push(format!("not ({condition})"));
