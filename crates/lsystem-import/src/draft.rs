@@ -323,6 +323,11 @@ impl FreeSymbols {
         self.used.extend(text.chars());
     }
 
+    /// The keys and their symbols.
+    pub(super) fn given(&self) -> impl Iterator<Item = (&str, char)> {
+        self.given.iter().map(|(key, symbol)| (key.as_str(), *symbol))
+    }
+
     /// The symbol for a key, the same one for equal keys. There are more letters than custom symbols, so the last one
     /// is never needed in a system that compiles.
     pub(super) fn get(&mut self, key: &str) -> char {

@@ -5,7 +5,7 @@
 //! with its line. If a part changes the drawing and cannot be expressed, the system is refused. Every definition of the
 //! result compiles.
 //!
-//! Each notation has one file. Work and memory grow in proportion to the text, and a text has at most [`MAX_TEXT`]
+//! Each notation has one file or folder. Work and memory grow in proportion to the text, and a text has at most [`MAX_TEXT`]
 //! bytes. `docs/imports.md` lists what each reader reads, notes and refuses.
 //!
 //! ```
@@ -19,11 +19,9 @@ mod account;
 mod angle;
 mod anvaka;
 mod assembly;
-mod assignments;
 mod branches;
 mod cpfg;
 mod decode;
-mod decomposition;
 mod draft;
 mod fractint;
 mod groimp;

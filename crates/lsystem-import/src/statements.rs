@@ -23,7 +23,8 @@ const MOST_RULES: usize = 20_000;
 
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let start = source.text.trim_start();
-    if start.starts_with('{') || start.starts_with("[{") {
+    // Objects and programs have a reader of their own.
+    if start.starts_with('{') || start.starts_with("[{") || is_program(source.text) {
         return None;
     }
     let decoded = Decoded::new(source.text);
@@ -59,6 +60,43 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let systems = reader.systems;
     let drafts: Vec<Draft<'a>> = systems.into_iter().map(|said| said.assemble(source, &decoded.markup)).collect();
     (!drafts.is_empty()).then_some(drafts)
+}
+
+/// Whether several lines of a text are those of a program.
+fn is_program(text: &str) -> bool {
+    const STARTS: [&str; 26] = [
+        "import ",
+        "from ",
+        "def ",
+        "class ",
+        "function ",
+        "public ",
+        "private ",
+        "using ",
+        "#include",
+        "package ",
+        "const ",
+        "let ",
+        "var ",
+        "fn ",
+        "export ",
+        "return ",
+        "for (",
+        "while (",
+        "if (",
+        "}",
+        "void ",
+        "static ",
+        "end",
+        "local ",
+        "elif ",
+        "else:",
+    ];
+    let is_code = |line: &&str| {
+        let line = line.trim_start();
+        STARTS.iter().any(|start| line.starts_with(start)) && !line.starts_with("from the ") && !line.contains("->")
+    };
+    text.lines().filter(is_code).take(3).count() == 3
 }
 
 /// What the lines below a heading are.
@@ -1125,7 +1163,7 @@ fn weak(text: &str) -> Option<Weak> {
     if to.starts_with(['=', '>']) {
         return None;
     }
-    let to = to.trim().trim_matches(['"', '\'', '`', '“', '”']).trim_end_matches(',');
+    let to = to.trim().trim_end_matches(',').trim_matches(['"', '\'', '`', '“', '”']);
     Some((head, to.to_owned()))
 }
 

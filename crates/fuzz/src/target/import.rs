@@ -39,7 +39,7 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
 }
 
 /// A system in each notation.
-const WHOLE: [&str; 24] = [
+const WHOLE: [&str; 26] = [
     "g = new Grammar(\"X\");\ng.addRule('X', \"F+X\"); // x\nangle = radians(25);\n",
     "rules = new Dictionary<char, string> { {'X', \"F+X\"} };\naxiom = \"X\";\ncase '+': right(25); case 'F': forward(1);\n",
     "<lsystem angle=\"25\"><axiom>X</axiom><rule char=\"X\">F+X</rule></lsystem>",
@@ -57,6 +57,8 @@ const WHOLE: [&str; 24] = [
     "lsystem: 1\n#define r 0.9\nderivation length: 3\naxiom: Ab(1)\nAb(s) : s > 0 --> F(s)[+Ab(s*r)]\nhomomorphism\nAb(s) --> @o(1)\n",
     "lsystem: 1\nderivation length: 3\naxiom: A(1)\nA(x) : {y=x+1; z=y*y;} y<3 {w=z;} --> B(w)A(y)\ndecomposition\nmaximum depth: 9\nB(x) : x < 2 --> F(x)[B(x+x)]\nB(x) --> *\n",
     "Axiom: A\nderivation length: 2\nproduction:\nA --> F[+A]\n",
+    "#define H(x) ((x)/2)\n#define L FF\nlsystem: 1\nseed: 2\nStart: {a = 2; b = a*a;}\nDefine: {array c[2] = {1, 2};}\nderivation length: 2\nignore: ~+\naxiom: L A(0)\nA(n) : n < 2 &&\n\tn > -1 --> F(H(c[n]))~l(n)\n\t[+A(n+1)]\nhomomorphism\nmaximum depth: 3\nF --> G+G\nG --> f(b)F\nendlsystem\n",
+    "x = 2\nmodule Apex\nAxiom: Apex(0)Sphere(x)\nderivation length: 2\nproduction:\nApex(t):\n  y = t+1\n  if t < x:\n    for i in range(2): nproduce [/(i*90)F(y)]\n    produce Apex(y)\n  else: produce *\ninterpretation:\nF(a) --> _(a)F(a)\nendlsystem\n",
     "Premise: A(0)\nRule 1: A(i):i<=3=FA(i+1)\nAngle: 30\n",
     "#v=1&axiom=F&rules=F%20-%3E%20FF&n=3&do=F%3A%20draw",
     "#v=1&z=eNpLrMjMz7WNUCsqzUktto1Q0LVTcIvWjoh1i9aNiNWO4HIDi7ip5dmaqiXmpeek2hqZ6pkDAMlCD48&n=3",

@@ -358,7 +358,11 @@ impl<'a> File<'a> {
     }
 
     fn production(&self, rule: &Production, successor: &str) -> Result<String, Refusal> {
-        let context = |list: &[Pattern]| list.iter().map(|own| self.pattern(own)).collect::<String>();
+        let context = |list: &[Pattern]| {
+            let mut words = Words::new(self.kind);
+            list.iter().for_each(|own| words.push(&self.pattern(own)));
+            words.text
+        };
         let mut text = String::new();
         if !rule.left.is_empty() {
             text = format!("{} < ", context(&rule.left));
@@ -449,13 +453,12 @@ impl Words {
         Self { kind, text: String::new() }
     }
 
-    /// Appends a symbol. L-Py has symbols of several letters, such as `nF`, which a blank prevents.
+    /// Appends a symbol. L-Py has symbols of several letters, such as `nF` and `EB`, which a blank prevents.
     fn push(&mut self, next: &str) {
         let pair = (self.text.chars().next_back(), next.chars().next());
         if let (Kind::LPy, (Some(a), Some(b))) = (self.kind, pair)
             && a.is_ascii_alphabetic()
             && b.is_ascii_alphabetic()
-            && (a.is_ascii_lowercase() || b.is_ascii_lowercase() || b == 'P')
         {
             self.text.push(' ');
         }

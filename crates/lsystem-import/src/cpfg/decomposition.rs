@@ -1,5 +1,6 @@
 //! The decompositions of cpfg: productions that replace the modules of the axiom and of every successor at once, until
-//! none applies. Where that ends, they are written into the axiom and the successors.
+//! none applies. Where that ends, they are written into the axiom and the successors. A homomorphism that applies to
+//! its own results is written into itself in the same way.
 
 use core::cell::Cell;
 use lsystem_syntax::grammar::Values;
@@ -7,6 +8,8 @@ use lsystem_syntax::{Expr, Function, Grammar, Module, Production};
 
 /// Decompositions, with the constants of the system.
 pub(super) struct Decomposition<'a> {
+    /// What the productions are called.
+    name: &'static str,
     rules: &'a [Production],
     constants: Values<'a>,
     /// The most replacements inside one another.
@@ -15,26 +18,27 @@ pub(super) struct Decomposition<'a> {
     work: Cell<usize>,
 }
 
+/// The name of a homomorphism, which may end at its depth. A decomposition must end before.
+pub(super) const HOMOMORPHISM: &str = "homomorphism";
 /// The most modules of a word.
 const MOST_MODULES: usize = 20_000;
 /// The most modules and parts of expressions that are read and written for a system.
 const MOST_WORK: usize = 2_000_000;
 /// The most parts of an expression, which may be nested in one another.
 const LONGEST: usize = 1000;
-const TOO_LONG: &str = "A decomposition into so many modules is not possible";
 
 impl<'a> Decomposition<'a> {
     /// The productions of `grammar` as decompositions.
-    pub(super) fn new(grammar: &'a Grammar, depth: usize) -> Result<Self, &'static str> {
+    pub(super) fn new(name: &'static str, grammar: &'a Grammar, depth: usize) -> Result<Self, String> {
         let rules = &*grammar.productions;
         if rules.iter().any(|rule| !rule.left.is_empty() || !rule.right.is_empty() || rule.weight.is_some()) {
-            return Err("A decomposition with a context or a probability is not possible");
+            return Err(format!("A {name} with a context or a probability is not possible"));
         }
-        Ok(Self { rules, constants: grammar.values(), depth, work: Cell::new(MOST_WORK) })
+        Ok(Self { name, rules, constants: grammar.values(), depth, work: Cell::new(MOST_WORK) })
     }
 
     /// Writes the decompositions into the axiom and the successors.
-    pub(super) fn apply(&self, grammar: &mut Grammar) -> Result<(), &'static str> {
+    pub(super) fn apply(&self, grammar: &mut Grammar) -> Result<(), String> {
         grammar.axiom = self.word(&grammar.axiom)?;
         for production in &mut grammar.productions {
             production.successor = self.word(&production.successor)?;
@@ -42,25 +46,27 @@ impl<'a> Decomposition<'a> {
         Ok(())
     }
 
-    /// A word in which no decomposition applies.
-    fn word(&self, word: &[Module]) -> Result<Vec<Module>, &'static str> {
+    /// A word in which no production applies, or where the depth ends a homomorphism.
+    pub(super) fn word(&self, word: &[Module]) -> Result<Vec<Module>, String> {
         let mut made = Vec::new();
         // The modules still to come, the next one last, with the number of replacements that made them.
         let mut rest: Vec<(Module, usize)> = word.iter().rev().map(|module| (module.clone(), 0)).collect();
         while let Some((module, depth)) = rest.pop() {
             if made.len() + rest.len() >= MOST_MODULES {
-                return Err(TOO_LONG);
+                return Err(self.too_long());
             }
-            let Some(rule) = self.matching(&module)? else {
+            let ends = depth >= self.depth;
+            let rule = if ends && self.name == HOMOMORPHISM { None } else { self.matching(&module)? };
+            let Some(rule) = rule else {
                 made.push(module);
                 continue;
             };
-            if depth >= self.depth {
-                return Err("The decomposition does not end within its maximum depth");
+            if ends {
+                return Err(format!("The {} does not end within its maximum depth", self.name));
             }
             // Used several times, an argument would be a different random number each time.
             if module.arguments.iter().any(is_random) {
-                return Err("A decomposition of random arguments is not possible");
+                return Err(format!("A {} of random arguments is not possible", self.name));
             }
             for next in rule.successor.iter().rev() {
                 let arguments =
@@ -72,7 +78,7 @@ impl<'a> Decomposition<'a> {
     }
 
     /// The first decomposition that applies to a module.
-    fn matching(&self, module: &Module) -> Result<Option<&Production>, &'static str> {
+    fn matching(&self, module: &Module) -> Result<Option<&Production>, String> {
         for rule in self.rules {
             self.spend(1)?;
             let own = &rule.predecessor;
@@ -83,7 +89,10 @@ impl<'a> Decomposition<'a> {
             match self.constants.value(&self.replaced(condition, rule, module)?) {
                 Some(value) if value != 0.0 && !value.is_nan() => return Ok(Some(rule)),
                 Some(_) => {}
-                None => return Err("Whether this decomposition applies depends on parameters, which is not possible"),
+                None => {
+                    let name = self.name;
+                    return Err(format!("Whether this {name} applies depends on parameters, which is not possible"));
+                }
             }
         }
         Ok(None)
@@ -91,7 +100,7 @@ impl<'a> Decomposition<'a> {
 
     /// An expression of a decomposition with the module's arguments in place of parameters. Constants become numbers,
     /// because a parameter of the surrounding production may have the same name.
-    fn replaced(&self, expr: &Expr, rule: &Production, module: &Module) -> Result<Expr, &'static str> {
+    fn replaced(&self, expr: &Expr, rule: &Production, module: &Module) -> Result<Expr, String> {
         self.spend(1)?;
         let inner = |expr: &Expr| self.replaced(expr, rule, module);
         let replaced = match expr {
@@ -119,7 +128,7 @@ impl<'a> Decomposition<'a> {
         let size = size(&replaced);
         self.spend(size)?;
         if size > LONGEST {
-            return Err("A decomposition with so long arguments is not possible");
+            return Err(format!("A {} with so long arguments is not possible", self.name));
         }
         Ok(match self.constants.value(&replaced) {
             Some(value) if value.is_finite() => Expr::Number(value),
@@ -128,9 +137,13 @@ impl<'a> Decomposition<'a> {
     }
 
     /// Counts work; an error when too much is done.
-    fn spend(&self, work: usize) -> Result<(), &'static str> {
-        self.work.set(self.work.get().checked_sub(work).ok_or(TOO_LONG)?);
+    fn spend(&self, work: usize) -> Result<(), String> {
+        self.work.set(self.work.get().checked_sub(work).ok_or_else(|| self.too_long())?);
         Ok(())
+    }
+
+    fn too_long(&self) -> String {
+        format!("A {} into so many modules is not possible", self.name)
     }
 }
 

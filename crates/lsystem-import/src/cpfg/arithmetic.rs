@@ -1,0 +1,225 @@
+//! Arithmetic of cpfg and of Python in our notation.
+
+use super::Kind;
+use super::macros::{Macros, Replaced, is_part, token};
+use lsystem_base::number::number;
+use lsystem_syntax::parse;
+use std::collections::BTreeMap;
+
+/// What arithmetic can refer to.
+pub(super) struct Arithmetic {
+    pub(super) kind: Kind,
+    pub(super) macros: Macros,
+    /// The elements of arrays that never change.
+    pub(super) arrays: BTreeMap<String, Vec<f64>>,
+}
+
+/// A reason why arithmetic cannot be read.
+pub(super) type Wrong = String;
+
+/// The functions of ours that arithmetic may call.
+const FUNCTIONS: [&str; 19] = [
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "abs", "floor", "ceil", "min", "max",
+    "random", "ran", "nran", "not",
+];
+
+/// Functions of cpfg, whose angles are in degrees as well.
+const CPFG: &[(&str, &[&str], &str)] = &[
+    ("log", &["x"], "ln(x)"),
+    ("fabs", &["x"], "abs(x)"),
+    ("sign", &["x"], "(((x) > 0) - ((x) < 0))"),
+    ("trunc", &["x"], "(floor(abs(x))*(((x) > 0) - ((x) < 0)))"),
+];
+
+/// Functions of Python, whose angles are in radians.
+const PYTHON: &[(&str, &[&str], &str)] = &[
+    ("sin", &["x"], "sin((x)*57.29577951308232)"),
+    ("cos", &["x"], "cos((x)*57.29577951308232)"),
+    ("tan", &["x"], "tan((x)*57.29577951308232)"),
+    ("asin", &["x"], "(asin(x)*0.017453292519943295)"),
+    ("acos", &["x"], "(acos(x)*0.017453292519943295)"),
+    ("atan", &["x"], "(atan(x)*0.017453292519943295)"),
+    ("atan2", &["y", "x"], "(atan2(y, x)*0.017453292519943295)"),
+    ("radians", &["x"], "((x)*0.017453292519943295)"),
+    ("degrees", &["x"], "((x)*57.29577951308232)"),
+    ("log", &["x"], "ln(x)"),
+    ("fabs", &["x"], "abs(x)"),
+    ("float", &["x"], "(x)"),
+    ("int", &["x"], "(floor(abs(x))*(((x) > 0) - ((x) < 0)))"),
+    ("pow", &["x", "y"], "((x)**(y))"),
+    ("random", &[], "random(0, 1)"),
+    ("uniform", &["a", "b"], "random(a, b)"),
+    ("gauss", &["m", "s"], "nran(m, s)"),
+    ("normalvariate", &["m", "s"], "nran(m, s)"),
+    ("randint", &["a", "b"], "floor(random(a, (b) + 1))"),
+];
+
+impl Arithmetic {
+    pub(super) fn new(kind: Kind) -> Self {
+        let functions = if kind == Kind::Cpfg { CPFG } else { PYTHON };
+        let mut macros = Macros::new(functions);
+        if kind == Kind::LPy {
+            macros.define("pi".to_owned(), None, "3.141592653589793".to_owned(), false);
+        }
+        Self { kind, macros, arrays: BTreeMap::new() }
+    }
+
+    /// Arithmetic in our notation.
+    pub(super) fn read(&self, text: &str) -> Result<String, Wrong> {
+        self.translate(&self.macros.expand(text, Replaced::Texts)?)
+    }
+
+    /// The value of arithmetic of constants.
+    pub(super) fn value(&self, text: &str) -> Option<f64> {
+        let text = self.translate(&self.macros.expand(text, Replaced::All).ok()?).ok()?;
+        let number = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(&text);
+        if number.starts_with(|c: char| c.is_ascii_digit())
+            && let Ok(value) = number.parse::<f64>()
+        {
+            return Some(value).filter(|value| value.is_finite());
+        }
+        // Long sums are refused by the parser, so that this takes a time in proportion.
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let (grammar, diagnostics) = parse("", &format!("value_ = {text}"));
+        let wrong = diagnostics.iter().any(lsystem_syntax::Diagnostic::is_error);
+        grammar.constant("value_").filter(|value| value.is_finite() && !wrong)
+    }
+
+    fn translate(&self, text: &str) -> Result<String, Wrong> {
+        let mut out = String::new();
+        let mut rest = text;
+        // Whether a value stands before.
+        let mut valued = false;
+        while let Some(token) = token(rest) {
+            rest = &rest[token.len()..];
+            let opened = rest.trim_start();
+            let first = token.chars().next().unwrap_or_default();
+            if first.is_whitespace() {
+                if !out.ends_with(' ') {
+                    out.push(' ');
+                }
+                continue;
+            }
+            if is_part(first) && !first.is_ascii_digit() {
+                if self.kind == Kind::LPy {
+                    let word = python_word(token, &mut rest)?;
+                    valued = !matches!(token, "and" | "or" | "not");
+                    out.push_str(word);
+                    self.check_function(word, opened)?;
+                    continue;
+                }
+                valued = true;
+                if let Some(inside) = opened.strip_prefix('[') {
+                    rest = self.element(token, inside, &mut out)?;
+                    continue;
+                }
+                self.check_function(token, opened)?;
+                out.push_str(token);
+                continue;
+            }
+            match (first, self.kind) {
+                ('"' | '\'', _) => return Err("Texts in arithmetic are not read".into()),
+                ('?', Kind::Cpfg) => return Err("The choice `? :` is not read".into()),
+                ('[' | '{' | ']' | '}', _) => return Err("Lists in arithmetic are not read".into()),
+                ('<', Kind::Cpfg) if opened.starts_with('>') && rest.starts_with('>') => {
+                    out.push_str("!=");
+                    rest = &rest[1..];
+                }
+                ('*', Kind::LPy) if rest.starts_with('*') => {
+                    out.push('^');
+                    rest = &rest[1..];
+                }
+                ('/', Kind::LPy) if rest.starts_with('/') => {
+                    return Err("The whole division `//` of Python has no equal here".into());
+                }
+                ('^' | '~', Kind::LPy) => return Err(format!("`{first}` of Python works on bits")),
+                ('&' | '|', _) if rest.starts_with(first) => {
+                    out.extend([first, first]);
+                    rest = &rest[1..];
+                }
+                ('&', Kind::Cpfg) if !valued => return Err("The address `&` of a number is not read".into()),
+                // In cpfg a sign binds tighter than `^`.
+                ('-', Kind::Cpfg) if !valued && self.is_power(opened) => {
+                    return Err("`-` in front of a power needs parentheses here".into());
+                }
+                _ => out.push(first),
+            }
+            valued = first.is_ascii_digit() || first == ')';
+            if first.is_ascii_digit() {
+                // The rest of the number.
+                out.push_str(&token[1..]);
+                if token.ends_with(['e', 'E']) && rest.starts_with(['+', '-']) {
+                    out.push_str(&rest[..1]);
+                    rest = &rest[1..];
+                }
+            }
+        }
+        Ok(out.trim().to_owned())
+    }
+
+    /// Whether a power stands at the start: a name or a number before `^`.
+    fn is_power(&self, text: &str) -> bool {
+        let Some(base) = token(text) else { return false };
+        let Some(behind) = text[base.len()..].trim_start().strip_prefix('^') else { return false };
+        is_part(base.chars().next().unwrap_or_default()) && !behind.is_empty()
+    }
+
+    fn check_function(&self, name: &str, behind: &str) -> Result<(), Wrong> {
+        if !behind.starts_with('(') || FUNCTIONS.contains(&name) || matches!(name, "" | "and" | "or") {
+            return Ok(());
+        }
+        Err(match (name, self.kind) {
+            ("func", Kind::Cpfg) => "`func` reads a curve of another file".into(),
+            (_, Kind::Cpfg) => format!("The function `{name}` of cpfg has no equal here"),
+            (_, Kind::LPy) => format!("Python code is not run: `{name}(...)`"),
+        })
+    }
+
+    /// Writes an element of an array as arithmetic; `inside` begins behind the bracket. Returns the text behind.
+    fn element<'t>(&self, name: &str, inside: &'t str, out: &mut String) -> Result<&'t str, Wrong> {
+        let Some(elements) = self.arrays.get(name) else {
+            return Err(format!("The array `{name}` is not known, or it changes while the system grows"));
+        };
+        let end = inside.find([']', '[']).filter(|end| inside[*end..].starts_with(']'));
+        let Some(end) = end else { return Err("The index of an array is not read".into()) };
+        let (index, behind) = (&inside[..end], &inside[end + 1..]);
+        if behind.trim_start().starts_with('[') {
+            return Err("Arrays of several dimensions are not read".into());
+        }
+        if let Some(value) = self.value(index) {
+            let value = elements.get(value as usize).ok_or("The index of an array is out of its range")?;
+            out.push_str(&number(*value));
+            return Ok(behind);
+        }
+        if elements.len() > 64 {
+            return Err("An array of so many numbers is not read".into());
+        }
+        let index = self.translate(index)?;
+        let parts: Vec<String> = elements
+            .iter()
+            .enumerate()
+            .map(|(at, value)| format!("(floor({index}) == {at})*{}", number(*value)))
+            .collect();
+        let parts = parts.join(" + ");
+        self.macros.spend(parts.len())?;
+        out.extend(["(", &parts, ")"]);
+        Ok(behind)
+    }
+}
+
+/// A word of Python in our arithmetic. Names of modules such as `math.` are left out.
+fn python_word<'t>(word: &'t str, rest: &mut &str) -> Result<&'t str, Wrong> {
+    match word {
+        "math" | "random" | "rd" | "np" | "numpy" if rest.starts_with('.') => {
+            *rest = &rest[1..];
+            Ok("")
+        }
+        "True" => Ok("1"),
+        "False" => Ok("0"),
+        "if" | "else" | "lambda" | "for" | "in" | "is" | "None" => {
+            Err(format!("Python code is not run: `{word}` in arithmetic"))
+        }
+        _ if rest.starts_with('.') => Err(format!("Python code is not run: `{word}.`")),
+        _ => Ok(word),
+    }
+}

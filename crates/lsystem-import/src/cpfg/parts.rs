@@ -1,0 +1,92 @@
+//! The parts of a system, as texts of its own notation.
+
+use super::Kind;
+use super::arithmetic::Arithmetic;
+use core::ops::Range;
+use lsystem_base::number::number;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+/// A production that is not translated yet.
+pub(super) struct Rule<'c> {
+    pub(super) place: Range<usize>,
+    /// The predecessor and its contexts, without a label.
+    pub(super) head: &'c str,
+    pub(super) condition: Cow<'c, str>,
+    pub(super) successor: Cow<'c, str>,
+    pub(super) weight: Option<&'c str>,
+}
+
+/// The section of a file whose rules are being read.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Section {
+    Productions,
+    Decompositions,
+    Images,
+}
+
+/// The parts of a system.
+pub(super) struct Parts<'c> {
+    pub(super) arithmetic: Arithmetic,
+    pub(super) axiom: Option<&'c str>,
+    /// Constants by name, with numbers.
+    pub(super) constants: Vec<(String, String)>,
+    /// The lists behind `ignore` and `consider`.
+    pub(super) seen: Vec<(&'static str, &'c str)>,
+    pub(super) rules: Vec<Rule<'c>>,
+    pub(super) images: Vec<Rule<'c>>,
+    /// The place of the keyword.
+    pub(super) decomposed: Option<Range<usize>>,
+    pub(super) decompositions: Vec<Rule<'c>>,
+    pub(super) decomposition_depth: Option<&'c str>,
+    pub(super) depth: Option<&'c str>,
+    pub(super) length: Option<&'c str>,
+    pub(super) angle: Option<f64>,
+    /// Whether several rules that apply are chosen from at random, even without weights.
+    pub(super) is_stochastic: bool,
+    /// Names of several characters that the text declares.
+    pub(super) names: BTreeSet<String>,
+}
+
+impl<'c> Parts<'c> {
+    pub(super) fn new(kind: Kind) -> Self {
+        Self {
+            arithmetic: Arithmetic::new(kind),
+            axiom: None,
+            constants: Vec::new(),
+            seen: Vec::new(),
+            rules: Vec::new(),
+            images: Vec::new(),
+            decomposed: None,
+            decompositions: Vec::new(),
+            decomposition_depth: None,
+            depth: None,
+            length: None,
+            angle: None,
+            is_stochastic: false,
+            names: BTreeSet::new(),
+        }
+    }
+
+    /// Sets a number that has a name; a second value replaces the first.
+    pub(super) fn set_constant(&mut self, name: &str, value: f64) {
+        let text = number(value);
+        if self.arithmetic.macros.define(name.to_owned(), None, format!("({text})"), true) {
+            self.constants.retain(|(known, _)| known != name);
+        }
+        self.constants.push((name.to_owned(), text));
+    }
+
+    /// All rules, in the order of the sections.
+    pub(super) fn all_rules(&self) -> impl Iterator<Item = &Rule<'c>> {
+        self.rules.iter().chain(&self.decompositions).chain(&self.images)
+    }
+
+    pub(super) fn section(&mut self, section: Section) -> &mut Vec<Rule<'c>> {
+        match section {
+            Section::Productions => &mut self.rules,
+            Section::Decompositions => &mut self.decompositions,
+            Section::Images => &mut self.images,
+        }
+    }
+}

@@ -1,0 +1,415 @@
+//! Words of cpfg and L-Py in our notation: names and symbols of several characters become single symbols.
+
+use super::arithmetic::Arithmetic;
+use super::macros::{arguments, is_part};
+use super::{Kind, Places};
+use crate::draft::{Draft, FreeSymbols};
+use core::ops::Range;
+use lsystem_base::number::number;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What a name or a symbol of several characters is here.
+#[derive(Clone, Copy)]
+enum Meaning {
+    /// One of our symbols.
+    Symbol(char),
+    /// A disc, by its diameter or by its radius; whether it is a sphere there.
+    Disc { radius: bool, sphere: bool },
+    /// A module without an action.
+    Plain,
+    /// A module whose action is left out, for this reason.
+    LeftOut(&'static str),
+    /// It has no equal, for this reason.
+    Refused(&'static str),
+}
+use Meaning::{Disc, LeftOut, Plain, Refused, Symbol};
+
+const CYLINDER: &str = "Generalized cylinders of cpfg have no equal here";
+const BENDS: &str = "How branches bend stands in cpfg's view file; this is left out";
+const SCALE: &str = "This changes the scale of the turtle, which has no equal here";
+const PLACE: &str = "This moves the turtle to a place of its own, which has no equal here";
+const FRAME: &str = "This sets the turtle's heading in space, which has no equal here";
+const ASKS: &str = "This asks for the state of the turtle, which rules do not know here";
+const SHAPE: &str = "This shape is not drawn";
+const GUIDE: &str = "Curves that guide the turtle have no equal here";
+const LOOK: &str = "This changes only how surfaces look; it is left out";
+const TROPISM: &str = "Tropisms that begin inside the word have no equal here";
+
+/// The symbols of several characters of cpfg.
+const CPFG: &[(&str, Meaning)] = &[
+    ("@v", Symbol('$')),
+    ("@o", Disc { radius: false, sphere: false }),
+    ("@c", Disc { radius: false, sphere: false }),
+    ("@O", Disc { radius: false, sphere: true }),
+    ("@bo", Symbol('○')),
+    ("@bc", Symbol('○')),
+    ("@L", LeftOut("The label is not drawn")),
+    ("@S", LeftOut("Commands of the system are never run")),
+    ("@;", LeftOut(LOOK)),
+    ("@,", LeftOut(LOOK)),
+    ("@#", LeftOut(LOOK)),
+    ("@Tx", LeftOut(LOOK)),
+    ("@Ti", LeftOut(BENDS)),
+    ("@Td", LeftOut(BENDS)),
+    ("@Ts", LeftOut(BENDS)),
+    ("@T", Refused("This turns the turtle by the twist of its way, which has no equal here")),
+    ("@P", LeftOut("This patch of a surface is not drawn")),
+    ("@PS", LeftOut("This patch of a surface is not drawn")),
+    ("@PC", LeftOut("This patch of a surface is not drawn")),
+    ("@PD", LeftOut("This patch of a surface is not drawn")),
+    ("@mo", LeftOut(LOOK)),
+    ("@G", Refused(CYLINDER)),
+    ("@Gs", Refused(CYLINDER)),
+    ("@Gc", Refused(CYLINDER)),
+    ("@Ge", Refused(CYLINDER)),
+    ("@Gr", Refused(CYLINDER)),
+    ("@Gt", Refused(CYLINDER)),
+    ("@D", Refused(SCALE)),
+    ("@M", Refused(PLACE)),
+    ("@R", Refused(FRAME)),
+    ("?P", Refused(ASKS)),
+    ("?H", Refused(ASKS)),
+    ("?L", Refused(ASKS)),
+    ("?U", Refused(ASKS)),
+    ("?Q", Refused(ASKS)),
+    ("?E", Refused("This asks another program for the environment, which has no equal here")),
+];
+
+/// The names of L-Py's library.
+const LPY: &[(&str, Meaning)] = &[
+    ("SB", Symbol('[')),
+    ("EB", Symbol(']')),
+    ("BP", Symbol('{')),
+    ("EP", Symbol('}')),
+    ("PP", Symbol('.')),
+    ("nF", Symbol('F')),
+    ("Left", Symbol('+')),
+    ("Right", Symbol('-')),
+    ("Up", Symbol('^')),
+    ("Down", Symbol('&')),
+    ("RollL", Symbol('/')),
+    ("RollR", Symbol('\\')),
+    ("iRollL", Symbol('/')),
+    ("iRollR", Symbol('\\')),
+    ("TurnAround", Symbol('|')),
+    ("RollToVert", Symbol('$')),
+    ("@v", Symbol('$')),
+    ("@V", Symbol('$')),
+    ("IncWidth", Symbol('_')),
+    ("DecWidth", Symbol('!')),
+    ("SetWidth", Symbol('_')),
+    ("IncColor", Symbol(';')),
+    ("DecColor", Symbol(',')),
+    ("SetColor", Symbol(';')),
+    ("Sphere", Disc { radius: true, sphere: true }),
+    ("@O", Disc { radius: true, sphere: true }),
+    ("Circle", Disc { radius: true, sphere: false }),
+    ("@o", Disc { radius: true, sphere: false }),
+    ("Frame", LeftOut(SHAPE)),
+    ("Box", LeftOut(SHAPE)),
+    ("@B", LeftOut(SHAPE)),
+    ("Quad", LeftOut(SHAPE)),
+    ("@b", LeftOut(SHAPE)),
+    ("Label", LeftOut("The label is not drawn")),
+    ("@L", LeftOut("The label is not drawn")),
+    ("PglShape", LeftOut(SHAPE)),
+    ("@g", LeftOut(SHAPE)),
+    ("Surface", LeftOut("The surface is not drawn")),
+    ("StartGC", LeftOut("Tubes are drawn as lines")),
+    ("@Gc", LeftOut("Tubes are drawn as lines")),
+    ("EndGC", LeftOut("Tubes are drawn as lines")),
+    ("@Ge", LeftOut("Tubes are drawn as lines")),
+    ("SetContour", LeftOut(LOOK)),
+    ("SectionResolution", LeftOut(LOOK)),
+    ("InterpolateColors", LeftOut(LOOK)),
+    ("TextureScale", LeftOut(LOOK)),
+    ("TextureUScale", LeftOut(LOOK)),
+    ("TextureVScale", LeftOut(LOOK)),
+    ("TextureTranslation", LeftOut(LOOK)),
+    ("TextureRotation", LeftOut(LOOK)),
+    ("TextureTransformation", LeftOut(LOOK)),
+    ("SetScale", Refused(SCALE)),
+    ("@D", Refused(SCALE)),
+    ("DivScale", Refused(SCALE)),
+    ("@Dd", Refused(SCALE)),
+    ("MultScale", Refused(SCALE)),
+    ("@Di", Refused(SCALE)),
+    ("MoveTo", Refused(PLACE)),
+    ("@M", Refused(PLACE)),
+    ("MoveRel", Refused(PLACE)),
+    ("LineTo", Refused(PLACE)),
+    ("LineRel", Refused(PLACE)),
+    ("OLineTo", Refused(PLACE)),
+    ("OLineRel", Refused(PLACE)),
+    ("Pinpoint", Refused(FRAME)),
+    ("PinpointRel", Refused(FRAME)),
+    ("SetHead", Refused(FRAME)),
+    ("@R", Refused(FRAME)),
+    ("EulerAngles", Refused(FRAME)),
+    ("RollToHorizontal", Refused(FRAME)),
+    ("@h", Refused(FRAME)),
+    ("Sweep", Refused("Sweeps along a curve have no equal here")),
+    ("SetGuide", Refused(GUIDE)),
+    ("EndGuide", Refused(GUIDE)),
+    ("PositionOnGuide", Refused(GUIDE)),
+    ("Tropism", Refused(TROPISM)),
+    ("@Tp", Refused(TROPISM)),
+    ("Elasticity", Refused(TROPISM)),
+    ("@Ts", Refused(TROPISM)),
+    ("?P", Refused(ASKS)),
+    ("?H", Refused(ASKS)),
+    ("?U", Refused(ASKS)),
+    ("?L", Refused(ASKS)),
+    ("?R", Refused(ASKS)),
+    ("?F", Refused(ASKS)),
+    ("GetPos", Refused(ASKS)),
+    ("GetHead", Refused(ASKS)),
+    ("GetUp", Refused(ASKS)),
+    ("GetLeft", Refused(ASKS)),
+    ("GetRight", Refused(ASKS)),
+    ("GetFrame", Refused(ASKS)),
+];
+
+/// The most symbols with a remark.
+const MOST_REMARKS: usize = 600;
+
+/// A part of a production.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Role {
+    /// The axiom or a successor, with arithmetic.
+    Word,
+    /// A predecessor and its contexts, with names of parameters.
+    Head,
+}
+
+/// The translation of words.
+pub(super) struct Symbols<'p> {
+    arithmetic: &'p Arithmetic,
+    places: Places<'p>,
+    meanings: BTreeMap<String, Meaning>,
+    /// The number of bytes of the longest name.
+    longest: usize,
+    pub(super) free: FreeSymbols,
+    told: BTreeSet<String>,
+    /// Symbols that are not drawn: those whose arguments are left out, and those that rules replace.
+    bare: BTreeMap<String, Range<usize>>,
+    replaced: BTreeSet<String>,
+}
+
+impl<'p> Symbols<'p> {
+    /// `names` are those that the text declares or replaces.
+    pub(super) fn new(arithmetic: &'p Arithmetic, places: Places<'p>, names: &BTreeSet<String>) -> Self {
+        let library = if arithmetic.kind == Kind::Cpfg { CPFG } else { LPY };
+        let mut meanings: BTreeMap<String, Meaning> =
+            library.iter().map(|&(name, meaning)| (name.to_owned(), meaning)).collect();
+        // An own name counts before the library's.
+        meanings.extend(names.iter().map(|name| (name.clone(), Plain)));
+        let longest = meanings.keys().map(String::len).max().unwrap_or_default();
+        Self {
+            arithmetic,
+            places,
+            meanings,
+            longest,
+            free: FreeSymbols::default(),
+            told: BTreeSet::new(),
+            bare: BTreeMap::new(),
+            replaced: BTreeSet::new(),
+        }
+    }
+
+    /// A word in our notation. `place` is where it stands if it is no part of the text.
+    pub(super) fn read(&mut self, text: &str, role: Role, place: &Range<usize>, draft: &mut Draft<'_>) -> String {
+        let mut out = String::new();
+        let mut rest = text;
+        while let Some(ch) = rest.chars().next() {
+            if ch.is_whitespace() {
+                rest = rest.trim_start();
+                out.push(' ');
+                continue;
+            }
+            let length = self.symbol(rest).unwrap_or(ch.len_utf8());
+            let (symbol, behind) = rest.split_at(length);
+            let at = self.places.or(symbol, place);
+            let Some((inside, behind)) = parenthesised(behind) else {
+                draft.refuse_at(at, "A parenthesis behind this symbol is not closed");
+                break;
+            };
+            rest = behind;
+            self.module(symbol, inside, role, &at, draft, &mut out);
+        }
+        out.trim().to_owned()
+    }
+
+    /// The number of bytes of the name or the symbol of several characters at the start; `None` for a single character.
+    fn symbol(&self, text: &str) -> Option<usize> {
+        let mut chars = text.chars();
+        let (first, second) = (chars.next()?, chars.next());
+        if first == '~' {
+            return second.filter(|c| !c.is_whitespace() && *c != '(').map(|second| 1 + second.len_utf8());
+        }
+        if first == '@' || first == '?' || first.is_alphabetic() {
+            let parts = text.char_indices().skip(1).find(|&(at, c)| at >= self.longest || !is_part(c));
+            let longest = if first.is_alphabetic() { parts.map_or(text.len(), |(at, _)| at) } else { 4 };
+            let longest = self.longest.min(longest).min(text.len());
+            let known = |end: &usize| text.get(..*end).is_some_and(|name| self.meanings.contains_key(name));
+            if let Some(end) = (2..=longest).rev().find(known) {
+                return Some(end);
+            }
+        }
+        let is_function = matches!(first, '@' | '?') && self.arithmetic.kind == Kind::Cpfg;
+        second.filter(|c| is_function && !c.is_whitespace() && *c != '(').map(|second| 1 + second.len_utf8())
+    }
+
+    /// Writes a module in our notation.
+    fn module(
+        &mut self,
+        symbol: &str,
+        inside: Option<&str>,
+        role: Role,
+        place: &Range<usize>,
+        draft: &mut Draft<'_>,
+        out: &mut String,
+    ) {
+        let is_drawn = !symbol.starts_with('~') && !matches!(self.meanings.get(symbol), Some(LeftOut(_)));
+        if role == Role::Head && !is_drawn {
+            self.replaced.insert(symbol.to_owned());
+        }
+        let mut inside = match inside {
+            Some(inside) if role == Role::Head => Some(inside.trim().to_owned()),
+            Some(inside) => match self.arithmetic.read(inside) {
+                Ok(inside) => Some(inside),
+                Err(_) if !is_drawn => {
+                    self.bare.insert(symbol.to_owned(), place.clone());
+                    None
+                }
+                Err(why) => return draft.refuse_at(self.places.or(inside, place), why),
+            },
+            None => None,
+        };
+        match self.meanings.get(symbol).copied() {
+            Some(Symbol(symbol)) => out.push(symbol),
+            Some(Disc { radius, sphere }) => {
+                if radius && role == Role::Head && inside.is_some() {
+                    return draft.refuse_at(place.clone(), "A rule that replaces a disc by its radius is not read");
+                }
+                let note = match inside {
+                    None => Some("This disc is as large as the line is wide; here it is as large as a step"),
+                    Some(_) if sphere => Some("A sphere is drawn as a disc"),
+                    Some(_) => None,
+                };
+                if let Some(note) = note {
+                    self.tell(symbol, place, note, draft);
+                }
+                if let Some(number) = inside.as_mut().filter(|_| radius) {
+                    *number = doubled(number);
+                }
+                out.push('●');
+            }
+            Some(Plain) => {
+                let own = self.free.get(symbol);
+                let note = format!("The name `{symbol}` becomes the symbol `{own}`");
+                self.tell(symbol, place, &note, draft);
+                out.push(own);
+            }
+            Some(LeftOut(why)) => {
+                self.tell(symbol, place, why, draft);
+                out.push(self.free.get(symbol));
+            }
+            Some(Refused(why)) => return draft.refuse_at(place.clone(), why),
+            None => self.other(symbol, inside.as_deref(), place, draft, out),
+        }
+        if let Some(inside) = inside {
+            out.extend(["(", &inside, ")"]);
+        }
+    }
+
+    /// Writes a symbol that no table names.
+    fn other(
+        &mut self,
+        symbol: &str,
+        inside: Option<&str>,
+        place: &Range<usize>,
+        draft: &mut Draft<'_>,
+        out: &mut String,
+    ) {
+        let is_cpfg = self.arithmetic.kind == Kind::Cpfg;
+        match symbol {
+            _ if self.told.len() > MOST_REMARKS => {
+                return draft.refuse_at(place.clone(), "So many different symbols are not read");
+            }
+            _ if symbol.starts_with('~') && symbol.len() > 1 => {
+                self.tell(symbol, place, &format!("The surface `{symbol}` is not drawn"), draft);
+                return out.push(self.free.get(symbol));
+            }
+            "?" if is_cpfg => {
+                return draft.refuse_at(place.clone(), "`?` begins a sub-L-system, which has no equal here");
+            }
+            _ if symbol.starts_with(['@', '?']) && symbol.len() > 1 => {
+                let why = format!("The function `{symbol}` of cpfg has no equal here");
+                return draft.refuse_at(place.clone(), why);
+            }
+            "$" if is_cpfg => {
+                let why =
+                    "`$` rolls upright, as in ABOP; newer versions of cpfg write `@v` and end a sub-L-system with `$`";
+                self.tell(symbol, place, why, draft);
+            }
+            "$" => return out.push(self.free.get(symbol)),
+            "_" if is_cpfg => self.tell(symbol, place, BENDS, draft),
+            "!" | "#" | "_" if inside.is_none() => {
+                let why = match is_cpfg {
+                    true => "By how much this changes the width stands in cpfg's view file; here it is a factor of √2",
+                    false => "By how much this changes the width is a setting of L-Py; here it is a factor of √2",
+                };
+                self.tell(symbol, place, why, draft);
+            }
+            "{" | "}" if is_cpfg && inside.is_some_and(|inside| inside != "0") => {
+                return draft
+                    .refuse_at(place.clone(), "Curves through points, with numbers at `{`, have no equal here");
+            }
+            "F" if !is_cpfg && inside.is_some_and(|inside| inside.contains(',')) => {
+                self.tell(symbol, place, "The width at the end of `F` is not carried over", draft);
+            }
+            "`" => return out.push_str("```"),
+            _ => {}
+        }
+        out.push_str(symbol);
+    }
+
+    /// Refuses the system if a rule replaces a symbol whose arguments are left out.
+    pub(super) fn check_bare(&self, draft: &mut Draft<'_>) {
+        let wrong = self.bare.iter().filter(|(symbol, _)| self.replaced.contains(*symbol));
+        wrong.for_each(|(symbol, place)| {
+            draft.refuse_at(place.clone(), format!("The arguments of `{symbol}`, which a rule replaces, are not read"));
+        });
+    }
+
+    /// The symbols that stand for surfaces, sorted.
+    pub(super) fn surfaces(&self) -> BTreeSet<char> {
+        self.free.given().filter(|(name, _)| name.starts_with('~')).map(|(_, symbol)| symbol).collect()
+    }
+
+    /// Adds a remark at the first place of a symbol.
+    fn tell(&mut self, symbol: &str, place: &Range<usize>, message: &str, draft: &mut Draft<'_>) {
+        if self.told.insert(format!("{symbol} {message}")) {
+            draft.note_at(place.clone(), message);
+        }
+    }
+}
+
+/// The text in the parentheses at the start, if there are any, and the text behind; `None` if they are not closed.
+pub(super) fn parenthesised(text: &str) -> Option<(Option<&str>, &str)> {
+    let Some(inside) = text.strip_prefix('(') else { return Some((None, text)) };
+    let (_, behind) = arguments(inside)?;
+    Some((Some(&inside[..inside.len() - behind.len() - 1]), behind))
+}
+
+/// Twice the first of these arguments, and the others.
+fn doubled(text: &str) -> String {
+    let closed = format!("{text})");
+    let first = arguments(&closed).and_then(|(all, _)| all.first().copied()).unwrap_or(text);
+    let rest = &text[first.len()..];
+    match first.trim().parse::<f64>() {
+        Ok(value) => format!("{}{rest}", number(2.0 * value)),
+        Err(_) => format!("2*({}){rest}", first.trim()),
+    }
+}

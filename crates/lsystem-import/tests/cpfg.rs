@@ -1,0 +1,355 @@
+//! Texts of cpfg and L-Py are drawn as these programs draw them, or refused with a true reason.
+
+use lsystem_base::Limits;
+use lsystem_drawing::{Figure, System, expand};
+use lsystem_import::{Entry, Fate, import};
+use lsystem_syntax::Definition;
+
+/// The only system of a text.
+#[track_caller]
+fn entry(text: &str) -> Entry {
+    let mut imported = import(text).unwrap_or_else(|| panic!("not recognised: {text}"));
+    assert!(matches!(imported.notation, "cpfg" | "L-Py"), "{}", imported.notation);
+    assert_eq!(imported.entries.len(), 1);
+    imported.entries.remove(0)
+}
+
+#[track_caller]
+fn read(text: &str) -> Definition {
+    let entry = entry(text);
+    entry.definition.unwrap_or_else(|| panic!("{text}\n{:?}", entry.remarks))
+}
+
+fn system(definition: &Definition) -> System {
+    System::new(definition).0.unwrap()
+}
+
+/// The segments of a text after its iterations: the lengths along x, y and z, and the width.
+#[track_caller]
+fn segments(text: &str) -> Vec<([f64; 3], f64)> {
+    let definition = read(text);
+    let drawing = Figure::draw(&system(&definition), definition.iterations, &Limits::default()).unwrap();
+    let segments = drawing.segments_from(0);
+    segments.map(|s| (core::array::from_fn(|axis| s.to[axis] - s.from[axis]), s.width)).collect()
+}
+
+/// Whether the segments go along these vectors.
+#[track_caller]
+fn along(text: &str, expected: &[[f64; 3]]) {
+    let found: Vec<[f64; 3]> = segments(text).into_iter().map(|(along, _)| along).collect();
+    let near = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-4);
+    let equal = found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| near(a, b));
+    assert!(equal, "{text}\n{found:?}\n{expected:?}");
+}
+
+/// The string after the iterations of the text.
+#[track_caller]
+fn word(text: &str) -> String {
+    let definition = read(text);
+    expand(&system(&definition), definition.iterations, &Limits::default()).unwrap()
+}
+
+/// Whether a text is refused with a reason that has these words.
+#[track_caller]
+fn refused(text: &str, words: &str) {
+    let entry = entry(text);
+    assert_eq!(entry.definition, None, "{text}");
+    let reasons: Vec<&str> = entry.remarks.iter().filter(|r| r.refused).map(|r| r.message.as_str()).collect();
+    assert!(reasons.iter().any(|reason| reason.contains(words)), "{text}\n{reasons:?}");
+}
+
+/// Whether a text is read with a remark that has these words.
+#[track_caller]
+fn noted(text: &str, words: &str) {
+    let entry = entry(text);
+    assert!(entry.definition.is_some(), "{:?}", entry.remarks);
+    assert!(entry.remarks.iter().any(|remark| remark.message.contains(words)), "{:?}", entry.remarks);
+}
+
+fn cpfg(inside: &str) -> String {
+    format!("lsystem: 1\n{inside}\nendlsystem\n")
+}
+
+const UP: [f64; 3] = [0.0, 1.0, 0.0];
+const LEFT: [f64; 3] = [-1.0, 0.0, 0.0];
+
+#[test]
+fn statements_go_on_in_the_lines_below() {
+    for text in [
+        "derivation length: 1\naxiom: A(3)\nA(t) : t > 2 &&\n  t < 9 --> F(t)",
+        "derivation length: 1\naxiom: A(3)\nA(t) : t > 2 &&\nt < 9 --> F(t)",
+        "derivation length: 1\naxiom: A(3)\nA(t) : t > 2\n\t&& t < 9\n\t--> F(t)",
+        "derivation length: 1\naxiom: A(3)\nB --> F\n  [+B]\n  A(t) : t > 2 &&\n    t < 9 --> F(t)",
+        "derivation length: 1\naxiom: A(3)\nA(t) : t > 2 /* and\n below */ && t < 9 --> \\\n F(t)",
+        "derivation length: 1\r\naxiom: A(3)\r\nA(t) : t > 2 &&\r\n\tt < 9 -->\r\n\tF(t)",
+    ] {
+        along(&cpfg(text), &[[0.0, 3.0, 0.0]]);
+    }
+    for axiom in ["F\n  [+F]\n  F", "F\n\t[+F]\n\tF", "F [\n+F]\n  F", "F[+F]F"] {
+        along(&cpfg(&format!("derivation length: 0\naxiom: {axiom}\nA --> F")), &[UP, LEFT, UP]);
+    }
+    // A weight may stand in a line of its own.
+    let weights = read(&cpfg("seed: 3\naxiom: A\nA --> F\n  [+A] : 2\nA --> F\n  : 1"));
+    assert_eq!(weights.rules, "A --> F [+A] : 2\nA --> F : 1");
+}
+
+#[test]
+fn macros_are_replaced_as_the_preprocessor_does() {
+    let drawn = |macros: &str, axiom: &str| {
+        segments(
+            &cpfg(&format!("derivation length: 0\naxiom: {axiom}"))
+                .replace("lsystem: 1", &format!("{macros}\nlsystem: 1")),
+        )
+        .len()
+    };
+    assert_eq!(drawn("#define A FF", "A+A"), 4);
+    assert_eq!(drawn("#define B_1 F[+F]", "B_1 F B_1"), 5);
+    assert_eq!(drawn("#define TWICE(x) x x", "TWICE(F+F)"), 4);
+    assert_eq!(drawn("#define TWICE(x) x x\n#define G4 TWICE(TWICE(F))", "G4"), 4);
+    // `FA` is one name, which is no macro.
+    assert_eq!(drawn("#define A FF", "FA"), 1);
+    // A macro inside itself is not replaced again.
+    assert_eq!(drawn("#define A FA", "A A"), 2);
+    assert_eq!(drawn("#define A F A", "A A"), 2);
+    along("#define half(x) ((x)/2)\nlsystem: 1\nderivation length: 1\naxiom: A(2)\nA(s) --> F(half(s))\n", &[UP]);
+    // Functions are no macros where symbols stand.
+    assert_eq!(word(&cpfg("derivation length: 0\naxiom: log(2)")), "log(2)");
+    // The preprocessor writes sums without parentheses.
+    along("#define S 1+2\nlsystem: 1\nderivation length: 0\naxiom: F(S*2)\n", &[[0.0, 5.0, 0.0]]);
+    along("#define S (1+2)\nlsystem: 1\nderivation length: 0\naxiom: F(S*2)\n", &[[0.0, 6.0, 0.0]]);
+    refused("#define MAC ?(2,1)B(3)$\nlsystem: 1\nderivation length: 0\naxiom: F MAC\nendlsystem\n", "sub-L-system");
+    refused("#if 1\nlsystem: 1\naxiom: F\n#endif\n", "#if");
+    refused("#include \"a.h\"\nlsystem: 1\naxiom: F\n", "another file");
+    refused(
+        "#define A B B\n#define B C C\n#define C D D\n#define D E E\n#define E H H\n#define H I I\n#define I J J\n#define J K K\n#define K L L\n#define L M M\n#define M N N\n#define N O O\n#define O P P\n#define P Q Q\n#define Q R R\n#define R S S\n#define S T T\n#define T U U\n#define U V V\n#define V W W\n#define W F F\nlsystem: 1\naxiom: A\n",
+        "too long",
+    );
+}
+
+#[test]
+fn code_that_computes_numbers_is_computed() {
+    along(&cpfg("Start: {b = 2; a = b/2;}\nderivation length: 1\naxiom: A\nA --> F(a)F(b)"), &[UP, [0.0, 2.0, 0.0]]);
+    along(
+        &cpfg("Start:\n{\n b = 2;\n a = b/2;\n}\nderivation length: b\naxiom: F(a)\nF(x) --> F(2*x)"),
+        &[[0.0, 4.0, 0.0]],
+    );
+    let array = "Define: {array len[3] = {1, 2, 4};}\nderivation length: 2\naxiom: A(0)\nA(n) --> F(len[n])A(n+1)";
+    along(&cpfg(array), &[UP, [0.0, 2.0, 0.0]]);
+    along(&cpfg("Define: {array len[2] = {1, 3};}\nderivation length: 0\naxiom: F(len[1])"), &[[0.0, 3.0, 0.0]]);
+    along(
+        &cpfg("derivation length: 1\naxiom: A(8)\nA(x) : {y = log(x)/log(2); printf(\"%f\", y);} y <> 2 --> F(y)"),
+        &[[0.0, 3.0, 0.0]],
+    );
+    refused(&cpfg("Start: {b = 2;}\naxiom: A\nA : {b = b + 1;} b < 5 --> F(b)A"), "number of the whole system");
+    refused(&cpfg("StartEach: {b = b + 1;}\naxiom: A\nA --> F"), "every step");
+    refused(&cpfg("Start: {while (b < 2) {b = b + 1;}}\naxiom: A\nA --> F"), "only assignments");
+    refused(&cpfg("axiom: A(1)\nA(x) : {if (x > 2) {x = 1;}} 1 --> F"), "only assignments");
+    refused(&cpfg("axiom: A(1)\nA(x) : {y = ran(1);} 1 --> F(y)[+F(y)]"), "random number that is used several times");
+    assert_eq!(read(&cpfg("axiom: A(1)\nA(x) : {y = ran(1);} 1 --> F(y)")).rules, "A(x) --> F((ran(1)))");
+    refused(&cpfg("axiom: A(1)\nA(x) --> F(func(1, x))"), "curve of another file");
+    refused(&cpfg("axiom: A(1)\nA(x) --> F(bran(1, x))"), "`bran`");
+    refused(&cpfg("axiom: A(1)\nA(x) --> F(x > 1 ? 1 : 2)"), "? :");
+    refused(&cpfg("axiom: A(1)\nA(x) --> F(-x^2)"), "parentheses");
+    noted(&cpfg("End: {fclose(f);}\naxiom: F\nF --> FF"), "behind the last step");
+}
+
+#[test]
+fn a_homomorphism_applies_to_its_own_results_up_to_its_depth() {
+    let text =
+        |depth: &str, rest: &str| cpfg(&format!("derivation length: 0\naxiom: A\nhomomorphism\n{depth}\n{rest}"));
+    assert_eq!(segments(&text("maximum depth: 2", "A --> B+B\nB --> FF")).len(), 4);
+    assert_eq!(segments(&text("maximum depth: 3", "A --> B+B\nB --> CC\nC --> F[+F]")).len(), 8);
+    // The depth is 1 where none is given, and `C` draws nothing.
+    assert_eq!(segments(&text("", "A --> B+F\nB --> FF")).len(), 1);
+    assert_eq!(segments(&text("", "A --> F\nF --> F[+F]")).len(), 1);
+    // A production that goes on for ever ends at the depth.
+    assert_eq!(segments(&text("maximum depth: 4", "A --> FA")).len(), 4);
+    // Conditions of numbers that are known only in the axiom.
+    let recursive = "#define D 2\nlsystem: 1\nderivation length: 1\naxiom: A(4)\nhomomorphism\nmaximum depth: 100\nA(t) : t >= D --> F(1)A(t-1)\nA(t) : t < D --> [+F(t)]\nendlsystem\n";
+    assert_eq!(segments(recursive).len(), 4);
+    refused(
+        &cpfg(
+            "derivation length: 3\naxiom: A(4)\nA(t) --> A(t+1)\nhomomorphism\nmaximum depth: 9\nA(t) : t > 2 --> F(t)A(t-1)",
+        ),
+        "Whether this homomorphism applies depends on parameters",
+    );
+}
+
+#[test]
+fn symbols_of_cpfg() {
+    along(&cpfg("derivation length: 0\naxiom: F//////F&F"), &[UP, UP, [0.0, 0.0, 1.0]]);
+    along(&cpfg("derivation length: 1\naxiom: A\nA --> F[+~l(2)F]~k // a leaf at the tip\n"), &[UP, LEFT]);
+    noted(&cpfg("axiom: F~l(1)\nF --> FF"), "The surface `~l` is not drawn");
+    // A surface may be replaced as a symbol is.
+    assert_eq!(word(&cpfg("derivation length: 2\naxiom: F~l(1)\n~l(s) : s < 2 --> ~l(s+1)F")), "Fa(2)F");
+    along(&cpfg("derivation length: 0\naxiom: @M(3,4,0)@R(1,0,0)F+F"), &[[1.0, 0.0, 0.0], UP]);
+    noted(&cpfg("axiom: @M(3,4,0)F\nF --> FF"), "where the turtle starts");
+    refused(&cpfg("axiom: F@M(3,4,0)F\nF --> FF"), "place of its own");
+    refused(&cpfg("axiom: F@R(1,0,0)F\nF --> FF"), "heading in space");
+    refused(&cpfg("axiom: @Gs F@Gc(3)F@Ge\nF --> FF"), "Generalized cylinders");
+    refused(&cpfg("axiom: F?P(0,0,0)\nF --> FF"), "state of the turtle");
+    refused(&cpfg("derivation length: 1\naxiom: F[+D][-F]\nF > [+D=] --> FV"), "`=` in a context");
+    refused(&cpfg("derivation length: 1\naxiom: AB\nAB --> F"), "Several symbols as predecessor");
+    refused(&cpfg("derivation length: 1\naxiom: A(1)B\nA(x)B --> F"), "Several symbols as predecessor");
+    refused(&cpfg("ring Lsystem\naxiom: AB\nA --> F"), "Rings");
+    noted(&cpfg("axiom: F!F\nF --> FF"), "view file; here it is a factor");
+    noted(&cpfg("axiom: F$F\nF --> FF"), "rolls upright");
+    noted(
+        "lsystem: 1\nderivation length: 1\naxiom: F\nF --> FF\nendlsystem\nlsystem: 2\nderivation length: 1\naxiom: A\nA --> FA\nendlsystem\n",
+        "second L-system is a sub-L-system",
+    );
+    refused(&cpfg("axiom: F(1(2\nF --> FF"), "not closed");
+    refused(&cpfg("axiom: F\nF -> FF"), "no arrow `-->`");
+}
+
+#[test]
+fn chance_is_that_of_cpfg() {
+    let rules = |inside: &str| read(&cpfg(&format!("derivation length: 1\naxiom: A\n{inside}"))).rules;
+    // A seed makes a system stochastic, and a missing probability is 1.
+    assert_eq!(rules("seed: 3\nA --> F : 2\nA --> f"), "A --> F : 2\nA --> f : 1");
+    assert_eq!(rules("seed: 3\nA --> F\nA --> f\nB --> A"), "A --> F : 1\nA --> f : 1\nB --> A");
+    assert_eq!(rules("A --> F\nA --> f"), "A --> F\nA --> f");
+    // A homomorphism takes the first production that applies.
+    assert_eq!(rules("homomorphism\nA --> F : 1\nA --> f : 1"), "draw:\nA --> F\nA --> f");
+    noted(&cpfg("axiom: A\nA --> AA\nhomomorphism\nA --> F : 1"), "whatever its probability");
+}
+
+#[test]
+fn rules_that_look_like_comments_are_rules() {
+    let width = "derivation length: 1\naxiom: #(1)F\n#(w) --> #(w*3)";
+    assert_eq!(segments(&cpfg(width))[0].1, 3.0);
+    along(&cpfg("derivation length: 0\naxiom: //F&(90)F"), &[UP, [0.0, 0.0, 1.0]]);
+    along(&lpy("//(60)F", "A --> F"), &[UP]);
+    assert_eq!(word(&cpfg("derivation length: 1\naxiom: //AF\n/ < A --> B")), "//BF");
+}
+
+#[test]
+fn other_notations_are_left_to_their_readers() {
+    for text in [
+        "Axiom: F\nProduction: F -> FF\nAngle: 60\n",
+        "Axiom: F\nderivation length: 3\nF -> FF\n",
+        "Axiom: F\nderivation length: 3\nF = FF\n",
+    ] {
+        let notation = import(text).map(|imported| imported.notation);
+        assert!(!matches!(notation, Some("cpfg" | "L-Py")), "{text}");
+    }
+    refused(&cpfg("axiom: F\nhomomorphism: F --> G\nF --> FF"), "Nothing can stand behind `homomorphism`");
+}
+
+fn lpy(axiom: &str, rules: &str) -> String {
+    format!("Axiom: {axiom}\nderivation length: 1\nproduction:\n{rules}\nendlsystem\n")
+}
+
+#[test]
+fn symbols_of_lpy() {
+    // Two rolls; `/` rolls to the left there.
+    let h = 0.5_f64.sqrt();
+    along(&lpy("A", "A --> F//(30)[&(90)F]F"), &[UP, [-1.0, 0.0, 0.0], UP]);
+    along(&lpy("A", "A --> F/(45)&(90)F"), &[UP, [-h, 0.0, -h]]);
+    along(&lpy("A", "A --> F\\(45)&(90)F"), &[UP, [h, 0.0, -h]]);
+    along(&lpy("F RollL(90) Down(90) F", "A --> F"), &[UP, LEFT]);
+    along(&lpy("F Left(90) F Right(90) F TurnAround F", "A --> F"), &[UP, LEFT, UP, [0.0, -1.0, 0.0]]);
+    along(&lpy("SB Left(90) F EB F", "A --> F"), &[LEFT, UP]);
+    assert_eq!(segments(&lpy("Frame(2) F(1)", "A --> F")).len(), 1);
+    noted(&lpy("Frame(2) F(1)", "A --> F"), "not drawn");
+    assert_eq!(segments(&lpy("F G g F", "A --> F")).len(), 2);
+    assert_eq!(read(&lpy("@O(1)", "A --> F")).axiom, "●(2)");
+    assert_eq!(read(&lpy("Sphere(min(1, 2))", "A --> F")).axiom, "●(2*(min(1, 2)))");
+    assert_eq!(segments(&lpy("F_(2)F", "A --> F"))[1].1, 2.0);
+    assert_eq!(segments(&lpy("FSetWidth(3)F!(0.5)F", "A --> F"))[1].1, 3.0);
+    // What is not drawn may have any arguments, unless a rule replaces it.
+    along(&lpy("F @L('a text') @g(scene[0]) F", "A --> F"), &[UP, UP]);
+    refused(&lpy("F ~l(name.x)", "~l(x) --> F"), "The arguments of `~l`");
+    refused(&lpy("F MoveTo(1,2,3) F", "A --> F"), "place of its own");
+    refused(&lpy("F Sweep(c,s,1,1) F", "A --> F"), "Sweeps");
+    refused(&lpy("F?P(x,y,z)", "A --> F"), "state of the turtle");
+    // Names that the text declares are single modules, and other letters are single.
+    assert_eq!(word(&format!("module Apex, Leaf\n{}", lpy("Apex Leaf", "Apex --> F Apex"))), "Fbc");
+    assert_eq!(word(&lpy("AB", "A --> F\nB --> f")), "Ff");
+    along("derivation length: 0\nAxiom: F(1)-(120)F(1)\n", &[UP, [0.75_f64.sqrt(), -0.5, 0.0]]);
+    along("# a triangle\nx = 2\nAxiom: F(x)\nderivation length: 0\n", &[[0.0, 2.0, 0.0]]);
+}
+
+#[test]
+fn rules_of_python_are_conditions_and_successors() {
+    let rules = |text: &str| read(&lpy("A(1)", text)).rules;
+    assert_eq!(rules("A(x):\n  produce F(x)A(x+1)"), "A(x) --> F(x)A(x+1)");
+    assert_eq!(rules("A(x): produce F(x)"), "A(x) --> F(x)");
+    assert_eq!(
+        rules(
+            "A(x):\n  # older\n  if x < 3: produce F(x)\n  elif x == 3:\n    y = x/2\n    produce F(y)\n  else:\n    produce *\n"
+        ),
+        "A(x) : x < 3 --> F(x)\nA(x) : x == 3 --> F((x/2))\nA(x) -->"
+    );
+    // A branch that makes nothing leaves the module, and `else` does not apply then.
+    assert_eq!(
+        rules("A(x):\n  if x < 3:\n    if x > 1: produce F\n  else: produce f"),
+        "A(x) : (x < 3) and (x > 1) --> F\nA(x) : not (x < 3) --> f"
+    );
+    assert_eq!(
+        rules("A(x):\n  y = 2\n  if x < 3: y = 1\n  produce F(y)"),
+        "A(x) : x < 3 --> F((1))\nA(x) : not (x < 3) --> F((2))"
+    );
+    assert_eq!(
+        rules("A(x):\n  for i in range(2):\n    nproduce [/(i*90)F(x)]\n  produce A(x)"),
+        "A(x) --> [/((0)*90)F(x)][/((1)*90)F(x)]A(x)"
+    );
+    assert_eq!(
+        rules("A(x):\n  if x ** 2 > 4 and not x == 5: produce F(int(x))"),
+        "A(x) : x ^ 2 > 4 and not x == 5 --> F((floor(abs(x))*(((x) > 0) - ((x) < 0))))"
+    );
+    // A number of chance that decides once.
+    assert_eq!(
+        rules("A(x):\n  y = random()\n  if y < 0.5: produce F\n  else: produce f"),
+        "A(x) : (random(0, 1)) < 0.5 --> F\nA(x) --> f"
+    );
+    // Angles of Python's functions are radians.
+    along(
+        "from math import *\nAxiom: F(sin(radians(30)))\nderivation length: 0\nproduction:\nendlsystem\n",
+        &[[0.0, 0.5, 0.0]],
+    );
+    along("import math\na = math.cos(math.pi)\nAxiom: F(-a)\nderivation length: 0\nproduction:\nendlsystem\n", &[UP]);
+    for (rule, why) in [
+        ("A(x):\n  while x < 3: x += 1\n  produce F(x)", "Python code is not run"),
+        ("A(x):\n  produce F(size(x))", "Python code is not run: `size(...)`"),
+        ("A(x):\n  global y\n  produce F(x)", "Python code is not run"),
+        ("A(x):\n  for i in things:\n    nproduce F\n  produce A(x)", "Python code is not run: a loop over `things`"),
+        ("A(x) --> F(1 if x > 2 else 3)", "`if` in arithmetic"),
+        ("A(x) --> F(x // 2)", "whole division"),
+        ("A(x) << B : produce F", "in the new string"),
+        (
+            "A(x):\n  y = random()\n  if y < 0.5:\n    if x > 2: produce F\n    else: produce f\n  else: produce B",
+            "random number that is used several times",
+        ),
+        ("A(x):\n  if random() < 0.5: x = 3\n  produce F(x)", "random number that is used several times"),
+        ("A(x):\n  y = random()\n  produce F(y)[+F(y)]", "random number that is used several times"),
+    ] {
+        refused(&lpy("A(1)", rule), why);
+    }
+    refused(&format!("size = lambda x: 2*x\n{}", lpy("A(1)", "A(x) --> F(size(x))")), "`size(...)`");
+    refused(&format!("size = open('f').read()\n{}", lpy("A(1)", "A(x) --> F(size)")), "Python code");
+    refused(&format!("def StartEach():\n  global a\n  a = 2\n{}", lpy("A(1)", "A(x) --> F(x)")), "StartEach");
+    refused(&format!("while True: pass\n{}", lpy("A(1)", "A(x) --> F(x)")), "Python code is not run");
+    noted(&format!("import os\n{}", lpy("A(1)", "A(x) --> F(x)")), "Python code is not run");
+    along(&format!("extern(a = 3)\n{}", lpy("A(1)", "A(x) --> F(a)")), &[[0.0, 3.0, 0.0]]);
+    along(&format!("setAngleIncrement(90)\n{}", lpy("F+F", "A --> F")), &[UP, LEFT]);
+}
+
+#[test]
+fn every_part_of_a_system_has_its_fate() {
+    let texts = [
+        "/* a tree */\n#define N 3 /* steps */\nlsystem: 1\nseed: 4\nderivation length: N\nignore: +-\naxiom: A(1)\nA(x) : x < 3 --> F~l(x)\n\t[+A(x)]\nhomomorphism\nF --> !F\nendlsystem\n",
+        "import os\nx = 2 # two\nAxiom: A(x)\nderivation length: 3\nproduction:\nA(x):\n  if x < 3: produce F A(x+1)\nB --> F\ninterpretation:\nA(x) --> f\nendlsystem\n",
+    ];
+    for text in texts {
+        let imported = import(text).unwrap();
+        let end = imported.account.last().map_or(0, |part| part.span.end);
+        assert_eq!(end, text.len());
+        for part in &imported.account {
+            let own = text[part.span.clone()].trim();
+            let comment = own.starts_with("/*") || own.starts_with('#');
+            assert!(part.fate != Fate::Passed || own.is_empty() || comment, "{own}");
+            assert_ne!(part.words, "This is not understood", "{own}");
+        }
+    }
+}
