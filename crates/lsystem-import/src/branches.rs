@@ -134,14 +134,24 @@ fn action(body: &[&Node]) -> Option<(String, usize)> {
             "right" | "rt" | "turnright" | "rotateright" => return turn(is_negative),
             // On a canvas y goes down, so positive angles turn right.
             "rotate" => return turn(is_negative),
-            "push" | "pushmatrix" | "save" | "pushstate" | "savestate" => "open branch",
-            "pop" | "popmatrix" | "restore" | "popstate" | "restorestate" => "close branch",
+            "pushmatrix" | "pushstate" | "savestate" => "open branch",
+            "popmatrix" | "popstate" | "restorestate" => "close branch",
+            // Of a list, only one that keeps states.
+            "push" | "save" | "append" if inside.is_empty() || keeps(body, at) => "open branch",
+            "pop" | "restore" if inside.is_empty() || keeps(body, at) => "close branch",
             "translate" | "moveto" | "move" => "move",
             _ => continue,
         };
         return Some((found.to_owned(), call.span.end));
     }
     None
+}
+
+/// Whether the call at a place is one of a stack: `stack.append(..)`.
+fn keeps(body: &[&Node], at: usize) -> bool {
+    let Some([.., list, dot]) = body.get(..at) else { return false };
+    let name = list.name().unwrap_or_default().to_ascii_lowercase();
+    dot.is(".") && ["stack", "state", "saved", "branch", "pos"].iter().any(|part| name.contains(part))
 }
 
 /// The word that a branch appends, assigns or returns, and its end.

@@ -22,6 +22,7 @@ use crate::tokens::{Kind, Node, tree};
 use crate::value::{Member, Unit, Value, What, elements, members};
 use crate::words::{is_prose, weighted};
 use core::ops::Range;
+use lsystem_syntax::{Diagnostic, parse};
 use lsystem_base::decimal;
 
 /// Words of which a text without an axiom by that name has one.
@@ -206,7 +207,7 @@ impl Reader<'_> {
                     }
                     None => rules.all(&member.value),
                 }
-                if rules.found.is_empty() {
+                if rules.found.is_empty() && rules.lines.is_empty() {
                     return false;
                 }
                 let whole = member.index.is_none() && key == Key::Rules && letter_of(&member.key).is_none();
@@ -428,8 +429,8 @@ impl Reader<'_> {
             return;
         };
         let occurs = |rule: &Rule| rule.from.trim().chars().next().is_some_and(|symbol| axiom.value.contains(symbol));
-        let plausible = is_sure || self.of_field && said.rules.iter().any(occurs);
-        if said.rules.is_empty() || !(plausible || said.rules.iter().all(strict) && said.rules.iter().any(occurs)) {
+        let plausible = is_sure || !said.lines.is_empty() || self.of_field && said.rules.iter().any(occurs);
+        if said.rules.is_empty() && said.lines.is_empty() || !(plausible || said.rules.iter().all(strict) && said.rules.iter().any(occurs)) {
             return;
         }
         self.systems.push(said);
@@ -447,9 +448,9 @@ impl Reader<'_> {
         let word = word_of(&axiom.value)?;
         let has_rules = own.iter().any(|member| match key(&member.key) {
             Some(Key::Rules) => match &member.value.what {
-                What::Group(..) => true,
+                What::Group(..) => is_of_symbols(&member.value),
                 What::Text(text) => text.contains(['=', '>', '→', ':']) || letter_of(&member.key).is_some(),
-                _ => is_sure(&axiom.key) && matches!(member.value.what, What::Code),
+                _ => false,
             },
             Some(Key::Rule) => member.value.text().is_some() || member.value.items().is_some(),
             _ => false,
@@ -457,7 +458,7 @@ impl Reader<'_> {
         // The course's own form has a reader of its own.
         let ours = own.iter().any(|member| member.key == "initial")
             && own.iter().any(|member| matches!(&*member.key, "turtle" | "style" | "num_iters" | "angle_deg"));
-        if !has_rules || ours || is_prose(&word) && !is_sure(&axiom.key) {
+        if !has_rules || ours || is_prose(&word) {
             return None;
         }
         let mut said = Statements::new(name, span.start, Symbols::Program);
@@ -569,6 +570,13 @@ fn value_span(member: &Member<'_>) -> Range<usize> {
     if member.value.span.is_empty() { member.span.clone() } else { member.value.span.clone() }
 }
 
+/// Whether a bracket may hold rules: no keys, or keys for the sides of a rule, or predecessors.
+fn is_of_symbols(value: &Value<'_>) -> bool {
+    let own = value.members();
+    let side = |key: &str| FROM.contains(&key) || TO.contains(&key);
+    own.is_empty() || own.iter().any(|member| side(&member.key) || !is_prose(&member.key))
+}
+
 /// Whether a key can only be that of an axiom.
 fn is_sure(key: &str) -> bool {
     key.to_ascii_lowercase().contains("axiom")
@@ -581,14 +589,14 @@ fn contradict(said: &mut Statements, first: &Range<usize>, second: &Range<usize>
     said.refuse(second.clone(), why);
 }
 
-/// The word of a value: a string, or a list of strings.
+/// The word of a value: a string, or a list of symbols.
 fn word_of(value: &Value<'_>) -> Option<String> {
     match &value.what {
         What::Text(text) => Some(text.clone()),
-        What::Group(..) => {
+        What::Group(_, None | Some("list" | "Array" | "of" | "from" | "vec")) => {
             let parts = value.elements();
-            let word: Option<String> =
-                parts.iter().map(Value::text).collect::<Option<Vec<_>>>().map(|words| words.concat());
+            let symbol = |part: &Value<'_>| part.text().filter(|text| text.chars().count() <= 2).map(str::to_owned);
+            let word = parts.iter().map(symbol).collect::<Option<String>>();
             word.filter(|word| !word.is_empty())
         }
         _ => None,
@@ -677,6 +685,8 @@ struct Rules {
     remarks: Vec<(Range<usize>, &'static str)>,
     /// Keys before alternatives.
     keys: Vec<Range<usize>>,
+    /// Rules with parameters, as lines of our notation.
+    lines: Vec<Said<String>>,
 }
 
 const CODE: &str = "This rule is code, which is not read";
@@ -686,6 +696,7 @@ impl Rules {
     fn into(self, said: &mut Statements) {
         said.rules.extend(self.found);
         said.comments.extend(self.keys);
+        said.lines.extend(self.lines);
         self.remarks.into_iter().for_each(|(span, why)| said.refuse(span, why));
     }
 
@@ -785,6 +796,14 @@ impl Rules {
 
     /// Rules in the lines of a string.
     fn lines(&mut self, text: &str, span: &Range<usize>) {
+        let sections = ["draw:", "ignore", "consider"];
+        let is_section = |line: &str| sections.iter().any(|section| line.trim_start().starts_with(section));
+        if text.contains('(') || text.lines().any(is_section) {
+            let (grammar, problems) = parse("", text);
+            if !grammar.productions.is_empty() && !problems.iter().any(Diagnostic::is_error) {
+                return self.lines.push(Said::new(text.to_owned(), span.clone()));
+            }
+        }
         let separators: &[char] = if text.contains('\n') { &['\n', ';'] } else { &[';', ','] };
         for rule in text.split(separators).map(str::trim).filter(|rule| !rule.is_empty()) {
             match split_rule(rule) {

@@ -64,7 +64,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
 
 /// Whether several lines of a text are those of a program.
 fn is_program(text: &str) -> bool {
-    const STARTS: [&str; 26] = [
+    const STARTS: [&str; 29] = [
         "import ",
         "from ",
         "def ",

@@ -352,3 +352,47 @@ fn prose_and_code_without_a_system_are_passed() {
         assert_eq!(import(text).map(|found| format!("{found:#?}")), None, "{text}");
     }
 }
+
+/// Files of this repository without a system: programs, tables and documents that speak of L-systems.
+#[test]
+fn files_without_a_system_are_passed() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for file in [
+        "crates/lsystem-base/src/limits.rs",
+        "crates/lsystem-base/src/meter.rs",
+        "crates/lsystem-derive/src/counts.rs",
+        "crates/lsystem-derive/src/walk.rs",
+        "crates/lsystem-drawing/src/rotation.rs",
+        "crates/lsystem-render/src/vantage.rs",
+        "crates/lsystem-plot/src/order.rs",
+        "crates/lsystem-files/src/paper/bibtex.rs",
+        "crates/lsystem-files/src/csv.rs",
+        "crates/lsystem-film/src/easing.rs",
+        "crates/lsystem-find/src/lattice.rs",
+        "crates/lsystem-syntax/src/message.rs",
+        "crates/lsystem-import/src/keys.rs",
+        "crates/lsys/src/cli.rs",
+        "crates/xtask/src/main.rs",
+        "www/js/refusal.js",
+        "www/js/course/maker.js",
+        "www/js/tables.js",
+        "www/js/state.js",
+        "www/js/main.js",
+        "www/worker/drawing.js",
+        "docs/about.md",
+        "docs/embedding.md",
+        "docs/films.md",
+        "docs/find.md",
+        "docs/growth.md",
+        "docs/meshes.md",
+        "docs/plotting.md",
+        "docs/scale.md",
+        "docs/security.md",
+        "docs/worker.md",
+        "ARCHITECTURE.md",
+        "CHANGELOG.md",
+    ] {
+        let text = std::fs::read_to_string(root.join(file)).unwrap();
+        assert_eq!(import(&text).map(|found| format!("{}: {:#?}", found.notation, found.entries)), None, "{file}");
+    }
+}

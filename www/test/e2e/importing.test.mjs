@@ -108,6 +108,28 @@ test('a file of many systems is a list of pictures, and says what cannot be open
         await until(async () => (await page.inputValue('#axiom')) === 'FX', 'the dragon is open');
     }));
 
+test('the account shows what became of every part, and pointing at one shows the other', () =>
+    withPage({}, async (page) => {
+        await paste(page, '#drawing', `${PROSE}\nWritten in a hurry, on paper.\nn = 4`);
+        await page.waitForSelector('#import[open]');
+        assert.match(await text(page, '#import-source'), /^variables|Fractal plant/);
+        const rule = page.locator('#import-source mark.read', { hasText: 'F → FF' });
+        await rule.hover();
+        assert.equal(await text(page, '#import-parts .pointed'), 'F -> FF');
+        await page.locator('#import-parts li', { hasText: 'angle 25' }).hover();
+        assert.match(await text(page, '#import-source .pointed'), /25/);
+        assert.match(await text(page, '#import-parts .noted >> nth=-1'), /Line 7.*not understood/s);
+    }));
+
+test('our own JSON opens where it is pasted, and other words are answered', () =>
+    withPage({}, async (page) => {
+        await paste(page, '#drawing', '{"initial": "A", "rules": {"A": "A+A"}, "angle_deg": 33, "num_iters": 3}');
+        await until(async () => (await page.inputValue('#angle')) === '33', 'the system is open');
+        assert.ok(!(await page.isVisible('#import')));
+        await paste(page, '#drawing', 'Nothing to be seen here, dear reader.');
+        await until(async () => /No L-system was found/.test(await text(page, '#toast')), 'an answer');
+    }));
+
 /** Lets the page load its readers. @param {Page} page */
 async function loadReaders(page) {
     await paste(page, '#drawing', PROSE);

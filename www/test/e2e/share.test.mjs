@@ -25,6 +25,17 @@ async function share(page) {
     );
 }
 
+test('a system is copied as text for other programs', () =>
+    withPage({}, async (page) => {
+        await share(page);
+        await page.click('#share-as > summary');
+        await page.selectOption('#as-notation', 'fractint');
+        await until(async () => /^\S.*\{[^]*axiom/i.test(await page.inputValue('#as-text')), 'an entry of Fractint');
+        await page.selectOption('#as-notation', 'python');
+        await until(async () => /import turtle/.test(await page.inputValue('#as-text')), 'a program');
+        assert.ok(await page.isEnabled('#as-copy'));
+    }));
+
 /** Opens the part with code for other pages. @param {import('playwright-core').Page} page */
 async function embed(page) {
     await page.click('#share-embed > summary');

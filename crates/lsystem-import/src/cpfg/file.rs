@@ -16,9 +16,9 @@ use std::collections::BTreeSet;
 const MOST_DEFINITIONS: usize = 2000;
 
 pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
-    // Not of `lsystem: {` in an object.
+    // Not of `lsystem: {` in an object, or `lsystem::draw` in a program.
     let begins =
-        |line: &str| keyword(line).is_some_and(|(word, rest)| word == "lsystem" && !rest.starts_with(['{', '[', '"']));
+        |line: &str| keyword(line).is_some_and(|(word, rest)| word == "lsystem" && !rest.starts_with(['{', '[', '"', ':']));
     source.text.lines().any(begins).then(|| vec![system(source)])
 }
 
