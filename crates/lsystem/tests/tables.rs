@@ -197,6 +197,14 @@ fn late_tables() -> String {
         let [name, label, help, ending] = [name, label, help, ending].map(|text| quoted(text));
         writeln!(script_text, "    {name}: {{ label: {label}, help: {help}, ending: {ending} }},").unwrap();
     }
+    script_text += "});\n\n/** The letters of ASCII that draw, by dialect. */\nexport const DRAWS = /* @__PURE__ */ Object.freeze({\n";
+    for dialect in Dialect::ALL {
+        let letters: String = ('A'..='Z')
+            .chain('a'..='z')
+            .filter(|letter| dialect.actions(*letter).iter().any(|action| action.draws()))
+            .collect();
+        writeln!(script_text, "    {}: {},", quoted(dialect.name()), quoted(&letters)).unwrap();
+    }
     script_text += "});\n\n/** What files are for, in the order of the page's dialog, with labels. */\n\
         export const PURPOSES = /* @__PURE__ */ Object.freeze({\n";
     for purpose in Purpose::ALL {

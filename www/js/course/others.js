@@ -4,12 +4,13 @@
  */
 
 import { button, html, setText } from '../dom.js';
+import { wholeOf } from '../exercise/open.js';
 import { blackOnWhite, pictureOf } from '../find/examples.js';
 import { inked, levelOf } from '../find/ink.js';
 import { systems } from '../find/merge.js';
 import { candidateCard, workWords } from '../find/results.js';
 import { createSearch } from '../find/search.js';
-import { ASKS } from '../late-tables.js';
+import { ASKS, DRAWS } from '../late-tables.js';
 import { Cancelled } from '../tool.js';
 
 /** @typedef {import('../state.js').Definition} Definition */
@@ -18,17 +19,9 @@ import { Cancelled } from '../tool.js';
 /** @typedef {import('../protocol.js').Candidate} Candidate */
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
 
-/** The letters that draw, by dialect; those in space are not searched. @type {Partial<Record<Definition['dialect'], string>>} */
-const DRAWS = {
-    abop: 'FG',
-    practical: 'FG',
-    'every-letter': 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz',
-    lowercase: 'abcdefghijklmnopqrstuvwxyz',
-};
-
 /** The letters that draw in a system. @param {Pick<Definition, 'dialect' | 'overrides'>} definition */
 export function drawsOf({ dialect, overrides }) {
-    const draws = new Set(DRAWS[dialect] ?? '');
+    const draws = new Set(DRAWS[dialect]);
     for (const [, symbol = '', actions = ''] of overrides.matchAll(/^\s*(\S)\s*:(.*)$/gm)) {
         if (/\bdraw\b/.test(actions)) draws.add(symbol);
         else draws.delete(symbol);
@@ -57,14 +50,10 @@ const linesOf = (rules) =>
 const predecessorOf = (line) => line.split(/->|→|=>/)[0] ?? '';
 
 /** A candidate as the answer of a student: its rules beside the given ones. @param {Definition} candidate @param {Pick<AboutExercise, 'fixed' | 'free'>} about @returns {Definition} */
-export function answerOf(candidate, { fixed, free }) {
-    const given = new Set(linesOf(fixed.rules).map(predecessorOf));
+export function answerOf(candidate, about) {
+    const given = new Set(linesOf(about.fixed.rules).map(predecessorOf));
     const own = candidate.rules.split('\n').filter((line) => !given.has(predecessorOf(line.replace(/\s/g, ''))));
-    return {
-        ...fixed,
-        ...Object.fromEntries(free.map((field) => [field, candidate[field]])),
-        rules: [...own, ...linesOf(fixed.rules)].join('\n'),
-    };
+    return wholeOf(about, { ...candidate, rules: own.join('\n') });
 }
 
 /** What makes two answers the same. @param {Definition} answer */
@@ -102,7 +91,7 @@ export function createOthers(engine, tool, exercise) {
     async function look(made, signal) {
         const { target } = made;
         if (!ASKS[made.asks].isSearched) return tell('Only exercises that ask for the picture are searched.');
-        if (!DRAWS[target.dialect] || (target.rightAngle !== null && target.rightAngle !== target.angle))
+        if (target.dialect === 'axes' || (target.rightAngle !== null && target.rightAngle !== target.angle))
             return tell('Systems in space and with two angles are not searched.');
         const x = await tool.call('write', { exercise: made });
         const about = await tool.call('open', { text: x });

@@ -38,8 +38,8 @@ export function startOf(about, link) {
 /**
  * The whole system of a student: what was found, and all that is given. The student's rules come first, so that places
  * in them stay where they are.
- * @param {AboutExercise} about
- * @param {Readonly<State>} state
+ * @param {Pick<AboutExercise, 'fixed' | 'free'>} about
+ * @param {Readonly<Definition>} state
  * @returns {Definition}
  */
 export function wholeOf(about, state) {

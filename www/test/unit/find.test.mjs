@@ -147,7 +147,7 @@ test('an exercise asks for what its students do not know', () => {
         { ...target, rules: 'X -> F[-X]X\nF -> F', iterations: 3 },
         { fixed: { ...target, rules: 'F -> FF' }, free: ['iterations'] },
     );
-    assert.deepEqual([answer.rules, answer.iterations], ['X -> F[-X]X\nF->FF', 3]);
+    assert.deepEqual([answer.rules, answer.iterations], ['X -> F[-X]X\nF -> FF', 3]);
 });
 
 test('an SVG gets a size, and loses what may take any time', () => {
