@@ -173,7 +173,7 @@ fn command(text: &str) -> (&'static str, usize) {
     let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
     match COMMANDS.iter().find(|(name, _)| *name == &rest[..length]) {
         Some((_, sign)) => (sign, 1 + length),
-        None => (" ", 1 + length.max(usize::from(length == 0 && !rest.is_empty()) * 0)),
+        None => (" ", 1 + length),
     }
 }
 

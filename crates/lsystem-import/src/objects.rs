@@ -22,8 +22,8 @@ use crate::tokens::{Kind, Node, tree};
 use crate::value::{Member, Unit, Value, What, elements, members};
 use crate::words::{is_prose, weighted};
 use core::ops::Range;
-use lsystem_syntax::{Diagnostic, parse};
 use lsystem_base::decimal;
+use lsystem_syntax::{Diagnostic, parse};
 
 /// Words of which a text without an axiom by that name has one.
 const FIELD: [&str; 6] = ["axiom", "l-system", "lsystem", "lindenmayer", "l_system", "turtle"];
@@ -190,7 +190,7 @@ impl Reader<'_> {
                 let mut rules = Rules::default();
                 match member.index {
                     Some(index) if index.text().is_some() => {
-                        rules.keyed(index.text().unwrap_or_default(), &member.value)
+                        rules.keyed(index.text().unwrap_or_default(), &member.value);
                     }
                     Some(_) => rules.listed(&member.value),
                     None if key == Key::Rule
@@ -362,7 +362,7 @@ impl Reader<'_> {
             self.part(&mut said, &member);
         }
         for value in &own {
-            if value.number().is_some() && !said.angle.as_ref().is_some_and(|angle| angle.span.end == value.span.end) {
+            if value.number().is_some() && said.angle.as_ref().is_none_or(|angle| angle.span.end != value.span.end) {
                 said.note(value.span.clone(), "The text does not say what this number is");
             }
         }
@@ -430,7 +430,9 @@ impl Reader<'_> {
         };
         let occurs = |rule: &Rule| rule.from.trim().chars().next().is_some_and(|symbol| axiom.value.contains(symbol));
         let plausible = is_sure || !said.lines.is_empty() || self.of_field && said.rules.iter().any(occurs);
-        if said.rules.is_empty() && said.lines.is_empty() || !(plausible || said.rules.iter().all(strict) && said.rules.iter().any(occurs)) {
+        if said.rules.is_empty() && said.lines.is_empty()
+            || !(plausible || said.rules.iter().all(strict) && said.rules.iter().any(occurs))
+        {
             return;
         }
         self.systems.push(said);
@@ -527,7 +529,7 @@ impl Reader<'_> {
                     Some(Key::RightAngle) => said.right = said_angle,
                     // `alpha` beside `theta` is another angle.
                     _ if member.key == "alpha" && said.angle.is_some() => {
-                        said.note(span, "`alpha` is not carried over")
+                        said.note(span, "`alpha` is not carried over");
                     }
                     _ => said.angle = said_angle,
                 }
@@ -542,7 +544,7 @@ impl Reader<'_> {
             }
             Some(Key::Name) if value.text().is_some() => said.note_name(span),
             Some(Key::Step) if value.number().is_some() => {
-                said.note(span, "The length of a step changes only the size, which is fitted")
+                said.note(span, "The length of a step changes only the size, which is fitted");
             }
             Some(Key::Meanings) => {
                 let known: Vec<&(char, String, Range<usize>)> =
@@ -729,7 +731,7 @@ impl Rules {
                 let texts: Vec<&str> = list.iter().filter_map(Value::text).collect();
                 // `Map.of('A', "AB", 'B', "A")`, `{"F" "FF"}`
                 let paired = texts.len() == list.len()
-                    && list.len() % 2 == 0
+                    && list.len().is_multiple_of(2)
                     && !list.is_empty()
                     && texts.iter().step_by(2).all(|from| from.trim().chars().count() == 1);
                 if paired {

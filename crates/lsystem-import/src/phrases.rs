@@ -51,9 +51,9 @@ pub(super) fn actions(phrase: &str) -> Option<(Vec<&'static str>, Option<f64>)> 
             "roll right"
         } else if has(&["turn around", "turn round", "reverse", "turn back", "180"]) && !has(&["pitch", "roll"]) {
             "turn round"
-        } else if turns && left || left && angle_in(part).is_some() {
+        } else if left && (turns || angle_in(part).is_some()) {
             "turn left"
-        } else if turns && right || right && angle_in(part).is_some() {
+        } else if right && (turns || angle_in(part).is_some()) {
             "turn right"
         } else if has(&["without drawing", "without line", "pen up", "no line", "don't draw", "not draw"])
             || has(&["move", "moves", "bewege", "avancer sans"]) && !has(&["draw", "drawing", "line", "zeichne"])

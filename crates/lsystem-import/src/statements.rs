@@ -358,7 +358,7 @@ impl Reader<'_> {
                 let letter = letter_of(&label.word);
                 let has_arrow = ARROWS.iter().any(|arrow| text.contains(arrow));
                 match letter.filter(|_| !has_arrow && weak(&text).is_none() && !text.is_empty() && !is_prose(&text)) {
-                    Some(letter) => self.push_rule(letter.to_string(), text, None, &whole),
+                    Some(letter) => self.push_rule(&letter.to_string(), text, None, &whole),
                     None => self.region(&inner, Section::Rules, true),
                 }
                 let head = label.start..inner.start.min(label.value.max(label.start));
@@ -481,7 +481,7 @@ impl Reader<'_> {
     fn axiom(&mut self, label: &Label, value: &Range<usize>) {
         let (inner, end) = self.word(value);
         let text: String = self.text(&inner).to_owned();
-        if text.is_empty() || !(label.word.to_lowercase().contains("axiom") || !is_prose(&text)) {
+        if text.is_empty() || !label.word.to_lowercase().contains("axiom") && is_prose(&text) {
             return;
         }
         if is_prose(&text) && text.split_whitespace().count() > 2 {
@@ -593,7 +593,7 @@ impl Reader<'_> {
                         continue;
                     }
                     let (to, weight) = weighted(&to);
-                    self.push_rule(from, to.to_owned(), weight, &place);
+                    self.push_rule(&from, to.to_owned(), weight, &place);
                 }
             }
             None => {
@@ -621,7 +621,7 @@ impl Reader<'_> {
         }
     }
 
-    fn push_rule(&mut self, from: String, to: String, weight: Option<f64>, place: &Range<usize>) {
+    fn push_rule(&mut self, from: &str, to: String, weight: Option<f64>, place: &Range<usize>) {
         // `*` stands for any context.
         let bare = from.trim();
         let bare = bare.strip_prefix('*').map_or(bare, |rest| rest.trim_start().strip_prefix('<').unwrap_or(bare));
@@ -673,7 +673,7 @@ impl Reader<'_> {
             let word =
                 if matches!(word, "ε" | "λ" | "∅" | "ϵ" | "epsilon" | "*" | "\"\"" | "''") { "" } else { word };
             let _ = section;
-            self.push_rule(own, word.to_owned(), weight.or(head_weight), &place);
+            self.push_rule(&own, word.to_owned(), weight.or(head_weight), &place);
         }
         let rest = range.start + from..range.end;
         let rest = self.trimmed(&rest, &[',', ';', '.', ')', '(']);
@@ -829,7 +829,8 @@ impl Reader<'_> {
         // From the first to the last statement, all lines belong to the system.
         let start = said.extents.iter().map(|extent| extent.start).min().unwrap_or_default();
         let end = said.extents.iter().map(|extent| extent.end).max().unwrap_or_default();
-        said.extents = vec![start..end];
+        said.extents.clear();
+        said.extents.push(start..end);
         said.start = start;
         if said.name.is_empty()
             && let Some(title) = title

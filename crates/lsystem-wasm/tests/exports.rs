@@ -209,9 +209,9 @@ fn modules_are_read_with_their_arguments() {
 fn pictures_carry_their_system() {
     const PNG: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x01\0\0\0\x01\x08\0\0\0\0\x3a\x7e\x9b\x55";
     let definition = Definition { rules: "X -> F[+X][-X]FX\nF -> FF".into(), ..Definition::default() };
-    let text = ["L-system\0\0\0\0\0", &write_json(&definition)].concat();
+    let words = ["L-system\0\0\0\0\0", &write_json(&definition)].concat();
     // Checksums are not verified.
-    let chunk = [&(text.len() as u32).to_be_bytes(), &b"iTXt"[..], text.as_bytes(), &[0; 4]].concat();
+    let chunk = [&(words.len() as u32).to_be_bytes(), &b"iTXt"[..], words.as_bytes(), &[0; 4]].concat();
     let file = read_file(&[PNG, &chunk].concat()).unwrap();
     assert_eq!(text(&get(&file, "definition"), "rules"), "X -> F[+X][-X]FX\nF -> FF");
     assert_eq!(get(&file, "diagnostics").unchecked_into::<Array>().length(), 0);

@@ -17,8 +17,9 @@ const MOST_DEFINITIONS: usize = 2000;
 
 pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     // Not of `lsystem: {` in an object, or `lsystem::draw` in a program.
-    let begins =
-        |line: &str| keyword(line).is_some_and(|(word, rest)| word == "lsystem" && !rest.starts_with(['{', '[', '"', ':']));
+    let begins = |line: &str| {
+        keyword(line).is_some_and(|(word, rest)| word == "lsystem" && !rest.starts_with(['{', '[', '"', ':']))
+    };
     source.text.lines().any(begins).then(|| vec![system(source)])
 }
 
