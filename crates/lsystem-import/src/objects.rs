@@ -575,8 +575,9 @@ fn value_span(member: &Member<'_>) -> Range<usize> {
 /// Whether a bracket may hold rules: no keys, or keys for the sides of a rule, or predecessors.
 fn is_of_symbols(value: &Value<'_>) -> bool {
     let own = value.members();
-    let side = |key: &str| FROM.contains(&key) || TO.contains(&key);
-    own.is_empty() || own.iter().any(|member| side(&member.key) || !is_prose(&member.key))
+    let has = |keys: &[&str]| own.iter().any(|member| keys.contains(&&*member.key));
+    let is_predecessor = |key: &str| (1..=2).contains(&key.trim().chars().count()) || key.contains(['<', '>', '(']);
+    own.is_empty() || has(FROM) && has(TO) || own.iter().any(|member| is_predecessor(&member.key))
 }
 
 /// Whether a key can only be that of an axiom.

@@ -91,6 +91,9 @@ fn is_program(text: &str) -> bool {
         "local ",
         "elif ",
         "else:",
+        "//!",
+        "///",
+        "use ",
     ];
     let is_code = |line: &&str| {
         let line = line.trim_start();
