@@ -47,6 +47,15 @@ export const NOTATIONS = /* @__PURE__ */ Object.freeze({
     'anvaka': { label: 'anvaka’s page', help: 'Text for anvaka’s page, with one action for each symbol', ending: 'txt' },
 });
 
+/** The letters of ASCII that draw, by dialect. */
+export const DRAWS = /* @__PURE__ */ Object.freeze({
+    'abop': 'FG',
+    'every-letter': 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz',
+    'practical': 'FG',
+    'lowercase': 'abcdefghijklmnopqrstuvwxyz',
+    'axes': 'F',
+});
+
 /** What files are for, in the order of the page's dialog, with labels. */
 export const PURPOSES = /* @__PURE__ */ Object.freeze({
     screen: 'Screen',

@@ -187,6 +187,9 @@ impl Reader<'_> {
                 self.flat_axiom(&word, member.span.clone(), is_sure(&member.key));
             }
             Key::Rules | Key::Rule => {
+                if member.index.is_none() && member.value.items().is_some() && !is_of_symbols(&member.value) {
+                    return false;
+                }
                 let mut rules = Rules::default();
                 match member.index {
                     Some(index) if index.text().is_some() => {
