@@ -5,6 +5,7 @@ use crate::input::{self, InputSystem};
 use crate::output::escape_json;
 use crate::{CommandFailure, cores, print};
 use lsystem::derive::Tally;
+use lsystem::drawing::why_empty;
 use lsystem::syntax::visible;
 use lsystem::{Diagnostic, Figure, Progress, count_segments, count_symbols};
 use serde::Serialize;
@@ -48,6 +49,9 @@ struct GrowthFactors {
 pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(), CommandFailure> {
     let (all, is_good) = cores::in_order(files, |file, limits, say| {
         let input = input::read(file, changes, say)?;
+        if let Some(reason) = why_empty(&input.system, input.iterations) {
+            say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
+        }
         limits.make(|shares| {
             let facts = facts(&input, shares);
             // Facts that a share of the limits leaves unknown may be known with all limits.
@@ -185,6 +189,7 @@ impl Display for FileFacts {
 mod tests {
     use super::ratio;
     use lsystem::derive::Tally;
+    use lsystem::drawing::why_empty;
 
     fn power(base: u32, exponent: u32) -> Tally {
         (0..exponent).fold(Tally::from(1_u64), |power, _| {

@@ -394,6 +394,28 @@ impl<'a> Assembly<'a> {
         }
     }
 
+    /// Whether a turn follows a symbol in its branch, so that an exchange of left and right would matter.
+    fn turns_behind(&self, symbol: char) -> bool {
+        let words = self.grammar.productions.iter().map(|production| &production.successor);
+        words.chain([&self.grammar.axiom]).any(|word| {
+            let mut depth = 0_i32;
+            let mut seen: Option<i32> = None;
+            word.iter().any(|module| {
+                match module.symbol {
+                    '[' => depth += 1,
+                    ']' => {
+                        depth -= 1;
+                        seen = seen.filter(|level| depth >= *level);
+                    }
+                    own if own == symbol => seen = seen.or(Some(depth)),
+                    '+' | '-' => return seen.is_some(),
+                    _ => {}
+                }
+                false
+            })
+        })
+    }
+
     /// The symbols of a program that is not known.
     fn program(&mut self, symbols: &[char], said: &[(char, &str)], draws: bool) {
         let line = self.draft.line;
@@ -434,7 +456,7 @@ impl<'a> Assembly<'a> {
         }
         let has = |symbol: char| symbols.contains(&symbol) && !is_said(symbol);
         let in_space: Vec<char> = IN_SPACE.into_iter().filter(|symbol| has(*symbol)).collect();
-        let exchanged = in_space == ['&'] && said.is_empty();
+        let exchanged = in_space == ['&'] && said.is_empty() && self.turns_behind('&');
         if exchanged {
             let why = "The text does not say whether `&` pitches the turtle or exchanges left and right";
             self.draft.refuse(line, "&", why);

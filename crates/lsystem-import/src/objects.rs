@@ -517,6 +517,11 @@ impl Reader<'_> {
                 let mut rules = Rules::default();
                 match (letter_of(&member.key), value.text()) {
                     (Some(letter), Some(text)) if split_rule(text).is_none() => {
+                        // A key may write the letter small.
+                        let axiom = said.axiom.as_ref().map_or("", |axiom| &axiom.value);
+                        let large = letter.to_ascii_uppercase();
+                        let is_small = !axiom.contains(letter) && axiom.contains(large);
+                        let letter = if is_small { large } else { letter };
                         rules.keyed(letter.encode_utf8(&mut [0; 4]), value);
                     }
                     _ => rules.all(value),

@@ -219,9 +219,9 @@ fn kinds_of_texts() {
         ),
         check("{axiom:'F', replace:{F:'F+G',G:'F-G'}, angle:90}", "F", &["F -> F+G", "G -> F-G"], 90.0, None),
         check(
-            "return {axiom=\"FA\", rules_A=\"[+F][-F]\", angle=30, iterations=1}",
+            "return {axiom=\"FA\", rules_a=\"[&F][+F]\", angle=30, iterations=1}",
             "FA",
-            &["A -> [+F][-F]"],
+            &["A -> [&F][+F]"],
             30.0,
             Some(1),
         ),

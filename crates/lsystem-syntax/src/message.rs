@@ -428,9 +428,10 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             if text.is_empty() { "An action is missing here".into() } else { format!("`{text}` is not an action") },
             match similar {
                 Some(similar) => format!("Did you mean `{similar}`?"),
-                None => "Actions are draw, move, turn left, turn right, turn round, open branch, close branch, colour 2, \
-                         next colour, previous colour, width 2, thicker, thinner, length times 0.5, swap turns, circle, \
-                         disc, nothing."
+                None => "Actions are draw, move, draw unmarked, move unmarked, turn left, turn right, turn round, pitch \
+                         down, pitch up, roll left, roll right, roll upright, open branch, close branch, cut branch, \
+                         open polygon, vertex, close polygon, colour 2, next colour, previous colour, width 2, width \
+                         times 0.5, thicker, thinner, length times 0.5, swap turns, circle, disc, nothing."
                     .into(),
             },
         ),

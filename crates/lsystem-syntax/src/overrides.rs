@@ -343,3 +343,17 @@ fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hint_for_an_unknown_action_names_all_actions() {
+        let hint = parse_overrides("X: qqqqqq").1[0].hint().unwrap();
+        let spelt_otherwise = ["turn around", "push", "pop", "color", "next color", "previous color", "disk"];
+        for (name, _) in FORMS.iter().filter(|(name, _)| !spelt_otherwise.contains(name)) {
+            assert!(hint.contains(name), "{name}: {hint}");
+        }
+    }
+}
