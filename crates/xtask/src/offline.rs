@@ -58,7 +58,7 @@ mod tests {
         assert!(list_files(site).is_err(), "what the first screen needs is missing");
         FIRST.iter().for_each(|name| files::write(&site.join(name), "").unwrap());
         list_files(site).unwrap();
-        let worker = fs::read_to_string(&site.join(WORKER)).unwrap();
+        let worker = fs::read_to_string(site.join(WORKER)).unwrap();
         // The first two are published examples of SHA-256.
         assert!(worker.starts_with("const BUILD = \"") && worker.ends_with(";\nwork()"), "{worker}");
         for part in [
@@ -75,6 +75,6 @@ mod tests {
         files::write(&site.join(WORKER), "work()").unwrap();
         files::write(&site.join("page.js"), "abd").unwrap();
         list_files(site).unwrap();
-        assert_ne!(fs::read_to_string(&site.join(WORKER)).unwrap()[..40], worker[..40]);
+        assert_ne!(fs::read_to_string(site.join(WORKER)).unwrap()[..40], worker[..40]);
     }
 }
