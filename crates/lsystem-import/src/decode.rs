@@ -146,6 +146,15 @@ impl Decoded {
         start..if range.is_empty() { start } else { place(range.end).max(start) }
     }
 
+    /// The whole lines of the text around a span of the source, as a span of the source.
+    pub(super) fn lines_around(&self, span: Range<usize>) -> Range<usize> {
+        let (start, end) = (self.place_of(span.start), self.place_of(span.end));
+        let start = self.text.get(..start).and_then(|text| text.rfind('\n')).map_or(0, |at| at + 1);
+        let end = self.text.get(end..).and_then(|text| text.find('\n')).map_or(self.text.len(), |at| end + at);
+        let found = self.span(&(start..end));
+        found.start.min(span.start)..found.end.max(span.end)
+    }
+
     /// The place in the text of a place in the source.
     pub(super) fn place_of(&self, at: usize) -> usize {
         self.places.partition_point(|place| *place < at).min(self.text.len())

@@ -327,6 +327,10 @@ impl Reader<'_> {
                 }
                 true
             }
+            // `LSystem::new(..)`, `LSystem.create(..)`
+            ("new" | "create" | "build" | "init" | "from", _) if receiver.is_some() => {
+                self.constructor(receiver.unwrap_or_default(), arguments, span, "")
+            }
             _ => self.constructor(function, arguments, span, ""),
         }
     }
@@ -453,7 +457,11 @@ impl Reader<'_> {
         let word = word_of(&axiom.value)?;
         let has_rules = own.iter().any(|member| match key(&member.key) {
             Some(Key::Rules) => match &member.value.what {
-                What::Group(..) => is_of_symbols(&member.value),
+                // Not of `rules = new HashMap<>()`, which is filled later.
+                What::Group(node, name) => {
+                    let is_call = name.is_some() && node.group().is_some_and(<[Node]>::is_empty);
+                    !is_call && is_of_symbols(&member.value)
+                }
                 What::Text(text) => text.contains(['=', '>', '→', ':']) || letter_of(&member.key).is_some(),
                 _ => false,
             },

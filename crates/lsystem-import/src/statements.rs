@@ -833,7 +833,7 @@ impl Reader<'_> {
         let start = said.extents.iter().map(|extent| extent.start).min().unwrap_or_default();
         let end = said.extents.iter().map(|extent| extent.end).max().unwrap_or_default();
         said.extents.clear();
-        said.extents.push(start..end);
+        said.extents.push(self.decoded.lines_around(start..end));
         said.start = start;
         if said.name.is_empty()
             && let Some(title) = title
@@ -969,7 +969,7 @@ fn arrows(text: &str) -> Vec<Range<usize>> {
             continue;
         }
         // A further arrow stands behind a predecessor that is apart, and before a successor.
-        let own = head.rsplit([' ', ',', ';', '(', '\t']).next().unwrap_or_default();
+        let own = head.rsplit([' ', ',', ';', '(', '\t']).next().unwrap_or_default().trim_matches(QUOTES);
         let apart = head.len() > own.len() && (own.chars().count() == 1 || own.ends_with(')'));
         if apart && !text[place.end..].trim().is_empty() {
             found.push(place);
@@ -1053,7 +1053,8 @@ fn predecessor(before: &str) -> (Range<usize>, Option<f64>) {
     let mut token = &text[start..end];
     // Behind a label, a bracket or a separator in the same token.
     for separator in [": ", ", ", "; "] {
-        if let Some(at) = token.rfind(separator) {
+        // Not inside the parentheses of a module.
+        if let Some(at) = token.rfind(separator).filter(|at| !token[..*at].contains('(')) {
             start += at + separator.len();
             token = &text[start..end];
         }
@@ -1179,6 +1180,10 @@ fn constant(text: &str) -> Option<String> {
 
 /// Whether a line is a title: words without an arrow and without a label.
 fn is_title(line: &str) -> bool {
+    // `variables : F G` is none.
+    if line.split_once(':').is_some_and(|(_, rest)| !rest.trim().is_empty() && !is_prose(rest)) {
+        return false;
+    }
     line.chars().filter(|ch| ch.is_alphabetic()).count() > 3
         && line.len() < 100
         && !line.contains(['→', '=', '{', ',', '>'])

@@ -420,6 +420,13 @@ impl Sums<'_> {
                 if self.eat("°") {
                     self.unit = Unit::Degrees;
                 }
+                // `90 Degree`
+                if let Some(name) = self.nodes.get(self.at).and_then(Node::name)
+                    && matches!(&*name.to_lowercase(), "deg" | "degree" | "degrees")
+                {
+                    self.at += 1;
+                    self.unit = Unit::Degrees;
+                }
                 if self.eat("π") {
                     self.unit = Unit::Radians;
                     return Some(value * core::f64::consts::PI);
