@@ -164,14 +164,14 @@ export function createImporting({ store, engine, restyle }) {
         setLayer(hideOffer, false);
     }
 
-    /** @param {string} text @returns {Promise<Imported | null>} */
+    /** @param {string} text @returns {Promise<Imported | null | undefined>} null if there is no system, undefined if the readers did not load */
     async function read(text) {
         if (!mayBeSystem(text)) return null;
         try {
             return await tool.call('import', { text });
         } catch {
             toast('The readers of other notations did not load. Try again.');
-            return null;
+            return undefined;
         }
     }
 
@@ -191,7 +191,7 @@ export function createImporting({ store, engine, restyle }) {
         /** Offers the systems of a text in another notation than ours; returns whether there are any. @param {string} text */
         async offer(text) {
             const found = await read(text);
-            if (found === null || found.notation === OURS) return false;
+            if (!found || found.notation === OURS) return false;
             show(found, text);
             return true;
         },
@@ -199,6 +199,7 @@ export function createImporting({ store, engine, restyle }) {
         /** Opens our own text that was pasted outside of fields, and offers other ones. @param {string} text */
         async paste(text) {
             const found = await read(text);
+            if (found === undefined) return;
             const [first] = found?.entries ?? [];
             if (!found || !first) toast(UNKNOWN);
             else if (found.notation === OURS && first.definition) take(first, first.definition);

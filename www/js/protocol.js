@@ -97,7 +97,7 @@ export {};
  */
 /**
  * The calls of the tool for other notations; `import` answers null if the text is in no known notation.
- * @typedef {{import: {asked: {text: string}, answer: Imported | null}, write: {asked: {definition: Definition, notation: string}, answer: import('./messages.js').WriteReport}}} ImportCalls
+ * @typedef {{import: {asked: {text: string}, answer: Imported | null}, writeAs: {asked: {definition: Definition, notation: string}, answer: import('./messages.js').WriteReport}}} ImportCalls
  */
 /** @typedef {import('./messages.js').Given} Given */
 /** @typedef {import('./messages.js').Asks} Asks */

@@ -28,7 +28,7 @@ export function createShareAs({ store }, tell) {
         const own = ++turn;
         setText(note, '');
         try {
-            const answer = await tool.call('write', { definition: store.state, notation: notation.value });
+            const answer = await tool.call('writeAs', { definition: store.state, notation: notation.value });
             if (own !== turn) return;
             text.value = answer.text ?? '';
             button('as-copy').disabled = answer.text === null;

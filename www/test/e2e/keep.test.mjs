@@ -252,6 +252,7 @@ test('names and storage may contain anything', () =>
         await page.click('#tab-save');
         await keep(page, '<img src=x onerror=alert(1)>');
         await page.click('#open-favourites');
+        await page.waitForSelector('#favourites[open]');
         assert.deepEqual(await names(page), ['<img src=x onerror=alert(1)>']);
         assert.equal(await page.locator('#favourites img').count(), 0);
         await page.click('#close-favourites');

@@ -3,5 +3,5 @@
 /** @type {import('../tool.js').CallTable} */
 export const calls = {
     import: ({ text }) => wasm_bindgen.importSystems(text),
-    write: ({ definition, notation }) => wasm_bindgen.writeSystem(definition, notation),
+    writeAs: ({ definition, notation }) => wasm_bindgen.writeSystem(definition, notation),
 };
