@@ -53,7 +53,8 @@ const predecessorOf = (line) => line.split(/->|→|=>/)[0] ?? '';
 export function answerOf(candidate, about) {
     const given = new Set(linesOf(about.fixed.rules).map(predecessorOf));
     const own = candidate.rules.split('\n').filter((line) => !given.has(predecessorOf(line.replace(/\s/g, ''))));
-    return wholeOf(about, { ...candidate, rules: own.join('\n') });
+    const whole = wholeOf(about, { ...candidate, rules: own.join('\n') });
+    return { ...whole, rules: whole.rules.trimEnd() };
 }
 
 /** What makes two answers the same. @param {Definition} answer */

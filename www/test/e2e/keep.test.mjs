@@ -102,6 +102,7 @@ for (const [device, options] of /** @type {const} */ ([
             assert.equal(await text(page, '#favourites-count'), '2');
 
             await page.click('#open-favourites');
+            await page.waitForSelector('#favourites[open]');
             assert.deepEqual(await names(page), ['An island', 'Koch']);
             await until(
                 async () => (await page.locator('#favourite-cards .thumb.inked').count()) === 2,
@@ -113,6 +114,7 @@ for (const [device, options] of /** @type {const} */ ([
             assert.equal(await page.inputValue('#axiom'), 'F-F-F-F');
 
             await page.click('#open-favourites');
+            await page.waitForSelector('#favourites[open]');
             await page.getByRole('button', { name: 'Rename Koch' }).click();
             assert.equal(
                 await page.evaluate(() => /** @type {HTMLInputElement} */ (document.activeElement).value),
@@ -170,6 +172,7 @@ test('two tabs do not overwrite each other’s visits', () =>
         assert.equal(await third.inputValue('#angle'), '11');
         await third.click('#tab-save');
         await third.click('#open-favourites');
+        await third.waitForSelector('#favourites[open]');
         // This tab restored the newest visit, and both visits stay.
         assert.equal(await third.locator('#visit-cards .card').count(), 2);
         await third.locator('#visit-cards .card').nth(1).click();
@@ -193,6 +196,7 @@ test('favourites are exported to one file and imported from it: chosen, opened a
         await until(async () => (await page.inputValue('#axiom')) === 'F-F-F-F', 'the link is open');
         await keep(page, 'Island');
         await page.click('#open-favourites');
+        await page.waitForSelector('#favourites[open]');
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('#export-favourites')]);
         assert.equal(download.suggestedFilename(), 'favourites.json');
         const file = await readFile(String(await download.path()));
@@ -207,6 +211,7 @@ test('favourites are exported to one file and imported from it: chosen, opened a
         };
         await clear();
         await page.click('#open-favourites');
+        await page.waitForSelector('#favourites[open]');
         assert.ok(await page.isVisible('#no-favourites'));
         assert.ok(await page.isDisabled('#export-favourites'));
         await page.setInputFiles('#favourites-file', {
@@ -268,6 +273,7 @@ test('names and storage may contain anything', () =>
         await ready(page);
         await page.click('#tab-save');
         await page.click('#open-favourites');
+        await page.waitForSelector('#favourites[open]');
         assert.deepEqual(await names(page), ['odd']);
         await page.getByRole('button', { name: 'Delete odd' }).click();
         assert.deepEqual(await names(page), []);
@@ -374,6 +380,7 @@ test('undo and redo cover the gallery, links, favourites, files and changes betw
         });
         await until(async () => (await axiom()) === 'A+A', 'the file is open');
         await page.click('#open-favourites');
+        await page.waitForSelector('#favourites[open]');
         await page.locator('#favourite-cards .card').click();
         assert.equal(await text(page, '#specimen-title'), 'Koch');
         const end = await page.inputValue('#rules');
