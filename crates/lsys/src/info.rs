@@ -189,7 +189,6 @@ impl Display for FileFacts {
 mod tests {
     use super::ratio;
     use lsystem::derive::Tally;
-    use lsystem::drawing::why_empty;
 
     fn power(base: u32, exponent: u32) -> Tally {
         (0..exponent).fold(Tally::from(1_u64), |power, _| {

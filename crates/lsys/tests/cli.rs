@@ -260,6 +260,8 @@ fn info_tells_what_is_known() {
           growth      symbols x 3.741433, segments x 3.728682 in the last step
     "#]]
     .assert_eq(&good("info data_in/abop/1.27.json --seed 5"));
+    let nothing = lsys(&["info", "data_in/focs-lsystems/readme-s-to-ss.json", "-n", "0"]);
+    assert!(text(&nothing.stderr).starts_with("warning: No symbol of this system draws"));
     expect![[r#"
         Doubling
           file        data_in/focs-lsystems/readme-s-to-ss.json
@@ -268,7 +270,7 @@ fn info_tells_what_is_known() {
           symbols     1
           segments    0
     "#]]
-    .assert_eq(&good("info data_in/focs-lsystems/readme-s-to-ss.json -n 0"));
+    .assert_eq(&text(&nothing.stdout));
 }
 
 #[test]
@@ -278,7 +280,11 @@ fn facts_are_known_at_any_generation() {
         let mut arguments = vec!["info", "--json", "-n", n];
         arguments.extend(files.iter().map(String::as_str));
         let output = lsys(&arguments);
-        assert_eq!((text(&output.stderr), output.status.code()), (String::new(), Some(0)));
+        // Systems that draw nothing are named.
+        let said = text(&output.stderr);
+        let is_reason =
+            |line: &str| line.starts_with(" --> ") || line.starts_with("warning: ") && line.contains("draw");
+        assert!(said.lines().all(is_reason) && output.status.code() == Some(0), "{said}");
         serde_json::from_slice(&output.stdout).expect("JSON")
     };
     let first = facts("1", &files);
