@@ -242,6 +242,7 @@ test('Escape closes what was opened last', () =>
         await page.keyboard.press('Escape');
         assert.deepEqual([await page.isVisible('#reader'), await page.isVisible('#playback')], [false, true]);
         await page.click('#share');
+        await page.waitForSelector('#share-dialog[open]');
         await page.keyboard.press('Escape');
         assert.deepEqual([await page.isVisible('dialog[open]'), await page.isVisible('#playback')], [false, true]);
         await page.keyboard.press('Escape');
