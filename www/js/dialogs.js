@@ -55,10 +55,19 @@ export function createDialogs(own) {
         return (made[name] ??= make(page));
     }
 
+    /** The parts that are on their way. */
+    let coming = 0;
+
     /** @template {keyof Parts} K @param {K} name @param {Parameters<Parts[K]['open']>} words */
     async function open(name, ...words) {
-        const opens = /** @type {((...words: any[]) => unknown) | undefined} */ ((await part(name))?.open);
-        await opens?.(...words);
+        document.documentElement.toggleAttribute('data-opening', (coming += 1) > 0);
+        try {
+            const opens = /** @type {((...words: any[]) => unknown) | undefined} */ ((await part(name))?.open);
+            // Only until it is on the page: some parts answer when they are closed.
+            void opens?.(...words);
+        } finally {
+            document.documentElement.toggleAttribute('data-opening', (coming -= 1) > 0);
+        }
     }
 
     // A pointer on the way to an opener loads the parts, so that they open at once.

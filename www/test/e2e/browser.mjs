@@ -92,6 +92,7 @@ export async function withPage(
             if (!url.startsWith(address) && !url.startsWith(also) && !/^(blob|data):/.test(url))
                 wrong.push(`a request left the site: ${url}`);
         });
+        waitsForParts(page);
         await before?.(page);
         await page.goto(address + hash);
         if (drawing) await ready(page, drawing);
@@ -99,6 +100,24 @@ export async function withPage(
         assert.deepEqual(wrong, []);
     } finally {
         await context.close();
+    }
+}
+
+/**
+ * Makes input wait for the part of the page that it opens: parts load late, and what they show is not there at once.
+ * @param {Page} page
+ */
+function waitsForParts(page) {
+    for (const [owner, name] of /** @type {[any, string][]} */ ([
+        [page, 'click'],
+        [page, 'tap'],
+        [page.keyboard, 'press'],
+    ])) {
+        const input = owner[name].bind(owner);
+        owner[name] = async (/** @type {any[]} */ ...words) => {
+            await input(...words);
+            await page.waitForSelector(':root:not([data-opening])', { state: 'attached' });
+        };
     }
 }
 
