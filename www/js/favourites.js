@@ -13,8 +13,10 @@ export const LONGEST_NAME = 120;
 export const LARGEST_FILE = 2 << 20;
 /** Files with more entries are not read. */
 export const MOST_ENTRIES = 10_000;
+/** The most that all links take, in UTF-16 units: browsers store five million per site. */
+const MOST_STORED = 4_000_000;
 /** A file with more damaged links is rejected, because short links may take long to unpack. */
-const MOST_DAMAGED = 200;
+const MOST_DAMAGED = 50;
 
 /** Marks a JSON file as favourites rather than a system. */
 const FORMAT = 'l-systems favourites';
@@ -75,6 +77,7 @@ export async function readFile(list, text) {
     let sliceStart = performance.now();
     const same = (/** @type {Favourite} */ { name, link }) => `${name}\n${link}`;
     const there = new Set(list.map(same));
+    let stored = list.reduce((sum, { link }) => sum + link.length, 0);
     const result = { list: [...list], added: 0, known: 0, damaged: 0, tooMany: 0 };
     for (const one of given) {
         if (result.list.length >= MOST_FAVOURITES) {
@@ -97,6 +100,11 @@ export async function readFile(list, text) {
         if (there.has(same(read))) {
             result.known += 1;
             continue;
+        }
+        stored += read.link.length;
+        if (stored > MOST_STORED) {
+            result.tooMany = given.length - result.added - result.known - result.damaged;
+            break;
         }
         there.add(same(read));
         // In the order of the file, after the existing favourites.

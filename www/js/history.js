@@ -17,8 +17,9 @@ export const EMPTY = { past: [], future: [] };
 /** Changes with the same label within this time are merged, in milliseconds. */
 export const MERGE_MS = 1000;
 
-/** The maximum number of changes; older ones are dropped. */
+/** The maximum number of changes, and of UTF-16 units in their texts; older ones are dropped. */
 const MAX_CHANGES = 500;
+const MAX_UNITS = 50_000_000;
 
 /**
  * @param {History} history
@@ -45,7 +46,17 @@ export function record(history, before, patch, label, now, origins) {
         : { before: was, after: { ...patch }, label, time: now, ...(origins && { origins }) };
     const past = joins ? history.past.slice(0, -1) : history.past;
     const changed = fieldsOf(change.after).some((field) => !same(change.before[field], change.after[field]));
-    return { past: changed ? [...past, change].slice(-MAX_CHANGES) : past, future: [] };
+    return { past: changed ? newest([...past, change]) : past, future: [] };
+}
+
+/** The newest changes that are kept; the last one always is. @param {readonly Change[]} past */
+function newest(past) {
+    let room = MAX_UNITS;
+    const from = past.findLastIndex(({ after }, at) => {
+        for (const value of Object.values(after)) if (typeof value === 'string') room -= value.length;
+        return at < past.length - 1 && room < 0;
+    });
+    return past.slice(Math.max(from + 1, past.length - MAX_CHANGES));
 }
 
 /**

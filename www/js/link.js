@@ -14,8 +14,8 @@ import { FIELDS } from './tables.js';
 /** @typedef {{state: State, problems: string[]}} Link the state in a link, and the problems found while reading */
 /** @typedef {{write: (value: any) => string, read: (text: string) => unknown}} Form */
 
-/** Longer links are not read, in characters. Even the longest valid state is shorter when compressed. */
-export const LONGEST = 500_000;
+/** Longer links are not read, in characters. No browser has longer addresses. */
+export const LONGEST = 2_000_000;
 /** The key of the compressed part (packed.js). */
 export const PACKED = 'z';
 
@@ -103,6 +103,15 @@ export function writeLink(state) {
 }
 
 /**
+ * Writes a state as a link for this page's own reading, with its `#`: not every program passes it on as it is, but a
+ * character of a text takes one character.
+ * @param {Readonly<State>} state
+ */
+export function writePlain(state) {
+    return [`#v=${VERSION}`, ...writeFields(state, escapeLeast)].join('&');
+}
+
+/**
  * Writes the fields of a state that differ from their defaults, as `key=value`.
  * @param {Readonly<State>} state
  * @param {(value: string) => string} guard escapes `%`, `&` and other characters
@@ -158,6 +167,9 @@ export function readLink(hash, unpacked = null) {
     }
     return { state, problems };
 }
+
+/** Escapes what a link cannot hold in any case. @param {string} value */
+export const escapeLeast = (value) => value.replace(/[%&]/g, (sign) => (sign === '%' ? '%25' : '%26'));
 
 /** @param {string} value */
 function escape(value) {

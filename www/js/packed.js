@@ -3,7 +3,7 @@
  * checksum detects damaged links.
  */
 
-import { LONGEST, PACKED, readLink, writeFields, writeLink } from './link.js';
+import { LONGEST, PACKED, escapeLeast, readLink, writeFields, writeLink } from './link.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./link.js').Link} Link */
@@ -12,7 +12,7 @@ import { LONGEST, PACKED, readLink, writeFields, writeLink } from './link.js';
 export const LONG = 1500;
 
 /** Larger states are not read, in uncompressed bytes. */
-const MOST_BYTES = 512 << 10;
+const MOST_BYTES = 4 << 20;
 
 /** The compressed part is read in pieces of this many bytes; each expands at most about 1000 times. */
 const PIECE = 256;
@@ -55,9 +55,7 @@ export async function openLink(hash) {
 /** @param {Readonly<State>} state @returns {Promise<string | null>} null if the browser cannot compress */
 async function packedLink(state) {
     if (typeof CompressionStream !== 'function') return null;
-    const fields = writeFields(state, (value) =>
-        value.replace(/[%&]/g, (character) => (character === '%' ? '%25' : '%26')),
-    );
+    const fields = writeFields(state, escapeLeast);
     const stream = new Blob([fields.join('&')]).stream().pipeThrough(new CompressionStream('deflate'));
     return `#v=1&${PACKED}=${toBase64(new Uint8Array(await new Response(stream).arrayBuffer()))}`;
 }

@@ -1,6 +1,6 @@
 /** The current visit: saved after each change, and restored after a reload or on return. */
 
-import { writeLink } from './link.js';
+import { writePlain } from './link.js';
 import { keepSession, nameOf, openSession, readSessions, readSuspects, withSuspect } from './sessions.js';
 import { sameSystem } from './state.js';
 
@@ -58,7 +58,7 @@ export function createSession(storage, tab) {
             const here = /** @type {{id?: unknown, hash?: unknown} | undefined} */ (tab.read('tab'));
             const mine = here?.hash === hash ? list().find((one) => one.id === here.id) : undefined;
             if (mine) own = mine.id;
-            const link = linked && writeLink(linked);
+            const link = linked && writePlain(linked);
             const session = mine ?? list().find((one) => link === null || one.link === link);
             const opened = session ? openSession(session) : null;
             return opened && { ...opened, again: mine !== undefined || linked !== null };

@@ -3,16 +3,19 @@
  * link or another tab overwrites no visit. Pure functions.
  */
 
-import { readLink, writeLink } from './link.js';
+import { readLink, writeLink, writePlain } from './link.js';
 
 /** @typedef {import('./state.js').State} State */
-/** `link` is the state and `origin` the state that Reset returns to, both as readable links. @typedef {{id: string, time: number, link: string, origin: string}} Session */
+/** `link` is the state and `origin` the state that Reset returns to, both as plain links. @typedef {{id: string, time: number, link: string, origin: string}} Session */
 
 /** The maximum number of remembered states that stopped the drawing. */
 const MOST_SUSPECTS = 32;
 
 /** The maximum number of visits; older ones are dropped. */
 export const MOST_SESSIONS = 8;
+
+/** The most that is stored of all visits, in UTF-16 units: browsers store five million per site. */
+const MOST_STORED = 4_000_000;
 
 /** @param {unknown} value of unknown origin @returns {Session[]} */
 export function readSessions(value) {
@@ -35,9 +38,14 @@ export function readSessions(value) {
  * @returns {Session[]}
  */
 export function keepSession(list, id, state, origin, time) {
-    const link = writeLink(state);
+    const link = writePlain(state);
     const others = list.filter((one) => one.id !== id && one.link !== link);
-    return [{ id, time, link, origin: writeLink(origin) }, ...others].slice(0, MOST_SESSIONS);
+    const reset = writePlain(origin);
+    const own = { id, time, link, origin: link.length + reset.length > MOST_STORED ? '' : reset };
+    let stored = 0;
+    return [own, ...others]
+        .slice(0, MOST_SESSIONS)
+        .filter((one, at) => (stored += one.link.length + one.origin.length) <= MOST_STORED || at === 0);
 }
 
 /** @param {Session} session @returns {{state: State, origin: State} | null} */

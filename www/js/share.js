@@ -5,6 +5,7 @@ import { copies, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
 import { button, byId, closes, html, input, setChoice, setText, setValue } from './dom.js';
 import { addElements } from './late.js';
+import { LONGEST } from './link.js';
 import { bestLink, shortestLink } from './packed.js';
 import { qrFile, showQrPicture } from './qr.js';
 import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from './share-code.js';
@@ -62,6 +63,8 @@ export function createShare(page) {
     /** @param {string} href */
     function linkNote(href) {
         if (onDisk) return 'This page was opened from a disk, so the link works on this computer only.';
+        if (href.length > LONGEST)
+            return `The link has ${href.length.toLocaleString('en')} characters, more than browsers open. Send a file or picture from Save, which holds the same.`;
         if (href.length > LONG)
             return `The link has ${href.length.toLocaleString('en')} characters, and some programs cut links of this length. A file or picture from Save holds the same.`;
         return 'The link contains the whole drawing. Nothing is stored on a server.';

@@ -3,7 +3,7 @@
 use crate::cli::Changes;
 use crate::cores::Say;
 use crate::{CommandFailure, settings};
-use lsystem::base::{LimitName, MAX_TEXT};
+use lsystem::base::{LimitName, MAX_FILE};
 use lsystem::drawing::FigureDrawer;
 use lsystem::files::FileContent;
 use lsystem::import::{Entry, Imported, OWN_JSON, Remark, import_file};
@@ -175,7 +175,7 @@ impl InputSystem {
 const PICTURE: u64 = 64 << 20;
 /// The most bytes that are read of any other file: the longest text in UTF-16 with its mark, and one more byte to
 /// detect a longer text.
-const TEXT: u64 = 2 * MAX_TEXT as u64 + 3;
+const TEXT: u64 = 2 * MAX_FILE as u64 + 3;
 /// The number of first bytes that decide the kind of a file.
 const HEAD: u64 = 1 << 10;
 

@@ -92,8 +92,11 @@ pub const MAX_ITERATIONS: u32 = 1_000;
 /// has 16 to 32 triangles, and viewers turn some ten million triangles smoothly.
 pub const MAX_MESH_COPIES: u64 = 1_000_000;
 
-/// The most bytes of a text: an axiom, rules, overrides, or a file.
+/// The most bytes of a text: an axiom, rules, overrides, or a text in a foreign notation.
 pub const MAX_TEXT: usize = 1 << 20;
+
+/// The most bytes of a system as JSON. The longest texts fit, even if every character is escaped.
+pub const MAX_FILE: usize = 4 << 20;
 
 /// The most colours in a palette.
 pub const MAX_PALETTE: usize = 256;

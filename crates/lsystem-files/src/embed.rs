@@ -1,7 +1,7 @@
 //! Systems in the metadata of pictures, and reading a system from any file of this library.
 
 use super::{png, read_json, xml};
-use lsystem_base::{LimitName, MAX_TEXT};
+use lsystem_base::{LimitName, MAX_FILE, MAX_TEXT};
 use lsystem_syntax::{Definition, Diagnostic, Field, Kind};
 use std::borrow::Cow;
 
@@ -25,14 +25,14 @@ pub struct FileContent {
 pub fn read_file(bytes: &[u8]) -> FileContent {
     let plain = without_byte_order_mark(bytes);
     let bytes = &*plain;
-    let too_long = || Kind::Limit { limit: LimitName::Text, value: MAX_TEXT as u64, largest: None };
+    let too_long = || Kind::Limit { limit: LimitName::Text, value: MAX_FILE as u64, largest: None };
     let found = if png::is_png(bytes) {
         png::system_in(bytes).ok_or(Kind::NoSystem { picture: "PNG" })
     } else if is_pdf(bytes) {
         attachment_in(bytes).ok_or(Kind::NoSystem { picture: "PDF" })
     } else if is_xml(bytes) {
         metadata_in(bytes).ok_or(Kind::NoSystem { picture: "SVG" })
-    } else if bytes.len() > MAX_TEXT {
+    } else if bytes.len() > MAX_FILE {
         Err(too_long())
     } else {
         str::from_utf8(bytes).map(Cow::Borrowed).map_err(|error| {
@@ -42,7 +42,7 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
     };
     match found {
         // A text that is too long is neither read nor kept.
-        Ok(json) if json.len() > MAX_TEXT => refused(too_long()),
+        Ok(json) if json.len() > MAX_FILE => refused(too_long()),
         Ok(json) => {
             let (definition, diagnostics) = read_json(&json);
             FileContent { definition, diagnostics, json: json.into_owned() }
@@ -76,7 +76,7 @@ fn is_xml(bytes: &[u8]) -> bool {
 /// The file's bytes without a byte order mark. UTF-16 with a mark, as Windows programs write it, becomes UTF-8.
 fn without_byte_order_mark(bytes: &[u8]) -> Cow<'_, [u8]> {
     // Larger UTF-16 files are not converted, to bound the memory.
-    const LONGEST: usize = 32 * MAX_TEXT;
+    const LONGEST: usize = 32 * MAX_FILE;
     let read: fn([u8; 2]) -> u16 = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => return rest.into(),
         [0xff, 0xfe, ..] if bytes.len() <= LONGEST => u16::from_le_bytes,
@@ -114,8 +114,8 @@ fn metadata_in(svg: &[u8]) -> Option<Cow<'_, str>> {
     let start = find(svg, OPEN)? + OPEN.len();
     let content = &svg[start..];
     let content = &content[..find(content, CLOSE)?];
-    // An escaped character takes at most ten bytes, so a longer content exceeds `MAX_TEXT` anyway.
-    let content = &content[..content.len().min(10 * MAX_TEXT + 10)];
+    // An escaped character takes at most ten bytes, so a longer content exceeds `MAX_FILE` anyway.
+    let content = &content[..content.len().min(10 * MAX_FILE + 10)];
     Some(xml::unescape(&String::from_utf8_lossy(content)).into())
 }
 

@@ -24,6 +24,7 @@ use jsonc_parser::common::Ranged;
 use jsonc_parser::errors::{ParseError, ParseErrorKind};
 use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
 use lsystem_base::sorted::repeated;
+use lsystem_base::{LimitName, MAX_FILE};
 use lsystem_syntax::Value as Held;
 use lsystem_syntax::fields::{Section, field};
 use lsystem_syntax::notes::{Notes, excerpt, similar};
@@ -73,7 +74,8 @@ struct JsonFile {
 
 impl JsonFile {
     fn read(&mut self, text: &str) -> Option<Definition> {
-        if !lsystem_syntax::notation::is_short_enough(text, &mut self.notes) {
+        if text.len() > MAX_FILE {
+            self.notes.add(Kind::Limit { limit: LimitName::Text, value: MAX_FILE as u64, largest: None }, 0..0);
             return None;
         }
         let body = text.strip_prefix('\u{feff}').unwrap_or(text);

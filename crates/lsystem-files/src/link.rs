@@ -8,11 +8,11 @@ use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
 use std::collections::HashMap;
 
 /// Longer links are not read, in UTF-16 units.
-const LONGEST: usize = 500_000;
+const LONGEST: usize = 2_000_000;
 /// Longer numbers are not read, in bytes.
 const LONGEST_NUMBER: usize = 40;
 /// The most bytes that a compressed part unpacks to.
-const MOST_UNPACKED: usize = 512 << 10;
+const MOST_UNPACKED: usize = 4 << 20;
 /// The most problems that are listed.
 const MOST_PROBLEMS: usize = 100;
 
@@ -214,6 +214,7 @@ fn decoded(text: &str) -> Option<String> {
 mod tests {
     use super::*;
     use crate::packed::pack;
+    use lsystem_base::MAX_TEXT;
 
     /// The page reads the same links in its own tests.
     #[test]
@@ -246,7 +247,7 @@ mod tests {
 
     #[test]
     fn damaged_fields_are_told_and_the_rest_is_read() {
-        let long = "F".repeat(20_001);
+        let long = "F".repeat(MAX_TEXT + 1);
         let bomb = pack(&vec![b'F'; MOST_UNPACKED + 1]);
         let damaged = pack(b"axiom=F+F").replace('e', "f");
         for (fields, key) in [
@@ -276,7 +277,7 @@ mod tests {
         }
         let link = read_link(&format!("#n=1001&seed=3.5&axiom={long}&step=0")).unwrap();
         let Definition { iterations, seed, axiom, step, .. } = link.definition;
-        assert_eq!((iterations, seed, axiom.len(), step, link.problems.len()), (1000, 4, 20_000, 1e-9, 4));
+        assert_eq!((iterations, seed, axiom.len(), step, link.problems.len()), (1000, 4, MAX_TEXT, 1e-9, 4));
         assert_eq!(shortened("ab🌿", 3), "ab\u{fffd}");
         let endless = read_link(&format!("#axiom={}", "F".repeat(LONGEST))).unwrap();
         assert_eq!((endless.definition, endless.problems.len()), (Definition::default(), 1));

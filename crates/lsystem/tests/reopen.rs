@@ -1,6 +1,6 @@
 //! Reading the system out of exported files.
 
-use lsystem::base::MAX_TEXT;
+use lsystem::base::{MAX_FILE, MAX_TEXT};
 use lsystem::files::{PngOptions, SvgForm, collect, write_png};
 use lsystem::syntax::Kind;
 use lsystem::{
@@ -81,6 +81,33 @@ fn texts_of_windows() {
 }
 
 #[test]
+fn the_longest_texts() {
+    let axiom = format!("\"{}\"", "\\\"".repeat(MAX_TEXT / 2 - 1));
+    assert_eq!(axiom.len(), MAX_TEXT);
+    let rules = "F -> F+F\n".repeat(5_000);
+    check(&Definition { axiom, rules, notes: "\"\n".repeat(5_000), ..Definition::default() });
+}
+
+#[test]
+fn a_derived_string_as_an_axiom_is_the_drawing_of_its_system() {
+    let (successor, n) = ("F+F--F+F", 8);
+    let koch =
+        Definition { axiom: "F".into(), rules: format!("F -> {successor}"), angle: 60.0, ..Definition::default() };
+    let derived = (0..n).fold(koch.axiom.clone(), |string, _| string.replace('F', successor));
+    assert!(derived.len() > 150_000);
+    let string = Definition { axiom: derived, rules: String::new(), ..koch.clone() };
+    let figure = |definition: &Definition, n| {
+        let system = System::new(definition).0.unwrap();
+        let figure = Figure::draw(&system, n, &Limits::PAGE).unwrap();
+        (figure.segment_count(), figure.bounds().unwrap().concat())
+    };
+    let ((segments, bounds), (expected, frame)) = (figure(&string, 0), figure(&koch, n));
+    assert_eq!(segments, expected);
+    assert!(bounds.iter().zip(&frame).all(|(a, b)| (a - b).abs() < 1e-6), "{bounds:?} {frame:?}");
+    check(&string);
+}
+
+#[test]
 fn what_holds_no_system() {
     let check = |bytes: &[u8], expected: &str| {
         let read = read_file(bytes);
@@ -93,7 +120,7 @@ fn what_holds_no_system() {
     check(b"{\n\"initial\": \"\xff\"}", "Line 2 is not UTF-8 text");
     check(b"", "The file holds nothing");
     check(b"<svg><metadata id=\"L-system\">[1]</metadata></svg>", "The file must hold an object, not a list");
-    let long = read_file(&pixel(&" ".repeat(MAX_TEXT + 1)));
+    let long = read_file(&pixel(&" ".repeat(MAX_FILE + 1)));
     assert!(matches!(long.diagnostics[0].kind, Kind::Limit { .. }));
 }
 

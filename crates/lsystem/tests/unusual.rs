@@ -1,6 +1,6 @@
 //! Drawings and files of unusual systems that once took without end or gave wrong pictures.
 
-use lsystem::base::{LimitName, MAX_TEXT, Meter};
+use lsystem::base::{LimitName, MAX_FILE, Meter};
 use lsystem::drawing::{Outlook, expand_symbol};
 use lsystem::files::SvgForm;
 use lsystem::render::{Detail, Effort, Pointer, Quality, Spent};
@@ -216,7 +216,7 @@ fn long_files_are_refused_by_their_size() {
     assert!(content.json.is_empty());
     assert!(matches!(content.diagnostics[0].kind, Kind::Limit { limit: LimitName::Text, .. }));
     // In files within the size, nesting is limited.
-    let (definition, diagnostics) = read_json(&"[".repeat(MAX_TEXT));
+    let (definition, diagnostics) = read_json(&"[".repeat(MAX_FILE));
     assert!(definition.is_none() && diagnostics.len() == 1);
 }
 

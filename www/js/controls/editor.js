@@ -20,8 +20,9 @@ import { carryOver, spansOf } from '../tint.js';
 
 /** Longer lines are not coloured, in UTF-16 units. */
 const TINTED = 4000;
-/** Texts with more lines are shown by the area alone, without colours and marks, because laying out thousands of lines twice is slow. */
+/** Larger texts are shown by the area alone, without colours and marks, because laying them out twice is slow. */
 const MOST_LINES = 2000;
+const MOST_UNITS = 100_000;
 /** The maximum number of listed problems; further ones are only counted. */
 const MOST_LISTED = 50;
 /** Columns beyond this one are counted in UTF-16 units, which is faster than characters. */
@@ -50,7 +51,7 @@ export function editor(area, problems, kind, { change, settle, fix }) {
             letters = carryOver(letters, text, area.value);
             text = area.value;
         }
-        const plain = hasMoreLines(text, MOST_LINES);
+        const plain = text.length > MOST_UNITS || hasMoreLines(text, MOST_LINES);
         area.parentElement?.classList.toggle('plain', plain);
         const lines = plain ? [] : linesOf(text, marks, letters);
         const keys = lines.map((line) => JSON.stringify(line));

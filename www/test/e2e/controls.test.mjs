@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { PHONE, close, drag, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+import { PHONE, close, drag, nextPicture, picture, ready, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -142,16 +142,32 @@ test('wrapped and blank lines are in the same place in the text and in its layer
 test('a text that is too long is cut, with a message', () =>
     withPage({ hash: TREE }, async (page) => {
         await page.locator('#axiom').evaluate((area) => {
-            /** @type {HTMLTextAreaElement} */ (area).value = 'F+'.repeat(15_000);
+            /** @type {HTMLTextAreaElement} */ (area).value = 'F+'.repeat(600_000);
             area.dispatchEvent(new Event('input', { bubbles: true }));
         });
         await until(
             async () =>
                 (await page.textContent('#toast')) ===
-                'Axiom must be a text of at most 20,000 characters; the rest was cut.',
+                'Axiom must be a text of at most 1,048,576 characters; the rest was cut.',
             'it is said',
         );
-        assert.equal((await page.inputValue('#axiom')).length, 20_000);
+        assert.equal((await page.inputValue('#axiom')).length, 1 << 20);
+    }));
+
+test('a derived string as the axiom is drawn, linked and kept', () =>
+    withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F' }, async (page) => {
+        let derived = 'F';
+        for (let n = 0; n < 9; n++) derived = derived.replaceAll('F', 'F+F--F+F');
+        await page.fill('#angle', '60');
+        await page.locator('#axiom').evaluate((area, text) => {
+            /** @type {HTMLTextAreaElement} */ (area).value = text;
+            area.dispatchEvent(new Event('input', { bubbles: true }));
+        }, derived);
+        await until(async () => (await page.textContent('#segments'))?.includes('262,144'), 'all of it is drawn');
+        await until(() => page.evaluate(() => location.hash.includes('z=')), 'it is in the link');
+        await page.reload();
+        await ready(page);
+        assert.equal(await page.inputValue('#axiom'), derived);
     }));
 
 test('fifty thousand characters can be typed in', () =>

@@ -31,6 +31,18 @@ test('a control moved and moved back leaves nothing to undo', () => {
     assert.equal(undo(history), null);
 });
 
+test('changes of long texts are dropped before they fill the memory, the oldest first', () => {
+    let history = EMPTY;
+    for (let step = 0; step < 100; step++) {
+        const axiom = 'F'.repeat(1e6 + step);
+        history = record(history, clean({ axiom: 'F' }), { axiom }, '', step);
+    }
+    assert.equal(history.past.length, 49);
+    assert.equal(history.past.at(-1)?.after.axiom?.length, 1e6 + 99);
+    const one = record(EMPTY, clean({}), { axiom: 'F'.repeat(6e7) }, '', 0);
+    assert.equal(one.past.length, 1);
+});
+
 test('undo keeps the view unless the change moved it', () => {
     const store = createStore(clean({ axiom: 'F' }));
     store.change({ angle: 30 }, 'angle');

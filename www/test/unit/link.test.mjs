@@ -52,7 +52,7 @@ test('long states are compressed, and the longest state can be opened', async ()
             name: letters(200),
             source: letters(1000),
             notes: letters(10_000),
-            axiom: letters(20_000),
+            axiom: letters(300_000),
             rules: letters(50_000),
             overrides: letters(20_000),
         });

@@ -29,6 +29,18 @@ test('the newest visits are kept, each once', () => {
     assert.deepEqual(again.map(({ id }) => id).slice(0, 3), ['another', 'visit 19', 'visit 17']);
 });
 
+test('visits with long texts leave room in the storage', () => {
+    /** @type {import('../../js/sessions.js').Session[]} */
+    let list = [];
+    for (let visit = 0; visit < 6; visit++) {
+        const state = clean({ axiom: `F%&[+]${'F-'.repeat(500_000)}`, angle: visit });
+        list = keepSession(list, `visit ${visit}`, state, state, visit);
+        assert.deepEqual(openSession(/** @type {any} */ (list[0]))?.state, state);
+        assert.ok(JSON.stringify(list).length < 4_500_000);
+    }
+    assert.ok(list.length > 1);
+});
+
 test('visits are read from any stored value', () => {
     for (const value of [
         undefined,

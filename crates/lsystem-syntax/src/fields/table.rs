@@ -3,7 +3,7 @@
 use super::{Access, Affects, FieldSpec, Section, Slider};
 use crate::value::FieldType;
 use crate::{ColourBy, Dialect, Expected, Ink};
-use lsystem_base::MAX_ITERATIONS;
+use lsystem_base::{MAX_ITERATIONS, MAX_TEXT};
 
 /// Access to a member of a definition.
 macro_rules! at {
@@ -82,7 +82,7 @@ pub static FIELDS: [FieldSpec; 38] = [
         name: "axiom",
         link: "axiom",
         file: Some((Section::File, "initial")),
-        expected: text(20_000),
+        expected: text(MAX_TEXT),
         label: "Axiom",
         help: "the axiom",
         access: Some(at!(axiom)),
