@@ -18,10 +18,12 @@ pub(super) fn angle(text: &str) -> Result<(f64, bool, usize), NoAngle> {
     let value = reader.quotient().filter(|value| value.is_finite()).ok_or(NoAngle::NoNumber)?;
     let end = reader.at;
     reader.blank();
-    let unit = reader.rest().to_lowercase();
-    let unit_length = unit.find(|c: char| !c.is_alphabetic() && c != '°' && c != 'º').unwrap_or(unit.len());
-    let named = |names: &[&str]| names.contains(&&unit[..unit_length]);
-    let taken = reader.at + unit_length;
+    // A longer word is no unit.
+    let letters = reader.rest().chars().take(16).take_while(|&c| c.is_alphabetic() || c == '°' || c == 'º');
+    let unit: String = letters.collect();
+    let taken = reader.at + unit.len();
+    let unit = unit.to_lowercase();
+    let named = |names: &[&str]| names.contains(&&*unit);
     if named(&["°", "º", "deg", "degree", "degrees", "grad", "grade", "degrés", "degré", "grados", "degs"]) {
         return Ok((value, false, taken));
     }

@@ -10,6 +10,8 @@ pub(super) struct Decoded {
     pub(super) text: String,
     /// By byte of the text: the place in the source; and the end of the source.
     places: Vec<usize>,
+    /// The places of line breaks in the text, in order.
+    breaks: Vec<usize>,
     /// The places in the source of markup that stands for nothing or for a blank, in order.
     pub(super) markup: Vec<Range<usize>>,
 }
@@ -90,6 +92,7 @@ impl Decoded {
         let mut decoded = Self {
             text: String::with_capacity(source.len()),
             places: Vec::with_capacity(source.len() + 1),
+            breaks: Vec::new(),
             markup: Vec::new(),
         };
         let mut aligned = 0_usize;
@@ -135,6 +138,7 @@ impl Decoded {
             at += length;
         }
         decoded.places.push(source.len());
+        decoded.breaks = decoded.text.match_indices('\n').map(|(at, _)| at).collect();
         decoded
     }
 
@@ -149,10 +153,16 @@ impl Decoded {
     /// The whole lines of the text around a span of the source, as a span of the source.
     pub(super) fn lines_around(&self, span: Range<usize>) -> Range<usize> {
         let (start, end) = (self.place_of(span.start), self.place_of(span.end));
-        let start = self.text.get(..start).and_then(|text| text.rfind('\n')).map_or(0, |at| at + 1);
-        let end = self.text.get(end..).and_then(|text| text.find('\n')).map_or(self.text.len(), |at| end + at);
+        let start = self.break_before(start).map_or(0, |at| at + 1);
+        let next = self.breaks.partition_point(|at| *at < end);
+        let end = self.breaks.get(next).copied().unwrap_or(self.text.len());
         let found = self.span(&(start..end));
         found.start.min(span.start)..found.end.max(span.end)
+    }
+
+    /// The last line break before a place in the text.
+    pub(super) fn break_before(&self, place: usize) -> Option<usize> {
+        self.breaks.partition_point(|at| *at < place).checked_sub(1).map(|last| self.breaks[last])
     }
 
     /// The place in the text of a place in the source.

@@ -7,6 +7,7 @@
 //! Labels say what stands behind them; arrows make rules; sentences such as `+ means turn right` say what symbols do. A
 //! system ends where the axiom is said anew.
 
+use crate::MAX_ENTRIES;
 use crate::angle::angle;
 use crate::assembly::{Angle, Rule, Said, Statements, Symbols};
 use crate::decode::Decoded;
@@ -769,6 +770,10 @@ impl Reader<'_> {
         let constants = core::mem::take(&mut self.constants);
         let degrees = self.degrees.take();
         self.section = Section::None;
+        // One more than are read, so that the rest is noted.
+        if self.systems.len() > MAX_ENTRIES {
+            return;
+        }
         // A caption: the axiom alone on the line before the first rule.
         if said.axiom.is_none() && (said.angle.is_some() || degrees.is_some()) && !self.is_named {
             said.axiom = said.rules.first().and_then(|rule| self.caption(rule.span.start));
@@ -852,9 +857,8 @@ impl Reader<'_> {
     fn caption(&self, at: usize) -> Option<Said<String>> {
         let place = self.decoded.place_of(at);
         let text = &self.decoded.text;
-        let before = text.get(..place)?;
-        let end = before.rfind('\n')?;
-        let start = before[..end].trim_end().rfind('\n').map_or(0, |at| at + 1);
+        let end = self.decoded.break_before(place)?;
+        let start = self.decoded.break_before(text[..end].trim_end().len()).map_or(0, |at| at + 1);
         let range = self.trimmed(&(start..end), &QUOTES);
         let line = self.text(&range);
         let plain = !line.is_empty() && line.len() <= 200 && !line.contains([' ', '=', ':', '.']) && !is_prose(line);
