@@ -2,7 +2,7 @@
 
 use crate::esbuild::{Bundler as _, Esbuild};
 use crate::workspace::Workspace;
-use crate::{files, html, joined, offline, one_file, wasms};
+use crate::{files, html, joined, notices, offline, one_file, tools, wasms};
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
 use std::path::{Path, PathBuf};
@@ -100,7 +100,8 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
         .try_for_each(|file| include_index(file))?;
     files::write(&documents.join("docs.css"), esbuild.styles(&DOCUMENT_STYLES.map(str::to_owned))?)?;
     let scripts = joined::join(&site, index, &esbuild)?;
-    joined::write_licence(&www, &site)?;
+    let carried = notices::notices(workspace, &wasms::PACKAGES, tools::WASM_TARGET, true)?;
+    files::write(&site.join(notices::FILE), carried)?;
     offline::list_files(&site, &scripts)?;
     replace(&site, &place, &new.path().join("old"))
 }

@@ -8,15 +8,6 @@ use lol_html::element;
 use lol_html::html_content::ContentType;
 use std::path::Path;
 
-/// The licence of the library that the site carries, in `www`, and its name on the site.
-const LICENCE: [&str; 2] = ["node_modules/mediabunny/LICENSE", "video.LICENSE.txt"];
-
-/// Copies the licence of the library that the site carries.
-pub(crate) fn write_licence(www: &Path, site: &Path) -> Result<()> {
-    fs::copy(www.join(LICENCE[0]), site.join(LICENCE[1]))?;
-    Ok(())
-}
-
 /// Writes `page.js`, the modules that it imports and `page.css` into the folder of the site, and makes the page load
 /// them. Returns the names of the scripts that the page runs from the start.
 pub(crate) fn join(site: &Path, page: &str, bundler: &dyn Bundler) -> Result<Vec<String>> {

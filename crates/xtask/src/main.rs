@@ -11,6 +11,7 @@ mod joined;
 mod lint;
 mod monkey;
 mod mutants;
+mod notices;
 mod offline;
 mod one_file;
 mod outside;

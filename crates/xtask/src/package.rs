@@ -2,7 +2,7 @@
 
 use crate::build::Kind;
 use crate::workspace::{Workspace, output};
-use crate::{bindgen, files, tools, wasms};
+use crate::{bindgen, files, notices, tools, wasms};
 use anyhow::{Context, Result};
 use fs_err as fs;
 use serde_json::Value;
@@ -55,6 +55,8 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
         copy(&workspace.root.join(licence), &package.join(licence))?;
     }
+    let carried = notices::notices(workspace, &[BOUNDARY.0], tools::WASM_TARGET, false)?;
+    files::write(&package.join(notices::FILE), carried)?;
     let list = package.join("package.json");
     // As text, because the order of conditions in `exports` counts.
     let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
