@@ -47,6 +47,15 @@ impl Gauge {
         self.memory += bytes;
     }
 
+    /// Measures a synchronous call that may spend as much work as this many steps of the page: 8 ms each.
+    pub(crate) fn long_call<T>(&mut self, name: &'static str, steps: u32, call: impl FnOnce() -> T) -> T {
+        let start = thread_time();
+        let value = call();
+        let (time, most) = (thread_time() - start, steps * Duration::from_millis(8));
+        assert!(time <= most, "slow {name}: {time:.1?} of processor time, more than {most:?}");
+        value
+    }
+
     /// Measures a synchronous call.
     pub(crate) fn call<T>(&mut self, name: &'static str, call: impl FnOnce() -> T) -> T {
         let start = thread_time();

@@ -38,6 +38,10 @@ pub fn supervise(options: &Options) -> Result<()> {
     Ok(())
 }
 
+/// The random inputs that every target tries, and how many shares of the time it may take for them.
+const LEAST: u64 = 1_000;
+const MOST_SHARES: u32 = 8;
+
 /// Known faults that are not mended yet: one part of a message on each line. They are printed, but do not fail a run.
 const KNOWN: &str = include_str!("../known.txt");
 
@@ -73,16 +77,22 @@ impl Results {
             true => Inputs::of(target, options.seed)?.committed() + options.times * target.short,
             false => options.executions,
         };
+        let least = Inputs::of(target, options.seed)?.committed() + LEAST;
         loop {
-            let time = options.time.map(|time| time.saturating_sub(start.elapsed()));
-            let left = most.saturating_sub(from - options.from);
+            let done = from - options.from;
+            // Slow targets get more time, so that each tries some inputs.
+            let share = if done < least { MOST_SHARES } else { 1 };
+            let time = options.time.map(|time| (time * share).saturating_sub(start.elapsed()));
+            let left = if share > 1 && options.time.is_some() { least.min(most) } else { most }.saturating_sub(done);
             if left == 0 || time.is_some_and(|time| time.is_zero()) {
                 break;
             }
             let (status, output) = run(options, target, from, time, left)?;
+            let before = results.executions;
             results.read(&output);
             if status.success() {
-                break;
+                from += results.executions - before;
+                continue;
             }
             let number = Current::read(&options.findings, target).context("a worker ended before its first input")?;
             results.add_crash(options, target, number, status)?;

@@ -9,6 +9,7 @@ mod expressions;
 mod files;
 mod films;
 mod find;
+mod formats;
 mod import;
 mod notation;
 mod papers;
@@ -16,6 +17,7 @@ mod pick;
 mod plots;
 mod render;
 mod solid;
+mod tiles;
 
 use crate::{Gauge, Source};
 
@@ -35,7 +37,7 @@ const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Ga
 }
 
 /// Those that take longest come first, so that jobs at the same time end at about the same time.
-const TARGETS: [Target; 27] = [
+const TARGETS: [Target; 30] = [
     target("exercises", 150, course::exercises),
     target("find", 30, find::pictures_found),
     target("growth", 600, course::growth),
@@ -48,6 +50,7 @@ const TARGETS: [Target; 27] = [
     target("pictures", 4_000, files::pictures),
     target("bytes", 8_000, files::bytes),
     target("import", 1_500, import::import_text),
+    target("long-texts", 100, import::long_texts),
     target("links", 1_500, answers::links),
     target("outputs", 1_500, answers::outputs),
     target("steps", 800, course::steps),
@@ -57,6 +60,8 @@ const TARGETS: [Target; 27] = [
     target("space", 2_000, drawing::space),
     target("density", 500, render::density),
     target("solid", 100, solid::solid),
+    target("tiles", 400, tiles::tiles),
+    target("formats", 800, formats::formats),
     target("pick", 3_000, pick::pick),
     target("export", 2_000, export::export),
     target("plots", 600, plots::plots),

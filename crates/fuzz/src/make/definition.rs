@@ -62,6 +62,10 @@ fn random_definition(source: &mut Source<'_>) -> Definition {
     for _ in 0..source.pick(&[0, 0, 1, 2, 4]) {
         change_field(source, &mut definition);
     }
+    if source.once_in(2000) {
+        let letters = (0..source.pick(&[300, 5_000, 60_000])).filter_map(|at| char::from_u32(0x4e00 + at));
+        definition.axiom = letters.collect();
+    }
     if source.once_in(200) {
         definition.rules = random_pieces(source);
     }

@@ -8,6 +8,9 @@ use lsystem::course::steps::{Order, one_by_one, rows, trace};
 use lsystem::course::{Asks, Exercise, Given, Grade, Marker};
 use lsystem::{Definition, Limits, expand};
 
+/// An exercise draws its target in one call, with up to 16 Mi units of work.
+const TARGET_STEPS: u32 = (16 << 20) / WORK as u32;
+
 /// Exercises of random systems: what is written is read again, and the target solves its own exercise.
 pub(super) fn exercises(source: &mut Source<'_>, gauge: &mut Gauge) {
     let given = [Given::Shown, Given::Free, Given::Hidden];
@@ -40,7 +43,7 @@ pub(super) fn exercises(source: &mut Source<'_>, gauge: &mut Gauge) {
         assert_eq!(read.shown_rules(), exercise.shown_rules());
         assert_eq!(read.start().rules, "");
     }
-    let Ok(mut marker) = gauge.call("target", || Marker::new(exercise.clone())) else { return };
+    let Ok(mut marker) = gauge.long_call("target", TARGET_STEPS, || Marker::new(exercise.clone())) else { return };
     let own = Definition { rules: exercise.own_rules(&exercise.target.rules), ..exercise.target.clone() };
     let mark = marked(&mut marker, "mark", &own, gauge);
     assert!((0.0..=1.0).contains(&mark.agreement), "{mark:?}");

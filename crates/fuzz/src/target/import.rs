@@ -2,6 +2,7 @@
 
 use crate::{Gauge, Source};
 use lsystem::System;
+use lsystem::base::MAX_TEXT;
 use lsystem::import::import;
 
 /// Texts of every notation, mixed and damaged.
@@ -12,13 +13,6 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
     assert_eq!(found, again, "the same text gives the same systems");
     let Some(imported) = found else { return };
     assert!(!imported.entries.is_empty());
-    // Every byte has one part.
-    let mut at = 0;
-    for part in &imported.account {
-        assert!(part.span.start == at && part.span.end > at, "{:?} behind {at}", part.span);
-        at = part.span.end;
-    }
-    assert_eq!(at, text.len(), "the account ends with the text");
     gauge.reach(imported.notation);
     let mut at = 0;
     for part in &imported.account {
@@ -35,6 +29,47 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
             gauge.reach("read");
             assert!(System::new(definition).0.is_some(), "{definition:?} does not compile");
         }
+    }
+}
+
+/// Texts of up to 1 MiB that repeat a part of a notation, each time with other names: work that grows faster than the
+/// text shows.
+pub(super) fn long_texts(source: &mut Source<'_>, gauge: &mut Gauge) {
+    let whole = source.pick(&WHOLE);
+    let ends: Vec<usize> = whole.char_indices().map(|(at, _)| at).chain([whole.len()]).collect();
+    let (from, to) = (source.pick(&ends), source.pick(&ends));
+    let (before, part, after) = match source.below(3) {
+        0 => ("", whole, ""),
+        1 => ("", source.pick(&PIECES), whole),
+        _ => (&whole[..from.min(to)], &whole[from.min(to)..from.max(to)], &whole[from.max(to)..]),
+    };
+    let most = source.pick(&[1 << 14, 1 << 16, 1 << 18, MAX_TEXT]).saturating_sub(before.len() + after.len());
+    let names = source.below(4);
+    let mut text = before.to_owned();
+    for number in 0.. {
+        // Letters, numbers and words in turn, so that lists of each grow.
+        let part = match names {
+            1 => part.replace(['F', 'X', 'A'], &char::from_u32(0x4e00 + number % 20_000).unwrap_or('F').to_string()),
+            2 => part.replace(|c: char| c.is_ascii_digit(), &number.to_string()),
+            3 => part.replace(['F', 'X', 'A'], &format!("n{number}")),
+            _ => part.to_owned(),
+        };
+        if part.is_empty() || text.len() + part.len() > most {
+            break;
+        }
+        text += &part;
+    }
+    text += after;
+    if source.is_shown {
+        println!("{} bytes of {part:?} after {before:?}", text.len());
+    }
+    if let Some(imported) = gauge.call("import", || import(&text)) {
+        gauge.reach(imported.notation);
+        assert_eq!(
+            imported.account.last().map(|part| part.span.end),
+            Some(text.len()),
+            "the account ends with the text"
+        );
     }
 }
 
