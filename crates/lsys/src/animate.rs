@@ -11,7 +11,6 @@ use lsystem::film::{
 };
 use lsystem::{Figure, Limits, Vantage};
 use pool::Pool;
-use std::fs;
 use std::path::Path;
 
 /// The units of work between two looks at other workers.
@@ -94,8 +93,5 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
 /// The text of a script: the text itself, or the text of a file.
 fn text_of(text: &str) -> Result<String, CommandFailure> {
     let is_file = !text.contains(';') && Path::new(text).exists();
-    if !is_file {
-        return Ok(text.to_owned());
-    }
-    fs::read_to_string(text).map_err(|error| CommandFailure::io(text, &error))
+    if is_file { input::text_of(Path::new(text)) } else { Ok(text.to_owned()) }
 }

@@ -1,13 +1,16 @@
 //! Answers to exercises: links, systems in files, and tables with a column of links.
 
 use crate::{CommandFailure, input};
-use lsystem::course::Exercise;
+use lsystem::course::{Exercise, MAX_OUTPUT};
 use lsystem::files::{Link, read_link};
+use lsystem::syntax::message::grouped;
 use lsystem::{Definition, read_file};
 use std::path::Path;
 
-/// The most answers.
+/// The most answers in a table.
 const MOST: usize = 100_000;
+/// The most cells of a row that are read.
+const MAX_CELLS: usize = 1000;
 
 /// An answer to an exercise.
 pub(crate) struct Answer {
@@ -25,8 +28,8 @@ pub(crate) struct Answer {
 /// [`CommandFailure::Words`] if there is no exercise or it is damaged. The second value is the exercise as written in
 /// the link.
 pub(crate) fn exercise(word: &str) -> Result<(Exercise, String), CommandFailure> {
-    let text = if is_link(word) { word.to_owned() } else { text_of(Path::new(word))? };
-    let link = cells(&text).into_iter().flatten().find_map(|cell| veiled(&read_link(cell.trim())?));
+    let text = if is_link(word) { word.to_owned() } else { input::text_of(Path::new(word))? };
+    let link = cells(&text).flatten().find_map(|cell| veiled(&read_link(cell.trim())?));
     let Some(veiled) = link else {
         return Err(CommandFailure::Words(format!("{word}: there is no link of an exercise (with x=...)")));
     };
@@ -45,17 +48,22 @@ pub(crate) fn answers(word: &str, exercise: &str) -> Result<Vec<Answer>, Command
         return Ok(of_row(&[word.to_owned()], "link", exercise).into_iter().collect());
     }
     let path = Path::new(word);
-    let bytes = input::bytes_of(path).map_err(|error| CommandFailure::io(word, &error))?;
+    let bytes = input::output_of(path).map_err(|error| CommandFailure::io(word, &error))?;
+    let refused = |why: String| Err(CommandFailure::Words(format!("{word}: {why}")));
     let name = path.file_stem().map_or(word.into(), |name| name.to_string_lossy()).into_owned();
     if let Ok(text) = core::str::from_utf8(&bytes) {
-        let rows = cells(text);
-        let found: Vec<Answer> = (rows.iter().enumerate())
-            .filter_map(|(row, cells)| {
-                let name = if rows.len() == 1 { name.clone() } else { format!("{name}, row {}", row + 1) };
-                of_row(cells, &name, exercise)
-            })
-            .take(MOST)
-            .collect();
+        if text.len() > MAX_OUTPUT {
+            return refused(format!("longer than {} MiB, which is not read", MAX_OUTPUT >> 20));
+        }
+        let is_table = cells(text).nth(1).is_some();
+        let found = cells(text).zip(1..).filter_map(|(cells, row)| {
+            let name = if is_table { format!("{name}, row {row}") } else { name.clone() };
+            of_row(&cells, &name, exercise)
+        });
+        let found: Vec<Answer> = found.take(MOST + 1).collect();
+        if found.len() > MOST {
+            return refused(format!("more than {} answers", grouped(&MOST.to_string())));
+        }
         if !found.is_empty() {
             return Ok(found);
         }
@@ -91,34 +99,32 @@ fn is_link(word: &str) -> bool {
     word.starts_with("http:") || word.starts_with("https:") || word.starts_with("file:") || word.starts_with('#')
 }
 
-fn text_of(path: &Path) -> Result<String, CommandFailure> {
-    let name = path.display().to_string();
-    let bytes = input::bytes_of(path).map_err(|error| CommandFailure::io(&name, &error))?;
-    String::from_utf8(bytes).map_err(|_| CommandFailure::Words(format!("{name}: this is no text")))
-}
-
-/// The cells of a table by rows (RFC 4180). Cells are separated by commas, semicolons or tabs outside of quotes; those
-/// in a link without quotes belong to the link.
-fn cells(text: &str) -> Vec<Vec<String>> {
-    let (mut rows, mut row, mut cell) = (Vec::new(), Vec::new(), String::new());
-    let mut quoted = false;
+/// The cells of a table by rows (RFC 4180), at most [`MAX_CELLS`] in each. Cells are separated by commas, semicolons or
+/// tabs outside of quotes; those in a link without quotes belong to the link.
+fn cells(text: &str) -> impl Iterator<Item = Vec<String>> {
     let mut rest = text.trim_start_matches('\u{feff}').chars().peekable();
-    while let Some(c) = rest.next() {
-        match c {
-            '"' if quoted && rest.peek() == Some(&'"') => cell.extend(rest.next()),
-            '"' if quoted || cell.trim().is_empty() => quoted = !quoted,
-            '\n' if !quoted => {
-                row.push(core::mem::take(&mut cell));
-                rows.push(core::mem::take(&mut row));
+    core::iter::from_fn(move || {
+        rest.peek()?;
+        let (mut row, mut cell, mut quoted) = (Vec::new(), String::new(), false);
+        let end = |row: &mut Vec<String>, cell: &mut String| {
+            let cell = core::mem::take(cell);
+            if row.len() < MAX_CELLS {
+                row.push(cell);
             }
-            ',' | ';' if !quoted && !cell.contains('#') => row.push(core::mem::take(&mut cell)),
-            '\t' if !quoted => row.push(core::mem::take(&mut cell)),
-            c => cell.push(c),
+        };
+        while let Some(c) = rest.next() {
+            match c {
+                '"' if quoted && rest.peek() == Some(&'"') => cell.extend(rest.next()),
+                '"' if quoted || cell.trim().is_empty() => quoted = !quoted,
+                '\n' if !quoted => break,
+                ',' | ';' if !quoted && !cell.contains('#') => end(&mut row, &mut cell),
+                '\t' if !quoted => end(&mut row, &mut cell),
+                c => cell.push(c),
+            }
         }
-    }
-    row.push(cell);
-    rows.push(row);
-    rows
+        end(&mut row, &mut cell);
+        Some(row)
+    })
 }
 
 #[cfg(test)]
@@ -127,9 +133,10 @@ mod tests {
 
     #[test]
     fn tables_are_read() {
-        let rows = cells(
+        let rows: Vec<_> = cells(
             "name,link\r\n\"Lovelace, A.\",\"#v=1&palette=ff0000,00ff00\"\nNoether;#v=1&palette=ff0000,00ff00\nGermain\t\"a \"\"b\"\"\"",
-        );
+        )
+        .collect();
         assert_eq!(rows[1], ["Lovelace, A.", "#v=1&palette=ff0000,00ff00"]);
         assert_eq!(rows[2], ["Noether", "#v=1&palette=ff0000,00ff00"]);
         assert_eq!(rows[3], ["Germain", "a \"b\""]);

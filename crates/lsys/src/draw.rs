@@ -19,6 +19,8 @@ pub(crate) fn draw(jobs: &[Job], folder: Option<&Path>, look: &Look, changes: &C
     if let Some(folder) = folder {
         std::fs::create_dir_all(folder).map_err(|error| CommandFailure::io(folder.display(), &error))?;
     }
+    // No output of a job replaces the file of a later one.
+    jobs.iter().for_each(|job| input::keep(&job.file));
     match cores::in_order(jobs, |job, limits, say| draw_one(job, look, changes, limits, say))? {
         (_, true) => Ok(()),
         (_, false) => Err(CommandFailure::Said),

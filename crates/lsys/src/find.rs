@@ -3,6 +3,7 @@
 mod picture;
 
 use crate::{CommandFailure, input, print};
+use lsystem::course::MAX_OUTPUT;
 use lsystem::find::{Found, Search, Searched};
 use serde::Serialize;
 use std::path::Path;
@@ -55,7 +56,8 @@ pub(crate) struct Known {
 /// [`CommandFailure::Said`] if none are found; [`CommandFailure::Words`] if the string cannot be searched.
 pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), CommandFailure> {
     let path = Path::new(wanted);
-    let text = match wanted == "-" || path.is_file() {
+    // Pipes are files, too.
+    let text = match wanted == "-" || path.exists() && !path.is_dir() {
         true => {
             let bytes = input::output_of(path).map_err(|error| CommandFailure::io(wanted, &error))?;
             if picture::is_picture(&bytes) {
@@ -63,6 +65,10 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
             }
             let text = String::from_utf8(bytes);
             let text = text.map_err(|_| CommandFailure::Words(format!("{wanted}: this is no text")))?;
+            if text.len() > MAX_OUTPUT {
+                let words = format!("{wanted}: longer than {} MiB, which is not read", MAX_OUTPUT >> 20);
+                return Err(CommandFailure::Words(words));
+            }
             if let Some(segments) = picture::segments(wanted, &text)? {
                 return picture::find_segments(wanted, &segments, known, json);
             }

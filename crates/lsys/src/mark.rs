@@ -3,6 +3,7 @@
 mod page;
 
 use crate::answers::{Answer, answers, exercise};
+use crate::pending::Pending;
 use crate::{CommandFailure, print};
 use lsystem::Definition;
 use lsystem::course::{Exercise, Grade, Marker};
@@ -39,7 +40,8 @@ pub(crate) fn mark(wanted: &str, words: &[String], csv: bool, html: Option<&Path
     }
     if let Some(path) = html {
         let text = page::page(marker.exercise(), &marked);
-        std::fs::write(path, text).map_err(|error| CommandFailure::io(path.display(), &error))?;
+        let page = Pending::write(path, |out| out.write_all(text.as_bytes())).and_then(Pending::commit);
+        page.map_err(|error| CommandFailure::io(path.display(), &error))?;
     }
     print(|out| if csv { write_csv(out, &marked) } else { write_table(out, &marked) })
 }

@@ -38,7 +38,8 @@ pub(crate) fn tiles(file: &Path, to: &Path, options: &TileOptions, changes: &Cha
     let style = input.system.style.clone();
     let layout = Layout { options: *options, background: style.background.rgb, name: input.definition.label() };
     let failed = |error: io::Error| CommandFailure::io(to.display(), &error);
-    let folder = Folder::open(to, &layout.index(&write_json(&input.definition))).map_err(failed)?;
+    let index = layout.index(&write_json(&input.definition));
+    let folder = Folder::open(to, &index, &layout.names()).map_err(failed)?;
     for (path, text) in layout.descriptions() {
         folder.write(&path, text.as_bytes()).map_err(failed)?;
     }
