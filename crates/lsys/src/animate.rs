@@ -29,7 +29,7 @@ pub(crate) fn animate(file: &Path, to: &Path, options: &FilmOptions, changes: &C
         Some(name) if name.to_ascii_lowercase().ends_with(".gif") => FilmFormat::Gif,
         _ => FilmFormat::Png,
     });
-    let pool = Pool::new(&film, limits);
+    let pool = Pool::new(&film, limits)?;
     match (format, to.as_os_str() == "-") {
         (FilmFormat::Gif, true) => sink::gif_to_stdout(&pool),
         (_, true) => sink::frames_to_stdout(&pool, format),

@@ -285,7 +285,7 @@ pub(crate) struct TileOptions {
     /// Make only the tiles above and below this one, for levels too deep to make all of them
     #[arg(long, value_name = "LEVEL/X/Y", default_value = "0/0/0")]
     pub(crate) under: Under,
-    /// Threads [default: one for each core]
+    /// Threads, at most one for each core [default: one for each core]
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<NonZero<u16>>,
     /// Leave out the background

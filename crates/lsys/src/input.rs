@@ -2,7 +2,7 @@
 
 use crate::cli::Changes;
 use crate::cores::Say;
-use crate::{CommandFailure, settings};
+use crate::{CommandFailure, memory, settings};
 use lsystem::base::{LimitName, MAX_TEXT};
 use lsystem::course::MAX_OUTPUT;
 use lsystem::drawing::FigureDrawer;
@@ -28,6 +28,8 @@ pub(crate) struct InputSystem {
     pub(crate) iterations: u32,
     /// The limits of all work on the file.
     limits: Limits,
+    /// The bytes of memory that the work may take: less than the limit if there is less.
+    free: u64,
 }
 
 /// The units of work between two checks of a drawing's memory; they add a few megabytes.
@@ -62,7 +64,8 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
     let iterations = definition.iterations;
     let usual = Limits::default();
     let limits = Limits { memory: changes.memory.unwrap_or(usual.memory), ..usual };
-    Ok(InputSystem { file: name.into(), definition, system, iterations, limits })
+    let free = memory::at_most(limits.memory);
+    Ok(InputSystem { file: name.into(), definition, system, iterations, limits, free })
 }
 
 /// The system in a file of any notation. The remarks on a system in another notation are printed.
@@ -125,8 +128,8 @@ pub(crate) fn remark_line(name: &str, remark: &Remark) -> String {
 impl InputSystem {
     /// The limits, with those that bound memory divided by `shares`.
     pub(crate) fn limits(&self, shares: u64) -> Limits {
-        let Limits { symbols, segments, memory, .. } = self.limits;
-        Limits { symbols: symbols / shares, segments: segments / shares, memory: memory / shares, ..self.limits }
+        let Limits { symbols, segments, .. } = self.limits;
+        Limits { symbols: symbols / shares, segments: segments / shares, memory: self.free / shares, ..self.limits }
     }
 
     /// The drawing in the space of the system, within one of `shares` equal shares of memory. The drawer itself has the
@@ -139,9 +142,9 @@ impl InputSystem {
     }
 
     fn finish(&self, mut drawer: FigureDrawer, shares: u64) -> Result<Figure, Diagnostic> {
-        let share = self.limits.memory / shares;
+        let share = self.free / shares;
         while drawer.step(WORK) == Progress::More {
-            if shares > 1 && drawer.bytes() > share {
+            if share < self.limits.memory && drawer.bytes() > share {
                 return Err(Diagnostic::limit(LimitName::Memory, share, None));
             }
         }

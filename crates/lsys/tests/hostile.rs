@@ -452,3 +452,27 @@ fn every_input_is_read_to_a_bound() {
         assert!(said.contains(why), "{run}: {said}");
     }
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn work_that_needs_more_memory_than_there_is_is_refused() {
+    for (kib, run, code) in [
+        (60_000, "animate a.json --to a.gif --size 4096x2048", 1),
+        (60_000, "animate a.json --to frames --size 4096x2048", 1),
+        (60_000, "animate random.json --to a.gif --size 64x48 --seconds 0.1 --track drawn=0:1", 1),
+        (60_000, "draw a.json a --format png --size 10000x10000", 1),
+        (60_000, "draw random.json random --format svg", 1),
+        (60_000, "draw a.json random.json --out-dir . --format png --size 10000x10000", 1),
+        (30_000, "tiles a.json p --levels 0..0", 1),
+        // There are no more threads and renderers than cores.
+        (500_000, "tiles a.json p --levels 0..1 --threads 60000 > /dev/null", 0),
+    ] {
+        let folder = desk();
+        let random = r#"{"initial": "F", "num_iters": 11, "rules": {"F": [{"p": 0.5, "e": "F+F--F+F"}, {"p": 0.5, "e": "F+FF"}]}}"#;
+        fs::write(folder.path().join("random.json"), random).expect("written");
+        let (found, said) = shell_in(&folder, &format!("ulimit -v {kib}; $lsys {run}"));
+        assert_eq!(found, Some(code), "{run}: {said}");
+        assert!(code == 0 || said.starts_with("error: ") && said.contains("memory"), "{run}: {said}");
+        assert!(!names(folder.path()).iter().any(|name| name.starts_with(".lsys")), "{run}");
+    }
+}

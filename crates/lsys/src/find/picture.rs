@@ -1,13 +1,13 @@
 //! The rules of a picture, searched with all cores.
 
 use super::{Known, MAX_LISTED};
-use crate::{CommandFailure, print};
+use crate::{CommandFailure, cores, print};
 use lsystem::files::{SegmentForm, read_segments};
 use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, merged};
 use serde::Serialize;
 use std::io::Cursor;
-use std::sync::Arc;
-use std::thread;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// The systems that are tried between two looks at the clock.
@@ -85,7 +85,7 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     let picture = Arc::new(picture);
     let Known { axiom, angle, heading, n, draws, .. } = known;
     let question = Question { axiom: axiom.clone(), angle: *angle, heading: *heading, n: *n, draws: draws.clone() };
-    let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get) as u64;
+    let cores = cores::count() as u64;
     let parts = (0..cores).map(|part| Finder::new(&picture, &question, Share { index: part, count: cores }));
     let mut parts = parts.collect::<Result<Vec<_>, _>>().map_err(said)?;
     search(&mut parts, Duration::from_secs(known.seconds.into()));
@@ -135,13 +135,15 @@ fn search(finders: &mut [Finder], limit: Duration) {
     let is_over = move || begin.elapsed() >= limit;
     let (mut until, mut was_found) = (FIRST, false);
     loop {
-        let is_more = thread::scope(|scope| {
-            let start = |finder| scope.spawn(move || go_on(finder, until, is_over));
-            let running: Vec<_> = finders.iter_mut().map(start).collect();
-            let is_more: Vec<bool> = running.into_iter().map(|finder| finder.join().unwrap_or(false)).collect();
-            is_more.contains(&true)
+        let (is_more, workers) = (AtomicBool::new(false), finders.len());
+        let queue = Mutex::new(finders.iter_mut());
+        let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+        cores::side_by_side(workers, || {
+            while let Some(finder) = next() {
+                is_more.fetch_or(go_on(finder, until, is_over), Ordering::Relaxed);
+            }
         });
-        if !is_more || was_found || is_over() {
+        if !is_more.into_inner() || was_found || is_over() {
             return;
         }
         was_found = finders.iter().any(Finder::is_found);
