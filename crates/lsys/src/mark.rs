@@ -7,6 +7,7 @@ use crate::pending::Pending;
 use crate::{CommandFailure, print};
 use lsystem::Definition;
 use lsystem::course::{Exercise, Grade, Marker};
+use lsystem::derive::Tally;
 use lsystem::syntax::visible;
 use std::io::{self, Write};
 use std::path::Path;
@@ -100,8 +101,8 @@ fn write_table(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
 fn write_csv(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
     writeln!(out, "name,solved,agreement_percent,symbols,target_segments,own_segments,remark,link")?;
     for one in marked {
-        let segments = one.mark.as_ref().map(|mark| mark.segments.map(|count| count.to_string()));
-        let [target, own] = segments.unwrap_or_default();
+        let count = |count: &Option<Tally>| count.as_ref().map(Tally::to_string).unwrap_or_default();
+        let [target, own] = one.mark.as_ref().map(|mark| mark.segments.each_ref().map(count)).unwrap_or_default();
         let solved = if one.is_solved() { "yes" } else { "no" };
         let percent = one.percent();
         let link = one.answer.link.as_deref().unwrap_or_default();
