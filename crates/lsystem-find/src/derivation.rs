@@ -1,6 +1,9 @@
 //! The search: a derivation that learns its rules from the string.
 
-use crate::Found;
+use crate::{Found, printed};
+use lsystem_base::Limits;
+use lsystem_drawing::{System, expand};
+use lsystem_syntax::Definition;
 use std::sync::Arc;
 
 /// The most symbols of the string.
@@ -126,6 +129,9 @@ impl Search {
         if alphabet.len() > MAX_ALPHABET {
             return Err("The string has more than 60 different symbols.");
         }
+        if !alphabet.iter().all(|&symbol| is_plain(symbol)) {
+            return Err("Strings with parentheses, or with other symbols that rules put in quotes, are not searched.");
+        }
         let letters: Vec<usize> = (0..alphabet.len()).filter(|&at| !constants.contains(alphabet[at])).collect();
         if letters.len() > MAX_LETTERS {
             return Err("More than 8 letters could have rules.");
@@ -197,6 +203,19 @@ impl Search {
         }
         Searched::More
     }
+}
+
+/// Whether a symbol stands for itself in strings and rules, and leaves the symbols after it alone.
+fn is_plain(symbol: char) -> bool {
+    // Brackets need a partner.
+    if ['[', ']'].contains(&symbol) || symbol.is_alphanumeric() {
+        return true;
+    }
+    let text = format!("F{symbol}F");
+    let axiom = printed(&text);
+    let system = System::new(&Definition { axiom, ..Definition::default() }).0;
+    let string = system.and_then(|system| expand(&system, 1, &Limits::default()).ok());
+    printed(&symbol.to_string()).chars().eq([symbol]) && string == Some(text)
 }
 
 /// The result of a step of a task.
