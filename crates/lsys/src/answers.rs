@@ -14,8 +14,10 @@ const MAX_CELLS: usize = 1000;
 
 /// An answer to an exercise.
 pub(crate) struct Answer {
-    /// Who answered, or where the answer stands.
+    /// Whose answer it is in the table, or where the answer stands.
     pub(crate) name: String,
+    /// The name that the link gives, which anybody may write.
+    pub(crate) by: String,
     /// The link, if it is one.
     pub(crate) link: Option<String>,
     /// The answer, or why there is none.
@@ -69,18 +71,15 @@ pub(crate) fn answers(word: &str, exercise: &str) -> Result<Vec<Answer>, Command
         }
     }
     let student = read_file(&bytes).definition.ok_or_else(|| "this is no system and no link".to_owned());
-    Ok(vec![Answer { name, link: None, student }])
+    Ok(vec![Answer { name, by: String::new(), link: None, student }])
 }
 
-/// The answer in a row of a table. Its name is the one in the link, or else the first other cell.
+/// The answer in a row of a table. Its name is the first cell beside the link, or else `name`.
 fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
     let (at, link) = cells.iter().enumerate().find_map(|(at, cell)| Some((at, read_link(cell.trim())?)))?;
     let other = cells.iter().enumerate().find(|(other, cell)| *other != at && !cell.trim().is_empty());
-    let name = match (link.other("by").map(str::trim), other) {
-        (Some(by), _) if !by.is_empty() => by.to_owned(),
-        (_, Some((_, cell))) => cell.trim().to_owned(),
-        _ => name.to_owned(),
-    };
+    let name = other.map_or(name, |(_, cell)| cell.trim()).to_owned();
+    let by = link.other("by").unwrap_or_default().trim().to_owned();
     let student = match veiled(&link) {
         Some(other) if other != exercise => Err("an answer to another exercise".to_owned()),
         _ => match link.problems.first() {
@@ -88,7 +87,7 @@ fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
             _ => Ok(link.definition),
         },
     };
-    Some(Answer { name, link: Some(cells[at].trim().to_owned()), student })
+    Some(Answer { name, by, link: Some(cells[at].trim().to_owned()), student })
 }
 
 fn veiled(link: &Link) -> Option<String> {
@@ -142,5 +141,10 @@ mod tests {
         assert_eq!(rows[3], ["Germain", "a \"b\""]);
         assert_eq!(of_row(&rows[1], "x", "").unwrap().name, "Lovelace, A.");
         assert!(of_row(&rows[0], "x", "").is_none());
+        // The name in a link does not replace the one in the table.
+        let row = ["7", "Lovelace", "#v=1&by=Noether"].map(str::to_owned);
+        let answer = of_row(&row, "x", "").unwrap();
+        assert_eq!((answer.name.as_str(), answer.by.as_str()), ("7", "Noether"));
+        assert_eq!(of_row(&row[2..], "answers, row 3", "").unwrap().name, "answers, row 3");
     }
 }
