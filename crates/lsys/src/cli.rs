@@ -187,7 +187,7 @@ pub(crate) enum Verb {
         /// Letters that draw, for pictures
         #[arg(long, value_name = "LETTERS")]
         draws: Option<String>,
-        /// Seconds to search a picture
+        /// Seconds to search
         #[arg(long, value_name = "S", default_value = "20")]
         seconds: u32,
         /// Print JSON

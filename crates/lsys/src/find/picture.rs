@@ -10,10 +10,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// The systems that are tried between two looks at the clock.
+/// The systems that are tried in one step.
 const SHARE: u64 = 4096;
 /// The most pixels of a picture.
-const MAX_PIXELS: usize = 100 << 20;
+const MAX_PIXELS: u64 = 64_000_000;
 /// The most segments of a file.
 const MAX_SEGMENTS: usize = 1_000_000;
 /// The systems that all cores together have tried after the first round. Each further round tries as many systems as
@@ -154,7 +154,7 @@ fn search(finders: &mut [Finder], limit: Duration) {
 /// Searches to the end of a round. Returns whether there is more to search.
 fn go_on(finder: &mut Finder, until: u64, is_over: impl Fn() -> bool) -> bool {
     while finder.tried() < until && !is_over() {
-        if finder.step(SHARE) == Searched::All {
+        if finder.step_until(SHARE, &is_over) == Searched::All {
             return false;
         }
     }
@@ -166,8 +166,12 @@ fn grey(bytes: &[u8]) -> Result<(Vec<u8>, usize, usize), String> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::normalize_to_color8());
     let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    let size = reader.output_buffer_size().filter(|&size| size <= 4 * MAX_PIXELS);
-    let mut pixels = vec![0; size.ok_or("the picture has too many pixels")?];
+    let info = reader.info();
+    let is_small = u64::from(info.width) * u64::from(info.height) <= MAX_PIXELS;
+    let size = reader.output_buffer_size().filter(|_| is_small).ok_or("the picture has more than 64,000,000 pixels")?;
+    let mut pixels = Vec::new();
+    pixels.try_reserve_exact(size).map_err(|_| "not enough memory for the picture")?;
+    pixels.resize(size, 0);
     let frame = reader.next_frame(&mut pixels).map_err(|error| error.to_string())?;
     let channels = frame.color_type.samples();
     let grey = pixels[..frame.buffer_size()].chunks_exact(channels).map(|pixel| {
