@@ -14,7 +14,7 @@ const MOST: usize = 60;
 /// The symbols of work for each number of steps: some seconds.
 const WORK: usize = 60_000_000;
 /// The symbols of work between two looks at the clock.
-const PIECE: usize = 1 << 14;
+const PIECE: usize = 1 << 16;
 /// The steps that are tried where their number is not known.
 const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 /// The most letters of a string that are tried as axioms where none is given.
