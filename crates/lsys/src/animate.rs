@@ -11,7 +11,6 @@ use lsystem::film::{
 };
 use lsystem::{Figure, Limits, Vantage};
 use pool::Pool;
-use std::fs;
 use std::path::Path;
 
 /// The units of work between two looks at other workers.
@@ -30,7 +29,7 @@ pub(crate) fn animate(file: &Path, to: &Path, options: &FilmOptions, changes: &C
         Some(name) if name.to_ascii_lowercase().ends_with(".gif") => FilmFormat::Gif,
         _ => FilmFormat::Png,
     });
-    let pool = Pool::new(&film, limits);
+    let pool = Pool::new(&film, limits)?;
     match (format, to.as_os_str() == "-") {
         (FilmFormat::Gif, true) => sink::gif_to_stdout(&pool),
         (_, true) => sink::frames_to_stdout(&pool, format),
@@ -94,8 +93,5 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
 /// The text of a script: the text itself, or the text of a file.
 fn text_of(text: &str) -> Result<String, CommandFailure> {
     let is_file = !text.contains(';') && Path::new(text).exists();
-    if !is_file {
-        return Ok(text.to_owned());
-    }
-    fs::read_to_string(text).map_err(|error| CommandFailure::io(text, &error))
+    if is_file { input::text_of(Path::new(text)) } else { Ok(text.to_owned()) }
 }

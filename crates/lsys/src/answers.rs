@@ -1,18 +1,23 @@
 //! Answers to exercises: links, systems in files, and tables with a column of links.
 
 use crate::{CommandFailure, input};
-use lsystem::course::Exercise;
+use lsystem::course::{Exercise, MAX_OUTPUT};
 use lsystem::files::{Link, read_link};
+use lsystem::syntax::message::grouped;
 use lsystem::{Definition, read_file};
 use std::path::Path;
 
-/// The most answers.
+/// The most answers in a table.
 const MOST: usize = 100_000;
+/// The most cells of a row that are read.
+const MAX_CELLS: usize = 1000;
 
 /// An answer to an exercise.
 pub(crate) struct Answer {
-    /// Who answered, or where the answer stands.
+    /// Whose answer it is in the table, or where the answer stands.
     pub(crate) name: String,
+    /// The name that the link gives, which anybody may write.
+    pub(crate) by: String,
     /// The link, if it is one.
     pub(crate) link: Option<String>,
     /// The answer, or why there is none.
@@ -25,8 +30,8 @@ pub(crate) struct Answer {
 /// [`CommandFailure::Words`] if there is no exercise or it is damaged. The second value is the exercise as written in
 /// the link.
 pub(crate) fn exercise(word: &str) -> Result<(Exercise, String), CommandFailure> {
-    let text = if is_link(word) { word.to_owned() } else { text_of(Path::new(word))? };
-    let link = cells(&text).into_iter().flatten().find_map(|cell| veiled(&read_link(cell.trim())?));
+    let text = if is_link(word) { word.to_owned() } else { input::text_of(Path::new(word))? };
+    let link = cells(&text).flatten().find_map(|cell| veiled(&read_link(cell.trim())?));
     let Some(veiled) = link else {
         return Err(CommandFailure::Words(format!("{word}: there is no link of an exercise (with x=...)")));
     };
@@ -45,34 +50,36 @@ pub(crate) fn answers(word: &str, exercise: &str) -> Result<Vec<Answer>, Command
         return Ok(of_row(&[word.to_owned()], "link", exercise).into_iter().collect());
     }
     let path = Path::new(word);
-    let bytes = input::bytes_of(path).map_err(|error| CommandFailure::io(word, &error))?;
+    let bytes = input::output_of(path).map_err(|error| CommandFailure::io(word, &error))?;
+    let refused = |why: String| Err(CommandFailure::Words(format!("{word}: {why}")));
     let name = path.file_stem().map_or(word.into(), |name| name.to_string_lossy()).into_owned();
     if let Ok(text) = core::str::from_utf8(&bytes) {
-        let rows = cells(text);
-        let found: Vec<Answer> = (rows.iter().enumerate())
-            .filter_map(|(row, cells)| {
-                let name = if rows.len() == 1 { name.clone() } else { format!("{name}, row {}", row + 1) };
-                of_row(cells, &name, exercise)
-            })
-            .take(MOST)
-            .collect();
+        if text.len() > MAX_OUTPUT {
+            return refused(format!("longer than {} MiB, which is not read", MAX_OUTPUT >> 20));
+        }
+        let is_table = cells(text).nth(1).is_some();
+        let found = cells(text).zip(1..).filter_map(|(cells, row)| {
+            let name = if is_table { format!("{name}, row {row}") } else { name.clone() };
+            of_row(&cells, &name, exercise)
+        });
+        let found: Vec<Answer> = found.take(MOST + 1).collect();
+        if found.len() > MOST {
+            return refused(format!("more than {} answers", grouped(&MOST.to_string())));
+        }
         if !found.is_empty() {
             return Ok(found);
         }
     }
     let student = read_file(&bytes).definition.ok_or_else(|| "this is no system and no link".to_owned());
-    Ok(vec![Answer { name, link: None, student }])
+    Ok(vec![Answer { name, by: String::new(), link: None, student }])
 }
 
-/// The answer in a row of a table. Its name is the one in the link, or else the first other cell.
+/// The answer in a row of a table. Its name is the first cell beside the link, or else `name`.
 fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
     let (at, link) = cells.iter().enumerate().find_map(|(at, cell)| Some((at, read_link(cell.trim())?)))?;
     let other = cells.iter().enumerate().find(|(other, cell)| *other != at && !cell.trim().is_empty());
-    let name = match (link.other("by").map(str::trim), other) {
-        (Some(by), _) if !by.is_empty() => by.to_owned(),
-        (_, Some((_, cell))) => cell.trim().to_owned(),
-        _ => name.to_owned(),
-    };
+    let name = other.map_or(name, |(_, cell)| cell.trim()).to_owned();
+    let by = link.other("by").unwrap_or_default().trim().to_owned();
     let student = match veiled(&link) {
         Some(other) if other != exercise => Err("an answer to another exercise".to_owned()),
         _ => match link.problems.first() {
@@ -80,7 +87,7 @@ fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
             _ => Ok(link.definition),
         },
     };
-    Some(Answer { name, link: Some(cells[at].trim().to_owned()), student })
+    Some(Answer { name, by, link: Some(cells[at].trim().to_owned()), student })
 }
 
 fn veiled(link: &Link) -> Option<String> {
@@ -91,34 +98,32 @@ fn is_link(word: &str) -> bool {
     word.starts_with("http:") || word.starts_with("https:") || word.starts_with("file:") || word.starts_with('#')
 }
 
-fn text_of(path: &Path) -> Result<String, CommandFailure> {
-    let name = path.display().to_string();
-    let bytes = input::bytes_of(path).map_err(|error| CommandFailure::io(&name, &error))?;
-    String::from_utf8(bytes).map_err(|_| CommandFailure::Words(format!("{name}: this is no text")))
-}
-
-/// The cells of a table by rows (RFC 4180). Cells are separated by commas, semicolons or tabs outside of quotes; those
-/// in a link without quotes belong to the link.
-fn cells(text: &str) -> Vec<Vec<String>> {
-    let (mut rows, mut row, mut cell) = (Vec::new(), Vec::new(), String::new());
-    let mut quoted = false;
+/// The cells of a table by rows (RFC 4180), at most [`MAX_CELLS`] in each. Cells are separated by commas, semicolons or
+/// tabs outside of quotes; those in a link without quotes belong to the link.
+fn cells(text: &str) -> impl Iterator<Item = Vec<String>> {
     let mut rest = text.trim_start_matches('\u{feff}').chars().peekable();
-    while let Some(c) = rest.next() {
-        match c {
-            '"' if quoted && rest.peek() == Some(&'"') => cell.extend(rest.next()),
-            '"' if quoted || cell.trim().is_empty() => quoted = !quoted,
-            '\n' if !quoted => {
-                row.push(core::mem::take(&mut cell));
-                rows.push(core::mem::take(&mut row));
+    core::iter::from_fn(move || {
+        rest.peek()?;
+        let (mut row, mut cell, mut quoted) = (Vec::new(), String::new(), false);
+        let end = |row: &mut Vec<String>, cell: &mut String| {
+            let cell = core::mem::take(cell);
+            if row.len() < MAX_CELLS {
+                row.push(cell);
             }
-            ',' | ';' if !quoted && !cell.contains('#') => row.push(core::mem::take(&mut cell)),
-            '\t' if !quoted => row.push(core::mem::take(&mut cell)),
-            c => cell.push(c),
+        };
+        while let Some(c) = rest.next() {
+            match c {
+                '"' if quoted && rest.peek() == Some(&'"') => cell.extend(rest.next()),
+                '"' if quoted || cell.trim().is_empty() => quoted = !quoted,
+                '\n' if !quoted => break,
+                ',' | ';' if !quoted && !cell.contains('#') => end(&mut row, &mut cell),
+                '\t' if !quoted => end(&mut row, &mut cell),
+                c => cell.push(c),
+            }
         }
-    }
-    row.push(cell);
-    rows.push(row);
-    rows
+        end(&mut row, &mut cell);
+        Some(row)
+    })
 }
 
 #[cfg(test)]
@@ -127,13 +132,19 @@ mod tests {
 
     #[test]
     fn tables_are_read() {
-        let rows = cells(
+        let rows: Vec<_> = cells(
             "name,link\r\n\"Lovelace, A.\",\"#v=1&palette=ff0000,00ff00\"\nNoether;#v=1&palette=ff0000,00ff00\nGermain\t\"a \"\"b\"\"\"",
-        );
+        )
+        .collect();
         assert_eq!(rows[1], ["Lovelace, A.", "#v=1&palette=ff0000,00ff00"]);
         assert_eq!(rows[2], ["Noether", "#v=1&palette=ff0000,00ff00"]);
         assert_eq!(rows[3], ["Germain", "a \"b\""]);
         assert_eq!(of_row(&rows[1], "x", "").unwrap().name, "Lovelace, A.");
         assert!(of_row(&rows[0], "x", "").is_none());
+        // The name in a link does not replace the one in the table.
+        let row = ["7", "Lovelace", "#v=1&by=Noether"].map(str::to_owned);
+        let answer = of_row(&row, "x", "").unwrap();
+        assert_eq!((answer.name.as_str(), answer.by.as_str()), ("7", "Noether"));
+        assert_eq!(of_row(&row[2..], "answers, row 3", "").unwrap().name, "answers, row 3");
     }
 }

@@ -187,7 +187,7 @@ pub(crate) enum Verb {
         /// Letters that draw, for pictures
         #[arg(long, value_name = "LETTERS")]
         draws: Option<String>,
-        /// Seconds to search a picture
+        /// Seconds to search
         #[arg(long, value_name = "S", default_value = "20")]
         seconds: u32,
         /// Print JSON
@@ -285,7 +285,7 @@ pub(crate) struct TileOptions {
     /// Make only the tiles above and below this one, for levels too deep to make all of them
     #[arg(long, value_name = "LEVEL/X/Y", default_value = "0/0/0")]
     pub(crate) under: Under,
-    /// Threads [default: one for each core]
+    /// Threads, at most one for each core [default: one for each core]
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<NonZero<u16>>,
     /// Leave out the background

@@ -7,6 +7,37 @@ use std::num::NonZero;
 use std::sync::{Mutex, PoisonError, RwLock, mpsc};
 use std::thread;
 
+/// Calls `work` on this thread and on `workers - 1` others, or on fewer if the system starts no more.
+pub(crate) fn side_by_side(workers: usize, work: impl Fn() + Sync) {
+    thread::scope(|scope| {
+        let start = |_: &usize| thread::Builder::new().spawn_scoped(scope, &work).is_ok();
+        (1..workers).take_while(start).count();
+        work();
+    });
+}
+
+/// Starts up to `workers` threads with work from `work`, beside this thread.
+///
+/// # Errors
+/// [`CommandFailure::Words`] if the system starts none.
+pub(crate) fn start<'scope, W: FnOnce() + Send + 'scope>(
+    scope: &'scope thread::Scope<'scope, '_>,
+    workers: usize,
+    work: impl Fn() -> W,
+) -> Result<(), CommandFailure> {
+    for started in 0..workers {
+        if let Err(error) = thread::Builder::new().spawn_scoped(scope, work()) {
+            return if started > 0 { Ok(()) } else { Err(CommandFailure::io("threads", &error)) };
+        }
+    }
+    Ok(())
+}
+
+/// The number of threads that run at the same time.
+pub(crate) fn count() -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get)
+}
+
 /// A receiver of messages about a file.
 pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
 
@@ -44,8 +75,7 @@ pub(crate) fn in_order<J: Sync, R: Send>(
     jobs: &[J],
     work: impl Fn(&J, &SharedLimits, Say<'_>) -> Result<R, CommandFailure> + Sync,
 ) -> Result<(Vec<R>, bool), CommandFailure> {
-    let cores = thread::available_parallelism().map_or(1, NonZero::get);
-    with_workers(cores.min(jobs.len()), jobs, work)
+    with_workers(count().min(jobs.len()), jobs, work)
 }
 
 fn with_workers<J: Sync, R: Send>(
@@ -72,10 +102,10 @@ fn with_workers<J: Sync, R: Send>(
         }
     };
     thread::scope(|scope| {
-        for _ in 0..workers {
+        start(scope, workers, || {
             let (sender, worker) = (sender.clone(), &worker);
-            scope.spawn(move || worker(sender));
-        }
+            move || worker(sender)
+        })?;
         drop(sender);
         let mut progress = DelayedBar::new("files", Some(jobs.len() as u64));
         // Results that wait for earlier jobs, and the number of jobs whose messages are printed.

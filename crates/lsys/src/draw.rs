@@ -7,9 +7,10 @@ use crate::input::{self, InputSystem};
 use crate::output::within;
 use crate::pending::{Pending, with_extension};
 use crate::progress::DelayedBar;
-use crate::{CommandFailure, cores, print};
+use crate::{CommandFailure, cores, memory, print};
 use lsystem::drawing::why_empty;
 use lsystem::files::{FileLimits, FileTask, FileView, Format, Owner, PngOptions, Sink, make};
+use lsystem::render::BAND_PIXEL;
 use lsystem::syntax::{Halt, visible};
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
@@ -19,6 +20,8 @@ pub(crate) fn draw(jobs: &[Job], folder: Option<&Path>, look: &Look, changes: &C
     if let Some(folder) = folder {
         std::fs::create_dir_all(folder).map_err(|error| CommandFailure::io(folder.display(), &error))?;
     }
+    // No output of a job replaces the file of a later one.
+    jobs.iter().for_each(|job| input::keep(&job.file));
     match cores::in_order(jobs, |job, limits, say| draw_one(job, look, changes, limits, say))? {
         (_, true) => Ok(()),
         (_, false) => Err(CommandFailure::Said),
@@ -75,6 +78,11 @@ fn draw_one(
 /// The most segments of a mesh: some hundred megabytes, and more than most programs open.
 const MESH_SEGMENTS: u64 = 500_000;
 
+/// The size of a picture that suits its drawing, at most.
+const USUAL_SIZE: [u32; 2] = [2048; 2];
+/// The bytes of memory for painting, beside the pixels.
+const PAINTING: u64 = 4 << 20;
+
 /// The owner of a file: the stream to which it is written.
 struct Stream<'a> {
     out: &'a mut dyn Write,
@@ -108,13 +116,18 @@ fn write_file(
     out: &mut dyn Write,
     wrong: &dyn Fn(io::Error) -> CommandFailure,
 ) -> Result<(), CommandFailure> {
+    let options = look.flags.options();
+    if format.name == "png" {
+        let pixels = options.size.unwrap_or(USUAL_SIZE).map(u64::from).iter().product::<u64>();
+        memory::check(PAINTING + pixels.min(PngOptions::default().band.into()) * BAND_PIXEL)?;
+    }
     let mut stream = Stream { out, error: None, bar: None };
     let limits = input.limits(shares);
     let task = FileTask {
         definition: &input.definition,
         system: &input.system,
         format,
-        options: &look.flags.options(),
+        options: &options,
         view: FileView::default(),
         limits: FileLimits {
             drawing: input.drawing_limits(),

@@ -3,14 +3,18 @@
 mod picture;
 
 use crate::{CommandFailure, input, print};
+use lsystem::course::MAX_OUTPUT;
 use lsystem::find::{Found, Search, Searched};
 use serde::Serialize;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 /// The most symbols of all successors.
 const MOST: usize = 60;
 /// The symbols of work for each number of steps: some seconds.
 const WORK: usize = 60_000_000;
+/// The symbols of work between two looks at the clock.
+const PIECE: usize = 1 << 16;
 /// The steps that are tried where their number is not known.
 const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 /// The most letters of a string that are tried as axioms where none is given.
@@ -55,7 +59,8 @@ pub(crate) struct Known {
 /// [`CommandFailure::Said`] if none are found; [`CommandFailure::Words`] if the string cannot be searched.
 pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), CommandFailure> {
     let path = Path::new(wanted);
-    let text = match wanted == "-" || path.is_file() {
+    // Pipes are files, too.
+    let text = match wanted == "-" || path.exists() && !path.is_dir() {
         true => {
             let bytes = input::output_of(path).map_err(|error| CommandFailure::io(wanted, &error))?;
             if picture::is_picture(&bytes) {
@@ -63,6 +68,10 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
             }
             let text = String::from_utf8(bytes);
             let text = text.map_err(|_| CommandFailure::Words(format!("{wanted}: this is no text")))?;
+            if text.len() > MAX_OUTPUT {
+                let words = format!("{wanted}: longer than {} MiB, which is not read", MAX_OUTPUT >> 20);
+                return Err(CommandFailure::Words(words));
+            }
             if let Some(segments) = picture::segments(wanted, &text)? {
                 return picture::find_segments(wanted, &segments, known, json);
             }
@@ -76,13 +85,19 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
         return Err(CommandFailure::Words("a string with letters is expected, or --axiom".to_owned()));
     }
     let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
+    let (begin, limit) = (Instant::now(), Duration::from_secs(known.seconds.into()));
+    let mut searches = (axioms.len() * steps.len()) as u32;
     let (mut found, mut searched): (Vec<(&str, Found)>, Vec<String>) = (Vec::new(), Vec::new());
     for (axiom, &n) in axioms.iter().flat_map(|axiom| steps.iter().map(move |n| (axiom, n))) {
         let search = Search::new(axiom, text, n, &known.constants, MOST);
         let mut search = search.map_err(|why| CommandFailure::Words(why.to_owned()))?;
+        // All searches that are left share the time that is left.
+        let end = begin.elapsed() + limit.saturating_sub(begin.elapsed()) / searches;
+        searches -= 1;
         let mut left = WORK / axioms.len();
-        while left > 0 && search.found().is_empty() && search.step(1 << 16) == Searched::More {
-            left = left.saturating_sub(1 << 16);
+        let is_open = |search: &Search| search.found().is_empty() && begin.elapsed() < end;
+        while left > 0 && is_open(&search) && search.step(PIECE) == Searched::More {
+            left = left.saturating_sub(PIECE);
         }
         found.extend(search.found().iter().map(|found| (axiom.as_str(), found.clone())));
         let from = if axioms.len() > 1 { format!("{axiom}, ") } else { String::new() };

@@ -1,6 +1,6 @@
 //! `lsys import`: files of other programs to JSON files.
 
-use crate::input::{bytes_of, remark_line};
+use crate::input::{self, bytes_of, remark_line};
 use crate::pending::Pending;
 use crate::{CommandFailure, print, say};
 use lsystem::base::MAX_TEXT;
@@ -28,8 +28,11 @@ struct Totals {
 pub(crate) fn import(files: &[PathBuf], to: &Path) -> Result<(), CommandFailure> {
     std::fs::create_dir_all(to).map_err(|error| CommandFailure::io(to.display(), &error))?;
     let (mut totals, mut taken) = (Totals::default(), BTreeSet::new());
-    for file in files.iter().flat_map(|file| listed(file, 0)) {
-        import_one(&file, to, &mut taken, &mut totals);
+    let files: Vec<PathBuf> = files.iter().flat_map(|file| listed(file, 0)).collect();
+    // No output of a file replaces a later one.
+    files.iter().for_each(|file| input::keep(file));
+    for file in &files {
+        import_one(file, to, &mut taken, &mut totals);
     }
     let Totals { files, failed_files, converted, refused } = totals;
     print(|out| {
@@ -42,9 +45,10 @@ pub(crate) fn import(files: &[PathBuf], to: &Path) -> Result<(), CommandFailure>
 /// The files in a folder and its folders, sorted by name; or the file itself.
 fn listed(path: &Path, depth: usize) -> Vec<PathBuf> {
     const DEEPEST: usize = 16;
-    let is_link = depth > 0 && path.is_symlink();
-    if !path.is_dir() || is_link {
-        return if is_link { Vec::new() } else { vec![path.to_owned()] };
+    // Links may lead in circles, and pipes in a folder have no end.
+    let is_skipped = depth > 0 && (path.is_symlink() || !path.is_dir() && !path.is_file());
+    if is_skipped || !path.is_dir() {
+        return if is_skipped { Vec::new() } else { vec![path.to_owned()] };
     }
     let Ok(folder) = std::fs::read_dir(path) else { return vec![path.to_owned()] };
     let mut inside: Vec<PathBuf> = folder.filter_map(|entry| Some(entry.ok()?.path())).collect();

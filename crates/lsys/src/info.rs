@@ -77,7 +77,7 @@ fn facts(input: &InputSystem, shares: u64) -> FileFacts {
     let (drawn, limit) = (drawing.as_ref().ok(), drawing.as_ref().err());
     let now = GenerationCounts::new(input, shares, n, drawn);
     let before = n.checked_sub(1).map(|n| GenerationCounts::new(input, shares, n, None));
-    let ratio = |of: fn(&GenerationCounts) -> &Option<Tally>| ratio(of(&now).as_ref()?, of(before.as_ref()?).as_ref()?);
+    let ratio = |of: fn(&GenerationCounts) -> &Option<Tally>| of(&now).as_ref()?.ratio(of(before.as_ref()?).as_ref()?);
     FileFacts {
         file: input.file.display().to_string(),
         name: input.definition.name.clone(),
@@ -135,18 +135,6 @@ impl GenerationCounts {
     }
 }
 
-/// `a / b` for numbers of any size; `None` for a division by zero.
-fn ratio(a: &Tally, b: &Tally) -> Option<f64> {
-    /// The leading digits that are divided: they fit a `u128`, and an `f64` needs fewer.
-    const DIGITS: usize = 38;
-    let [a, b] = [a, b].map(Tally::to_string);
-    let dropped = a.len().max(b.len()).saturating_sub(DIGITS);
-    let leading = |digits: &str| digits[..digits.len().saturating_sub(dropped)].parse().unwrap_or(0_u128);
-    let (a, b) = (leading(&a), leading(&b));
-    let whole = a.checked_div(b)?;
-    Some(whole as f64 + (a % b) as f64 / b as f64)
-}
-
 /// A number in decimal digits, with an exponent if it is very small or very large.
 fn readable(number: f64) -> String {
     match number.abs() {
@@ -182,33 +170,5 @@ impl Display for FileFacts {
             writeln!(f, "  growth      symbols x {symbols:.6}, segments {segments} in the last step")?;
         }
         self.limit.as_ref().map_or(Ok(()), |limit| writeln!(f, "  limit       {}", visible(limit)))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::ratio;
-    use lsystem::derive::Tally;
-
-    fn power(base: u32, exponent: u32) -> Tally {
-        (0..exponent).fold(Tally::from(1_u64), |power, _| {
-            let mut next = Tally::ZERO;
-            next.add_times(base, &power);
-            next
-        })
-    }
-
-    #[test]
-    fn ratios_of_numbers_beyond_floating_point() {
-        let close = |a: &Tally, b: &Tally, expected: f64| {
-            let ratio = ratio(a, b).unwrap_or(f64::NAN);
-            assert!((ratio / expected - 1.0).abs() < 1e-15, "{ratio} is not {expected}");
-        };
-        close(&power(3, 1001), &power(3, 1000), 3.0);
-        close(&power(30, 1000), &power(30, 999), 30.0);
-        close(&power(7, 20), &power(7, 22), 1.0 / 49.0);
-        assert_eq!(ratio(&Tally::from(5_u64), &Tally::from(2_u64)), Some(2.5));
-        assert_eq!(ratio(&Tally::ZERO, &power(3, 1000)), Some(0.0));
-        assert_eq!(ratio(&power(3, 1000), &Tally::ZERO), None);
     }
 }

@@ -1,17 +1,20 @@
-//! Reading a file into a system, with messages about its problems.
+//! Reading a file into a system, with messages about its problems. All files that the program reads are opened here.
 
 use crate::cli::Changes;
 use crate::cores::Say;
-use crate::{CommandFailure, settings};
+use crate::{CommandFailure, memory, settings};
 use lsystem::base::{LimitName, MAX_FILE};
+use lsystem::course::MAX_OUTPUT;
 use lsystem::drawing::FigureDrawer;
 use lsystem::files::FileContent;
 use lsystem::import::{Entry, Imported, OWN_JSON, Remark, import_file};
 use lsystem::syntax::visible;
 use lsystem::{Definition, Diagnostic, Figure, Limits, Progress, System, read_file, render_diagnostic};
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// A system from a file, with the command line's changes.
 pub(crate) struct InputSystem {
@@ -25,6 +28,8 @@ pub(crate) struct InputSystem {
     pub(crate) iterations: u32,
     /// The limits of all work on the file.
     limits: Limits,
+    /// The bytes of memory that the work may take: less than the limit if there is less.
+    free: u64,
 }
 
 /// The units of work between two checks of a drawing's memory; they add a few megabytes.
@@ -59,7 +64,8 @@ pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<Input
     let iterations = definition.iterations;
     let usual = Limits::default();
     let limits = Limits { memory: changes.memory.unwrap_or(usual.memory), ..usual };
-    Ok(InputSystem { file: name.into(), definition, system, iterations, limits })
+    let free = memory::at_most(limits.memory);
+    Ok(InputSystem { file: name.into(), definition, system, iterations, limits, free })
 }
 
 /// The system in a file of any notation. The remarks on a system in another notation are printed.
@@ -122,8 +128,8 @@ pub(crate) fn remark_line(name: &str, remark: &Remark) -> String {
 impl InputSystem {
     /// The limits, with those that bound memory divided by `shares`.
     pub(crate) fn limits(&self, shares: u64) -> Limits {
-        let Limits { symbols, segments, memory, .. } = self.limits;
-        Limits { symbols: symbols / shares, segments: segments / shares, memory: memory / shares, ..self.limits }
+        let Limits { symbols, segments, .. } = self.limits;
+        Limits { symbols: symbols / shares, segments: segments / shares, memory: self.free / shares, ..self.limits }
     }
 
     /// The drawing in the space of the system, within one of `shares` equal shares of memory. The drawer itself has the
@@ -136,9 +142,9 @@ impl InputSystem {
     }
 
     fn finish(&self, mut drawer: FigureDrawer, shares: u64) -> Result<Figure, Diagnostic> {
-        let share = self.limits.memory / shares;
+        let share = self.free / shares;
         while drawer.step(WORK) == Progress::More {
-            if shares > 1 && drawer.bytes() > share {
+            if share < self.limits.memory && drawer.bytes() > share {
                 return Err(Diagnostic::limit(LimitName::Memory, share, None));
             }
         }
@@ -181,15 +187,65 @@ const HEAD: u64 = 1 << 10;
 
 /// The bytes of a file, or the beginning of a file that is too large, so that memory and time are bounded.
 pub(crate) fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
-    beginning(open(file)?)
+    beginning(open(file)?, TEXT)
 }
 
-/// The bytes of a program's output, or one byte more than the comparison reads.
+/// The text in a file.
+///
+/// # Errors
+/// [`CommandFailure::Words`] if the file cannot be read, is too long or is no text.
+pub(crate) fn text_of(file: &Path) -> Result<String, CommandFailure> {
+    let name = name_of(file);
+    let bytes = bytes_of(file).map_err(|error| CommandFailure::io(&name, &error))?;
+    let words = |words: String| CommandFailure::Words(format!("{name}: {words}"));
+    let text = String::from_utf8(bytes).map_err(|_| words("this is no text".to_owned()))?;
+    let is_short = text.len() <= MAX_FILE;
+    is_short.then_some(text).ok_or_else(|| words(format!("longer than {} KiB, which is not read", MAX_FILE >> 10)))
+}
+
+/// The bytes of a picture, as [`bytes_of`]; or those of a longer text, such as the output of a program or a table, and
+/// at most one byte more than [`MAX_OUTPUT`].
 pub(crate) fn output_of(file: &Path) -> io::Result<Vec<u8>> {
-    const MOST: u64 = lsystem::course::MAX_OUTPUT as u64 + 1;
-    let mut bytes = Vec::new();
-    open(file)?.take(MOST).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    beginning(open(file)?, MAX_OUTPUT as u64 + 1)
+}
+
+/// The files that this command reads, so that no output replaces one of them.
+static INPUTS: Mutex<BTreeSet<Identity>> = Mutex::new(BTreeSet::new());
+
+fn inputs() -> MutexGuard<'static, BTreeSet<Identity>> {
+    INPUTS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Keeps a file from being replaced, also under another spelling or by another link.
+pub(crate) fn keep(file: &Path) {
+    // On other systems than Unix there is no such path, and a redirected file is not known.
+    let path = if is_standard_input(file) { Path::new("/dev/stdin") } else { file };
+    inputs().extend(identity(path).ok());
+}
+
+/// The same for all names of a file: the numbers of its device and of its inode.
+#[cfg(unix)]
+type Identity = (u64, u64);
+
+#[cfg(unix)]
+fn identity(file: &Path) -> io::Result<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    let data = file.metadata()?;
+    Ok((data.dev(), data.ino()))
+}
+
+/// The same for all spellings of a file's path, and for symbolic links to it.
+#[cfg(not(unix))]
+type Identity = PathBuf;
+
+#[cfg(not(unix))]
+fn identity(file: &Path) -> io::Result<Identity> {
+    file.canonicalize()
+}
+
+/// Whether this command reads the file.
+pub(crate) fn is_input(file: &Path) -> bool {
+    identity(file).is_ok_and(|id| inputs().contains(&id))
 }
 
 /// The file's path, or `standard input`.
@@ -198,6 +254,7 @@ pub(crate) fn name_of(file: &Path) -> String {
 }
 
 fn open(file: &Path) -> io::Result<Box<dyn Read>> {
+    keep(file);
     Ok(if is_standard_input(file) { Box::new(io::stdin().lock()) } else { Box::new(File::open(file)?) })
 }
 
@@ -205,10 +262,11 @@ fn is_standard_input(file: &Path) -> bool {
     file.as_os_str() == "-"
 }
 
-fn beginning(mut file: impl Read) -> io::Result<Vec<u8>> {
+/// The first bytes of a picture, or the first `text` bytes of anything else.
+fn beginning(mut file: impl Read, text: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.by_ref().take(HEAD).read_to_end(&mut bytes)?;
-    let most = if is_picture(&bytes) { PICTURE } else { TEXT };
+    let most = if is_picture(&bytes) { PICTURE } else { text };
     file.take(most - HEAD).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
@@ -266,11 +324,11 @@ mod tests {
     fn no_more_is_read_than_a_file_can_need() {
         for (start, most) in [("", TEXT), ("{", TEXT), ("<svg", PICTURE), ("\u{feff}\n<svg", PICTURE)] {
             let mut taken = 0;
-            let bytes = beginning(Endless(start.as_bytes(), &mut taken)).unwrap();
+            let bytes = beginning(Endless(start.as_bytes(), &mut taken), TEXT).unwrap();
             assert_eq!((bytes.len() as u64, taken), (most, most), "{start:?}");
             assert!(bytes.starts_with(start.as_bytes()));
         }
         assert!(is_picture(b"\x89PNG\r\n") && is_picture(b"\xff\xfe<\0s\0") && is_picture(b"\xfe\xff\0<\0s"));
-        assert_eq!(beginning(&b"{}"[..]).unwrap(), b"{}");
+        assert_eq!(beginning(&b"{}"[..], TEXT).unwrap(), b"{}");
     }
 }

@@ -82,7 +82,9 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    match run(command).map_err(CommandFailure::tell) {
+    let done = run(command);
+    pending::remove_all();
+    match done.map_err(CommandFailure::tell) {
         // The reader has closed the pipe, which is no failure.
         Ok(()) | Err(Err(_)) => ExitCode::SUCCESS,
         Err(Ok(())) => ExitCode::FAILURE,

@@ -1,8 +1,11 @@
 //! `lsys mark`: answers to an exercise, marked.
 
+mod csv;
 mod page;
 
 use crate::answers::{Answer, answers, exercise};
+use crate::pending::Pending;
+use crate::progress::DelayedBar;
 use crate::{CommandFailure, print};
 use lsystem::Definition;
 use lsystem::course::{Exercise, Grade, Marker};
@@ -31,17 +34,23 @@ pub(crate) fn mark(wanted: &str, words: &[String], csv: bool, html: Option<&Path
         let errors: Vec<String> = errors.iter().map(lsystem::Diagnostic::message).collect();
         CommandFailure::Words(format!("the exercise cannot be drawn: {}", errors.join(" ")))
     })?;
-    let mut marked = Vec::new();
+    let mut all = Vec::new();
     for word in words {
-        for answer in answers(word, &veiled)? {
-            marked.push(marked_by(&mut marker, answer, html.is_some()));
-        }
+        all.extend(answers(word, &veiled)?);
     }
+    let mut bar = DelayedBar::new("answers", Some(all.len() as u64));
+    let mut marked = Vec::new();
+    for answer in all {
+        marked.push(marked_by(&mut marker, answer, html.is_some()));
+        bar.at(marked.len() as u64);
+    }
+    drop(bar);
     if let Some(path) = html {
         let text = page::page(marker.exercise(), &marked);
-        std::fs::write(path, text).map_err(|error| CommandFailure::io(path.display(), &error))?;
+        let page = Pending::write(path, |out| out.write_all(text.as_bytes())).and_then(Pending::commit);
+        page.map_err(|error| CommandFailure::io(path.display(), &error))?;
     }
-    print(|out| if csv { write_csv(out, &marked) } else { write_table(out, &marked) })
+    print(|out| if csv { csv::write(out, &marked) } else { write_table(out, &marked) })
 }
 
 fn marked_by(marker: &mut Marker, answer: Answer, with_picture: bool) -> Marked {
@@ -83,40 +92,25 @@ impl Marked {
 }
 
 fn write_table(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
-    let widest = marked.iter().map(|marked| marked.answer.name.chars().count()).max().unwrap_or(0).clamp(4, 40);
-    writeln!(out, "{:widest$}  solved  agrees  symbols  remark", "name")?;
+    let widest = |of: fn(&Answer) -> &String, head: &str| {
+        let widest = marked.iter().map(|one| visible(of(&one.answer)).chars().count()).max().unwrap_or(0);
+        widest.clamp(head.len(), 40)
+    };
+    let (widest, signed) = (widest(|answer| &answer.name, "name"), widest(|answer| &answer.by, "by"));
+    writeln!(out, "{:widest$}  {:signed$}  solved  agrees  symbols  remark", "name", "by")?;
     for one in marked {
         let solved = if one.is_solved() { "yes" } else { "no" };
         let percent = one.percent();
-        let name = visible(&one.answer.name);
-        writeln!(out, "{name:widest$}  {solved:6} {percent:>7} {:>8}  {}", one.symbols(), visible(&one.words))?;
+        let (name, by) = (visible(&one.answer.name), visible(&one.answer.by));
+        writeln!(
+            out,
+            "{name:widest$}  {by:signed$}  {solved:6} {percent:>7} {:>8}  {}",
+            one.symbols(),
+            visible(&one.words)
+        )?;
     }
     let solved = marked.iter().filter(|one| one.is_solved()).count();
     writeln!(out, "{solved} of {} solved.", marked.len())
-}
-
-fn write_csv(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
-    writeln!(out, "name,solved,agreement_percent,symbols,target_segments,own_segments,remark,link")?;
-    for one in marked {
-        let segments = one.mark.as_ref().map(|mark| mark.segments.map(|count| count.to_string()));
-        let [target, own] = segments.unwrap_or_default();
-        let solved = if one.is_solved() { "yes" } else { "no" };
-        let percent = one.percent();
-        let link = one.answer.link.as_deref().unwrap_or_default();
-        let row =
-            [&one.answer.name, solved, percent.trim_end_matches(" %"), &one.symbols(), &target, &own, &one.words, link];
-        writeln!(out, "{}", row.map(quoted).join(","))?;
-    }
-    Ok(())
-}
-
-/// A cell of a table. Spreadsheets take texts that begin like a formula for one; a quote before it keeps them texts.
-fn quoted(text: &str) -> String {
-    let guard = if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { "'" } else { "" };
-    match text.contains([',', '"', '\n', '\r', ';']) || !guard.is_empty() {
-        true => format!("\"{guard}{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    }
 }
 
 /// The parts of an exercise's head for a page.

@@ -1,4 +1,6 @@
-//! Parsing of memory sizes for `--memory`.
+//! Memory sizes for `--memory`, and whether there is as much memory.
+
+use crate::CommandFailure;
 
 /// The least memory limit, in bytes.
 const LEAST: u64 = 1 << 20;
@@ -24,6 +26,33 @@ pub(crate) fn parse(text: &str) -> Result<u64, String> {
         None if number.is_empty() => Err("expected a number before the unit, such as 512M".to_owned()),
         None => Err("the size is too large".to_owned()),
     }
+}
+
+/// Checks that there is memory for work that takes about `bytes`. The system would end the program in the middle of the
+/// work otherwise.
+///
+/// # Errors
+/// [`CommandFailure::Limit`] if there is less.
+pub(crate) fn check(bytes: u64) -> Result<(), CommandFailure> {
+    match is_free(bytes) {
+        true => Ok(()),
+        false => {
+            let words = format!("error: not enough memory: this takes about {} MiB\n", bytes.div_ceil(1 << 20));
+            Err(CommandFailure::Limit(words))
+        }
+    }
+}
+
+/// The bytes of memory that growing data may take: `wanted`, if there is as much, or else half of what there is, because
+/// data is copied when it grows.
+pub(crate) fn at_most(wanted: u64) -> u64 {
+    let is_enough = |bytes: &u64| *bytes <= LEAST || is_free(*bytes);
+    let free = core::iter::successors(Some(wanted), |bytes| Some(bytes / 8 * 7)).find(is_enough).unwrap_or(LEAST);
+    if free == wanted { wanted } else { free / 2 }
+}
+
+fn is_free(bytes: u64) -> bool {
+    usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok())
 }
 
 #[cfg(test)]

@@ -1,76 +1,234 @@
-//! Output files that are either complete or absent, even if a signal ends the program.
+//! The only way to an output file: it is either complete or as it was before, even if a signal ends the program.
+//!
+//! A file is written into a scratch folder beside it and then renamed. The scratch folder is removed when the program
+//! ends. A killed program leaves it behind, and the next one that writes there removes it: the folder has a file with a
+//! mark, whose lock ends with its program. Without the mark, or with files of others inside, a folder is not touched.
 
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use crate::input;
+use std::fs::{self, File, Permissions};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use tempfile::TempPath;
 
-/// All temporary files, so that a signal can remove them. Making, renaming or removing a temporary file needs the lock.
-static TEMPORARY: Mutex<Vec<TempPath>> = Mutex::new(Vec::new());
+/// The beginning of the names of scratch folders.
+const PREFIX: &str = ".lsys-";
+/// The file of a scratch folder that its program keeps locked, and its text. All other files have numbers as names.
+const LOCK: &str = "lock";
+const MARK: &[u8] = b"Temporary files of lsys, which removes them by itself.\n";
 
-fn temporary() -> MutexGuard<'static, Vec<TempPath>> {
-    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+/// The scratch folders of this program. Making, renaming or removing a temporary file needs the lock, so that a signal
+/// finds all files.
+static SCRATCH: Mutex<Scratch> = Mutex::new(Scratch { folders: Vec::new(), files: 0, is_guarded: false });
+
+struct Scratch {
+    folders: Vec<Folder>,
+    /// The number of files so far.
+    files: u64,
+    /// Whether signals remove the folders.
+    is_guarded: bool,
 }
 
-/// A temporary file in the folder of the final file. [`Pending::commit`] gives the file its final name; dropping
-/// removes the file.
+struct Folder {
+    /// The folder of the outputs.
+    parent: PathBuf,
+    path: PathBuf,
+    /// Locked as long as the program lives.
+    _lock: File,
+}
+
+fn scratch() -> MutexGuard<'static, Scratch> {
+    SCRATCH.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes all temporary files. Called at the end of the program.
+pub(crate) fn remove_all() {
+    scratch().clear();
+}
+
+/// A complete output without its name. [`Pending::commit`] gives the file its name; dropping removes the file.
 pub(crate) struct Pending {
     temporary: PathBuf,
     path: PathBuf,
 }
 
 impl Pending {
-    /// Writes the output of `write` to a temporary file.
+    /// Writes the output of `write` to a temporary file beside `path`.
     ///
     /// # Errors
-    /// Errors of the file system and of `write`; the temporary file is then removed.
+    /// Errors of the file system and of `write`; an error if the file there must not be replaced: a file that this
+    /// command reads, a symbolic link, a read-only file, or no file.
     pub(crate) fn write(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
-        let (file, temporary) = create(path.parent().unwrap_or(Path::new("")))?;
+        Self::write_below(path.parent().unwrap_or(Path::new("")), path, write)
+    }
+
+    /// As [`Pending::write`], with the temporary file in `folder`, which has `path` somewhere below it.
+    ///
+    /// # Errors
+    /// As [`Pending::write`].
+    pub(crate) fn write_below(
+        folder: &Path,
+        path: &Path,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> io::Result<Self> {
+        let former = replaceable(path)?;
+        let (file, temporary) = scratch().file(folder)?;
         let pending = Self { temporary, path: path.to_owned() };
         let mut out = BufWriter::with_capacity(1 << 16, file);
         write(&mut out)?;
-        out.into_inner().map_err(io::IntoInnerError::into_error)?;
+        let file = out.into_inner().map_err(io::IntoInnerError::into_error)?;
+        if let Some(permissions) = former {
+            file.set_permissions(permissions)?;
+            // A loss of power must not leave an empty file in place of the former one.
+            file.sync_data()?;
+        }
         Ok(pending)
     }
 
-    /// Gives the file its final name and replaces an existing file.
+    /// Gives the file its name and replaces an existing file.
     ///
     /// # Errors
-    /// Errors of the file system.
+    /// As [`Pending::write`].
     pub(crate) fn commit(self) -> io::Result<()> {
-        let mut all = temporary();
-        let Some(at) = all.iter().position(|path| **path == *self.temporary) else {
-            return Err(io::ErrorKind::NotFound.into());
-        };
-        let result = all.swap_remove(at).persist(&self.path).map_err(|error| error.error);
-        // Dropping `self` takes the lock again.
-        drop(all);
-        result
+        replaceable(&self.path)?;
+        let _all = scratch();
+        fs::rename(&self.temporary, &self.path)
+    }
+
+    /// Gives the file its name if no file has it.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::AlreadyExists`]; errors of the file system.
+    pub(crate) fn commit_new(self) -> io::Result<()> {
+        let _all = scratch();
+        match fs::hard_link(&self.temporary, &self.path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(error),
+            Ok(()) => Ok(()),
+            // Some file systems have no links.
+            Err(_) if fs::symlink_metadata(&self.path).is_ok() => Err(io::ErrorKind::AlreadyExists.into()),
+            Err(_) => fs::rename(&self.temporary, &self.path),
+        }
     }
 }
 
 impl Drop for Pending {
     fn drop(&mut self) {
-        temporary().retain(|path| **path != *self.temporary);
+        let _all = scratch();
+        let _ = fs::remove_file(&self.temporary);
     }
 }
 
-/// Makes an empty file in `folder` that is removed when the program ends.
-fn create(folder: &Path) -> io::Result<(File, PathBuf)> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let mut all = temporary();
-    if all.is_empty() {
-        remove_on_signals()?;
+/// Checks that a file may get this name. Returns the permissions of the file that it replaces.
+fn replaceable(path: &Path) -> io::Result<Option<Permissions>> {
+    let former = match fs::symlink_metadata(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        former => former?,
+    };
+    let refused = |why: &str| Err(io::Error::other(why));
+    match former.permissions() {
+        _ if former.is_symlink() => refused("this is a symbolic link: give the file to which it leads"),
+        _ if !former.is_file() => refused("this is not a file"),
+        _ if input::is_input(path) => refused("this file is read by the same command: give another name"),
+        permissions if permissions.readonly() => refused("this file is read-only"),
+        permissions => Ok(Some(permissions)),
     }
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".lsys.").suffix(".tmp");
-    // An own `open` gives the file the usual permissions and keeps the temporary name out of error messages.
-    let open = |path: &Path| File::options().write(true).create_new(true).open(path);
-    let (file, path) = builder.make_in(folder, open)?.into_parts();
-    let name = path.to_path_buf();
-    all.push(path);
-    Ok((file, name))
+}
+
+impl Scratch {
+    /// Makes an empty temporary file for outputs in or below `parent`.
+    fn file(&mut self, parent: &Path) -> io::Result<(File, PathBuf)> {
+        let parent = if parent.as_os_str().is_empty() { Path::new(".") } else { parent };
+        if !self.is_guarded {
+            remove_on_signals()?;
+            self.is_guarded = true;
+        }
+        let folder = match self.folders.iter().position(|folder| folder.parent == parent) {
+            Some(at) => &self.folders[at],
+            None => {
+                remove_dead(parent);
+                self.folders.push(Folder::new(parent)?);
+                &self.folders[self.folders.len() - 1]
+            }
+        };
+        self.files += 1;
+        let path = folder.path.join(self.files.to_string());
+        // The file gets the usual permissions.
+        Ok((File::options().write(true).create_new(true).open(&path)?, path))
+    }
+
+    fn clear(&mut self) {
+        self.folders.drain(..).for_each(|folder| remove(&folder.path));
+    }
+}
+
+impl Folder {
+    fn new(parent: &Path) -> io::Result<Self> {
+        let mut number = std::process::id();
+        let path = loop {
+            let path = parent.join(format!("{PREFIX}{number}"));
+            match fs::create_dir(&path) {
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number = number.wrapping_add(1),
+                made => break made.map(|()| path)?,
+            }
+        };
+        let marked = || {
+            let mut lock = File::options().write(true).create_new(true).open(path.join(LOCK))?;
+            // The mark follows the lock: no other program takes the folder for a dead one in between. A file system
+            // without locks gets no mark.
+            if lock.lock().is_ok() {
+                lock.write_all(MARK)?;
+            }
+            Ok(lock)
+        };
+        match marked() {
+            Ok(lock) => Ok(Self { parent: parent.to_owned(), path, _lock: lock }),
+            Err(error) => {
+                remove(&path);
+                Err(error)
+            }
+        }
+    }
+}
+
+/// Removes the scratch folders in `parent` whose programs were killed. What cannot be read or removed stays.
+pub(crate) fn remove_dead(parent: &Path) {
+    for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
+        let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+        if is_folder && entry.file_name().as_encoded_bytes().starts_with(PREFIX.as_bytes()) {
+            // The lock is kept until the folder is gone.
+            if let Some(_lock) = dead_lock(&entry.path().join(LOCK)) {
+                remove(&entry.path());
+            }
+        }
+    }
+}
+
+/// The lock of a scratch folder whose program has ended.
+fn dead_lock(path: &Path) -> Option<File> {
+    // Opening a pipe would wait.
+    fs::symlink_metadata(path).ok().filter(fs::Metadata::is_file)?;
+    let lock = File::open(path).ok()?;
+    lock.try_lock().ok()?;
+    let mut mark = Vec::new();
+    (&lock).take(MARK.len() as u64 + 1).read_to_end(&mut mark).ok()?;
+    (mark == MARK).then_some(lock)
+}
+
+/// Removes a scratch folder, unless there is something else in it. The file with the mark is the last one.
+fn remove(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder).and_then(Iterator::collect::<io::Result<Vec<_>>>) else { return };
+    let is_own = |entry: &fs::DirEntry| {
+        let name = entry.file_name();
+        let is_number = name.as_encoded_bytes().iter().all(u8::is_ascii_digit);
+        (is_number || name == LOCK) && entry.file_type().is_ok_and(|kind| kind.is_file())
+    };
+    if !entries.iter().all(is_own) {
+        return;
+    }
+    for entry in entries.iter().filter(|entry| entry.file_name() != LOCK) {
+        let _ = fs::remove_file(entry.path());
+    }
+    let _ = fs::remove_file(folder.join(LOCK));
+    let _ = fs::remove_dir(folder);
 }
 
 /// Makes signals that end the program remove the temporary files first. Signals that were ignored at the start, as by
@@ -79,24 +237,17 @@ fn create(folder: &Path) -> io::Result<(File, PathBuf)> {
 fn remove_on_signals() -> io::Result<()> {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
     use signal_hook::iterator::Signals;
-    use std::sync::Once;
-    static ONCE: Once = Once::new();
-    let mut result = Ok(());
-    ONCE.call_once(|| {
-        let ends = [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU].into_iter().filter(|&signal| !is_ignored(signal));
-        let listen = |mut signals: Signals| {
-            std::thread::spawn(move || {
-                if let Some(signal) = signals.forever().next() {
-                    // The lock is kept, so that no file is made or renamed from now on.
-                    let mut all = temporary();
-                    all.clear();
-                    let _ = signal_hook::low_level::emulate_default_handler(signal);
-                }
-            });
-        };
-        result = Signals::new(ends).map(listen);
-    });
-    result
+    let ends = [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU].into_iter().filter(|&signal| !is_ignored(signal));
+    let mut signals = Signals::new(ends)?;
+    std::thread::Builder::new().spawn(move || {
+        if let Some(signal) = signals.forever().next() {
+            // The lock is kept, so that no file is made or renamed from now on.
+            let mut all = scratch();
+            all.clear();
+            let _ = signal_hook::low_level::emulate_default_handler(signal);
+        }
+    })?;
+    Ok(())
 }
 
 /// Makes a file above the limit of `ulimit -f` a write error, like a full disk. Without this the system would end the
@@ -115,7 +266,7 @@ pub(crate) fn fail_on_large_files() {}
 /// ignored, to be safe.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
     match mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()) {
         Some(mask) => mask >> (signal - 1) & 1 == 1,
@@ -125,18 +276,12 @@ fn is_ignored(signal: i32) -> bool {
 
 #[cfg(windows)]
 fn remove_on_signals() -> io::Result<()> {
-    use std::sync::Once;
-    static ONCE: Once = Once::new();
-    let mut result = Ok(());
-    ONCE.call_once(|| {
-        let remove = || {
-            let mut all = temporary();
-            all.clear();
-            std::process::exit(130);
-        };
-        result = ctrlc::set_handler(remove).map_err(io::Error::other);
-    });
-    result
+    let remove = || {
+        let mut all = scratch();
+        all.clear();
+        std::process::exit(130);
+    };
+    ctrlc::set_handler(remove).map_err(io::Error::other)
 }
 
 #[cfg(not(any(unix, windows)))]
@@ -150,4 +295,54 @@ pub(crate) fn with_extension(base: &Path, extension: &str) -> PathBuf {
     name.push(".");
     name.push(extension);
     name.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let mut names: Vec<_> = entries.collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn only_dead_folders_with_the_mark_are_removed() {
+        let root = tempfile::tempdir().unwrap();
+        let put = |folder: &str, files: &[(&str, &[u8])]| {
+            let folder = root.path().join(folder);
+            fs::create_dir(&folder).unwrap();
+            files.iter().for_each(|(name, bytes)| fs::write(folder.join(name), bytes).unwrap());
+        };
+        put(".lsys-notes", &[("thesis.txt", b"work")]);
+        put(".lsys-empty", &[]);
+        put(".lsys-lock", &[("lock", b""), ("1", b"")]);
+        put(".lsys-copied", &[("lock", MARK), ("1", b"half"), ("thesis.txt", b"work")]);
+        put("marked", &[("lock", MARK)]);
+        put(".lsys-dead", &[("lock", MARK), ("1", b"half")]);
+        let living = Folder::new(root.path()).unwrap();
+        let live = living.path.file_name().unwrap().to_str().unwrap().to_owned();
+        remove_dead(root.path());
+        let mut expected = vec![&live[..], ".lsys-copied", ".lsys-empty", ".lsys-lock", ".lsys-notes", "marked"];
+        expected.sort_unstable();
+        assert_eq!(names(root.path()), expected);
+        assert_eq!(names(&root.path().join(".lsys-copied")), ["1", "lock", "thesis.txt"]);
+        remove(&living.path);
+        assert!(!living.path.exists());
+    }
+
+    #[test]
+    fn a_new_file_replaces_none() {
+        let root = tempfile::tempdir().unwrap();
+        let path = root.path().join("a");
+        let pending = |text: &[u8]| Pending::write(&path, |out| out.write_all(text)).unwrap();
+        let (first, second) = (pending(b"1"), pending(b"2"));
+        first.commit_new().unwrap();
+        assert_eq!(second.commit_new().unwrap_err().kind(), io::ErrorKind::AlreadyExists);
+        assert_eq!(fs::read(&path).unwrap(), b"1");
+        pending(b"3").commit().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"3");
+    }
 }

@@ -8,22 +8,22 @@ mod layout;
 
 use crate::cli::{Changes, TileOptions};
 use crate::progress::DelayedBar;
-use crate::{CommandFailure, input, print, say};
+use crate::{CommandFailure, cores, input, memory, print, say};
 use folder::Folder;
 use layout::Layout;
 use lsystem::drawing::{Outlook, why_empty};
-use lsystem::render::{Pyramid, TileRenderer};
+use lsystem::render::{BAND_PIXEL, Pyramid, TilePlace, TileRenderer};
 use lsystem::syntax::visible;
 use lsystem::{Progress, write_json};
 use std::collections::BTreeSet;
 use std::io;
-use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
 
 /// Units of work between two steps of a tile.
 const WORK: usize = 1_000_000;
+/// The bytes of a renderer beside its pixels.
+const RENDERER_BYTES: u64 = 8 << 20;
 
 /// Makes the tiles that are missing.
 pub(crate) fn tiles(file: &Path, to: &Path, options: &TileOptions, changes: &Changes) -> Result<(), CommandFailure> {
@@ -38,12 +38,13 @@ pub(crate) fn tiles(file: &Path, to: &Path, options: &TileOptions, changes: &Cha
     let style = input.system.style.clone();
     let layout = Layout { options: *options, background: style.background.rgb, name: input.definition.label() };
     let failed = |error: io::Error| CommandFailure::io(to.display(), &error);
-    let folder = Folder::open(to, &layout.index(&write_json(&input.definition))).map_err(failed)?;
+    let index = layout.index(&write_json(&input.definition));
+    let folder = Folder::open(to, &index, &layout.names()).map_err(failed)?;
     for (path, text) in layout.descriptions() {
         folder.write(&path, text.as_bytes()).map_err(failed)?;
     }
     let pyramid = Arc::new(Pyramid::new(drawing, style, options.size));
-    let tally = Maker { layout: &layout, folder: &folder, pyramid: &pyramid }.make().map_err(failed)?;
+    let tally = Maker { layout: &layout, folder: &folder, pyramid: &pyramid, to }.make()?;
     print(|out| writeln!(out, "{tally}"))
 }
 
@@ -70,7 +71,7 @@ impl std::fmt::Display for Tally {
 
 /// A picture to make, and its file.
 enum Work {
-    Tile(lsystem::render::TilePlace),
+    Tile(TilePlace),
     /// The whole drawing with fewer pixels than a tile.
     Small(u32),
 }
@@ -79,67 +80,56 @@ struct Maker<'a> {
     layout: &'a Layout<'a>,
     folder: &'a Folder,
     pyramid: &'a Arc<Pyramid>,
+    /// The folder, for messages.
+    to: &'a Path,
 }
 
 impl Maker<'_> {
-    /// Makes all tiles level by level, on all cores or as many as asked for.
-    fn make(&self) -> io::Result<Tally> {
+    /// Makes all tiles, level after level, on all cores or as many as asked for. Stops at the first error.
+    fn make(&self) -> Result<Tally, CommandFailure> {
         let options = self.layout.options;
-        let threads = options
-            .threads
-            .map_or_else(|| thread::available_parallelism().map_or(1, NonZero::get), |threads| threads.get() as usize);
         let share = options.part.0;
-        let mut renderers: Vec<_> =
-            (0..threads).map(|_| TileRenderer::new(self.pyramid.clone(), options.transparent)).collect();
-        let tally = Mutex::new(Tally::default());
-        let bar = Mutex::new(DelayedBar::new("tiles", None));
-        let small = self.layout.small().filter(|_| share.has(lsystem::render::TilePlace::WHOLE)).map(Work::Small);
-        self.all(&mut renderers, small.into_iter(), &tally, &bar)?;
-        for level in options.levels.0..=options.levels.1 {
-            let tiles = self.pyramid.tiles(level, options.under.0, |tile| share.leads_on(tile));
-            let tiles = tiles.filter(|tile| share.has(*tile)).map(Work::Tile);
-            self.all(&mut renderers, tiles, &tally, &bar)?;
-        }
-        let tally = *tally.lock().unwrap_or_else(PoisonError::into_inner);
-        Ok(tally)
-    }
-
-    /// Makes pictures, one at a time with each renderer. Stops at the first error.
-    fn all<I: Iterator<Item = Work> + Send>(
-        &self,
-        renderers: &mut [TileRenderer],
-        queue: I,
-        tally: &Mutex<Tally>,
-        bar: &Mutex<DelayedBar>,
-    ) -> io::Result<()> {
-        let (queue, failure) = (Mutex::new(queue), Mutex::new(None));
+        let small = self.layout.small().filter(|_| share.has(TilePlace::WHOLE)).map(Work::Small);
+        let level = |level| self.pyramid.tiles(level, options.under.0, |tile| share.leads_on(tile));
+        let tiles = (options.levels.0..=options.levels.1).flat_map(level).filter(|tile| share.has(*tile));
+        let queue = Mutex::new(small.chain(tiles.map(Work::Tile)));
+        let progress = Mutex::new((Tally::default(), DelayedBar::new("tiles", None)));
+        let failure = Mutex::new(None);
         let lock_failure = || failure.lock().unwrap_or_else(PoisonError::into_inner);
         let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-        let work = |renderer: &mut TileRenderer| {
+        cores::side_by_side(options.threads.map_or(usize::MAX, |most| most.get().into()).min(cores::count()), || {
+            let mut renderer = None;
             while lock_failure().is_none()
                 && let Some(work) = next()
             {
-                match self.one(renderer, &work) {
+                match self.one(&mut renderer, &work) {
                     Ok(add) => {
-                        let mut tally = tally.lock().unwrap_or_else(PoisonError::into_inner);
-                        add(&mut tally);
-                        let done = tally.made + tally.kept + tally.blank;
-                        bar.lock().unwrap_or_else(PoisonError::into_inner).at(done);
+                        let (tally, bar) = &mut *progress.lock().unwrap_or_else(PoisonError::into_inner);
+                        add(tally);
+                        bar.at(tally.made + tally.kept + tally.blank);
                     }
                     Err(error) => *lock_failure() = Some(error),
                 }
             }
-        };
-        thread::scope(|scope| {
-            for renderer in renderers {
-                scope.spawn(|| work(renderer));
-            }
         });
-        failure.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+        let failure = failure.into_inner().unwrap_or_else(PoisonError::into_inner);
+        failure.map_or_else(|| Ok(progress.into_inner().unwrap_or_else(PoisonError::into_inner).0), Err)
+    }
+
+    /// A renderer of tiles, if there is memory for it.
+    fn renderer(&self) -> Result<TileRenderer, CommandFailure> {
+        let side = u64::from(self.layout.options.size);
+        memory::check(RENDERER_BYTES + side * side * BAND_PIXEL)?;
+        Ok(TileRenderer::new(self.pyramid.clone(), self.layout.options.transparent))
     }
 
     /// Makes a picture, unless it is there. Returns what to count.
-    fn one(&self, renderer: &mut TileRenderer, work: &Work) -> io::Result<impl FnOnce(&mut Tally) + use<>> {
+    fn one(
+        &self,
+        renderer: &mut Option<TileRenderer>,
+        work: &Work,
+    ) -> Result<impl FnOnce(&mut Tally) + use<>, CommandFailure> {
+        let failed = |error: io::Error| CommandFailure::io(self.to.display(), &error);
         let (path, side): (PathBuf, u32) = match work {
             Work::Tile(tile) => (self.layout.path(*tile), self.layout.options.size),
             Work::Small(side) => (self.layout.small_path(*side), *side),
@@ -148,6 +138,10 @@ impl Maker<'_> {
         if self.folder.has(&path) {
             is_kept = true;
         } else {
+            let renderer = match renderer {
+                Some(renderer) => renderer,
+                none => none.insert(self.renderer()?),
+            };
             match work {
                 Work::Tile(tile) => renderer.begin(*tile),
                 Work::Small(side) => renderer.begin_small(*side),
@@ -156,8 +150,8 @@ impl Maker<'_> {
             is_blank = renderer.is_blank();
             is_rough = renderer.stats().is_rough();
             if !is_blank {
-                let file = encode(renderer.pixels(), side).map_err(io::Error::other)?;
-                self.folder.write(&path, &file)?;
+                let file = encode(renderer.pixels(), side).map_err(|error| failed(io::Error::other(error)))?;
+                self.folder.write(&path, &file).map_err(failed)?;
                 bytes = file.len() as u64;
             }
         }

@@ -106,3 +106,39 @@ fn rules_of_pictures_are_found() {
     let told = String::from_utf8(told).expect("UTF-8");
     assert!(code == Some(1) && told.starts_with(&format!("error: {name}: ")), "{told}");
 }
+
+/// Writes a picture of one bit a pixel, black and white in turn.
+fn striped(path: &std::path::Path, side: u32) {
+    let file = std::fs::File::create(path).expect("a file");
+    let mut encoder = png::Encoder::new(std::io::BufWriter::new(file), side, side);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(png::BitDepth::One);
+    let rows = vec![0x55; side.div_ceil(8) as usize * side as usize];
+    encoder.write_header().and_then(|mut writer| writer.write_image_data(&rows)).expect("written");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn pictures_have_bounds() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (side, why) in [(8_001, "more than 64,000,000 pixels"), (6_000, "no lines are seen")] {
+        let path = folder.path().join("striped.png");
+        striped(&path, side);
+        let script = format!("ulimit -v 500000; {} find {}", env!("CARGO_BIN_EXE_lsys"), path.display());
+        let output = Command::new("sh").args(["-c", &script]).output().expect("a shell");
+        let told = String::from_utf8(output.stderr).expect("UTF-8");
+        assert!(output.status.code() == Some(1) && told.contains(why), "{side}: {told}");
+    }
+}
+
+#[test]
+fn no_time_finds_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("lines.csv");
+    std::fs::write(&file, "0,0,1,0\n1,0,1,1\n1,1,2,1\n").expect("a file");
+    for text in ["ABAABABA", file.to_str().expect("UTF-8")] {
+        let (code, told) = output(&["find", text, "--axiom", "F", "--seconds", "0"]);
+        let told = String::from_utf8(told).expect("UTF-8");
+        assert!(code == Some(1) && told.starts_with("Nothing found."), "{text}: {told}");
+    }
+}

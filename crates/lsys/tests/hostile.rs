@@ -259,3 +259,220 @@ fn a_drawing_stays_within_the_memory_that_it_may_take() {
     assert!(names(folder.path()).is_empty());
     assert_eq!(draw("1G").status.code(), Some(0));
 }
+
+/// A folder with a system, an exercise and two answers.
+fn desk() -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let put = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("written");
+    put("a.json", r#"{"initial": "F", "angle_deg": 60, "num_iters": 2, "rules": {"F": "F+F--F+F"}}"#);
+    let target = lsystem::Definition { axiom: "F".into(), rules: "F -> F+F".into(), ..lsystem::Definition::default() };
+    let exercise = lsystem::course::Exercise { target, ..lsystem::course::Exercise::default() }.write();
+    put("exercise.txt", &format!("#v=1&x={exercise}\n"));
+    put("answers.csv", &format!("Ada,#v=1&x={exercise}&rules=F\nMary,#v=1&x={exercise}&rules=F+F\n"));
+    folder
+}
+
+/// Runs `script` in a shell in `folder`; `$lsys` is the program.
+#[cfg(unix)]
+fn shell_in(folder: &TempDir, script: &str) -> (Option<i32>, String) {
+    let mut command = Command::new("bash");
+    let command = command.args(["-c", script]).env("lsys", env!("CARGO_BIN_EXE_lsys")).current_dir(folder.path());
+    let Output { status, stderr, .. } = command.stdin(Stdio::null()).output().expect("a shell");
+    (status.code(), text(&stderr))
+}
+
+/// All files and links below a folder: their paths and what is in them.
+fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut all = Vec::new();
+    for entry in fs::read_dir(folder).expect("readable").flatten() {
+        let path = entry.path();
+        match fs::read_link(&path) {
+            Ok(target) => all.push((path, target.into_os_string().into_encoded_bytes())),
+            Err(_) if path.is_dir() => all.extend(contents(&path)),
+            Err(_) if path.is_file() => all.push((path.clone(), fs::read(&path).expect("readable"))),
+            Err(_) => all.push((path, Vec::new())),
+        }
+    }
+    all.sort();
+    all
+}
+
+#[cfg(unix)]
+#[test]
+fn files_of_others_stay_as_they_are() {
+    for (prepare, run, why) in [
+        // Its own inputs, by other spellings, links and standard input.
+        ("", "mark exercise.txt answers.csv --html answers.csv", "is read by the same command"),
+        ("", "mark exercise.txt answers.csv --html ./../$(basename $PWD)/answers.csv", "is read by the same command"),
+        ("", "mark exercise.txt answers.csv --html exercise.txt", "is read by the same command"),
+        ("ln answers.csv hard", "mark exercise.txt answers.csv --html hard", "is read by the same command"),
+        ("ln -s answers.csv soft", "mark exercise.txt soft --html answers.csv", "is read by the same command"),
+        ("$lsys draw a.json a", "draw a.svg a --format svg", "is read by the same command"),
+        ("$lsys draw a.json a", "draw a.svg --out-dir . --format svg", "is read by the same command"),
+        ("$lsys draw a.json a", "draw - a --format svg < a.svg", "is read by the same command"),
+        ("echo '1;n=0:0,1:2' > f.gif", "animate a.json --film f.gif --to f.gif", "is read by the same command"),
+        ("echo 'a {\n axiom F\n F=FF\n}' > b.l", "import . --to .", "is read by the same command"),
+        // Links, also to nowhere; what is no file; and files that nobody may write.
+        ("ln -s a.json page", "mark exercise.txt answers.csv --html page", "symbolic link"),
+        ("ln -s nowhere page", "mark exercise.txt answers.csv --html page", "symbolic link"),
+        ("ln -s a.json a.gif", "animate a.json --to a.gif --size 16x16", "symbolic link"),
+        ("ln -s exercise.txt a.svg", "draw a.json a", "symbolic link"),
+        ("mkdir page", "mark exercise.txt answers.csv --html page", "not a file"),
+        ("mkfifo page", "mark exercise.txt answers.csv --html page", "not a file"),
+        ("echo old > page; chmod 444 page", "mark exercise.txt answers.csv --html page", "read-only"),
+        // Folders that are no pyramids.
+        ("mkdir p; echo home > p/index.html", "tiles a.json p --levels 0..0", "there is index.html, but no pyramid"),
+        ("mkdir -p p/3", "tiles a.json p --levels 0..0 --scheme xyz", "there is 3, but no pyramid"),
+        ("mkdir p; ln -s /dev/zero p/pyramid.json", "tiles a.json p --levels 0..0", "another pyramid"),
+        ("mkdir p; mkfifo p/pyramid.json", "tiles a.json p --levels 0..0", "another pyramid"),
+        ("mkdir p; ln -s ../a.json p/index.html", "tiles a.json p --levels 0..0", "there is index.html"),
+    ] {
+        let folder = desk();
+        let (code, said) = shell_in(&folder, prepare);
+        assert_eq!((code, said.as_str()), (Some(0), ""), "{prepare}");
+        let before = contents(folder.path());
+        let (code, said) = shell_in(&folder, &format!("$lsys {run}"));
+        assert_eq!(code, Some(1), "{prepare}; {run}: {said}");
+        assert!(said.contains(why), "{prepare}; {run}: {said}");
+        let after = contents(folder.path());
+        // The import of a folder writes what replaces nothing.
+        let is_whole = before.iter().all(|file| after.contains(file));
+        assert!(is_whole && (run.starts_with("import") || before == after), "{prepare}; {run}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn folders_that_are_called_like_ours_stay() {
+    let folder = desk();
+    let (code, said) = shell_in(
+        &folder,
+        "mkdir -p p/.lsys-notes .lsys-notes; echo work | tee p/.lsys-notes/thesis.txt > .lsys-notes/thesis.txt
+         $lsys tiles a.json p --levels 0..0 > /dev/null && $lsys draw a.json a && $lsys tiles a.json p --levels 0..0 > /dev/null",
+    );
+    assert_eq!((code, said.as_str()), (Some(0), ""));
+    for file in ["p/.lsys-notes/thesis.txt", ".lsys-notes/thesis.txt"] {
+        assert_eq!(fs::read_to_string(folder.path().join(file)).expect("is there"), "work\n");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_full_disk_leaves_every_output_as_it_was() {
+    for (prepare, run) in [
+        ("echo old > page", "mark exercise.txt answers.csv --html page"),
+        ("echo old > a.gif", "animate a.json --to a.gif --size 400x400"),
+        ("", "animate a.json --to frames --size 400x400"),
+        ("mkdir p", "tiles a.json p --levels 0..1"),
+        ("mkdir all", "import a.json --to all"),
+    ] {
+        let folder = desk();
+        let before = |folder: &TempDir| contents(folder.path());
+        shell_in(&folder, prepare);
+        let old = before(&folder);
+        let (code, said) = shell_in(&folder, &format!("ulimit -f 0; $lsys {run}"));
+        assert!(code == Some(1) && said.starts_with("error: "), "{run}: {code:?} {said}");
+        assert_eq!(before(&folder), old, "{run}");
+        assert!(!names(folder.path()).iter().any(|name| name.starts_with(".lsys")), "{run}");
+        // The next run is not disturbed.
+        let (code, said) = shell_in(&folder, &format!("$lsys {run}"));
+        assert_eq!((code, said.as_str()), (Some(0), ""), "{run}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn signals_leave_nothing_of_ours_in_a_pyramid() {
+    use std::os::unix::process::ExitStatusExt;
+    for (name, number) in [("HUP", 1), ("INT", 2), ("TERM", 15)] {
+        let folder = desk();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+        let command = command.args("tiles a.json p --levels 0..20 -n 9".split(' ')).current_dir(folder.path());
+        let mut child = command.stdin(Stdio::null()).stderr(Stdio::null()).spawn().expect("lsys starts");
+        while !folder.path().join("p/tiles_files/9").exists() {
+            std::thread::yield_now();
+        }
+        Command::new("kill").args(["-s", name, &child.id().to_string()]).status().expect("kill");
+        assert_eq!(child.wait().expect("ends").signal(), Some(number), "{name}");
+        let mut left = names(&folder.path().join("p"));
+        left.sort();
+        assert_eq!(left, ["index.html", "pyramid.json", "tiles.dzi", "tiles_files"], "{name}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_a_killed_program_left_is_removed_by_the_next() {
+    let folder = desk();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    let command = command.args("animate a.json --to a.gif -n 9".split(' ')).current_dir(folder.path());
+    let mut child = command.stdin(Stdio::null()).stderr(Stdio::null()).spawn().expect("lsys starts");
+    let rest = || names(folder.path()).into_iter().find(|name| name.starts_with(".lsys-"));
+    while rest().is_none_or(|rest| names(&folder.path().join(rest)).len() < 2) {
+        std::thread::yield_now();
+    }
+    // Beside a living program others leave its folder alone.
+    assert_eq!(shell_in(&folder, "$lsys draw a.json a"), (Some(0), String::new()));
+    assert!(rest().is_some());
+    child.kill().expect("killed");
+    child.wait().expect("ends");
+    assert!(rest().is_some());
+    assert_eq!(shell_in(&folder, "$lsys draw a.json a"), (Some(0), String::new()));
+    assert_eq!(rest(), None);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn every_input_is_read_to_a_bound() {
+    for (run, code, why) in [
+        ("$lsys animate a.json --film /dev/urandom --to a.gif", 1, "no text"),
+        ("$lsys animate a.json --film /dev/zero --to a.gif", 1, "longer than"),
+        ("$lsys animate a.json --film . --to a.gif", 1, "directory"),
+        ("$lsys animate a.json --film <(yes) --to a.gif", 1, "longer than"),
+        ("$lsys animate a.json --film <(echo '1;0.2s;n=0:0') --to a.gif --size 16x16", 0, ""),
+        ("$lsys mark /dev/zero answers.csv", 1, "longer than"),
+        ("$lsys mark exercise.txt /dev/zero", 1, "longer than"),
+        ("$lsys mark exercise.txt <(yes ,)", 1, "longer than"),
+        ("$lsys mark exercise.txt <(cat answers.csv) > /dev/null", 0, ""),
+        ("$lsys mark exercise.txt . ", 1, "directory"),
+        ("$lsys check a.json /dev/zero", 1, "more than"),
+        ("$lsys check a.json <($lsys expand a.json) > /dev/null", 0, ""),
+        ("$lsys find /dev/zero", 1, "longer than"),
+        ("$lsys find <(echo FFFF) --axiom F -n 1 > /dev/null", 0, ""),
+        ("$lsys import /dev/zero --to all", 1, "longer than"),
+        ("$lsys import /dev/zero --account", 1, "longer than"),
+        ("mkdir in; mkfifo in/pipe; cp a.json in; $lsys import in --to all > /dev/null", 0, ""),
+        ("$lsys export /dev/zero --as fractint", 1, ""),
+        ("$lsys info --growth /dev/zero", 1, ""),
+        ("$lsys tiles /dev/zero p", 1, ""),
+    ] {
+        let folder = desk();
+        let (found, said) = shell_in(&folder, &format!("ulimit -v 2000000; {run}"));
+        assert_eq!(found, Some(code), "{run}: {said}");
+        assert!(said.contains(why), "{run}: {said}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn work_that_needs_more_memory_than_there_is_is_refused() {
+    for (kib, run, code) in [
+        (60_000, "animate a.json --to a.gif --size 4096x2048", 1),
+        (60_000, "animate a.json --to frames --size 4096x2048", 1),
+        (60_000, "animate random.json --to a.gif --size 64x48 --seconds 0.1 --track drawn=0:1", 1),
+        (60_000, "draw a.json a --format png --size 10000x10000", 1),
+        (60_000, "draw random.json random --format svg", 1),
+        (60_000, "draw a.json random.json --out-dir . --format png --size 10000x10000", 1),
+        (30_000, "tiles a.json p --levels 0..0", 1),
+        // There are no more threads and renderers than cores.
+        (500_000, "tiles a.json p --levels 0..1 --threads 60000 > /dev/null", 0),
+    ] {
+        let folder = desk();
+        let random = r#"{"initial": "F", "num_iters": 11, "rules": {"F": [{"p": 0.5, "e": "F+F--F+F"}, {"p": 0.5, "e": "F+FF"}]}}"#;
+        fs::write(folder.path().join("random.json"), random).expect("written");
+        let (found, said) = shell_in(&folder, &format!("ulimit -v {kib}; $lsys {run}"));
+        assert_eq!(found, Some(code), "{run}: {said}");
+        assert!(code == 0 || said.starts_with("error: ") && said.contains("memory"), "{run}: {said}");
+        assert!(!names(folder.path()).iter().any(|name| name.starts_with(".lsys")), "{run}");
+    }
+}

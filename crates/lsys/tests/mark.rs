@@ -39,6 +39,7 @@ fn told(words: &[&str], expected: &Expect) {
     let rows = [
         answer(&exercise, "Ada", "F -> F+F--F+F", 3),
         format!("Noether, \"\",\"{}\"", answer(&exercise, "", "F -> F-F++F-F", 3)),
+        format!("1912;Turing;{}", answer(&exercise, "Ada", "F -> F", 3)),
         answer(&exercise, "=1+1 <b>", "F -> F+F--F+F", 2),
         answer(&exercise, "Emmy", "F -> F(", 3),
         answer(&other, "Mary", "F -> F+F--F+F", 3),
@@ -52,7 +53,7 @@ fn told(words: &[&str], expected: &Expect) {
     let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap_or_default();
     if words.contains(&"--html") {
         assert!(page.contains("<h1>The &lt;first&gt; curve</h1>") && page.contains("=1+1 &lt;b&gt;"), "{page}");
-        assert!(page.matches("data:image/png;base64,").count() == 5 && !page.contains("<script"), "{page}");
+        assert!(page.matches("data:image/png;base64,").count() == 6 && !page.contains("<script"), "{page}");
     }
     expected.assert_eq(&format!("{code:?}\n{text}"));
 }
@@ -63,25 +64,26 @@ fn answers_are_marked() {
         &["mark", "exercise.txt", "answers.csv", "own.json", "--html", "page.html"],
         &expect![[r#"
             Some(0)
-            name      solved  agrees  symbols  remark
-            Ada       yes    100.0 %        9  The picture is the same.
-            Noether   no       3.5 %        9  3.5 % of the ink agrees. Your drawing is a mirror image: left and right are exchanged.
-            =1+1 <b>  no      63.6 %        9  63.6 % of the ink agrees. The same after one more iteration.
-            Emmy      no       0.0 %        1  This `(` is never closed
-            Mary      no                       an answer to another exercise
-            Grace     no                       an answer to another exercise
-            own       yes    100.0 %        9  The picture is the same.
-            2 of 7 solved.
+            name            by        solved  agrees  symbols  remark
+            answers, row 1  Ada       yes    100.0 %        9  The picture is the same.
+            Noether                   no       3.5 %        9  3.5 % of the ink agrees. Your drawing is a mirror image: left and right are exchanged.
+            1912            Ada       no       1.2 %        2  1.2 % of the ink agrees. The first segment is right. Look at the turn after it.
+            answers, row 4  =1+1 <b>  no      63.6 %        9  63.6 % of the ink agrees. The same after one more iteration.
+            answers, row 5  Emmy      no       0.0 %        1  This `(` is never closed
+            answers, row 6  Mary      no                       an answer to another exercise
+            answers, row 7  Grace     no                       an answer to another exercise
+            own                       yes    100.0 %        9  The picture is the same.
+            2 of 8 solved.
         "#]],
     );
     let link = answer(&koch().write(), "Ada, at home", "F -> F+F--F+F", 3);
     told(
         &["mark", &link, &link, "--csv"],
         &expect![[r#"
-        Some(0)
-        name,solved,agreement_percent,symbols,target_segments,own_segments,remark,link
-        "Ada, at home",yes,100.0,9,64,64,The picture is the same.,https://example.org/exercise.html#v=1&x=eNpNj81Og0AAhGFLysJCgUBYu_wYbWpsjDGe9GBCCi3Q7gLVblPrptTE6LGv4KtLL6bHLzOZL_NEiekAmGXFTcmHejsOIlvUAw-5GERBuksAaws2zRwj5GlgfDlzZiuhrphFKdz3-nWkdPltUwmsMr70wPGhXoj6bpmUhx_y63lHicjYGkIfyQDpF_CTWjo4-dbpQJ4Rcu-oCLJtppvR9hB0rGpQOuNryvNeCBWxWPEZTfmkY78PfFy0IGMf-4Ty5DltVBvL3O1V_3td_222WdPjmuULZlixhgHSTn4pP7R2JRSZdn_Ii2TadgizTXHZpNX39ArJ0Gdby9Biw612fBJYeh81Atsxi4L5ahRHYxQRBRVlvtrM949_Q0M5og&n=3&rules=%46%20%2D%3E%20%46%2B%46%2D%2D%46%2B%46&by=%41%64%61%2C%20%61%74%20%68%6F%6D%65
-    "#]],
+            Some(0)
+            name,by,solved,agreement_percent,symbols,target_segments,own_segments,remark,link
+            link,"Ada, at home",yes,100.0,9,64,64,The picture is the same.,https://example.org/exercise.html#v=1&x=eNpNj81Og0AAhGFLysJCgUBYu_wYbWpsjDGe9GBCCi3Q7gLVblPrptTE6LGv4KtLL6bHLzOZL_NEiekAmGXFTcmHejsOIlvUAw-5GERBuksAaws2zRwj5GlgfDlzZiuhrphFKdz3-nWkdPltUwmsMr70wPGhXoj6bpmUhx_y63lHicjYGkIfyQDpF_CTWjo4-dbpQJ4Rcu-oCLJtppvR9hB0rGpQOuNryvNeCBWxWPEZTfmkY78PfFy0IGMf-4Ty5DltVBvL3O1V_3td_222WdPjmuULZlixhgHSTn4pP7R2JRSZdn_Ii2TadgizTXHZpNX39ArJ0Gdby9Biw612fBJYeh81Atsxi4L5ahRHYxQRBRVlvtrM949_Q0M5og&n=3&rules=%46%20%2D%3E%20%46%2B%46%2D%2D%46%2B%46&by=%41%64%61%2C%20%61%74%20%68%6F%6D%65
+        "#]],
     );
     told(
         &["mark", "own.json", "answers.csv"],

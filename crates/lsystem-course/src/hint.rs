@@ -6,6 +6,7 @@ use crate::mark::{Marker, counted};
 use crate::sketch::{Sketch, Sketching};
 use core::cell::Cell;
 use lsystem_base::MAX_ITERATIONS;
+use lsystem_derive::Tally;
 use lsystem_drawing::{System, why_empty};
 use lsystem_syntax::Definition;
 
@@ -37,7 +38,7 @@ impl Marker {
             return Some("There is no rule yet. A rule says what becomes of a letter: F -> F+F.".to_owned());
         }
         self.turned(&own)
-            .or_else(|| self.other_size(&own))
+            .or_else(|| self.other_size(&own, &whole))
             .or_else(|| self.other_heading(&whole, &tries))
             .or_else(|| self.other_generation(&whole, &tries))
             .or_else(|| self.other_angle(&whole, &tries))
@@ -68,17 +69,16 @@ impl Marker {
     }
 
     /// The same outline with another number of segments.
-    fn other_size(&self, own: &Sketch) -> Option<String> {
+    fn other_size(&self, own: &Sketch, whole: &Definition) -> Option<String> {
         if !self.looks_like(own) {
             return None;
         }
-        let [expected, found] = [self.target().figure.segment_count(), own.figure.segment_count()];
-        Some(match found.cmp(&expected) {
-            core::cmp::Ordering::Equal => "It looks right, but details differ. Compare the finest parts.".to_owned(),
-            order => {
-                let much = if order.is_gt() { "too many" } else { "too few" };
-                format!("Right outline, {much} segments: {} instead of {}.", counted(found), counted(expected))
+        Some(match (self.segments(), own.segments(whole)) {
+            (Some(expected), Some(found)) if *expected != found => {
+                let much = if found > *expected { "too many" } else { "too few" };
+                format!("Right outline, {much} segments: {} instead of {}.", counted(&found), counted(expected))
             }
+            _ => "It looks right, but details differ. Compare the finest parts.".to_owned(),
         })
     }
 
@@ -135,9 +135,10 @@ impl Marker {
         match same {
             0 => Some("The first segment points in another direction.".to_owned()),
             1 => Some("The first segment is right. Look at the turn after it.".to_owned()),
-            same => {
-                Some(format!("The first {} segments are right. Look at the turn after them.", counted(same as u128)))
-            }
+            same => Some(format!(
+                "The first {} segments are right. Look at the turn after them.",
+                counted(&Tally::from(same as u128))
+            )),
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::same::Outline;
 use crate::sample::{Sample, Sampling};
 use crate::sketch::{Sketch, Sketching};
 use lsystem_base::{Limits, Progress};
+use lsystem_derive::Tally;
 use lsystem_drawing::expand;
 use lsystem_render::mask::Mask;
 use lsystem_render::{Renderer, View, Viewport};
@@ -32,8 +33,8 @@ pub struct Grade {
     pub is_same: Option<bool>,
     /// The symbols of the student's own rules.
     pub symbols: u32,
-    /// The segments of the target and of the answer.
-    pub segments: [u128; 2],
+    /// The segments of the target and of the answer; `None` if they are too many to be counted.
+    pub segments: [Option<Tally>; 2],
     /// A sentence about the measure: what agrees, or the first difference.
     pub words: String,
     /// The errors of the answer.
@@ -44,6 +45,8 @@ pub struct Grade {
 pub struct Marker {
     exercise: Exercise,
     target: Sketch,
+    /// The segments of the target; `None` if they are too many to be counted.
+    segments: Option<Tally>,
     /// The target's ink; empty before it is needed, and if there is too much.
     outline: Option<Outline>,
     text: Option<String>,
@@ -94,7 +97,8 @@ impl Marker {
                 }
             }
         }
-        Ok(Self { exercise, target, outline: None, text, own_text: None, sample, own: Mask::default() })
+        let segments = target.segments(&exercise.target);
+        Ok(Self { exercise, target, segments, outline: None, text, own_text: None, sample, own: Mask::default() })
     }
 
     /// The exercise.
@@ -195,6 +199,11 @@ impl Marker {
         &self.target
     }
 
+    /// The segments of the target; `None` if they are too many to be counted.
+    pub(crate) fn segments(&self) -> Option<&Tally> {
+        self.segments.as_ref()
+    }
+
     fn failed(&mut self, marking: &Marking, errors: Vec<Diagnostic>) -> Grade {
         self.own = Mask::default();
         self.own_text = None;
@@ -203,7 +212,7 @@ impl Marker {
             agreement: 0.0,
             is_same: Some(false),
             symbols: marking.symbols,
-            segments: [self.target.figure.segment_count(), 0],
+            segments: [self.segments.clone(), Some(Tally::ZERO)],
             words: String::new(),
             errors,
         }
@@ -213,17 +222,21 @@ impl Marker {
         match self.exercise.asks {
             Asks::Text => self.compared_texts(marking, own),
             Asks::Segments => {
-                let [expected, found] = [self.target.figure.segment_count(), own.figure.segment_count()];
-                let agreement = match expected.max(found) {
-                    0 => 1.0,
-                    most => expected.min(found) as f64 / most as f64,
+                let found = own.segments(&marking.whole);
+                let (Some(expected), Some(found)) = (&self.segments, &found) else {
+                    let words = "There are too many segments to count.".to_owned();
+                    return self.marked(marking, own, 0.0, None, words);
                 };
+                let agreement = expected.min(found).ratio(expected.max(found)).unwrap_or(1.0);
                 let words = format!("{} of {} segments.", counted(found), counted(expected));
                 self.marked(marking, own, agreement, Some(expected == found), words)
             }
             Asks::Picture | Asks::Statistics => {
                 let agreement = own.mask.agreement(&self.target.mask);
                 let is_same = self.is_same(own, agreement);
+                // Drawings beyond the range of numbers show no ink, either.
+                let has_ink = is_same == Some(true) || !own.mask.is_empty();
+                let agreement = if has_ink { agreement } else { 0.0 };
                 let words = match is_same {
                     Some(true) => "The picture is the same.".to_owned(),
                     _ => format!("{} of the ink agrees.", percent(agreement)),
@@ -265,7 +278,7 @@ impl Marker {
         let words = match is_same {
             true => "The string is the same.".to_owned(),
             false => {
-                let [same, found, most] = [same, found, most].map(|count| counted(count as u128));
+                let [same, found, most] = [same, found, most].map(|count| counted(&Tally::from(count as u128)));
                 format!("The first {same} symbols agree. Your string has {found} symbols, the target {most}.")
             }
         };
@@ -295,6 +308,8 @@ impl Marker {
         words: String,
     ) -> Grade {
         self.own = own.mask.clone();
+        // Ink agrees within a pixel, and quotients are rounded.
+        let agreement = if is_same == Some(true) { agreement } else { agreement.min(1.0 - f64::EPSILON) };
         let is_close = is_same == Some(true) || self.exercise.tolerance.is_some_and(|least| agreement >= least);
         let is_short = self.exercise.most_symbols.is_none_or(|most| marking.symbols <= most);
         let words = match (is_close, is_short, self.exercise.most_symbols) {
@@ -308,7 +323,7 @@ impl Marker {
             agreement,
             is_same,
             symbols: marking.symbols,
-            segments: [self.target.figure.segment_count(), own.figure.segment_count()],
+            segments: [self.segments.clone(), own.segments(&marking.whole)],
             words,
             errors: Vec::new(),
         }
@@ -325,6 +340,11 @@ fn percent(part: f64) -> String {
     format!("{:.1} %", libm::floor(part * 1000.0) / 10.0)
 }
 
-pub(crate) fn counted(count: u128) -> String {
-    grouped(&count.to_string())
+/// A count in words: with separators, or with an exponent if it has many digits.
+pub(crate) fn counted(count: &Tally) -> String {
+    const MOST_DIGITS: usize = 39;
+    match count.to_string() {
+        digits if digits.len() <= MOST_DIGITS => grouped(&digits),
+        digits => format!("about {}.{} × 10^{}", &digits[..1], &digits[1..3], digits.len() - 1),
+    }
 }

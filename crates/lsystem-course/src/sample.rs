@@ -12,6 +12,9 @@ const LIMITS: Limits = Limits { symbols: 1 << 18, modules: 1 << 16, segments: 10
 /// Two samples of the same system are farther apart than this once in a thousand times (Kolmogorov-Smirnov).
 const FAR: f64 = 1.95 * core::f64::consts::SQRT_2 / 20.0;
 
+/// Sizes that differ by less than this part of the largest one are equal.
+const ROUNDING: f64 = 1e-9;
+
 /// The measures of each drawing: segments, width and height.
 const MEASURES: usize = 3;
 
@@ -59,8 +62,17 @@ impl Sampling {
 
 impl Sample {
     /// The largest distance of the distributions of a measure, from 0 to 1.
+    ///
+    /// It is 1 if a size is beyond the range of numbers, because such sizes cannot be compared.
     pub(crate) fn distance(&self, other: &Self) -> f64 {
-        self.0.iter().zip(&other.0).map(|(a, b)| distance(a, b)).fold(0.0, f64::max)
+        let all = || self.0.iter().chain(&other.0).flatten();
+        if !all().all(|value| value.is_finite()) {
+            return 1.0;
+        }
+        let sizes = self.0[1..].iter().chain(&other.0[1..]).flatten();
+        let rounding = sizes.copied().fold(0.0, f64::max) * ROUNDING;
+        let distances = self.0.iter().zip(&other.0).zip([0.0, rounding, rounding]);
+        distances.map(|((a, b), rounding)| distance(a, b, rounding)).fold(0.0, f64::max)
     }
 
     /// Whether a distance is what chance alone may bring.
@@ -69,10 +81,27 @@ impl Sample {
     }
 }
 
-/// The largest difference of the parts below any value (Kolmogorov-Smirnov), of sorted lists. Values that differ by
-/// rounding are equal.
-fn distance(a: &[f64], b: &[f64]) -> f64 {
+/// The largest difference of the parts below any value (Kolmogorov-Smirnov), of sorted lists. Values that differ by less
+/// than `rounding` are equal.
+fn distance(a: &[f64], b: &[f64], rounding: f64) -> f64 {
     let below = |list: &[f64], value: f64| list.partition_point(|other| *other <= value) as f64 / list.len() as f64;
-    let values = a.iter().chain(b).map(|value| value + 1e-6);
+    let values = a.iter().chain(b).map(|value| value + rounding);
     values.map(|value| (below(a, value) - below(b, value)).abs()).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_of_any_scale_are_compared() {
+        let sample = |width: f64| Sample([vec![4.0], vec![width], vec![0.0]]);
+        for scale in [1e-9, 1.0, 1e12, 1e300] {
+            assert!(Sample::is_near(sample(scale).distance(&sample(scale * (1.0 + 1e-12)))), "{scale}");
+            assert!(!Sample::is_near(sample(scale).distance(&sample(scale * 1.5))), "{scale}");
+        }
+        for unknown in [f64::INFINITY, f64::NAN] {
+            assert!(!Sample::is_near(sample(unknown).distance(&sample(unknown))), "{unknown}");
+        }
+    }
 }

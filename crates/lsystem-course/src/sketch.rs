@@ -6,6 +6,7 @@ use crate::graph::is_same_graph;
 
 use crate::same::Outline;
 use lsystem_base::{Limits, Progress};
+use lsystem_derive::Tally;
 use lsystem_drawing::{Drawing, Figure, FigureDrawer, Outlook, Projection, Solid};
 use lsystem_render::mask::{Mask, Tracing};
 use lsystem_syntax::{Definition, Diagnostic};
@@ -107,6 +108,18 @@ impl Sketch {
             (Figure::Space(own), Figure::Space(other)) => is_same_graph(own, other),
             _ => false,
         }
+    }
+
+    /// The exact number of segments of this sketch of `definition`; `None` if it is beyond 128 bits and does not follow
+    /// from the rules.
+    pub(crate) fn segments(&self, definition: &Definition) -> Option<Tally> {
+        let summed = || {
+            let system = compiled(definition).ok()?;
+            let mut counter = system.segments(definition.iterations);
+            counter.step(LIMITS.work);
+            counter.count().cloned()
+        };
+        self.figure.exact_segments().or_else(summed)
     }
 
     /// The ink; `None` if there is too much to compare its segments one by one, or if they exceed the range of numbers.

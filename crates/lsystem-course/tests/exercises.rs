@@ -192,6 +192,47 @@ fn damaged_exercises_are_refused() {
     assert!(Marker::new(exercise(&system("FF", "F < F -> FFFF", 90.0, 999))).is_err_and(|limits| !limits.is_empty()));
 }
 
+/// Numbers of segments beyond 128 bits are compared exactly.
+#[test]
+fn numbers_of_any_size_are_compared() {
+    let many = |n| Exercise { asks: Asks::Segments, ..exercise(&system("F", "F -> F+F--F+F", 60.0, n)) };
+    for n in [63, 64, 128, 300] {
+        assert!(mark(&many(n), "F -> FF+FF").is_solved, "{n}");
+        let wrong = mark(&many(n), "F -> FF");
+        assert!(!wrong.is_solved && wrong.is_same == Some(false) && wrong.percent() == "0.0 %", "{n}: {wrong:?}");
+        assert_ne!(wrong.segments[0], wrong.segments[1], "{n}");
+    }
+    assert!(mark(&many(300), "F -> FFF").words.contains("of about 4.14 × 10^180 segments"));
+    // One segment more than 4^70, where an `f64` does not tell the difference.
+    let target = system("FG", "F -> FFFF", 90.0, 70);
+    let near = Exercise { asks: Asks::Segments, axiom: Given::Free, tolerance: Some(1.0), ..exercise(&target) };
+    let own = Definition { axiom: "F".into(), rules: "F -> FFFF".into(), ..near.start() };
+    let own = Marker::new(near).unwrap().mark(&own);
+    assert!(!own.is_solved && own.percent() == "99.9 %", "{own:?}");
+    // A count that depends on chance is not known beyond 128 bits.
+    let chance = system("F", "F -> FFFF: 1\nF -> FFFF+: 1", 90.0, 100);
+    let unknown = Exercise { asks: Asks::Segments, tolerance: Some(0.5), ..exercise(&chance) };
+    if let Ok(mut marker) = Marker::new(unknown.clone()) {
+        let grade = marker.mark(&Definition { rules: "F -> FF".into(), ..unknown.start() });
+        assert!(!grade.is_solved, "{grade:?}");
+    }
+}
+
+/// Drawings and sizes beyond the range of numbers are not called equal.
+#[test]
+fn what_is_beyond_the_range_of_numbers_is_not_solved() {
+    let grown = |factor: f64, n: u32| Definition { length_factor: factor, ..system("X", "X -> F[+X]F!X", 90.0, n) };
+    for (n, rules) in [(1000, "X -> F[-X]FFX"), (1000, "X -> F+X")] {
+        for tolerance in [None, Some(0.5), Some(1.0)] {
+            let target = Definition { dialect: Dialect::Abop, ..grown(1e300, n) };
+            let exercise = Exercise { tolerance, ..exercise(&target) };
+            let Ok(mut marker) = Marker::new(exercise.clone()) else { continue };
+            let grade = marker.mark(&Definition { rules: rules.into(), ..exercise.start() });
+            assert!(!grade.is_solved, "{n} {rules} {tolerance:?} {grade:?}");
+        }
+    }
+}
+
 #[test]
 fn other_things_can_be_asked() {
     let doubling = Exercise { asks: Asks::Text, ..exercise(&system("A", "A -> AB\nB -> A", 90.0, 6)) };

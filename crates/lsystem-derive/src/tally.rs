@@ -3,6 +3,7 @@
 //! Counts are only added and printed, so they are kept in decimal. A general library for big integers would be a tenth
 //! of the page's wasm.
 
+use core::cmp::Ordering;
 use core::fmt;
 
 /// A count without upper bound.
@@ -43,6 +44,34 @@ impl Tally {
             self.limbs.push((carry % LIMB) as u32);
             carry /= LIMB;
         }
+    }
+}
+
+impl Tally {
+    /// `self / other`; `None` for a division by zero.
+    #[must_use]
+    pub fn ratio(&self, other: &Self) -> Option<f64> {
+        /// The leading digits that are divided: they fit a `u128`, and an `f64` needs fewer.
+        const DIGITS: usize = 38;
+        let [a, b] = [self, other].map(Self::to_string);
+        let dropped = a.len().max(b.len()).saturating_sub(DIGITS);
+        let leading = |digits: &str| digits[..digits.len().saturating_sub(dropped)].parse().unwrap_or(0_u128);
+        let (a, b) = (leading(&a), leading(&b));
+        let whole = a.checked_div(b)?;
+        Some(whole as f64 + (a % b) as f64 / b as f64)
+    }
+}
+
+impl Ord for Tally {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let by_length = self.limbs.len().cmp(&other.limbs.len());
+        by_length.then_with(|| self.limbs.iter().rev().cmp(other.limbs.iter().rev()))
+    }
+}
+
+impl PartialOrd for Tally {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
     }
 }
 
@@ -90,7 +119,35 @@ mod tests {
         assert_eq!(Tally::from(0_u64), Tally::ZERO);
     }
 
+    fn power(base: u32, exponent: u32) -> Tally {
+        (0..exponent).fold(Tally::from(1_u64), |power, _| {
+            let mut next = Tally::ZERO;
+            next.add_times(base, &power);
+            next
+        })
+    }
+
+    #[test]
+    fn ratios_of_numbers_beyond_floating_point() {
+        let close = |a: &Tally, b: &Tally, expected: f64| {
+            let ratio = a.ratio(b).unwrap_or(f64::NAN);
+            assert!((ratio / expected - 1.0).abs() < 1e-15, "{ratio} is not {expected}");
+        };
+        close(&power(3, 1001), &power(3, 1000), 3.0);
+        close(&power(30, 1000), &power(30, 999), 30.0);
+        close(&power(7, 20), &power(7, 22), 1.0 / 49.0);
+        assert_eq!(Tally::from(5_u64).ratio(&Tally::from(2_u64)), Some(2.5));
+        assert_eq!(Tally::ZERO.ratio(&power(3, 1000)), Some(0.0));
+        assert_eq!(power(3, 1000).ratio(&Tally::ZERO), None);
+    }
+
     proptest! {
+        #[test]
+        fn orders_as_machine_numbers_do(a in 0..u128::MAX, b in 0..u128::MAX, shift in 0..120) {
+            let b = b >> shift;
+            prop_assert_eq!(Tally::from(a).cmp(&Tally::from(b)), a.cmp(&b));
+        }
+
         #[test]
         fn adds_as_machine_numbers_do(a in 0..u128::MAX >> 33, b in 0..u128::MAX >> 33, times in 0..u32::MAX) {
             let mut sum = Tally::from(a);

@@ -67,6 +67,12 @@ impl Painter {
         self.spent
     }
 
+    /// The bytes of a drawing in the making, as [`FigureDrawer::bytes`].
+    #[must_use]
+    pub fn drawing_bytes(&self) -> u64 {
+        if let Task::Drawing(drawer) = &self.task { drawer.bytes() } else { 0 }
+    }
+
     /// Starts a frame of `size` pixels. An unfinished frame is given up.
     ///
     /// # Errors

@@ -1,6 +1,9 @@
 //! The search: a derivation that learns its rules from the string.
 
-use crate::Found;
+use crate::{Found, printed};
+use lsystem_base::Limits;
+use lsystem_drawing::{System, expand};
+use lsystem_syntax::Definition;
 use std::sync::Arc;
 
 /// The most symbols of the string.
@@ -126,6 +129,11 @@ impl Search {
         if alphabet.len() > MAX_ALPHABET {
             return Err("The string has more than 60 different symbols.");
         }
+        if !alphabet.iter().all(|&symbol| is_plain(symbol, !constants.contains(symbol))) {
+            return Err(
+                "Strings with parentheses, or with other symbols that have a meaning in rules, are not searched.",
+            );
+        }
         let letters: Vec<usize> = (0..alphabet.len()).filter(|&at| !constants.contains(alphabet[at])).collect();
         if letters.len() > MAX_LETTERS {
             return Err("More than 8 letters could have rules.");
@@ -197,6 +205,23 @@ impl Search {
         }
         Searched::More
     }
+}
+
+/// Whether a symbol stands for itself in strings and rules, and leaves the symbols after it alone.
+fn is_plain(symbol: char, has_rule: bool) -> bool {
+    // Brackets need a partner.
+    if ['[', ']'].contains(&symbol) || symbol.is_alphanumeric() {
+        return true;
+    }
+    let derives = |axiom: &str, rules: String, expected: &str| {
+        let system = System::new(&Definition { axiom: printed(axiom), rules, ..Definition::default() }).0;
+        system.and_then(|system| expand(&system, 1, &Limits::default()).ok()).as_deref() == Some(expected)
+    };
+    let [alone, between, last] = [format!("{symbol}"), format!("F{symbol}F"), format!("F{symbol}")];
+    printed(&alone) == alone
+        && derives(&between, String::new(), &between)
+        && derives("F", format!("F -> {symbol}"), &alone)
+        && (!has_rule || derives(&last, format!("{symbol} -> F"), "FF"))
 }
 
 /// The result of a step of a task.

@@ -84,8 +84,14 @@ impl Finder {
 
     /// Tries about `systems` systems, or fewer that are like the picture: those are more work.
     pub fn step(&mut self, systems: u64) -> Searched {
+        self.step_until(systems, &|| false)
+    }
+
+    /// As [`Finder::step`], but ends early once `is_over` says so, which is asked after each piece of work. Where a step
+    /// ends early, the systems that were tried depend on when.
+    pub fn step_until(&mut self, systems: u64, is_over: &dyn Fn() -> bool) -> Searched {
         let mut work = systems;
-        while work > 0 {
+        while work > 0 && !is_over() {
             if self.turn.1 == 0 {
                 let open = self.searches.iter().enumerate().filter(|(_, part)| !part.search.is_done());
                 let Some((at, _)) = open.min_by_key(|(_, part)| part.search.tried() * part.rank) else {
@@ -95,7 +101,7 @@ impl Finder {
             }
             let search = &mut self.searches[self.turn.0].search;
             let before = search.tried();
-            search.advance(self.turn.1.min(work), &mut work);
+            search.advance(self.turn.1.min(work), &mut work, is_over);
             let tried = search.tried() - before;
             // A search that has no more systems may still have plants and curves.
             work = if tried == 0 { work.saturating_sub(SHARE) } else { work };

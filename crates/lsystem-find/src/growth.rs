@@ -120,18 +120,28 @@ struct Plant {
     next: Vec<Branch>,
 }
 
+impl Kind {
+    /// The kind of a family whose axiom is one letter.
+    fn of(family: &Family) -> Option<Self> {
+        let kind = match &family.letters[..] {
+            [(_, true, Rule::Free)] => Self::Copies,
+            [(_, false, Rule::Free), (_, true, Rule::Fixed(word))] if word.len() == 2 => Self::Stalks,
+            _ => return None,
+        };
+        (family.axiom == [0] && family.alphabet.has_branches).then_some(kind)
+    }
+}
+
 impl GrowthSearch {
+    /// Whether words of a family can be searched.
+    pub(crate) fn is_for(family: &Family) -> bool {
+        Kind::of(family).is_some()
+    }
+
     /// A search for words of a family whose axiom is one letter that draws, or one that does not with another letter
     /// that is doubled.
     pub(crate) fn new(picture: &Arc<Picture>, family: &Family, target: &Target, steps: &[u32]) -> Option<Self> {
-        let kind = match &family.letters[..] {
-            [(_, true, Rule::Free)] => Kind::Copies,
-            [(_, false, Rule::Free), (_, true, Rule::Fixed(word))] if word.len() == 2 => Kind::Stalks,
-            _ => return None,
-        };
-        if family.axiom != [0] || !family.alphabet.has_branches {
-            return None;
-        }
+        let kind = Kind::of(family)?;
         let ink: Vec<[usize; 2]> =
             (0..SIDE * SIDE).map(|at| [at % SIDE, at / SIDE]).filter(|&[x, y]| picture.mask.has(x, y)).collect();
         // Each one of a row of places that lie everywhere.
@@ -171,8 +181,9 @@ impl GrowthSearch {
         let unit = |trunk: &Trunk| search.scale_of(*trunk).unit;
         let unusual = |trunk: &Trunk| (unit(trunk) / USUAL).max(USUAL / unit(trunk));
         let (mut usual, mut long) = (trunks.clone(), trunks);
-        usual.sort_by(|a, b| unusual(b).total_cmp(&unusual(a)));
-        long.sort_by(|a, b| unit(a).total_cmp(&unit(b)));
+        // The bits of positive numbers are in the order of the numbers.
+        usual.sort_by_cached_key(|trunk| Reverse(unusual(trunk).to_bits()));
+        long.sort_by_cached_key(|trunk| unit(trunk).to_bits());
         search.trunks = [(usual, 0), (long, 0)];
         Some(search)
     }

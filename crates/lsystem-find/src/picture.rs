@@ -43,8 +43,9 @@ impl Picture {
         let dark = grey.iter().filter(|&&at| at <= level).count();
         let is_dark = dark * 2 <= grey.len();
         let is_ink = |x: usize, y: usize| (grey[y * width + x] <= level) == is_dark;
-        let runs = drawing(width, height, is_ink);
-        let all = || runs.iter().flat_map(|run| (run.left..run.right).map(|x| (x, run.y)));
+        let filled = "the picture is filled: no lines are seen in it";
+        let runs = drawing(width, height, is_ink).ok_or(filled)?;
+        let all = || runs.iter().flat_map(|run| (run.left..run.right).map(|x| (x as usize, run.y as usize)));
         let [mut left, mut top, mut right, mut bottom] = [usize::MAX, usize::MAX, 0, 0];
         for (x, y) in all() {
             (left, right) = (left.min(x), right.max(x));
@@ -63,7 +64,7 @@ impl Picture {
         }
         let picture = Self::of(mask);
         if picture.mask.count() as f64 > picture.hull_area() * MOST_COVERED {
-            return Err("the picture is filled: no lines are seen in it");
+            return Err(filled);
         }
         Ok(picture)
     }

@@ -14,6 +14,8 @@ use std::sync::Arc;
 const MAX_STEPS: u32 = 12;
 /// The number of systems that a family tries before the next family's turn.
 const SHARE: u64 = 256;
+/// The number of systems that are tried between two questions whether the search is over.
+const UNASKED: u64 = 16;
 
 /// The known properties of a picture's system.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +75,7 @@ impl PictureSearch {
                 return Err("the letters that draw are expected to be in the axiom, or F or G");
             }
         }
-        let sources = Sources::new(&picture, &known, &targets, &families, share);
+        let sources = Sources::new(&targets, &families, share);
         Ok(Self {
             picture,
             targets,
@@ -90,7 +92,7 @@ impl PictureSearch {
 
     /// Tries about `systems` systems, or fewer that are like the picture: those are more work.
     pub fn step(&mut self, systems: u64) -> Searched {
-        self.advance(systems, &mut { systems });
+        self.advance(systems, &mut { systems }, &|| false);
         if self.is_done() { Searched::All } else { Searched::More }
     }
 
@@ -104,16 +106,22 @@ impl PictureSearch {
     }
 
     /// Tries at most so many systems, and ends where the work is done: in which order systems are tried does not depend
-    /// on it.
-    pub(crate) fn advance(&mut self, systems: u64, work: &mut u64) {
+    /// on it. It ends early once `is_over` says so.
+    pub(crate) fn advance(&mut self, systems: u64, work: &mut u64, is_over: &dyn Fn() -> bool) {
         for _ in 0..2 {
+            if is_over() {
+                return;
+            }
             let (picture, steps) = (&self.picture, &self.known.steps);
             if let Some((family, word)) = self.sources.advance(picture, &self.families, steps) {
                 let words = self.families[family].successors(&word);
-                *work = work.saturating_sub(self.compare(family, &words));
+                *work = work.saturating_sub(self.compare(family, &words, is_over));
             }
         }
-        for _ in 0..systems {
+        for number in 0..systems {
+            if number % UNASKED == 0 && is_over() {
+                return;
+            }
             if self.turn.1 == 0 {
                 let open = self.families.iter().enumerate().filter(|(_, family)| family.round <= MAX_SYMBOLS);
                 let Some((at, _)) = open.min_by_key(|(_, family)| family.tried * family.rank) else { return };
@@ -123,7 +131,7 @@ impl PictureSearch {
             self.families[at].advance();
             self.turn.1 = if self.families[at].round > MAX_SYMBOLS { 0 } else { self.turn.1 - 1 };
             let spent = match self.share.contains(self.families[at].tried) {
-                true => self.test(at),
+                true => self.test(at, is_over),
                 false => 0,
             };
             *work = work.saturating_sub(1 + spent);
@@ -146,21 +154,25 @@ impl PictureSearch {
     }
 
     /// Compares the present system of a family with the picture. The work beyond that for a system that is unlike it.
-    fn test(&mut self, at: usize) -> u64 {
+    fn test(&mut self, at: usize, is_over: &dyn Fn() -> bool) -> u64 {
         let mut words = std::mem::take(&mut self.words);
-        let work = if self.families[at].set_successors(&mut words) { self.compare(at, &words) } else { 0 };
+        let work = if self.families[at].set_successors(&mut words) { self.compare(at, &words, is_over) } else { 0 };
         self.words = words;
         work
     }
 
     /// Compares the system of a family that has these successors with the picture. The work is as for a test.
-    fn compare(&mut self, at: usize, words: &[Vec<Symbol>]) -> u64 {
+    fn compare(&mut self, at: usize, words: &[Vec<Symbol>], is_over: &dyn Fn() -> bool) -> u64 {
         let family = &self.families[at];
         let system = System { alphabet: family.alphabet, axiom: &family.axiom, words, draws: &family.draws };
         let (targets, picture) = (&self.targets, &self.picture);
         let mut best: Option<(f64, u32, usize, Fit)> = None;
         let mut work = 0;
         self.hulls.search(targets, system, &self.known.steps, |hulls, n, at, fit| {
+            // Strokes on much ink take long.
+            if is_over() {
+                return;
+            }
             let target = &targets[at];
             let Some(strokes) = Strokes::on_ink(system, hulls, n, target, picture, fit) else { return };
             work += strokes.work(fit);

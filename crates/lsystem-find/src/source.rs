@@ -6,7 +6,6 @@ use crate::growth::GrowthSearch;
 use crate::hull::Target;
 use crate::lattice::LatticeSearch;
 use crate::picture::Picture;
-use crate::picture_search::Known;
 use crate::share::Share;
 use crate::words::Symbol;
 use std::collections::VecDeque;
@@ -15,6 +14,8 @@ use std::sync::Arc;
 /// A search that reads successors off the picture, in steps.
 #[derive(Clone, Debug)]
 pub(crate) enum Source {
+    /// A plant of a family that is not begun yet, as seen with a heading: its beginning is work, too.
+    Seed(usize, Box<Target>),
     /// A plant of a family, grown on the ink.
     Growth(usize, Box<GrowthSearch>),
     /// The lattice of the picture, as seen with a heading.
@@ -38,20 +39,11 @@ pub(crate) struct Sources([VecDeque<Source>; 2]);
 
 impl Sources {
     /// Of the searches that run in parallel, each takes its share of the sources.
-    pub(crate) fn new(
-        picture: &Arc<Picture>,
-        known: &Known,
-        targets: &[Target],
-        families: &[Family],
-        share: Share,
-    ) -> Self {
+    pub(crate) fn new(targets: &[Target], families: &[Family], share: Share) -> Self {
         let lattices: Vec<Source> = targets.iter().map(LatticeSearch::new).map(Source::Lattice).collect();
         let mut plants = Vec::new();
-        for (at, family) in families.iter().enumerate() {
-            for target in targets {
-                let growth = GrowthSearch::new(picture, family, target, &known.steps);
-                plants.extend(growth.map(|growth| Source::Growth(at, Box::new(growth))));
-            }
+        for (at, _) in families.iter().enumerate().filter(|(_, family)| GrowthSearch::is_for(family)) {
+            plants.extend(targets.iter().map(|target| Source::Seed(at, Box::new(target.clone()))));
         }
         let own = |all: Vec<Source>| {
             let own = all.into_iter().zip(0_u64..).filter(|(_, number)| share.contains(*number));
@@ -67,14 +59,21 @@ impl Sources {
     /// Does a few milliseconds of work. Returns a successor that may draw the picture, with the index of its family.
     pub(crate) fn advance(
         &mut self,
-        picture: &Picture,
+        picture: &Arc<Picture>,
         families: &[Family],
         steps: &[u32],
     ) -> Option<(usize, Vec<Symbol>)> {
         self.0.rotate_left(1);
         let own = &mut self.0[1];
+        while let Some(Source::Seed(at, target)) = own.front() {
+            let growth = GrowthSearch::new(picture, &families[*at], target, steps);
+            let growth = growth.map(|growth| Source::Growth(*at, Box::new(growth)));
+            own.pop_front();
+            growth.into_iter().for_each(|growth| own.push_front(growth));
+        }
         let source = own.front_mut()?;
         let (family, advance) = match source {
+            Source::Seed(..) => return None,
             Source::Growth(family, growth) => (*family, growth.advance()),
             Source::Curve(family, curve) => (*family, curve.advance()),
             Source::Lattice(search) => {

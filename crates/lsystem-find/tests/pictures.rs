@@ -200,3 +200,24 @@ fn what_cannot_be_searched_is_told() {
         assert!(told.as_ref().is_err_and(|why| why.contains(said)), "{wrong:?} {:?}", told.err());
     }
 }
+
+/// A search of a picture on which nearly everything lies asks often whether it is over.
+#[test]
+fn a_search_ends_soon_after_it_is_over() {
+    let mut state = 5_u32;
+    let mut random = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        if state >> 30 == 0 { 0 } else { 255 }
+    };
+    let noise: Vec<u8> = (0..512 * 512).map(|_| random()).collect();
+    let picture = Arc::new(Picture::new(&noise, 512, 512).expect("lines"));
+    let mut finder = Finder::new(&picture, &Question::default(), Share::WHOLE).expect("a search");
+    let asked = core::cell::Cell::new(0);
+    let is_over = || {
+        asked.set(asked.get() + 1);
+        asked.get() > 20
+    };
+    assert_eq!(finder.step_until(1 << 20, &is_over), Searched::More);
+    assert!(finder.tried() <= 20 * 16, "{}", finder.tried());
+    assert!(asked.get() < 100, "{}", asked.get());
+}

@@ -128,3 +128,15 @@ fn what_no_rules_derive_is_not_found() {
         assert!(Search::new(axiom, text, n, "+-[]", 8).is_err());
     }
 }
+
+/// Rules would read these symbols in another way than they stand in the string.
+#[test]
+fn strings_of_other_than_plain_symbols_are_refused() {
+    for text in ["F%A[B(3)P(-1)]X", "F(1)", "F)", "`F`F", "F:F", "A,(B", "*FA"] {
+        assert!(Search::new("F", text, 1, "+-[]", 8).is_err(), "{text}");
+    }
+    assert!(Search::new("F(1/0)", "ABAABABA", 1, "+-[]", 8).is_err());
+    for text in ["F|F", "F!F&F^F", "A{.}B", "F~F", "λ🌿3", "F[+F]'F"] {
+        assert!(Search::new("F", text, 1, "+-[]|!&^{}.~'", 8).is_ok(), "{text}");
+    }
+}

@@ -33,7 +33,7 @@ test('visits with long texts leave room in the storage', () => {
     /** @type {import('../../js/sessions.js').Session[]} */
     let list = [];
     for (let visit = 0; visit < 6; visit++) {
-        const state = clean({ axiom: `F%&[+]${'F-'.repeat(500_000)}`, angle: visit });
+        const state = clean({ axiom: `F%&[+]${'F-'.repeat(450_000)}`, angle: visit });
         list = keepSession(list, `visit ${visit}`, state, state, visit);
         assert.deepEqual(openSession(/** @type {any} */ (list[0]))?.state, state);
         assert.ok(JSON.stringify(list).length < 4_500_000);

@@ -1,21 +1,28 @@
 //! Frames on all cores, taken in order. Few frames are in memory at a time.
 
 use super::WORK;
-use crate::CommandFailure;
 use crate::progress::DelayedBar;
+use crate::{CommandFailure, cores, memory};
+use lsystem::base::LimitName;
 use lsystem::film::{Film, LIMITS, Painter};
 use lsystem::render::Detail;
-use lsystem::{Limits, Progress, render_diagnostic};
+use lsystem::{Diagnostic, Limits, Progress, render_diagnostic};
 use std::collections::BTreeMap;
-use std::num::NonZero;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError, mpsc};
 use std::thread;
+
+/// The most bytes of a worker for a pixel: 24 while it is painted, and up to three finished frames as pixels or files.
+const FRAME_PIXEL: u64 = 40;
+/// The bytes of a worker for everything else.
+const FRAME_BYTES: u64 = 16 << 20;
 
 /// The workers on a film.
 pub(super) struct Pool<'a> {
     pub(super) film: &'a Film,
     limits: Limits,
     workers: usize,
+    /// The bytes of memory that a drawing may take: at least the limit, or less if there is less.
+    free: u64,
 }
 
 /// The frames that are given to workers and taken from them.
@@ -27,11 +34,20 @@ struct Window {
 }
 
 impl<'a> Pool<'a> {
-    /// A worker for each core; one worker if a drawing may take more memory than usual.
-    pub(super) fn new(film: &'a Film, limits: Limits) -> Self {
-        let cores = thread::available_parallelism().map_or(1, NonZero::get);
-        let workers = if limits.memory > LIMITS.memory { 1 } else { cores.min(film.frames() as usize).max(1) };
-        Self { film, limits, workers }
+    /// A worker for each core, or as many as there is memory for; one worker if a drawing may take more memory than
+    /// usual.
+    ///
+    /// # Errors
+    /// [`CommandFailure::Limit`] if there is not enough memory for one.
+    pub(super) fn new(film: &'a Film, limits: Limits) -> Result<Self, CommandFailure> {
+        let most = if limits.memory > LIMITS.memory { 1 } else { cores::count().min(film.frames() as usize).max(1) };
+        let [width, height] = film.script().size.map(u64::from);
+        let frame = FRAME_BYTES + width * height * FRAME_PIXEL;
+        let is_enough = |workers: &usize| memory::check(frame * *workers as u64).is_ok();
+        let workers = (1..=most).rev().find(is_enough);
+        let workers = workers.map_or_else(|| memory::check(frame).map(|()| 1), Ok)?;
+        let free = memory::at_most(workers as u64 * (frame + limits.memory)).saturating_sub(workers as u64 * frame);
+        Ok(Self { film, limits, workers, free: free / workers as u64 })
     }
 
     /// Paints the frames with these numbers, makes a value of the pixels of each, and takes the values in order.
@@ -72,10 +88,10 @@ impl<'a> Pool<'a> {
         };
         let (sender, receiver) = mpsc::channel();
         thread::scope(|scope| {
-            for _ in 0..self.workers {
+            cores::start(scope, self.workers, || {
                 let (sender, worker) = (sender.clone(), &worker);
-                scope.spawn(move || worker(sender));
-            }
+                move || worker(sender)
+            })?;
             drop(sender);
             let mut bar = DelayedBar::new(label, Some(numbers.len() as u64));
             let mut waiting = BTreeMap::new();
@@ -101,7 +117,11 @@ impl<'a> Pool<'a> {
         let wrong =
             |error| CommandFailure::Limit(render_diagnostic(&error, &format!("frame {number} of the film"), ""));
         painter.begin(&self.film.frame(number), size, Detail::Fine).map_err(wrong)?;
-        while painter.step(WORK).map_err(wrong)? == Progress::More {}
+        while painter.step(WORK).map_err(wrong)? == Progress::More {
+            if painter.drawing_bytes() > self.free {
+                return Err(wrong(Diagnostic::limit(LimitName::Memory, self.free, None)));
+            }
+        }
         Ok(())
     }
 }

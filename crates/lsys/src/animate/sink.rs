@@ -4,7 +4,7 @@ use super::pool::Pool;
 use super::words;
 use crate::cli::FilmFormat;
 use crate::output::within;
-use crate::pending::Pending;
+use crate::pending::{self, Pending};
 use crate::{CommandFailure, print};
 use lsystem::film::{GifWriter, Palette, PaletteMaker, palette_samples};
 use std::fs;
@@ -86,6 +86,7 @@ fn gif(
 pub(super) fn pngs_to_folder(pool: &Pool<'_>, folder: &Path) -> Result<(), CommandFailure> {
     let wrong = |error: io::Error| CommandFailure::io(folder.display(), &error);
     fs::create_dir_all(folder).map_err(wrong)?;
+    pending::remove_dead(folder);
     // Frames of another film between those of this one would be taken for its frames.
     if fs::read_dir(folder).map_err(wrong)?.next().is_some() {
         return Err(words(format!("{}: the folder is not empty", folder.display())));

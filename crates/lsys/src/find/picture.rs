@@ -1,19 +1,19 @@
 //! The rules of a picture, searched with all cores.
 
 use super::{Known, MAX_LISTED};
-use crate::{CommandFailure, print};
+use crate::{CommandFailure, cores, print};
 use lsystem::files::{SegmentForm, read_segments};
 use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, merged};
 use serde::Serialize;
 use std::io::Cursor;
-use std::sync::Arc;
-use std::thread;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// The systems that are tried between two looks at the clock.
+/// The systems that are tried in one step.
 const SHARE: u64 = 4096;
 /// The most pixels of a picture.
-const MAX_PIXELS: usize = 100 << 20;
+const MAX_PIXELS: u64 = 64_000_000;
 /// The most segments of a file.
 const MAX_SEGMENTS: usize = 1_000_000;
 /// The systems that all cores together have tried after the first round. Each further round tries as many systems as
@@ -85,7 +85,7 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     let picture = Arc::new(picture);
     let Known { axiom, angle, heading, n, draws, .. } = known;
     let question = Question { axiom: axiom.clone(), angle: *angle, heading: *heading, n: *n, draws: draws.clone() };
-    let cores = thread::available_parallelism().map_or(1, std::num::NonZero::get) as u64;
+    let cores = cores::count() as u64;
     let parts = (0..cores).map(|part| Finder::new(&picture, &question, Share { index: part, count: cores }));
     let mut parts = parts.collect::<Result<Vec<_>, _>>().map_err(said)?;
     search(&mut parts, Duration::from_secs(known.seconds.into()));
@@ -135,13 +135,15 @@ fn search(finders: &mut [Finder], limit: Duration) {
     let is_over = move || begin.elapsed() >= limit;
     let (mut until, mut was_found) = (FIRST, false);
     loop {
-        let is_more = thread::scope(|scope| {
-            let start = |finder| scope.spawn(move || go_on(finder, until, is_over));
-            let running: Vec<_> = finders.iter_mut().map(start).collect();
-            let is_more: Vec<bool> = running.into_iter().map(|finder| finder.join().unwrap_or(false)).collect();
-            is_more.contains(&true)
+        let (is_more, workers) = (AtomicBool::new(false), finders.len());
+        let queue = Mutex::new(finders.iter_mut());
+        let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+        cores::side_by_side(workers, || {
+            while let Some(finder) = next() {
+                is_more.fetch_or(go_on(finder, until, is_over), Ordering::Relaxed);
+            }
         });
-        if !is_more || was_found || is_over() {
+        if !is_more.into_inner() || was_found || is_over() {
             return;
         }
         was_found = finders.iter().any(Finder::is_found);
@@ -152,7 +154,7 @@ fn search(finders: &mut [Finder], limit: Duration) {
 /// Searches to the end of a round. Returns whether there is more to search.
 fn go_on(finder: &mut Finder, until: u64, is_over: impl Fn() -> bool) -> bool {
     while finder.tried() < until && !is_over() {
-        if finder.step(SHARE) == Searched::All {
+        if finder.step_until(SHARE, &is_over) == Searched::All {
             return false;
         }
     }
@@ -164,8 +166,12 @@ fn grey(bytes: &[u8]) -> Result<(Vec<u8>, usize, usize), String> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::normalize_to_color8());
     let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    let size = reader.output_buffer_size().filter(|&size| size <= 4 * MAX_PIXELS);
-    let mut pixels = vec![0; size.ok_or("the picture has too many pixels")?];
+    let info = reader.info();
+    let is_small = u64::from(info.width) * u64::from(info.height) <= MAX_PIXELS;
+    let size = reader.output_buffer_size().filter(|_| is_small).ok_or("the picture has more than 64,000,000 pixels")?;
+    let mut pixels = Vec::new();
+    pixels.try_reserve_exact(size).map_err(|_| "not enough memory for the picture")?;
+    pixels.resize(size, 0);
     let frame = reader.next_frame(&mut pixels).map_err(|error| error.to_string())?;
     let channels = frame.color_type.samples();
     let grey = pixels[..frame.buffer_size()].chunks_exact(channels).map(|pixel| {

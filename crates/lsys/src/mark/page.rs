@@ -27,7 +27,7 @@ pub(super) fn page(exercise: &Exercise, marked: &[Marked]) -> String {
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
          <h1>{title}</h1>\n<p>{}</p>\n<p>{solved} of {} solved. In the pictures:\
          <i class=\"both\"></i>agrees<i class=\"missing\"></i>is missing<i class=\"much\"></i>is too much</p>\n\
-         <table>\n<tr><th>Name<th>Solved<th>Agrees<th>Symbols<th>Picture<th>Rules<th>Remark</tr>\n{rows}</table>\n</html>\n",
+         <table>\n<tr><th>Name<th>By<th>Solved<th>Agrees<th>Symbols<th>Picture<th>Rules<th>Remark</tr>\n{rows}</table>\n</html>\n",
         escaped(&exercise.task),
         marked.len(),
     )
@@ -51,7 +51,8 @@ fn row(one: &Marked) -> String {
         escaped(&(axiom + &student.rules))
     });
     format!(
-        "<tr><td>{name}{solved}<td class=\"number\">{percent}<td class=\"number\">{}<td>{picture}<td><pre>{}</pre><td>{}</tr>\n",
+        "<tr><td>{name}<td>{}{solved}<td class=\"number\">{percent}<td class=\"number\">{}<td>{picture}<td><pre>{}</pre><td>{}</tr>\n",
+        escaped(&one.answer.by),
         one.symbols(),
         rules.unwrap_or_default(),
         escaped(&one.words),

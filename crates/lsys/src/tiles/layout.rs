@@ -50,6 +50,17 @@ impl Layout<'_> {
         format!("{index}\n")
     }
 
+    /// The names of all files and folders of the pyramid.
+    pub(super) fn names(&self) -> Vec<String> {
+        match self.options.scheme {
+            Scheme::Deepzoom => ["index.html", "tiles.dzi", "tiles_files"].map(str::to_owned).to_vec(),
+            Scheme::Xyz => {
+                let levels = (0..=TilePlace::MAX_LEVEL).map(|level| level.to_string());
+                core::iter::once("index.html".to_owned()).chain(levels).collect()
+            }
+        }
+    }
+
     /// The files that describe the pyramid, with their paths.
     pub(super) fn descriptions(&self) -> Vec<(PathBuf, String)> {
         let TileOptions { scheme, size, levels, under, .. } = self.options;
