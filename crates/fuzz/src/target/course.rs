@@ -6,7 +6,7 @@ use crate::{Gauge, Source};
 use lsystem::course::growth::growth as growth_of;
 use lsystem::course::steps::{Order, one_by_one, rows, trace};
 use lsystem::course::{Asks, Exercise, Given, Grade, Marker};
-use lsystem::{Definition, Limits, expand};
+use lsystem::{Definition, Figure, Limits, System, expand};
 
 /// An exercise draws its target in one call, with up to 16 Mi units of work.
 const TARGET_STEPS: u32 = (16 << 20) / WORK as u32;
@@ -54,13 +54,84 @@ pub(super) fn exercises(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
     // A committed system's answer is a random one, because its own answer has been marked.
     source.given = None;
-    let other = make::definition(source);
+    let other = if source.once_in(3) { make::definition(source) } else { changed(source, &own) };
     let mark = marked(&mut marker, "other", &other, gauge);
     assert!(!mark.is_solved || mark.errors.is_empty());
+    if mark.is_same == Some(true) && mark.errors.is_empty() {
+        gauge.reach("same");
+        same(&exercise, &other);
+    }
     assert_eq!(marker.overlay().len(), 512 * 512);
     if source.once_in(8) {
         let _ = gauge.call("hint", || marker.hint(&other));
     }
+}
+
+/// The same rules with one symbol more, less or other.
+fn changed(source: &mut Source<'_>, own: &Definition) -> Definition {
+    let mut rules: Vec<char> = own.rules.chars().collect();
+    let at = source.below(rules.len() + 1);
+    let symbol = source.pick_char("F+-XfG|");
+    match source.below(3) {
+        0 => rules.insert(at, symbol),
+        1 if at < rules.len() => rules[at] = symbol,
+        _ if at < rules.len() => _ = rules.remove(at),
+        _ => {}
+    }
+    Definition { rules: rules.into_iter().collect(), ..own.clone() }
+}
+
+/// Checks that an answer that is called the same is so, segment by segment.
+fn same(exercise: &Exercise, student: &Definition) {
+    let drawn = |definition: &Definition| {
+        let system = System::new(definition).0?;
+        let figure = Figure::draw(&system, definition.iterations, &Limits::default()).ok()?;
+        (figure.segment_count() <= MOST_COMPARED && figure.polygon_count() == 0).then(|| figure)
+    };
+    let (Some(target), Some(own)) = (drawn(&exercise.target), drawn(&exercise.complete(student))) else { return };
+    match exercise.asks {
+        Asks::Segments => assert_eq!(target.segment_count(), own.segment_count(), "the number of segments"),
+        Asks::Picture => {
+            let [target, own] = [target, own].map(|figure| fitted(&figure));
+            for (one, other, what) in [(&target, &own, "is missing"), (&own, &target, "is too much")] {
+                for [from, to] in one {
+                    for part in [0.0, 0.3, 0.5, 1.0] {
+                        let at = [0, 1, 2].map(|axis| from[axis] + part * (to[axis] - from[axis]));
+                        let is_there = other.iter().any(|segment| distance(at, segment) < 1e-5);
+                        assert!(is_there, "{at:?} {what} in an answer that is called the same");
+                    }
+                }
+            }
+        }
+        Asks::Text | Asks::Statistics => {}
+    }
+}
+
+/// The most segments that are compared one by one.
+const MOST_COMPARED: u128 = 300;
+
+/// The segments that have a length, moved and scaled so that the longest side is 1.
+fn fitted(figure: &Figure) -> Vec<[[f64; 3]; 2]> {
+    let segments: Vec<[[f64; 3]; 2]> = figure.segments_from(0).map(|segment| [segment.from, segment.to]).collect();
+    let along = |axis: usize, first: f64, pick: fn(f64, f64) -> f64| {
+        segments.as_flattened().iter().map(|place| place[axis]).fold(first, pick)
+    };
+    let low = [0, 1, 2].map(|axis| along(axis, f64::INFINITY, f64::min));
+    let high = [0, 1, 2].map(|axis| along(axis, f64::NEG_INFINITY, f64::max));
+    let side = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+    let place = |at: [f64; 3]| [0, 1, 2].map(|axis| (at[axis] - f64::midpoint(low[axis], high[axis])) / side);
+    let placed = segments.iter().map(|segment| segment.map(place));
+    placed.filter(|[from, to]| (0..3).any(|axis| (from[axis] - to[axis]).abs() > 1e-6)).collect()
+}
+
+/// The distance of a place from a segment.
+fn distance(at: [f64; 3], [from, to]: &[[f64; 3]; 2]) -> f64 {
+    let way = [0, 1, 2].map(|axis| to[axis] - from[axis]);
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let off = [0, 1, 2].map(|axis| at[axis] - from[axis]);
+    let part = (dot(off, way) / dot(way, way)).clamp(0.0, 1.0);
+    let rest = [0, 1, 2].map(|axis| off[axis] - part * way[axis]);
+    libm::sqrt(dot(rest, rest))
 }
 
 /// Marks an answer in steps, as the page does.
