@@ -87,7 +87,9 @@ export function createHoverCard(stage, { hidden, read }) {
         const [right, bottom] = [frame.width - EDGE - width, frame.height - EDGE - height];
         const isInside = (/** @type {Corner} */ [left, top]) =>
             left >= EDGE && left <= right && top >= EDGE && top <= bottom;
-        const tools = [...stage.querySelectorAll('.tools')].map((bar) => bar.getBoundingClientRect());
+        const tools = [...stage.querySelectorAll('.tools, .trouble:not([hidden])')].map((bar) =>
+            bar.getBoundingClientRect(),
+        );
         const isFree = (/** @type {Corner} */ [left, top]) => {
             const [clientLeft, clientTop] = [frame.left + left, frame.top + top];
             return !tools.some(
