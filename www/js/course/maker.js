@@ -68,7 +68,7 @@ export function createMaker({ store, engine }) {
         setValue(input('maker-title'), title || name);
         const lines = rules.split('\n').slice(0, MOST_LINES);
         rows.replaceChildren(
-            row('axiom', make('span', {}, 'Axiom ', make('code', {}, axiom.slice(0, 40))), 'shown'),
+            row('axiom', make('span', {}, 'Start (axiom) ', make('code', {}, axiom.slice(0, 40))), 'shown'),
             row('n', `Iterations: ${iterations}`, 'shown'),
             row('angle', `Angle: ${angle}°`, 'shown'),
             row('turtle', 'Meaning of the symbols', 'shown'),

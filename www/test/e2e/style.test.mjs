@@ -61,8 +61,7 @@ test('drawings in space say that they are opaque', () =>
 test('nine seeds can be compared', () =>
     withPage({ hash: `${PLANT}&vary=20&seed=7` }, async (page) => {
         const before = await stillPicture(page);
-        await tab(page, 'grow');
-        await until(() => page.isEnabled('#seed-sheet'), 'chance plays a part');
+        await page.waitForSelector('#seed-sheet:visible');
         await page.click('#seed-sheet');
         const cards = page.locator('#seed-cards .card');
         assert.equal(await cards.count(), 9);
