@@ -64,8 +64,9 @@ export function createFilms({ store, stage }) {
     });
     html('film-options').prepend(presets.element, options.element);
     html('film-acts').prepend(...saving.buttons);
-    html('film-options').append(saving.progress, saving.credit);
+    html('film-bar').after(saving.progress);
     html('film-score').prepend(timeline.element);
+    html('film-score').append(saving.credit);
     html('film-bottom').prepend(adder.element);
 
     /** @type {FilmScript | null} */

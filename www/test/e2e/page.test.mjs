@@ -775,7 +775,7 @@ test('on a phone everything is within reach', () =>
         assert.ok(await page.isVisible('#fit'));
         // Undo is hidden while there is nothing to undo.
         assert.ok(!(await page.isVisible('#undo')));
-        assert.ok(((await page.locator('.tools-read').boundingBox())?.x ?? 0) > 260, 'the stem is in sight');
+        assert.ok(((await page.locator('.tools-read').boundingBox())?.x ?? 0) > 195 + 40, 'the stem is in sight');
         const whole = await stillPicture(page);
         await page.tap('#tab-rules');
         await page.fill('#angle', '30');
