@@ -42,7 +42,7 @@ export function createHoverCard(stage, { hidden, read }) {
         const [, ...older] = descent(ancestry);
         const more = older.length - most;
         // A mouse opens the string with a click on the segment.
-        const show = make('button', { type: 'button', class: 'link card-read' }, 'Show in the string');
+        const show = make('button', { type: 'button', class: 'button card-read' }, 'Show in the string');
         show.addEventListener('click', () => read(ancestry));
         card.replaceChildren(
             ...(own

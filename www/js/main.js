@@ -64,7 +64,7 @@ const engine = createEngine({ report: reported, drawn, busy, troubled, recovered
 let notDrawn = session.isSuspect(store.state);
 if (!notDrawn) engine.define(definitionOf(store.state));
 const marks = createMarks();
-const stage = createStage(store, engine, marks);
+const stage = createStage(store, engine, marks, { isBesideTools: true });
 const orbit = createOrbit(store, stage);
 const playback = createPlayback(engine, { turtle: marks.turtle });
 const growing = createGrowing(store, engine, { begins: () => playback.forget(), present: playback.present });

@@ -372,3 +372,14 @@ for (const [name, options] of /** @type {const} */ ([
             assert.match((await page.textContent('.step.now h2')) ?? '', /^12\. /);
         }));
 }
+
+test('only rules are offered as something to find', () =>
+    withPage(
+        { hash: '#v=1&axiom=A&rules=%2F%2F%20words%0AA%20-%3E%20AA%0Adraw%3A%0AA%20-%3E%20F&n=3&angle=60' },
+        async (page) => {
+            await page.click('#tab-save');
+            await page.click('#make-exercise');
+            await page.waitForSelector('#maker-made:visible');
+            assert.deepEqual(await page.locator('#maker-given code').allInnerTexts(), ['A', 'A -> AA', 'A -> F']);
+        },
+    ));

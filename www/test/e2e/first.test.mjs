@@ -198,3 +198,38 @@ test('the star adds the system to favourites', () =>
             'the favourite is added',
         );
     }));
+
+test('the first screen of a laptop has at most 26 controls', () =>
+    withPage({ options: { viewport: { width: 1280, height: 657 } } }, async (page) => {
+        const seen = await page.evaluate(() =>
+            [...document.querySelectorAll('button, a, input, textarea, select, summary')]
+                .filter((control) => {
+                    const { left, right, top, bottom } = control.getBoundingClientRect();
+                    const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+                    return right - left > 1 && control.contains(document.elementFromPoint(x, y));
+                })
+                .map(({ id, textContent }) => id || textContent),
+        );
+        assert.ok(seen.length > 15 && seen.length <= 26, `${seen.length}: ${seen.join()}`);
+    }));
+
+test('a new system has the look of the opening plant', () =>
+    withPage({}, async (page) => {
+        await page.click('#start-anew');
+        await until(async () => (await page.inputValue('#rules')) === '', 'it is new');
+        await page.fill('#rules', 'F -> F[+F]F');
+        await until(async () => /, 81 segments/.test(await text(page, '#caption-text')), 'it is drawn');
+        await page.click('#tab-look');
+        assert.equal(await page.inputValue('#colour-by'), 'level');
+        assert.equal(await page.inputValue('#width'), '0.45');
+        assert.match(await text(page, '#caption-title'), /^Untitled system/);
+    }));
+
+test('letters that draw nothing are told, with the dialect in which they draw', () =>
+    withPage({ hash: '#v=1&axiom=X&rules=X%20-%3E%20F%5B%2BX%5DX&n=3&angle=30' }, async (page) => {
+        await page.click('#tab-turtle');
+        assert.match(await text(page, '#legend-hint'), /^X draws nothing \(course assignments: every letter draws\)/);
+        await page.click('#letters-draw');
+        await until(async () => !(await page.isVisible('#legend-hint')), 'every letter draws');
+        assert.equal(await page.inputValue('#dialect'), 'every-letter');
+    }));

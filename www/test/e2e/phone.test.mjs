@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
-import { PHONE, close, until, withPage } from './browser.mjs';
+import { PHONE, close, nextPicture, onPixels, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -88,5 +88,56 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
                 await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
                 await page.setViewportSize(PHONE.viewport);
                 assert.ok(await page.isVisible('#tab-look'));
+            }
+        }));
+
+test('fingers tap, and mice point', () =>
+    withPage({ options: PHONE }, async (page) => {
+        assert.match((await page.textContent('#symbol-note')) ?? '', /^Tap a symbol/);
+        await page.tap('#share');
+        await until(async () => /Tap it to enlarge/.test((await page.textContent('#qr-note')) ?? ''), 'the words');
+    }));
+
+for (const [width, height] of SIZES)
+    test(`a fitted drawing lies beside the tools: ${width} x ${height}`, () =>
+        withPage({ options: { ...PHONE, viewport: { width, height } } }, async (page) => {
+            for (const axiom of ['F', 'F+F+F+F']) {
+                if (axiom !== 'F') {
+                    const before = await stillPicture(page);
+                    await page.fill('#axiom', axiom);
+                    await page.fill('#angle', '90');
+                    await page.fill('#rules', 'F -> F+F-F-FF+F+F-F');
+                    await page.fill('#iterations', '3');
+                    await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
+                    await nextPicture(page, before);
+                    await until(async () => /2,048/.test((await page.textContent('#segments')) ?? ''), 'it is drawn');
+                }
+                await stillPicture(page);
+                const boxes = await page.evaluate(() => {
+                    const stage = /** @type {Element} */ (document.querySelector('#stage')).getBoundingClientRect();
+                    return [...document.querySelectorAll('#stage .tools:not([hidden])')]
+                        .filter((bar) => getComputedStyle(bar).visibility === 'visible')
+                        .map((bar) => bar.getBoundingClientRect())
+                        .map(({ left, top, right, bottom }) => [
+                            (left - stage.left) / stage.width,
+                            (top - stage.top) / stage.height,
+                            (right - stage.left) / stage.width,
+                            (bottom - stage.top) / stage.height,
+                        ]);
+                });
+                assert.ok(boxes.length >= 2);
+                const covered = await onPixels(
+                    page,
+                    ({ words, width: wide, height: high }, known) => {
+                        let ink = 0;
+                        for (const [left = 0, top = 0, right = 0, bottom = 0] of known)
+                            for (let y = Math.ceil(top * high); y < Math.min(high, bottom * high); y++)
+                                for (let x = Math.ceil(left * wide); x < Math.min(wide, right * wide); x++)
+                                    if (words[y * wide + x] !== words[0]) ink += 1;
+                        return ink;
+                    },
+                    boxes,
+                );
+                assert.equal(covered, 0, axiom);
             }
         }));

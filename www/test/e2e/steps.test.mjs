@@ -144,3 +144,16 @@ test('the mathematics is told in words, a plot, a matrix, a table and files', ()
         await page.fill('#rules', 'A -> AA');
         await until(async () => /by 2\./.test((await page.textContent('#math-words')) ?? ''), 'it follows');
     }));
+
+test('playing goes on while the slider has the focus', () =>
+    withPage({ hash: ALGAE }, async (page) => {
+        await page.click('#open-steps');
+        await says(page, /Generation/);
+        await page.focus('#steps-at');
+        await page.keyboard.press('Home');
+        await says(page, /Generation 0/);
+        assert.ok(await page.isDisabled('#steps-back'));
+        await page.keyboard.press('ArrowRight');
+        await says(page, /Generation 1/);
+        assert.ok(await page.isEnabled('#steps-back'));
+    }));
