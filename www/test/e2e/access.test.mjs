@@ -32,8 +32,8 @@ const STATES = {
     'as it opens': async () => {},
     rules: async (page) => {
         await tab('rules')(page);
-        for (const summary of await page.locator('#section-rules details:not([open]) > summary:visible').all())
-            await summary.click();
+        const folded = page.locator('#section-rules details:not([open]) > summary:visible');
+        while ((await folded.count()) > 0) await folded.first().click();
     },
     mistakes: async (page) => {
         await tab('rules')(page);

@@ -383,3 +383,12 @@ test('only rules are offered as something to find', () =>
             assert.deepEqual(await page.locator('#maker-given code').allInnerTexts(), ['A', 'A -> AA', 'A -> F']);
         },
     ));
+
+test('an exercise on a page of its own leads home', () =>
+    withPage({ address: ADDRESS, hash: linkOf('koch') }, async (page) => {
+        assert.ok(await page.isVisible('.home'));
+        assert.equal(
+            new URL((await page.getAttribute('.home', 'href')) ?? '', page.url()).href,
+            new URL('.', ADDRESS).href,
+        );
+    }));
