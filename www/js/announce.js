@@ -20,6 +20,13 @@ export function announce(words) {
     timer = window.setTimeout(() => setText(html('announcer'), withoutMarks(words)), PAUSE);
 }
 
+/** Puts the message where it can be read: a dialog dims and covers all that is not inside it. */
+function place() {
+    const dialog = [...document.querySelectorAll('dialog[open]')].at(-1);
+    (dialog ?? html('stage')).append(html('toast'));
+    dialog?.addEventListener('close', place, { once: true });
+}
+
 function close() {
     html('toast').classList.remove('shown');
     setLayer(close, false);
@@ -50,6 +57,7 @@ export function toast(words, { stay = false, action } = {}) {
     } else {
         note.replaceChildren(...withCode(words));
     }
+    place();
     note.classList.add('shown');
     setLayer(close, action !== undefined);
     if (!stay && !action) toastTimer = window.setTimeout(close, Math.max(TOAST, words.length * 60));

@@ -81,7 +81,8 @@ export function setValue(field, text) {
     const old = field.value;
     if (old === text) return;
     field.value = text;
-    if (document.activeElement !== field) return;
+    // A slider has no caret.
+    if (document.activeElement !== field || field.selectionStart === null) return;
     let tail = 0;
     while (tail < Math.min(old.length, text.length) && old.at(-1 - tail) === text.at(-1 - tail)) tail++;
     field.setSelectionRange(text.length - tail, text.length - tail);
@@ -108,6 +109,9 @@ export function closes(dialog, id) {
         if (event.target === dialog) dialog.close();
     });
 }
+
+/** Whether the reader points with a finger. */
+export const isTouch = () => matchMedia('(pointer: coarse)').matches;
 
 /** Whether the reader prefers reduced motion. */
 export const reducedMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;

@@ -11,3 +11,6 @@ export function applyFix(store, { field, start, end, fix }) {
     const text = store.state[field];
     store.change({ [field]: text.slice(0, start) + fix + text.slice(end) }, '');
 }
+
+/** The label of the button that takes the largest number of iterations that can be drawn. @param {number} largest */
+export const largestLabel = (largest) => `Use ${largest} ${largest === 1 ? 'iteration' : 'iterations'}`;

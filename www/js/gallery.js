@@ -63,6 +63,7 @@ export function createGallery({ store, engine, restyle, theme }) {
         chip.addEventListener('click', () => {
             chosen = choose(chosen, filter, found());
             show();
+            shelves.scrollTop = 0;
         });
         html('chips').append(chip);
         return { chip, many };
@@ -81,6 +82,8 @@ export function createGallery({ store, engine, restyle, theme }) {
             make('span', { class: 'card-kind' }, shortSource(definition.source)),
         );
         for (const event of ['focus', 'pointerenter']) card.addEventListener(event, () => tell(definition));
+        for (const event of ['blur', 'pointerleave'])
+            card.addEventListener(event, () => (html('gallery-about').hidden = true));
         card.addEventListener('click', () => {
             dialog.close();
             store.open(restyle(definition));
@@ -142,6 +145,21 @@ export function createGallery({ store, engine, restyle, theme }) {
         setText(html('about-title'), title || name);
         setText(html('about-notes'), notes);
         setText(html('about-source'), source);
+        html('gallery-about').hidden = notes === '' && source === '';
+    }
+
+    /** Gives each shelf as many columns as fit, or fewer if a card would be alone in the last row. */
+    function arrange() {
+        for (const shelf of shelves.querySelectorAll('.cards')) {
+            if (!(shelf instanceof HTMLElement) || shelf.clientWidth === 0) continue;
+            shelf.style.gridTemplateColumns = '';
+            const most = getComputedStyle(shelf).gridTemplateColumns.split(' ').length;
+            const many = shelf.querySelectorAll('.card:not([hidden])').length;
+            const fine = [most, most - 1, most - 2].find(
+                (columns) => columns > 1 && (many <= columns || many % columns !== 1),
+            );
+            if (fine && fine !== most) shelf.style.gridTemplateColumns = `repeat(${fine}, minmax(0, 1fr))`;
+        }
     }
 
     /** The cards that the search finds. */
@@ -169,6 +187,7 @@ export function createGallery({ store, engine, restyle, theme }) {
         for (const shelf of shelves.children) {
             if (shelf instanceof HTMLElement) shelf.hidden = !shelf.querySelector('.card:not([hidden])');
         }
+        arrange();
         setText(nothing, 'No results.');
         html('no-results').hidden = shown.size > 0;
         clear.hidden = false;
@@ -195,7 +214,12 @@ export function createGallery({ store, engine, restyle, theme }) {
     }
 
     closes(dialog, 'close-gallery');
-    search.addEventListener('input', show);
+    search.addEventListener('input', () => {
+        // A search that finds nothing on the chosen shelves looks on all.
+        if (count(found(), chosen) === 0 && found().length > 0) chosen = new Set();
+        show();
+    });
+    new ResizeObserver(arrange).observe(shelves);
     clear.addEventListener('click', () => {
         search.value = '';
         chosen = new Set();

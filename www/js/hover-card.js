@@ -42,7 +42,7 @@ export function createHoverCard(stage, { hidden, read }) {
         const [, ...older] = descent(ancestry);
         const more = older.length - most;
         // A mouse opens the string with a click on the segment.
-        const show = make('button', { type: 'button', class: 'link card-read' }, 'Show in the string');
+        const show = make('button', { type: 'button', class: 'button card-read' }, 'Show in the string');
         show.addEventListener('click', () => read(ancestry));
         card.replaceChildren(
             ...(own
@@ -87,7 +87,9 @@ export function createHoverCard(stage, { hidden, read }) {
         const [right, bottom] = [frame.width - EDGE - width, frame.height - EDGE - height];
         const isInside = (/** @type {Corner} */ [left, top]) =>
             left >= EDGE && left <= right && top >= EDGE && top <= bottom;
-        const tools = [...stage.querySelectorAll('.tools')].map((bar) => bar.getBoundingClientRect());
+        const tools = [...stage.querySelectorAll('.tools, .trouble:not([hidden])')].map((bar) =>
+            bar.getBoundingClientRect(),
+        );
         const isFree = (/** @type {Corner} */ [left, top]) => {
             const [clientLeft, clientTop] = [frame.left + left, frame.top + top];
             return !tools.some(

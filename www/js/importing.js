@@ -161,6 +161,7 @@ export function createImporting({ store, engine, restyle }) {
     function hideOffer() {
         note.hidden = true;
         offered = null;
+        document.documentElement.toggleAttribute('data-pasted', false);
         setLayer(hideOffer, false);
     }
 
@@ -184,6 +185,10 @@ export function createImporting({ store, engine, restyle }) {
     button('import-cancel').addEventListener('click', () => dialog.close());
     button('import-accept').addEventListener('click', () => offered && show(offered.found, offered.text));
     button('import-dismiss').addEventListener('click', hideOffer);
+    // What is edited afterwards is the reader's own text.
+    store.subscribe((state, before) => {
+        if (offered && (state.axiom !== before.axiom || state.rules !== before.rules)) hideOffer();
+    });
 
     return {
         open: show,
@@ -206,10 +211,14 @@ export function createImporting({ store, engine, restyle }) {
             else show(found, text);
         },
 
-        /** Offers the systems of a text that was pasted into a field, where it stays if the reader wants it there. @param {string} text */
+        /**
+         * Offers the systems of a text that was pasted into a field, where it stays if the reader wants it there. Returns
+         * whether there are any.
+         * @param {string} text
+         */
         async offerPasted(text) {
             const found = await read(text);
-            if (!found) return;
+            if (!found) return false;
             offered = { found, text };
             setText(
                 html('import-what'),
@@ -217,6 +226,7 @@ export function createImporting({ store, engine, restyle }) {
             );
             note.hidden = false;
             setLayer(hideOffer, true);
+            return true;
         },
     };
 }

@@ -61,8 +61,8 @@ export const PURPOSES = /* @__PURE__ */ Object.freeze({
     screen: 'Screen',
     film: 'Film',
     plotter: 'Plotter',
-    paper: 'Paper',
-    print: 'Print',
+    paper: 'Article',
+    print: 'Poster',
     mesh: '3D',
     data: 'Data',
 });
@@ -90,7 +90,7 @@ export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
     'lift': { kind: 'number', low: 0, high: 60, step: 0.1, default: 0.2, label: 'Lift time', help: 'Seconds to raise and lower the pen, for the estimate of time', unit: 's' },
     'whole-sheet': { kind: 'flag', label: 'Whole sheet', help: 'Fill the sheet, instead of ending the page at the edge of the drawing', unit: '' },
     'finest': { kind: 'number', low: 0, high: 20, step: 0.1, default: 0, label: 'Finest part', help: 'Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all', unit: '%' },
-    'bare': { kind: 'flag', label: 'Leave the system out', help: 'Leave the system out of the file; the file cannot be opened again as a system', unit: '' },
+    'bare': { kind: 'flag', label: 'Without the rules inside', help: 'Leave the system out of the file; the file cannot be opened again as a system', unit: '' },
 });
 
 /** Sheets of paper in portrait by name: width and height in millimetres. */

@@ -669,6 +669,10 @@ segments: string | null,
  */
 blocks: number | null, 
 /**
+ * The width of a drawing in the plane over its height; null for a drawing without a height.
+ */
+aspect: number | null, 
+/**
  * The largest number of iterations within the limits, if the drawing exceeds a limit.
  */
 largest: number | null, 

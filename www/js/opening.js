@@ -1,6 +1,5 @@
 /** The system that a first visit shows, and the system that New starts from. */
 
-import { themeScheme } from './colour-schemes.js';
 import { clean } from './state.js';
 
 /** The same plant by day and by night: trunk, branches and leaves by branch level. */
@@ -35,8 +34,7 @@ export function opening(theme) {
     });
 }
 
-/** A single line, without productions. @param {'light' | 'dark'} theme */
+/** A single line without rules, in the look of the opening plant. @param {'light' | 'dark'} theme */
 export function blank(theme) {
-    const { palette, background } = themeScheme(theme);
-    return clean({ axiom: 'F', iterations: 4, angle: 60, palette: [...palette], background });
+    return clean({ ...opening(theme), name: '', title: '', source: '', rules: '', iterations: 4, angle: 60 });
 }

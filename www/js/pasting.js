@@ -1,5 +1,6 @@
 /** What is pasted outside of dialogs: systems of other programs, and pictures whose rules are searched. */
 
+import { toast } from './announce.js';
 import { pictureIn } from './find/files.js';
 
 /** Shorter pasted text is no whole system, and longer text is not read, in characters. */
@@ -22,9 +23,12 @@ export function followPasting(dialogs) {
         }
         const { target } = event;
         const isField = target instanceof HTMLTextAreaElement || target instanceof HTMLInputElement;
+        if (text.length > LONGEST && !isField) return toast('The pasted text was not read: it has more than 1 MB.');
         if (!mayBeSystem(text) || (isField && !['axiom', 'rules'].includes(target.id))) return;
+        const root = document.documentElement;
+        if (isField) root.toggleAttribute('data-pasted', true);
         const importing = await dialogs.part('import');
-        if (isField) await importing?.offerPasted(text);
-        else await importing?.paste(text);
+        if (!isField) return void (await importing?.paste(text));
+        if (!(await importing?.offerPasted(text))) root.toggleAttribute('data-pasted', false);
     });
 }

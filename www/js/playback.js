@@ -136,6 +136,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         /** Plays something else in place of the segments, or the segments again. @param {Show | null} next */
         present(next) {
             other = next;
+            if (next) bar.set(true);
             show();
         },
 

@@ -8,7 +8,7 @@ import { html, make } from './dom.js';
 export function showPrintText(state, before) {
     if (before && state.axiom === before.axiom && state.rules === before.rules && state.source === before.source)
         return;
-    const rows = Object.entries({ Axiom: state.axiom, Productions: state.rules, Source: state.source }).filter(
+    const rows = Object.entries({ 'Start (axiom)': state.axiom, Rules: state.rules, Source: state.source }).filter(
         ([, text]) => text !== '',
     );
     html('sheet').replaceChildren(...rows.flatMap(([name, text]) => [make('dt', {}, name), make('dd', {}, text)]));

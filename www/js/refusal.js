@@ -1,7 +1,10 @@
-/** The note on the drawing that says why a change is not drawn, with a remedy. */
+/**
+ * The note on the drawing that says why a change is not drawn, with a remedy. It is shown while the same message in the
+ * controls is out of sight.
+ */
 
 import { button, html, setText, withCode } from './dom.js';
-import { applyFix, fixLabel } from './fix.js';
+import { applyFix, fixLabel, largestLabel } from './fix.js';
 import { setLayer } from './layers.js';
 
 /** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
@@ -9,14 +12,18 @@ import { setLayer } from './layers.js';
 
 /** Milliseconds without a keystroke before a text's mistake is shown on the drawing: half a rule is no mistake yet. */
 const PAUSE = 900;
+/** The time in which the browser tells whether the message in the controls is in sight, in milliseconds. */
+const LAYOUT = 100;
+/** A message in the controls is in sight from this height, in CSS pixels. */
+const LEGIBLE = 36;
 
-/** By field: the tab that holds it, and its element. @type {Record<Diagnostic['field'], [string, string]>} */
+/** By field: the tab that holds it, its element, and the list of its messages. @type {Record<Diagnostic['field'], [string, string, string]>} */
 const PLACES = {
-    axiom: ['rules', 'axiom'],
-    rules: ['rules', 'rules'],
-    overrides: ['turtle', 'overrides'],
-    numbers: ['rules', 'iterations'],
-    file: ['save', 'open-file'],
+    axiom: ['rules', 'axiom', 'axiom-problems'],
+    rules: ['rules', 'rules', 'rules-problems'],
+    overrides: ['turtle', 'overrides', 'overrides-problems'],
+    numbers: ['rules', 'iterations', 'numbers-problems'],
+    file: ['save', 'open-file', 'file-problems'],
 };
 
 /**
@@ -31,6 +38,21 @@ export function createRefusal(store, tabs) {
     let act = () => {};
     /** @type {Diagnostic | null} */
     let mistake = null;
+    /** Whether the note is due, and whether the controls show its message already. */
+    let due = false;
+    let told = false;
+
+    const watch = new IntersectionObserver(
+        (entries) => {
+            const last = entries.at(-1);
+            if (!last) return;
+            told =
+                last.intersectionRect.height >= Math.min(LEGIBLE, last.boundingClientRect.height) &&
+                last.isIntersecting;
+            place();
+        },
+        { threshold: [0, 0.1, 0.25, 0.5, 0.75, 1] },
+    );
 
     remedy.addEventListener('click', () => {
         hide();
@@ -47,10 +69,15 @@ export function createRefusal(store, tabs) {
             field.setSelectionRange(mistake.start, Math.max(mistake.end, mistake.start));
     });
 
+    function place() {
+        note.hidden = !due || told;
+        setLayer(hide, !note.hidden);
+    }
+
     function hide() {
         clearTimeout(timer);
-        note.hidden = true;
-        setLayer(hide, false);
+        due = false;
+        place();
     }
 
     /** @param {Diagnostic} found @param {number | null} largest */
@@ -60,7 +87,7 @@ export function createRefusal(store, tabs) {
             found.fix !== null
                 ? fixLabel(found.fix)
                 : found.field === 'numbers' && largest !== null
-                  ? `Use ${largest} ${largest === 1 ? 'iteration' : 'iterations'}`
+                  ? largestLabel(largest)
                   : '';
         act =
             found.fix !== null
@@ -68,8 +95,8 @@ export function createRefusal(store, tabs) {
                 : () => largest !== null && store.change({ iterations: largest }, '');
         remedy.hidden = label === '';
         setText(remedy, label);
-        if (note.hidden) setLayer(hide, true);
-        note.hidden = false;
+        due = true;
+        place();
     }
 
     return {
@@ -78,10 +105,12 @@ export function createRefusal(store, tabs) {
         report({ diagnostics, largest }) {
             clearTimeout(timer);
             mistake = diagnostics.find(({ severity }) => severity === 'error') ?? null;
+            watch.disconnect();
             if (!mistake) return hide();
             const found = mistake;
-            if (found.field === 'numbers' || !note.hidden) show(found, largest);
-            else timer = setTimeout(show, PAUSE, found, largest);
+            watch.observe(html(PLACES[found.field][2]));
+            if (due) show(found, largest);
+            else timer = setTimeout(show, found.field === 'numbers' ? LAYOUT : PAUSE, found, largest);
         },
     };
 }

@@ -2,7 +2,7 @@
 
 import styles from '../css/gallery.css';
 import { button, byId, closes, html, make } from './dom.js';
-import { Stopped } from './engine/questions.js';
+import { SEEDS, Stopped } from './engine/questions.js';
 import { addElements } from './late.js';
 import markup from './seeds.html';
 import { definitionOf } from './state.js';
@@ -64,7 +64,7 @@ export function createSeeds({ store, engine }) {
         try {
             const fresh = await engine.seed();
             // Consecutive seeds from a random start, which all differ, without the current one.
-            const others = Array.from({ length: COUNT }, (_, index) => (fresh + index) >>> 0).filter(
+            const others = Array.from({ length: COUNT }, (_, index) => (fresh + index) % SEEDS).filter(
                 (seed) => seed !== store.state.seed,
             );
             await show([...others.slice(0, 4), store.state.seed, ...others.slice(4, 8)]);

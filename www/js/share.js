@@ -3,7 +3,7 @@
 import styles from '../css/share.css';
 import { copies, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
-import { button, byId, closes, html, input, setChoice, setText, setValue } from './dom.js';
+import { button, byId, closes, html, input, isTouch, setChoice, setText, setValue } from './dom.js';
 import { addElements } from './late.js';
 import { LONGEST } from './link.js';
 import { bestLink, shortestLink } from './packed.js';
@@ -123,7 +123,7 @@ export function createShare(page) {
         try {
             made = onDisk ? null : await engine.qr(href);
             words = made
-                ? 'Scan it with a phone to open the drawing. Click it to enlarge it.'
+                ? `Scan it with a phone to open the drawing. ${isTouch() ? 'Tap' : 'Click'} it to enlarge it.`
                 : onDisk
                   ? 'This page was opened from a disk, so phones cannot reach it.'
                   : 'This link is too long for a QR code that can be read.';

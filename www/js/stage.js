@@ -8,25 +8,43 @@ import { zoomText } from './numerals.js';
 import { listenToGestures } from './stage/gestures.js';
 import { createHold } from './stage/hold.js';
 import { ZOOM_STEP, listenToKeys } from './stage/keys.js';
+import { viewBeside } from './stage/beside-tools.js';
 import { createMoves } from './stage/moves.js';
 import { createNothingHere } from './stage/nothing-here.js';
 import { createPicture } from './stage/picture.js';
 import { watchSize } from './stage/size.js';
+import { FITTED } from './view.js';
 
 /** Zooming in with buttons and keys holds a line within this part of the stage's smaller side from the middle. */
 const HELD = 0.45;
 /** The busy sign appears after this time, in milliseconds. */
 const SLOW_MS = 300;
 
+/** The places of the visible tools. @param {HTMLElement} frame */
+function toolsOn(frame) {
+    const { left, top } = frame.getBoundingClientRect();
+    return [...frame.querySelectorAll('.tools:not([hidden])')]
+        .filter((bar) => getComputedStyle(bar).visibility === 'visible')
+        .map((bar) => {
+            const box = bar.getBoundingClientRect();
+            return { left: box.left - left, top: box.top - top, right: box.right - left, bottom: box.bottom - top };
+        });
+}
+
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
  * @param {{look: (viewpoint: import('./marks.js').Viewpoint | null) => void}} marks the marks on the picture, which move with it
- * @param {{takes?: (event: Event) => boolean, keys?: () => readonly ('angle' | 'iterations')[]}} [page]
- *   `takes` tells which gestures are for the drawing rather than the page around it; `keys` tells which fields the arrow
+ * @param {{takes?: (event: Event) => boolean, keys?: () => readonly ('angle' | 'iterations')[], isBesideTools?: boolean}} [page]
+ *   `isBesideTools` lets a fitted drawing leave the tools free; `takes` tells which gestures are for the drawing rather than the page around it; `keys` tells which fields the arrow
  *   keys change
  */
-export function createStage(store, engine, marks, { takes = () => true, keys = () => ['angle', 'iterations'] } = {}) {
+export function createStage(
+    store,
+    engine,
+    marks,
+    { takes = () => true, keys = () => ['angle', 'iterations'], isBesideTools = false } = {},
+) {
     const frame = html('stage');
     const canvas = byId('drawing', HTMLCanvasElement);
     /** Whether the drawing is in space. */
@@ -34,8 +52,29 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
     let slow = 0;
 
     const picture = createPicture(canvas, marks.look);
-    const moves = createMoves(store, picture, () => space);
-    const { size, measure } = watchSize(frame, look);
+    /** The drawing's width over its height, if it is known. @type {number | null | undefined} */
+    let aspect = null;
+    /** The view that shows the whole drawing in the plane. */
+    let fitted = FITTED;
+    const moves = createMoves(
+        store,
+        picture,
+        () => space,
+        () => fitted,
+    );
+    const { size, measure } = watchSize(frame, () => {
+        fit();
+        look();
+    });
+
+    /** Finds the fitted view. Returns whether it has changed. */
+    function fit() {
+        const before = fitted;
+        fitted = isBesideTools && !space ? viewBeside(size, aspect, toolsOn(frame)) : FITTED;
+        return ['x', 'y', 'zoom'].some(
+            (name) => before[/** @type {'x'} */ (name)] !== fitted[/** @type {'x'} */ (name)],
+        );
+    }
 
     /** @returns {import('./protocol.js').Canvas} */
     const resolution = () => ({
@@ -96,7 +135,7 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
 
     /** @param {import('./state.js').State} state @param {import('./state.js').State | null} before */
     function show(state, before) {
-        setText(html('zoom'), zoomText((space ? moves.camera() : moves.view()).zoom));
+        setText(html('zoom'), zoomText(space ? moves.camera().zoom : moves.view().zoom / fitted.zoom));
         button('fit').setAttribute('aria-pressed', String(moves.isFitted()));
         if (!before || before.view !== state.view || before.camera !== state.camera) look();
     }
@@ -117,9 +156,15 @@ export function createStage(store, engine, marks, { takes = () => true, keys = (
         /** Notes whether the drawing is in space. @param {import('./protocol.js').Report} report */
         report(report) {
             hold.forget();
-            if (!report.ok || space === report.space) return;
+            if (!report.ok) return;
+            if (report.memoised !== null) {
+                aspect = report.aspect;
+                if (fit() && moves.isFitted()) look();
+            }
+            if (space === report.space) return;
             space = report.space;
             frame.classList.toggle('space', space);
+            fit();
             show(store.state, null);
         },
 

@@ -72,7 +72,7 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
 export const FIELDS = /* @__PURE__ */ Object.freeze({
     title: { link: 'title', kind: 'text', maxLength: 200, default: '', label: 'Title', expected: 'a text of at most 200 characters', affects: 'caption' },
     axiom: { link: 'axiom', kind: 'text', maxLength: 1048576, default: '', label: 'Axiom', expected: 'a text of at most 1,048,576 characters', affects: 'drawing' },
-    rules: { link: 'rules', kind: 'text', maxLength: 50000, default: '', label: 'Productions', expected: 'a text of at most 50,000 characters', affects: 'drawing' },
+    rules: { link: 'rules', kind: 'text', maxLength: 50000, default: '', label: 'Rules', expected: 'a text of at most 50,000 characters', affects: 'drawing' },
     iterations: { link: 'n', kind: 'number', low: 0, high: 1000, whole: true, default: 1, label: 'Iterations', expected: 'a whole number from 0 to 1,000', unit: 'iterations', slider: { from: 0, parts: [[24, 1], [40, 2], [100, 5], [120, 20], [150, 30], [200, 50], [300, 100], [700, 200], [1000, 300]], arrow: 1 }, affects: 'drawing' },
     angle: { link: 'angle', kind: 'number', low: -Infinity, high: Infinity, default: 0, label: 'Angle', expected: 'a number', unit: 'degrees', slider: { from: 0, parts: [[180, 0.5]], arrow: 1 }, affects: 'drawing' },
     rightAngle: { link: 'right', kind: 'number', low: -Infinity, high: Infinity, optional: true, default: null, label: 'Right turns', expected: 'a number or nothing', unit: 'degrees', slider: { from: 0, parts: [[180, 0.5]], arrow: 1 }, affects: 'drawing' },

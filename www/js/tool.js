@@ -36,7 +36,7 @@ export function createTool(tool, { isStraight = false } = {}) {
     const watchdog = createWatchdog({
         patience: () => (!worker || waiting.size === 0 ? 0 : hasSpoken ? SILENCE : STARTUP),
         ping: () => post({ type: 'ping' }),
-        stopped: () => end('it did not answer'),
+        stopped: () => end('the tool did not answer'),
     });
 
     /** @param {ToTool} message */
@@ -50,7 +50,7 @@ export function createTool(tool, { isStraight = false } = {}) {
         fresh.onmessage = ({ data }) => worker === fresh && receive(data);
         fresh.onerror = (event) => {
             event.preventDefault();
-            if (worker === fresh) end(event.message || 'it did not start');
+            if (worker === fresh) end(event.message || 'the tool did not start');
         };
         compile(`${name}.wasm`, failed).then(
             (wasm) => {

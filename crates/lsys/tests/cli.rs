@@ -417,7 +417,7 @@ fn broken_files_are_explained() {
           |
         1 | F = FF
           |   ^
-          = help: For a production write `F -> FF`.
+          = help: For a rule write `F -> FF`.
         error: This backquote is never closed
          --> crates/lsys/tests/broken/wrong_rules.json, rules:2:6
           |
@@ -494,12 +494,12 @@ fn warnings_do_not_stop_the_work() {
         1 | F]
           |  ^
           = help: Remove it, or open the branch before it.
-        warning: `Y` never occurs, so this production never applies
+        warning: `Y` never occurs, so this rule never applies
          --> crates/lsys/tests/broken/doubtful.json, rules:2:1
           |
         2 | Y -> F
           | ^
-          = help: Use the symbol in the axiom or in a production that applies, or remove this one.
+          = help: Use the symbol in the axiom or in a rule that applies, or remove this one.
     "#]]
     .assert_eq(&text(&output.stderr));
     assert_eq!((text(&output.stdout).as_str(), output.status.code()), ("F+F+F+F]\n", Some(0)));

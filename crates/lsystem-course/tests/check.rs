@@ -136,7 +136,7 @@ fn strings() {
     told(
         &Definition { rules: "F - F".into(), ..plant(1) },
         "F",
-        &expect!["The system cannot be compared. This line is neither a production nor a constant"],
+        &expect!["The system cannot be compared. This line is neither a rule nor a constant"],
     );
 }
 

@@ -79,8 +79,8 @@ impl Purpose {
             Self::Screen => "Screen",
             Self::Film => "Film",
             Self::Plotter => "Plotter",
-            Self::Paper => "Paper",
-            Self::Print => "Print",
+            Self::Paper => "Article",
+            Self::Print => "Poster",
             Self::Mesh => "3D",
             Self::Data => "Data",
         }

@@ -253,7 +253,7 @@ pub static FILE_OPTIONS: [FileOption; 17] = [
     },
     FileOption {
         name: "bare",
-        label: "Leave the system out",
+        label: "Without the rules inside",
         help: "Leave the system out of the file; the file cannot be opened again as a system",
         unit: "",
         kind: OptionKind::Flag,

@@ -2,7 +2,7 @@
 
 use lsystem::drawing::{kind, legend, why_empty};
 pub use lsystem::syntax::Problem;
-use lsystem::{Figure, System};
+use lsystem::{Figure, System, fit};
 use serde::Serialize;
 use ts_rs::TS;
 
@@ -27,6 +27,8 @@ pub struct Report {
     pub segments: Option<String>,
     /// The number of blocks of the drawing.
     pub blocks: Option<usize>,
+    /// The width of a drawing in the plane over its height; null for a drawing without a height.
+    pub aspect: Option<f64>,
     /// The largest number of iterations within the limits, if the drawing exceeds a limit.
     pub largest: Option<u32>,
     /// The symbols in use.
@@ -75,8 +77,8 @@ impl Report {
 
     /// Takes over what another report on the same drawing says about the drawing.
     pub(crate) fn keep_drawing(self, former: Self) -> Self {
-        let Self { memoised, symbols, segments, blocks, largest, description, .. } = former;
-        Self { memoised, symbols, segments, blocks, largest, description, ..self }
+        let Self { memoised, symbols, segments, blocks, aspect, largest, description, .. } = former;
+        Self { memoised, symbols, segments, blocks, aspect, largest, description, ..self }
     }
 
     /// Adds what the finished drawing knows.
@@ -86,5 +88,11 @@ impl Report {
         }
         self.memoised = Some(figure.is_memoised());
         self.blocks = Some(figure.block_count());
+        self.aspect = match figure {
+            Figure::Plane(drawing) => {
+                Some(fit(drawing)).map(|rect| rect.width / rect.height).filter(|it| it.is_finite())
+            }
+            Figure::Space(_) => None,
+        };
     }
 }

@@ -24,10 +24,10 @@ fn missing_in_tikz(obstacle: TikzObstacle) -> String {
         TikzObstacle::Random => "seeded random choices".into(),
         TikzObstacle::Contexts => "contexts".into(),
         TikzObstacle::Parameters => "parameters and conditions".into(),
-        TikzObstacle::Images => "productions for drawing".into(),
+        TikzObstacle::Images => "rules for drawing".into(),
         TikzObstacle::Symbol(symbol) => format!("symbol `{symbol}`"),
         TikzObstacle::Action(symbol) => format!("action for what `{symbol}` does"),
-        TikzObstacle::Branches => "brackets across productions".into(),
+        TikzObstacle::Branches => "brackets across rules".into(),
         TikzObstacle::Nesting => "room for so many branches in branches".into(),
         TikzObstacle::Colours => "colours within one drawing".into(),
         TikzObstacle::Levels => "widths or lengths by branch level".into(),
@@ -124,18 +124,18 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             hinted("There is nothing between these parentheses".into(), "Leave them out, or write arguments.".into())
         }
         Kind::NoArrow { suggestion } => hinted(
-            "This line is neither a production nor a constant".into(),
+            "This line is neither a rule nor a constant".into(),
             match suggestion {
                 Some(production) => format!("Write `{production}`."),
-                None => "Write a production as `F -> FF`, a constant as `r = 0.9`, a comment after `//`.".into(),
+                None => "Write a rule as `F -> FF`, a constant as `r = 0.9`, a comment after `//`.".into(),
             },
         ),
         Kind::EqualsForArrow { left, right } => hinted(
             format!("`=` gives a constant its value, and `{right}` is not a number"),
-            format!("For a production write `{left} -> {right}`."),
+            format!("For a rule write `{left} -> {right}`."),
         ),
         Kind::OtherField { word } => hinted(
-            format!("`{word}` does not belong among the productions"),
+            format!("`{word}` does not belong among the rules"),
             match word.as_str() {
                 "endlsystem" | "lsystem" | "seed" => "Leave this line out.".into(),
                 "axiom" | "initial" | "start" | "omega" | "ω" => "The axiom has a field of its own.".into(),
@@ -150,12 +150,12 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 .into(),
         ),
         Kind::LongPredecessor { text } => hinted(
-            format!("A production replaces one symbol, not `{text}`"),
+            format!("A rule replaces one symbol, not `{text}`"),
             match text.chars().next() {
                 Some(first) if first.is_alphabetic() => {
-                    format!("Write one production for each symbol, as in `{first} -> ...`.")
+                    format!("Write one rule for each symbol, as in `{first} -> ...`.")
                 }
-                _ => "Write one production for each symbol, without quotes, bullets or numbers.".into(),
+                _ => "Write one rule for each symbol, without quotes, bullets or numbers.".into(),
             },
         ),
         Kind::ParameterName { text } => hinted(
@@ -173,7 +173,7 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             format!("Give them different names; compare them in a condition, as in `: {name} == {name}1`."),
         ),
         Kind::ContextOrder => hinted(
-            "A production has one left and one right context at most".into(),
+            "A rule has one left and one right context at most".into(),
             "Write it as `A < B > C -> D`; conditions come after `:`, and the symbols `<` and `>` in backquotes.".into(),
         ),
         Kind::ContextMissing { mark } => hinted(
@@ -229,12 +229,12 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             "Write a branch as in `B > C[D]E`.".into(),
         ),
         Kind::ContextUnseen { symbol } => hinted(
-            format!("Contexts do not see {}, so this production never applies", named(*symbol)),
+            format!("Contexts do not see {}, so this rule never applies", named(*symbol)),
             "Take it out of the context, or change `ignore:` or `consider:`.".into(),
         ),
         Kind::DrawContext => hinted(
-            "Productions below `draw:` have no contexts".into(),
-            "Let a production above `draw:` make another symbol there, and draw that.".into(),
+            "Rules below `draw:` have no contexts".into(),
+            "Let a rule above `draw:` make another symbol there, and draw that.".into(),
         ),
         Kind::IgnoreAndConsider => hinted(
             "There is `ignore:` as well as `consider:`".into(),
@@ -246,13 +246,13 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         ),
         Kind::SecondArrow => hinted(
             "There is a second arrow in this line".into(),
-            "Write each production on a line of its own.".into(),
+            "Write each rule on a line of its own.".into(),
         ),
         Kind::ArrowInAxiom => {
-            hinted("There is an arrow in the axiom".into(), "Productions belong in the rules, not in the axiom.".into())
+            hinted("There is an arrow in the axiom".into(), "Rules belong below the axiom, not in it.".into())
         }
         Kind::NeverApplies { symbol, conditional } => hinted(
-            format!("This production never applies: there is one for {} above", named(*symbol)),
+            format!("This rule never applies: there is one for {} above", named(*symbol)),
             if *conditional {
                 "Move it above the one without a condition.".into()
             } else {
@@ -261,11 +261,11 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         ),
         Kind::MixedWeights { symbol, weighted } => hinted(
             format!(
-                "This production never applies: the first one for {} has {} weight",
+                "This rule never applies: the first one for {} has {} weight",
                 named(*symbol),
                 if *weighted { "a" } else { "no" }
             ),
-            format!("Give all productions for {} a weight, or none.", named(*symbol)),
+            format!("Give all rules for {} a weight, or none.", named(*symbol)),
         ),
 
         Kind::WeightRange { value } => {
@@ -389,14 +389,14 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         ),
         Kind::ConstantRandom => hinted(
             "A constant has the same value everywhere, so it cannot be random".into(),
-            "Use `random` in the arguments of a production.".into(),
+            "Use `random` in the arguments of a rule.".into(),
         ),
         Kind::ConstantName { text } if text.is_empty() => {
             hinted("The constant has no name".into(), "Write it as `r = 0.9`.".into())
         }
         Kind::ConstantName { text } => hinted(
             format!("`{text}` cannot be the name of a constant"),
-            "A name is a letter followed by letters, digits or `_`; a production needs an arrow, as in `F -> FF`.".into(),
+            "A name is a letter followed by letters, digits or `_`; a rule needs an arrow, as in `F -> FF`.".into(),
         ),
         Kind::ConstantTwice { name } => {
             hinted(format!("`{name}` is defined already"), "Give one of them another name.".into())
@@ -406,9 +406,9 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             if matches!(name.as_str(), "angle" | "delta" | "δ" | "n" | "iterations" | "depth" | "generations" | "order") {
                 "The angle and the number of iterations have fields of their own.".into()
             } else if name.chars().nth(1).is_none() {
-                format!("If a production is meant, write `{name} -> {value}`.")
+                format!("If a rule is meant, write `{name} -> {value}`.")
             } else {
-                "Use it in a production, or remove it.".into()
+                "Use it in a rule, or remove it.".into()
             },
         ),
 
@@ -455,15 +455,15 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         ),
         Kind::ArrowOfSymbols => hinted(
             "This arrow is read as two symbols".into(),
-            "Write each production on a line of its own.".into(),
+            "Write each rule on a line of its own.".into(),
         ),
         Kind::NeverOccurs { symbol } => hinted(
-            format!("{} never occurs, so this production never applies", named(*symbol)),
-            "Use the symbol in the axiom or in a production that applies, or remove this one.".into(),
+            format!("{} never occurs, so this rule never applies", named(*symbol)),
+            "Use the symbol in the axiom or in a rule that applies, or remove this one.".into(),
         ),
         Kind::OtherArity { symbol, parameters, found } => hinted(
             format!(
-                "This production never applies: {} occurs with {} only",
+                "This rule never applies: {} occurs with {} only",
                 named(*symbol),
                 if *found == 0 { "no parameters".into() } else { plural(*found, "parameter") }
             ),
@@ -471,7 +471,7 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         ),
         Kind::NoRuleForArity { symbol, parameters, found } => hinted(
             format!(
-                "No production applies to this: those for {} have {}",
+                "No rule applies to this: those for {} have {}",
                 named(*symbol),
                 if *found == 0 { "no parameters".into() } else { plural(*found, "parameter") }
             ),
@@ -483,7 +483,7 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::NotFinite { step } => hinted(
             match step {
                 0 => "An argument of the axiom is not a finite number".into(),
-                _ => format!("An argument that this production computes in step {step} is not a finite number"),
+                _ => format!("An argument that this rule computes in step {step} is not a finite number"),
             },
             "Is something divided by zero, or does it grow without end? A condition can stop it.".into(),
         ),

@@ -47,7 +47,7 @@ pub fn utf16_letters(text: &str, classes: &[Class]) -> String {
 ///   |
 /// 1 | F = FF
 ///   |   ^
-///   = help: For a production write `F -> FF`.
+///   = help: For a rule write `F -> FF`.
 /// ");
 /// ```
 #[must_use]

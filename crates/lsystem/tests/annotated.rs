@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! F = FF
-//!   ^ error EqualsForArrow: For a production write `F -> FF`.
+//!   ^ error EqualsForArrow: For a rule write `F -> FF`.
 //! ```
 //!
 //! Carets mark the characters, `|` a place where text is missing, `@` a diagnostic without a place. Then follow

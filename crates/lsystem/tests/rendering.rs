@@ -21,7 +21,7 @@ fn carets_stand_below_the_place() {
           |
         2 | X = F+X
           |   ^
-          = help: For a production write `X -> F+X`.
+          = help: For a rule write `X -> F+X`.
 
         error: Backquotes hold exactly one character
          --> rules:3:6
@@ -38,12 +38,12 @@ fn carets_count_columns_not_bytes() {
     check(
         "é木 -> F\n\tX\t-> `ab`",
         &expect![[r#"
-        error: A production replaces one symbol, not `é木`
+        error: A rule replaces one symbol, not `é木`
          --> rules:1:1
           |
         1 | é木 -> F
           | ^^^
-          = help: Write one production for each symbol, as in `é -> ...`.
+          = help: Write one rule for each symbol, as in `é -> ...`.
 
         error: Backquotes hold exactly one character
          --> rules:2:7
@@ -94,21 +94,21 @@ fn line_ends_of_all_kinds_count_once() {
           |
         3 | X = FF
           |   ^
-          = help: For a production write `X -> FF`.
+          = help: For a rule write `X -> FF`.
 
         error: `=` gives a constant its value, and `FF` is not a number
          --> rules:4:3
           |
         4 | Y = FF
           |   ^
-          = help: For a production write `Y -> FF`.
+          = help: For a rule write `Y -> FF`.
 
         error: `=` gives a constant its value, and `FF` is not a number
          --> rules:5:3
           |
         5 | Z = FF
           |   ^
-          = help: For a production write `Z -> FF`.
+          = help: For a rule write `Z -> FF`.
     "#]],
     );
 }
@@ -124,12 +124,12 @@ fn nothing_reaches_the_terminal_as_a_command() {
         1 | ␛[31mF -> �F
           | ^
 
-        error: A production replaces one symbol, not `[31mF`
+        error: A rule replaces one symbol, not `[31mF`
          --> rules:1:2
           |
         1 | ␛[31mF -> �F
           |  ^^^^^
-          = help: Write one production for each symbol, without quotes, bullets or numbers.
+          = help: Write one rule for each symbol, without quotes, bullets or numbers.
 
         warning: An invisible character (U+202E) is read as white space
          --> rules:1:11

@@ -436,7 +436,7 @@ fn what_compiles_can_be_written_and_read() {
     let (system, diagnostics) = System::new(&definition);
     let told = diagnostics.iter().find(|diagnostic| matches!(diagnostic.kind, Kind::Range { .. }));
     assert!(system.is_none());
-    assert_eq!(told.unwrap().message(), "Productions must be a text of at most 50,000 characters");
+    assert_eq!(told.unwrap().message(), "Rules must be a text of at most 50,000 characters");
     let (read, diagnostics) = read_json(&write_json(&definition));
     assert!(read.is_none());
     assert_eq!(diagnostics[0].message(), "`rules` must be a text of at most 50,000 characters");

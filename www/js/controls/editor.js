@@ -103,7 +103,8 @@ export function editor(area, problems, kind, { change, settle, fix }) {
             letters = next;
             paint();
         },
-        mark(diagnostics) {
+        mark(all) {
+            const diagnostics = all.filter((one) => !isMinus(area.value, one));
             if (JSON.stringify(diagnostics) === JSON.stringify(marks)) return;
             marks = diagnostics;
             area.setAttribute('aria-invalid', String(marks.some((mark) => mark.severity === 'error')));
@@ -112,6 +113,9 @@ export function editor(area, problems, kind, { change, settle, fix }) {
         },
     };
 }
+
+/** Whether a warning only says that a minus sign of typography is read as a minus. @param {string} text @param {Diagnostic} diagnostic */
+const isMinus = (text, { severity, start, end }) => severity === 'warning' && text.slice(start, end) === '\u2212';
 
 /**
  * Lists diagnostics. With a `text`, each item has its place in the text; with an `area`, a click on the item goes to

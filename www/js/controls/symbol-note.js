@@ -3,14 +3,14 @@
  * shows what the symbol became.
  */
 
-import { byId, html, make } from '../dom.js';
+import { byId, html, isTouch, make } from '../dom.js';
 import { sameDrawing } from '../state.js';
 import { createTrace } from './trace.js';
 
 /** @typedef {import('./trace.js').TextField} TextField */
 /** A symbol in a text. @typedef {{field: TextField, offset: number, symbol: string}} Written */
 
-const HINT = 'Point at a symbol to see what it does.';
+const HINT = `${isTouch() ? 'Tap' : 'Point at'} a symbol to see what it does.`;
 
 /**
  * @param {import('../store.js').Store} store

@@ -2,6 +2,7 @@
 
 import styles from '../../css/course.css';
 import { button, byId, closes, html, input, setText } from '../dom.js';
+import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { definitionOf } from '../state.js';
 import markup from './check.html';
@@ -35,12 +36,10 @@ export function createCheck({ store, readAt }) {
         setText(told, 'Comparing…');
         const result = await tool
             .call('check', { definition: definitionOf(store.state), output: text })
-            .catch((error) => ({
-                isRight: false,
-                words: `The comparison failed (${error instanceof Error ? error.message : error}).`,
-                symbol: null,
-            }));
-        if (own !== turn) return;
+            .catch((error) => {
+                if (own === turn) showFailure(told, error, () => void compare(text));
+            });
+        if (own !== turn || !result) return;
         told.classList.add(result.isRight ? 'agrees' : 'differs');
         setText(told, result.words);
         place = result.symbol === null ? null : BigInt(result.symbol);

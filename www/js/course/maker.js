@@ -5,6 +5,7 @@ import find from '../../css/find.css';
 import gallery from '../../css/gallery.css';
 import { copies } from '../copy.js';
 import { button, byId, closes, html, input, make, setText, setValue } from '../dom.js';
+import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { ASKS } from '../late-tables.js';
 import { showQrPicture } from '../qr.js';
@@ -30,6 +31,9 @@ const CHOICES = [
     ['free', 'to be found'],
     ['hidden', 'hidden'],
 ];
+
+/** Whether a line has something to find: not a comment, and not the heading of the rules for drawing. @param {string} line */
+const isRule = (line) => line.trim() !== '' && !/^\s*(\/\/|#\s|draw\s*:\s*$)/.test(line);
 
 /** @param {import('../dialogs.js').Page} page */
 export function createMaker({ store, engine }) {
@@ -68,12 +72,12 @@ export function createMaker({ store, engine }) {
         setValue(input('maker-title'), title || name);
         const lines = rules.split('\n').slice(0, MOST_LINES);
         rows.replaceChildren(
-            row('axiom', make('span', {}, 'Axiom ', make('code', {}, axiom.slice(0, 40))), 'shown'),
+            row('axiom', make('span', {}, 'Start (axiom) ', make('code', {}, axiom.slice(0, 40))), 'shown'),
             row('n', `Iterations: ${iterations}`, 'shown'),
             row('angle', `Angle: ${angle}°`, 'shown'),
             row('turtle', 'Meaning of the symbols', 'shown'),
             ...lines.flatMap((line, at) =>
-                line.trim() === '' ? [] : [row(`line-${at}`, make('code', {}, line.slice(0, 80)), 'free')],
+                !isRule(line) ? [] : [row(`line-${at}`, make('code', {}, line.slice(0, 80)), 'free')],
             ),
         );
     }
@@ -105,7 +109,7 @@ export function createMaker({ store, engine }) {
             rules: state.rules
                 .split('\n')
                 .slice(0, MOST_LINES)
-                .map((line, at) => (line.trim() === '' ? 'shown' : given(`line-${at}`))),
+                .map((line, at) => (isRule(line) ? given(`line-${at}`) : 'shown')),
             first: {
                 axiom: state.axiom.slice(0, 1),
                 rules: text('maker-first').trim(),
@@ -125,8 +129,8 @@ export function createMaker({ store, engine }) {
         if (own !== turn) return;
         const fine = typeof made === 'string' && /^[\w-]+$/.test(made);
         html('maker-made').hidden = !fine;
-        setText(html('maker-problem'), fine ? '' : String(made instanceof Error ? made.message : made));
-        if (!fine) return;
+        if (!fine) return showFailure(html('maker-problem'), made, refresh);
+        setText(html('maker-problem'), '');
         const address = new URL(`exercise.html#v=1&x=${made}`, location.href).href;
         link.value = address;
         html('maker-try').setAttribute('href', address);

@@ -4,6 +4,7 @@ import styles from '../../css/course.css';
 import { button, html, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { copyText } from '../copy.js';
+import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { raised, shortText } from '../numerals.js';
 import { definitionOf, sameSystem } from '../state.js';
@@ -34,7 +35,12 @@ export function createMathematics({ store }) {
         if (shown && sameSystem(shown, state)) return;
         shown = state;
         const own = ++turn;
-        const answer = await tool.call('growth', { definition: definitionOf(state) }).catch(() => null);
+        /** @type {unknown} */
+        let failure = null;
+        const answer = await tool.call('growth', { definition: definitionOf(state) }).catch((error) => {
+            failure = error;
+            return null;
+        });
         if (own !== turn) return;
         made = answer?.growth ? answer : null;
         html('math-known').hidden = made === null;
@@ -43,6 +49,11 @@ export function createMathematics({ store }) {
                 make('p', {}, words),
             ),
         );
+        if (failure) {
+            // The same system is asked for again.
+            shown = null;
+            return showFailure(html('math-words'), failure, show);
+        }
         if (!answer?.growth) return;
         plot(answer.growth, state.iterations);
         matrix(answer.growth, answer.shown);

@@ -9,6 +9,9 @@
 /** The worker stopped while answering a question, and would stop again. */
 export class Stopped extends Error {}
 
+/** Fresh seeds are below this number, so that they can be read out and remembered. Typed and linked ones may be longer. */
+export const SEEDS = 10_000;
+
 /** @type {readonly Asked[]} */
 const READING = /** @satisfies {import('../protocol.js').Reading[]} */ (['string', 'symbol', 'descendant', 'pick']);
 /** Whether a question is about the newest definition's string or drawing. @param {Asked} type */
@@ -122,7 +125,7 @@ export function asking(ask) {
         /** @param {string} text */
         qr: async (text) => (await ask('qr', { text })).modules,
 
-        seed: async () => (await ask('seed', {})).seed,
+        seed: async () => (await ask('seed', {})).seed % SEEDS,
 
         /** @param {Definition} definition @param {number} width @param {number} height @param {import('../protocol.js').Camera | null} [camera] */
         thumb: (definition, width, height, camera = null) => ask('thumb', { definition, width, height, camera }),

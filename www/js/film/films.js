@@ -4,6 +4,7 @@ import styles from '../../css/film.css';
 import { toast } from '../announce.js';
 import { copyText } from '../copy.js';
 import { button, byId, html, icon, input, setText, setValue } from '../dom.js';
+import { showFailure } from '../failure.js';
 import { isWhole } from '../files.js';
 import { addElements } from '../late.js';
 import { bestLink } from '../packed.js';
@@ -64,8 +65,9 @@ export function createFilms({ store, stage }) {
     });
     html('film-options').prepend(presets.element, options.element);
     html('film-acts').prepend(...saving.buttons);
-    html('film-options').append(saving.progress, saving.credit);
+    html('film-bar').after(saving.progress);
     html('film-score').prepend(timeline.element);
+    html('film-score').append(saving.credit);
     html('film-bottom').prepend(adder.element);
 
     /** @type {FilmScript | null} */
@@ -74,6 +76,8 @@ export function createFilms({ store, stage }) {
     let film = { definition: definitionOf(store.state), view: null, camera: null, text: '' };
     /** @type {import('../protocol.js').FilmSubject[]} */
     let subjects = [];
+    /** The text of the film to open. */
+    let wanted = '';
     let turn = 0;
 
     const player = createPlayer(tool, canvas, {
@@ -95,8 +99,8 @@ export function createFilms({ store, stage }) {
             );
             showPlay();
         },
-        failed: (words) => {
-            setText(problem, words);
+        failed: (error) => {
+            fail(error);
             showPlay();
         },
     });
@@ -118,11 +122,13 @@ export function createFilms({ store, stage }) {
     /** Reads and shows a film's text. @param {string} next */
     async function take(next) {
         const own = ++turn;
+        wanted = next;
         try {
             const read = await tool.call('read', { text: next });
             if (own !== turn) return;
             script = read;
             film = { ...film, text: next };
+            wanted = '';
             setText(problem, '');
             showScript();
             player.show(film, read);
@@ -171,7 +177,7 @@ export function createFilms({ store, stage }) {
 
     /** @param {unknown} error */
     function fail(error) {
-        if (!(error instanceof Cancelled)) setText(problem, error instanceof Error ? error.message : String(error));
+        if (!(error instanceof Cancelled)) showFailure(problem, error, begin);
     }
 
     text.addEventListener('change', () => take(text.value.trim()));
@@ -214,19 +220,30 @@ export function createFilms({ store, stage }) {
         toast((await copyText(code)) ? 'Embed code copied' : 'The browser refused to copy.');
     });
 
+    /** Shows the wanted film, or the last one, and plays it. */
+    async function begin() {
+        try {
+            subjects = await tool.call('subjects', { definition: film.definition });
+        } catch (error) {
+            return fail(error);
+        }
+        if (wanted || film.text) await take(wanted || film.text);
+        else await usePreset({ kind: 'growth', n: store.state.iterations }, FIRST);
+        // A film that fails tells why in place of playing.
+        if (!problem.textContent) player.play();
+        showPlay();
+    }
+
     return {
         /** @param {string} [next] the film to open */
         async open(next) {
             const { view, camera } = store.state;
             film = { ...film, definition: definitionOf(store.state), view: stage.space ? null : view, camera };
+            wanted = next ?? '';
+            setText(problem, '');
             presets.show();
             if (!dialog.open) dialog.showModal();
-            subjects = await tool.call('subjects', { definition: film.definition });
-            if (next || film.text) await take(next || film.text);
-            else await usePreset({ kind: 'growth', n: store.state.iterations }, FIRST);
-            // A film that fails tells why in place of playing.
-            if (!html('film-problem').textContent) player.play();
-            showPlay();
+            await begin();
         },
     };
 }

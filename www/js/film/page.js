@@ -27,8 +27,8 @@ const player = createPlayer(tool, canvas, {
         slider.style.setProperty('--at', String(frames > 1 ? frame / (frames - 1) : 0));
         showPlay();
     },
-    failed: (words) => {
-        setText(problem, words);
+    failed: (error) => {
+        setText(problem, error instanceof Error ? error.message : String(error));
         showPlay();
     },
 });

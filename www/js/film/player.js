@@ -9,7 +9,7 @@ import { frameAt } from './script.js';
 /**
  * @param {import('./frames.js').FilmTool} tool
  * @param {HTMLCanvasElement} canvas
- * @param {{most: () => [number, number], shown: (frame: number) => void, failed: (words: string) => void}} options
+ * @param {{most: () => [number, number], shown: (frame: number) => void, failed: (error: unknown) => void}} options
  *   `most` is the largest picture, in device pixels; `shown` is called with each frame
  */
 export function createPlayer(tool, canvas, { most, shown, failed }) {
@@ -58,7 +58,7 @@ export function createPlayer(tool, canvas, { most, shown, failed }) {
         } catch (error) {
             if (error instanceof Cancelled) return;
             playing = false;
-            failed(error instanceof Error ? error.message : String(error));
+            failed(error);
         } finally {
             busy = false;
         }

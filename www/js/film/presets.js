@@ -6,6 +6,8 @@ import { make } from '../dom.js';
 
 /** The camera's first azimuth, in degrees. */
 const AZIMUTH = 25;
+/** Why a drawing has no turntable. */
+const FLAT = 'A turntable needs a drawing in space.';
 /** @type {[FilmPreset['kind'], string][]} */
 const KINDS = [
     ['growth', 'Growth'],
@@ -24,6 +26,8 @@ export function createPresets(store, stage, { middle, use }) {
         kind,
         button: make('button', { class: 'button', type: 'button', 'data-preset': kind }, words),
     }));
+
+    const flat = make('p', { class: 'note' }, FLAT);
 
     /** The place of a dive: what the page shows if it is zoomed in, or else the segment in the middle. */
     async function placeToDive() {
@@ -55,10 +59,15 @@ export function createPresets(store, stage, { middle, use }) {
             'div',
             { class: 'row', role: 'group', 'aria-label': 'Presets' },
             ...buttons.map(({ button }) => button),
+            flat,
         ),
         /** Shows which presets the drawing can have. */
         show() {
-            for (const { kind, button } of buttons) button.disabled = kind === 'turntable' && !stage.space;
+            for (const { kind, button } of buttons) {
+                button.disabled = kind === 'turntable' && !stage.space;
+                button.title = button.disabled ? FLAT : '';
+            }
+            flat.hidden = stage.space;
         },
     };
 }

@@ -8,7 +8,7 @@ import { fileOf, videosOf } from './save.js';
 /** @typedef {import('../protocol.js').Film} Film */
 /** @typedef {import('../protocol.js').FilmScript} FilmScript */
 
-const KINDS = /** @type {import('./save.js').FilmFile[]} */ (['gif', 'webm', 'mp4']);
+const KINDS = /** @type {import('./save.js').FilmFile[]} */ (['mp4', 'webm', 'gif']);
 
 /**
  * @param {import('../store.js').Store} store
@@ -20,7 +20,7 @@ export function createSaving(store, { film: present, start: begin }) {
         button: make(
             'button',
             {
-                class: kind === 'gif' ? 'button primary' : 'button',
+                class: 'button',
                 type: 'button',
                 'data-film': kind,
                 hidden: kind !== 'gif',
@@ -32,7 +32,7 @@ export function createSaving(store, { film: present, start: begin }) {
     const bar = make('progress', { id: 'film-progress', max: '1', value: '0', 'aria-label': 'Progress' });
     const cancel = make('button', { id: 'film-cancel', class: 'button quiet', type: 'button' }, 'Cancel');
     const told = make('span', { class: 'note', role: 'status' });
-    const progress = make('div', { class: 'film-progress', hidden: true }, bar, told, cancel);
+    const progress = make('div', { class: 'film-progress idle' }, bar, told, cancel);
     const credit = make(
         'p',
         { class: 'note film-credit' },
@@ -64,7 +64,7 @@ export function createSaving(store, { film: present, start: begin }) {
             );
         };
         show(0);
-        progress.hidden = false;
+        progress.classList.remove('idle');
         for (const { button } of kinds) button.disabled = true;
         try {
             const blob = await fileOf(kind, film, script, { signal: mine.signal, progress: show });
@@ -76,7 +76,7 @@ export function createSaving(store, { film: present, start: begin }) {
             if (!mine.signal.aborted) toast(`Not saved: ${error instanceof Error ? error.message : error}.`);
         } finally {
             saving = null;
-            progress.hidden = true;
+            progress.classList.add('idle');
             for (const { button } of kinds) button.disabled = false;
         }
     }
@@ -96,6 +96,9 @@ export function createSaving(store, { film: present, start: begin }) {
             const found = await videosOf(script).catch(() => []);
             for (const { kind, button } of kinds)
                 button.hidden = kind !== 'gif' && !found.some((each) => each === kind);
+            // The best kind that the browser can write.
+            const first = kinds.find(({ button }) => !button.hidden);
+            for (const { button } of kinds) button.classList.toggle('primary', button === first?.button);
             credit.hidden = found.length === 0;
         },
     };

@@ -1,9 +1,10 @@
-/** The Growth section: iterations, angles, seed, and the size of the result. */
+/** Iterations, angles, the seed where chance plays a part, and the size of the result. */
 
 import { button, byId, html, input, make, setText } from '../dom.js';
 import { dial } from '../controls/dial.js';
 import { listProblems } from '../controls/editor.js';
 import { numberField } from '../controls/number-field.js';
+import { largestLabel } from '../fix.js';
 import { setLayer } from '../layers.js';
 import { grouped, plain, short, shortText } from '../numerals.js';
 import { definitionOf, rangeOf } from '../state.js';
@@ -74,10 +75,14 @@ export function growthPanel(store, source) {
 
         /** @param {Report} report @param {import('../state.js').State} state */
         report(report, state) {
-            listProblems(
-                html('numbers-problems'),
-                report.diagnostics.filter(({ field }) => field === 'numbers'),
-            );
+            const wrong = report.diagnostics.filter(({ field }) => field === 'numbers');
+            listProblems(html('numbers-problems'), wrong);
+            const { largest } = report;
+            if (largest !== null && wrong.some(({ severity }) => severity === 'error')) {
+                const remedy = make('button', { type: 'button', class: 'button fix' }, largestLabel(largest));
+                remedy.addEventListener('click', () => store.change({ iterations: largest }, ''));
+                html('numbers-problems').lastElementChild?.append(remedy);
+            }
             if (!report.ok) return;
             last = report;
             for (const kind of /** @type {const} */ (['symbols', 'segments'])) showCount(button(kind), report, kind);
@@ -91,14 +96,7 @@ export function growthPanel(store, source) {
                 bound = { system, largest: report.largest, why: passed?.message ?? '' };
             }
             iterations.limit(bound && Math.max(bound.largest, state.iterations));
-            button('seed-sheet').disabled = !report.stochastic;
-            html('seed-row').classList.toggle('idle', !report.stochastic);
-            setText(
-                html('seed-note'),
-                report.stochastic
-                    ? 'The same seed grows the same plant.'
-                    : 'This system has no randomness, so the seed has no effect. Angle or length variation adds randomness.',
-            );
+            html('seed-row').hidden = !report.stochastic;
             setText(html('status'), statusOf(report, bound));
         },
     };

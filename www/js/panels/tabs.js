@@ -1,4 +1,6 @@
-/** The tabs of the controls. On a phone, the selected tab also folds the controls. */
+/** The tabs of the controls. On a phone, the selected tab also folds the controls, as the handle above them does. */
+
+import { button } from '../dom.js';
 
 /** The section that is open at first. */
 const FIRST = 'rules';
@@ -21,14 +23,22 @@ export function tabs() {
         }
     }
 
+    const isFolded = () => document.body.classList.contains('folded');
+
+    /** @param {boolean} folded */
+    function fold(folded) {
+        document.body.classList.toggle('folded', folded);
+        button('fold').setAttribute('aria-expanded', String(!folded));
+    }
+
     /** @param {string} name */
     function choose(name) {
-        if (narrow.matches)
-            document.body.classList.toggle('folded', open === name && !document.body.classList.contains('folded'));
+        if (narrow.matches) fold(open === name && !isFolded());
         open = name;
         show();
     }
 
+    button('fold').addEventListener('click', () => fold(!isFolded()));
     for (const tab of all) {
         tab.addEventListener('click', () => choose(String(tab.dataset.tab)));
         tab.addEventListener('keydown', (event) => {
@@ -36,7 +46,7 @@ export function tabs() {
             if (!step) return;
             event.preventDefault();
             const next = all.at((all.indexOf(tab) + step) % all.length);
-            document.body.classList.remove('folded');
+            fold(false);
             if (next && next !== tab) {
                 next.click();
                 next.focus();
@@ -44,7 +54,7 @@ export function tabs() {
         });
     }
     narrow.addEventListener('change', () => {
-        document.body.classList.remove('folded');
+        fold(false);
         show();
     });
     show();
@@ -52,7 +62,7 @@ export function tabs() {
     return {
         /** Opens a tab, and unfolds the controls. @param {string} name */
         open(name) {
-            document.body.classList.remove('folded');
+            fold(false);
             open = name;
             show();
         },

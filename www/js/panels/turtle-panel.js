@@ -1,6 +1,6 @@
 /** The Turtle section: actions of symbols, and the start of the turtle. */
 
-import { html, input, make } from '../dom.js';
+import { button, html, input, make, setText } from '../dom.js';
 import { numberField, optionalField } from '../controls/number-field.js';
 import { rangeOf } from '../state.js';
 import { FIELDS } from '../tables.js';
@@ -8,6 +8,9 @@ import { symbolsFields } from './symbols-fields.js';
 
 /** @typedef {import('../engine.js').Report} Report */
 /** @typedef {import('../state.js').FieldName} FieldName */
+
+/** What the report says of a symbol without actions. */
+const SILENT = 'draws nothing';
 
 /** @param {import('../store.js').Store} store */
 export function turtlePanel(store) {
@@ -75,6 +78,21 @@ export function turtlePanel(store) {
         showRight(rollRight, rollLeft ?? angle);
     }
 
+    button('letters-draw').addEventListener('click', () => store.change({ dialect: 'every-letter' }, ''));
+
+    /** Tells letters that draw nothing, which many courses let draw. @param {Report['legend']} legend */
+    function showHint(legend) {
+        const silent = legend
+            .filter(({ symbol, actions }) => actions === SILENT && /^[A-Za-z]/.test(symbol))
+            .map(({ symbol }) => symbol.charAt(0));
+        html('legend-hint').hidden = silent.length === 0 || store.state.dialect === 'every-letter';
+        const [names, last] = [silent.slice(0, -1).join(', '), silent.at(-1)];
+        setText(
+            html('legend-silent'),
+            `${names ? `${names} and ${last} draw` : `${last} draws`} nothing (course assignments: every letter draws).`,
+        );
+    }
+
     /** A key for each row of the legend, so that unchanged rows are not updated. @type {string[]} */
     let shownKeys = [];
     /** @param {Report['legend']} legend */
@@ -113,13 +131,13 @@ export function turtlePanel(store) {
             space = report.space;
             showSpace(store.state);
             showLegend(legend);
+            showHint(legend);
         },
     };
 }
 
 /** @param {Report['legend'][number]} entry */
 function legendRow({ symbol, actions, rewritten }) {
-    const words = actions || 'draws nothing';
     return make(
         'tr',
         {},
@@ -127,12 +145,12 @@ function legendRow({ symbol, actions, rewritten }) {
         make(
             'td',
             {},
-            words,
+            actions,
             ...(rewritten
                 ? [
                       make(
                           'span',
-                          { class: 'rewritten', title: 'A production rewrites this symbol at each iteration' },
+                          { class: 'rewritten', title: 'A rule rewrites this symbol at each iteration' },
                           'rewritten',
                       ),
                   ]

@@ -3,6 +3,7 @@
 import { html } from '../dom.js';
 import { latest } from '../latest.js';
 import { createToggled } from '../toggled.js';
+import { createCopying } from './copying.js';
 import { createGenerations } from './generations.js';
 import { createOriginCard } from './origin-card.js';
 import { outlineOf } from '../controls/trace.js';
@@ -131,6 +132,7 @@ export function createReader(engine, { mark, legend, opened }) {
         text.fetchMissing();
     }
 
+    createCopying(area, { read: engine.string, generation: generations.now, open: () => frame.open });
     listenToKeys(area, text, (by) => choose(marked.chosen === null ? text.first : marked.chosen + by));
     forget();
 

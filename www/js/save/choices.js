@@ -1,12 +1,13 @@
 /** The choices of the save dialog as values: what a file is for, its format, and the format's options. */
 
-import { FILE_OPTIONS, FORMATS, PURPOSES } from '../late-tables.js';
+import { FILE_OPTIONS, FORMATS, PURPOSES, SHEETS } from '../late-tables.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
 /** @typedef {keyof typeof PURPOSES} Purpose */
 /** @typedef {import('../late-tables.js').FileOption} FileOption */
 /** The value of an option. A size is `WIDTHxHEIGHT`, or the longer side of a picture in the drawing's proportions, or empty for the drawing's size on the page. @typedef {boolean | number | string} Value */
-/** @typedef {{purpose: Purpose, formats: Partial<Record<Purpose, string>>, values: Record<string, Value>}} Choices */
+/** A poster: the name of its sheet, and pixels per inch. @typedef {{sheet: string, landscape: boolean, dpi: number}} Poster */
+/** @typedef {{purpose: Purpose, formats: Partial<Record<Purpose, string>>, values: Record<string, Value>, poster: Poster}} Choices */
 
 /** The key in the storage. */
 const KEY = 'save';
@@ -72,9 +73,30 @@ export function pixelSize(value, { width, height }) {
     return [width, height].map((side) => Math.max(1, Math.round(side * factor))).join('x');
 }
 
+/** The sheets and the resolutions of posters, which printers ask for. */
+export const POSTERS = ['a4', 'a3', 'a2', 'a1', 'letter', 'tabloid'];
+export const RESOLUTIONS = [150, 300];
+/** Millimetres in an inch. */
+const INCH = 25.4;
+
+/** The sides of a poster in millimetres. @param {Poster} poster */
+export function posterSides({ sheet, landscape }) {
+    const [width = 210, height = 297] =
+        /** @type {Readonly<Record<string, readonly number[]>>} */ (SHEETS)[sheet] ?? [];
+    return landscape ? [height, width] : [width, height];
+}
+
+/** A poster's size in pixels and its resolution, as options of a picture. @param {Poster} poster @returns {Record<string, Value>} */
+export const posterValues = (poster) => ({
+    size: posterSides(poster)
+        .map((side) => Math.round((side / INCH) * poster.dpi))
+        .join('x'),
+    dpi: poster.dpi,
+});
+
 /** The remembered choices, without what is no longer possible. @param {unknown} stored @param {ReturnType<typeof groupsOf>} groups @returns {Choices} */
 export function choicesFrom(stored, groups) {
-    const { purpose, formats, values } = /** @type {Partial<Record<keyof Choices, any>>} */ (
+    const { purpose, formats, values, poster } = /** @type {Partial<Record<keyof Choices, any>>} */ (
         typeof stored === 'object' && stored ? stored : {}
     );
     const [first] = groups;
@@ -84,6 +106,11 @@ export function choicesFrom(stored, groups) {
         purpose: (groups.find((group) => group.purpose === purpose) ?? first).purpose,
         formats: {},
         values: {},
+        poster: {
+            sheet: POSTERS.includes(poster?.sheet) ? poster.sheet : 'a3',
+            landscape: poster?.landscape === true,
+            dpi: RESOLUTIONS.includes(poster?.dpi) ? poster.dpi : 300,
+        },
     };
     for (const group of groups) {
         const name = formats?.[group.purpose];

@@ -1,7 +1,17 @@
 /** The options of a format as fields, made from the table of options. */
 
 import { make } from '../dom.js';
-import { admits, defaultOf, optionOf, pixelSize, sidesOf, sizeOf } from './choices.js';
+import {
+    POSTERS,
+    RESOLUTIONS,
+    admits,
+    defaultOf,
+    optionOf,
+    pixelSize,
+    posterSides,
+    sidesOf,
+    sizeOf,
+} from './choices.js';
 import { sheetOf } from './preview.js';
 
 /** @typedef {import('./choices.js').Value} Value */
@@ -9,6 +19,20 @@ import { sheetOf } from './preview.js';
 
 /** Longer sides that are offered, in pixels. */
 const SIDES = [1024, 2048, 4096, 8192, 16_384, 32_768];
+
+/** @type {[string, string][]} */
+const ORIENTATIONS = [
+    ['portrait', 'Portrait'],
+    ['landscape', 'Landscape'],
+];
+
+/** The name of a sheet with its sides in millimetres and inches. @param {string} name */
+function sheetWords(name) {
+    const sides = posterSides({ sheet: name, landscape: false, dpi: 0 });
+    const inches = sides.map((side) => String(Math.round(side / 2.54) / 10));
+    const label = name.length > 2 ? name.charAt(0).toUpperCase() + name.slice(1) : name.toUpperCase();
+    return `${label}, ${sides.map(Math.round).join(' × ')} mm, ${inches.join(' × ')} in`;
+}
 
 /**
  * @param {object} dialog
@@ -173,25 +197,78 @@ export function optionFields({ canvas, choose }) {
         });
     }
 
+    /** @param {string} id @param {string} label @param {[string, string][]} words @param {string} value @param {(value: string) => void} change */
+    function list(id, label, words, value, change) {
+        const element = make('select', { id }, ...words.map(([each, shown]) => make('option', { value: each }, shown)));
+        element.value = value;
+        element.addEventListener('change', () => change(element.value));
+        return make('div', { class: 'save-option' }, make('label', { for: id }, label), element);
+    }
+
+    /** Upright or on its side, as one choice of two flags; without `portrait`, a sheet is upright unless turned. @param {boolean} isFree @param {Record<string, Value>} values */
+    function orientation(isFree, values) {
+        const value =
+            values['landscape'] === true ? 'landscape' : isFree && values['portrait'] !== true ? '' : 'portrait';
+        return list(
+            'option-orientation',
+            'Orientation',
+            [...(isFree ? /** @type {[string, string][]} */ ([['', 'As the drawing']]) : []), ...ORIENTATIONS],
+            value,
+            (chosen) => {
+                choose('landscape', chosen === 'landscape');
+                choose('portrait', chosen === 'portrait' && isFree);
+            },
+        );
+    }
+
     return {
+        /** The fields of a poster. @param {import('./choices.js').Poster} poster @param {(changed: Partial<import('./choices.js').Poster>) => void} change */
+        poster: (poster, change) => [
+            list(
+                'poster-sheet',
+                'Sheet',
+                POSTERS.map((name) => [name, sheetWords(name)]),
+                poster.sheet,
+                (sheet) => change({ sheet }),
+            ),
+            list(
+                'poster-orientation',
+                'Orientation',
+                ORIENTATIONS,
+                poster.landscape ? 'landscape' : 'portrait',
+                (chosen) => change({ landscape: chosen === 'landscape' }),
+            ),
+            list(
+                'poster-dpi',
+                'Resolution',
+                RESOLUTIONS.map((dpi) => [String(dpi), `${dpi} pixels per inch`]),
+                String(poster.dpi),
+                (dpi) => change({ dpi: Number(dpi) }),
+            ),
+        ],
+
         /** The fields of some options. @param {readonly string[]} names @param {Record<string, Value>} values */
         of(names, values) {
-            return names.map((name) => {
-                const option = optionOf(name);
-                const value = values[name] ?? defaultOf(option);
-                switch (option.kind) {
-                    case 'flag':
-                        return flag(name, option, value);
-                    case 'word':
-                        return word(name, option, value);
-                    case 'number':
-                        return number(name, option, value);
-                    case 'size':
-                        return size(name, option, value);
-                    case 'sheet':
-                        return sheet(name, option, value);
-                }
-            });
+            const isFree = names.includes('portrait');
+            return names
+                .filter((name) => name !== 'portrait')
+                .map((name) => {
+                    if (name === 'landscape') return orientation(isFree, values);
+                    const option = optionOf(name);
+                    const value = values[name] ?? defaultOf(option);
+                    switch (option.kind) {
+                        case 'flag':
+                            return flag(name, option, value);
+                        case 'word':
+                            return word(name, option, value);
+                        case 'number':
+                            return number(name, option, value);
+                        case 'size':
+                            return size(name, option, value);
+                        case 'sheet':
+                            return sheet(name, option, value);
+                    }
+                });
         },
     };
 }

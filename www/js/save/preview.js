@@ -116,13 +116,20 @@ export function createPreview(frame, { shown, fitted }) {
             const own = ++last;
             const text = !isPicture && made?.head ? await firstLines(made.head) : null;
             if (own !== last) return;
+            frame.classList.toggle('sheet', reads('sheet'));
             frame.classList.toggle('clear', values['transparent'] === true && reads('transparent'));
             if (text !== null) return putText(text);
             // A text is on its way.
             if (!isPicture && made?.state === 'making') return;
-            if (reads('sheet')) return put(sheetWith(values));
             const isSmall = made?.blob && mime === 'image/svg+xml' && made.size <= LARGEST_PICTURE;
+            // A plot is its own sheet, with the pen's lines.
+            if (reads('sheet') && !isSmall) return put(sheetWith(values));
             return put((isSmall && made.blob ? Promise.resolve(made.blob) : shown()).then(imageOf));
+        },
+
+        /** Shows the drawing on a sheet without margins. @param {readonly number[]} sides in millimetres */
+        showPoster(sides) {
+            put(sheetWith({ sheet: sides.join('x'), margin: 0 }));
         },
 
         /** Shows the drawing. */

@@ -13,7 +13,7 @@ import { button, byId, closes, html, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { addElements } from '../late.js';
 import { FORMATS } from '../late-tables.js';
-import { pixelSize, rowOf, savedName, sizeWords, valuesFor } from './choices.js';
+import { pixelSize, posterSides, posterValues, rowOf, savedName, sizeWords, valuesFor } from './choices.js';
 import { optionFields } from './fields.js';
 import { createMaking } from './making.js';
 import { createPreview } from './preview.js';
@@ -26,6 +26,10 @@ import markup from './save-dialog.html';
 const PREVIEW = 900;
 /** The file is made when the choices have not changed for this time, in milliseconds. */
 const PAUSE = 200;
+
+/** Whether a file of this format holds the strokes of the drawing one by one. @param {string} name */
+const isStrokes = (name) =>
+    name in FORMATS && FORMATS[/** @type {import('../protocol.js').Format} */ (name)].content === 'strokes';
 
 /** A problem without a place. @param {string | null} reason @returns {import('../protocol.js').Diagnostic} */
 const notMade = (reason) => ({
@@ -44,10 +48,11 @@ const notMade = (reason) => ({
  * @param {ReturnType<typeof import('./choices.js').rememberedChoices>} page.remembered
  * @param {ReturnType<typeof import('./exports.js').createExports>} page.exports
  * @param {ReturnType<typeof import('./save-file.js').createSaveFile>} page.files
+ * @param {{readonly space: boolean}} page.stage
  * @param {() => import('../protocol.js').Canvas} page.canvas
  * @param {readonly import('./choices.js').CustomRow[]} page.custom
  */
-export function createSaveDialog({ store, remembered, exports, files, canvas, custom }) {
+export function createSaveDialog({ store, stage, remembered, exports, files, canvas, custom }) {
     addElements(markup, [styles]);
     const dialog = byId('save-dialog', HTMLDialogElement);
     const save = button('save-now');
@@ -63,20 +68,37 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     const making = createMaking(files.make, changed);
     const fields = optionFields({ canvas, choose: chooseValue });
     let timer = 0;
+    /** Whether the reader has chosen a format while the dialog is open. */
+    let isOwnChoice = false;
     /** Whether the reader waits for the file. */
     let isSaving = false;
 
+    /** By purpose, the format that is taken for this drawing in place of the remembered one, and why. @type {Map<Purpose, {name: string, why: string}>} */
+    const advised = new Map();
+
+    function chosenRow() {
+        const advice = advised.get(choices.purpose);
+        return rowOf(
+            advice ? { ...choices, formats: { ...choices.formats, [choices.purpose]: advice.name } } : choices,
+            groups,
+        );
+    }
+
     /** The chosen format; null for a custom row. */
     function format() {
-        const { name } = rowOf(choices, groups);
+        const { name } = chosenRow();
         return name in FORMATS ? /** @type {import('../protocol.js').Format} */ (name) : null;
     }
 
     /** What is wanted, if a format is chosen. */
     function wanted() {
         const name = format();
-        return name && { format: name, values: valuesFor(name, choices) };
+        if (!name) return null;
+        const values = valuesFor(name, choices);
+        return { format: name, values: isPoster() ? { ...values, ...posterValues(choices.poster) } : values };
     }
+
+    const isPoster = () => choices.purpose === 'print' && format() === 'png';
 
     /** A radio button as a tile. @param {string} group @param {string} value @param {() => void} choose @param {...(Node | string)} words */
     function tile(group, value, choose, ...words) {
@@ -92,7 +114,7 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
 
     function showRows() {
         const { rows } = groups.find(({ purpose }) => purpose === choices.purpose) ?? { rows: [] };
-        const chosen = rowOf(choices, groups);
+        const chosen = chosenRow();
         html('save-formats').replaceChildren(
             ...rows.map(({ name, label, help }) =>
                 tile(
@@ -114,7 +136,12 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     function showOptions() {
         const name = format();
         const names = name ? FORMATS[name].options : [];
-        html('save-options').replaceChildren(...(name ? fields.of(names, choices.values) : []));
+        const own = isPoster() ? names.filter((each) => each !== 'size' && each !== 'dpi') : names;
+        html('save-options').replaceChildren(
+            ...(isPoster() ? fields.poster(choices.poster, choosePoster) : []),
+            ...(name ? fields.of(own, choices.values) : []),
+        );
+        setText(html('save-advice'), advised.get(choices.purpose)?.why ?? '');
         html('save-options-set').hidden = names.length === 0;
         const custom = customRow();
         setText(save, custom ? custom.action : 'Save');
@@ -122,7 +149,7 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
         refresh(0);
     }
 
-    const customRow = () => custom.find(({ name }) => name === rowOf(choices, groups).name);
+    const customRow = () => custom.find(({ name }) => name === chosenRow().name);
 
     /** @param {Purpose} purpose */
     function choosePurpose(purpose) {
@@ -134,8 +161,39 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     /** @param {string} name */
     function chooseFormat(name) {
         choices.formats[choices.purpose] = name;
+        advised.delete(choices.purpose);
+        isOwnChoice = true;
         remember();
         showOptions();
+    }
+
+    /** @param {Partial<import('./choices.js').Poster>} changed */
+    function choosePoster(changed) {
+        Object.assign(choices.poster, changed);
+        remember();
+        refresh(PAUSE);
+    }
+
+    /** Takes a picture of pixels where strokes lose what the drawing shows. */
+    function advise() {
+        advised.clear();
+        if (
+            store.state.ink === 'density' &&
+            !stage.space &&
+            isStrokes(rowOf({ ...choices, purpose: 'screen' }, groups).name)
+        )
+            advised.set('screen', { name: 'png', why: 'PNG, because files of strokes lose the glow of additive ink.' });
+    }
+
+    /** Tells which formats can hold a drawing that has too many segments for a file of strokes, and takes one. @param {string} name @param {Made} made */
+    function adviseAfter(name, { diagnostics }) {
+        if (!isStrokes(name) || diagnostics.some(({ field }) => field !== 'numbers' && field !== 'file')) return '';
+        if (choices.purpose !== 'screen') return 'Under Screen, PNG holds every drawing, and Compact SVG most.';
+        const why = 'PNG holds every drawing, and Compact SVG most.';
+        if (isOwnChoice) return why;
+        advised.set('screen', { name: 'png', why: `PNG, because ${FORMATS.svg.label} would be too large. ${why}` });
+        showRows();
+        return null;
     }
 
     /** @param {string} name @param {import('./choices.js').Value} value */
@@ -158,6 +216,7 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
             // A large picture takes long, so it is made when it is saved.
             if (FORMATS[what.format].content === 'pixels') {
                 setText(html('save-size'), `${pixelSize(what.values['size'], canvas()).replace('x', ' × ')} pixels`);
+                if (isPoster()) return preview.showPoster(posterSides(choices.poster));
                 return void preview.show(what.format, what.values, null);
             }
             making.show(what);
@@ -174,6 +233,11 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
         else if (state === 'large') setText(html('save-size'), `More than ${sizeWords(size)}`);
         else setText(html('save-size'), '');
         if (state !== 'making') {
+            if (state === 'failed') {
+                const advice = adviseAfter(name, made);
+                if (advice === null) return;
+                setText(html('save-advice'), advice);
+            }
             const told = state === 'failed' && diagnostics.length === 0 ? [notMade(reason)] : diagnostics;
             listProblems(html('save-problems'), told);
             if (told[0]) announce(told[0].message);
@@ -233,6 +297,8 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     return {
         open() {
             if (dialog.open) return;
+            isOwnChoice = false;
+            advise();
             showRows();
             dialog.showModal();
             const chosen = dialog.querySelector('input[name=save-purpose]:checked');

@@ -5,7 +5,7 @@
 
 import { FRONT, isWhole, midway, orbit, seen as seenInSpace, slide, whole, zoomed, zoomedOn } from '../camera.js';
 import { reducedMotion } from '../dom.js';
-import { FITTED, along, between, centredOn, pan, seen, zoomAt } from '../view.js';
+import { along, between, centredOn, pan, seen, zoomAt } from '../view.js';
 
 /** @typedef {import('../state.js').View} View */
 /** @typedef {import('../state.js').Camera} Camera */
@@ -20,10 +20,11 @@ const LARGEST = 0.6;
  * @param {import('../store.js').Store} store
  * @param {{readonly painted: boolean, readonly scale: number}} picture
  * @param {() => boolean} space whether the drawing is in space
+ * @param {() => View} fitted the view that shows the whole drawing in the plane
  */
-export function createMoves(store, picture, space) {
+export function createMoves(store, picture, space, fitted) {
     let glide = 0;
-    const view = () => store.state.view ?? FITTED;
+    const view = () => store.state.view ?? fitted();
     const camera = () => store.state.camera ?? FRONT;
 
     /** @param {View} next */
@@ -41,7 +42,7 @@ export function createMoves(store, picture, space) {
     /** Moves smoothly to a view; null is the fitted view. @param {View | null} target */
     function glideTo(target) {
         const from = view();
-        const to = target ?? FITTED;
+        const to = target ?? fitted();
         animate((part) => store.setView(part < 1 ? between(from, to, part) : target));
     }
 

@@ -2,6 +2,7 @@
 
 import styles from '../../css/steps.css';
 import { button, byId, closes, html, input, reducedMotion, setText, setValue } from '../dom.js';
+import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { createDerivation } from './derivation.js';
 import { createSingle } from './single.js';
@@ -56,7 +57,7 @@ export function createSteps(tool, definition) {
         } catch (error) {
             if (own !== turn) return;
             for (const { area } of Object.values(parts)) html(area).hidden = true;
-            setText(html('steps-problem'), error instanceof Error ? error.message : String(error));
+            showFailure(html('steps-problem'), error, show);
         }
         settle();
     }

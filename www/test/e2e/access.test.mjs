@@ -32,8 +32,8 @@ const STATES = {
     'as it opens': async () => {},
     rules: async (page) => {
         await tab('rules')(page);
-        for (const summary of await page.locator('#section-rules details:not([open]) > summary:visible').all())
-            await summary.click();
+        const folded = page.locator('#section-rules details:not([open]) > summary:visible');
+        while ((await folded.count()) > 0) await folded.first().click();
     },
     mistakes: async (page) => {
         await tab('rules')(page);
@@ -118,6 +118,8 @@ const STATES = {
     'refused on the drawing': async (page) => {
         await tab('rules')(page);
         await page.fill('#rules', 'A = F[+A]');
+        // The controls tell it as well, where they show it.
+        await tab('look')(page);
         await page.waitForSelector('#refusal:visible');
     },
     'nothing in view': async (page) => {
@@ -258,6 +260,7 @@ for (const viewport of [
     test(`controls on the drawing do not overlap: ${viewport.width} pixels wide`, () =>
         withPage({ hash: TREE, options: { viewport } }, async (page) => {
             await page.fill('#rules', 'A = F');
+            await tab('look')(page);
             await page.waitForSelector('#refusal:visible');
             const overlapping = await page.evaluate(() => {
                 const boxes = [...document.querySelectorAll('.tools:not([hidden])')]
@@ -381,7 +384,10 @@ test('a number field with an invalid text says what it expects', () =>
             ['angle', 'wide', 'Must be a number.'],
             ['seed', 'NaN', 'Must be a whole number from 0 to 4,294,967,295.'],
         ]) {
-            if (id === 'seed') await page.click('#tab-grow');
+            if (id === 'seed') {
+                await page.fill('#rules', 'F -> F[+F] : 1\nF -> F : 1');
+                await page.waitForSelector('#seed:visible');
+            }
             const field = page.locator(`#${id}`);
             await field.fill('');
             assert.equal(await page.locator('.range-note').count(), 0, 'an empty field waits');
@@ -459,7 +465,7 @@ for (const [width, height] of /** @type {const} */ ([
                         .map((element) => `${element?.className}: ${element?.scrollWidth} > ${element?.clientWidth}`),
                 );
             assert.deepEqual(await sideways(), []);
-            for (const name of ['rules', 'grow', 'turtle', 'look', 'save']) {
+            for (const name of ['rules', 'turtle', 'look', 'save']) {
                 await tab(name)(page);
                 assert.ok(await page.isVisible(`#section-${name}`), name);
                 assert.deepEqual(await sideways(), [], name);

@@ -192,7 +192,9 @@ test('the controls end with links to the documents, which open in a new tab', as
         for (const link of await links.all()) {
             const [opened] = await Promise.all([page.waitForEvent('popup'), link.click()]);
             await opened.waitForLoadState();
-            assert.equal(await opened.textContent('.line [aria-current]'), await link.textContent());
+            const isLesson = (await link.textContent()) === 'Lesson';
+            if (isLesson) assert.match(await opened.title(), /a lesson$/);
+            else assert.equal(await opened.textContent('.line [aria-current]'), await link.textContent());
             await opened.close();
         }
     });
@@ -203,3 +205,18 @@ test('the controls end with links to the documents, which open in a new tab', as
         assert.equal(await page.isVisible('.foot'), false);
     });
 });
+
+for (const name of ['course.html', 'docs/lesson.html'])
+    test(`a page of its own leads home: ${name}`, () =>
+        withPage({ address: new URL(name, ADDRESS).href, also: ADDRESS, drawing: null }, async (page) => {
+            const home = page.locator('.home');
+            assert.ok(await home.isVisible());
+            assert.equal(new URL((await home.getAttribute('href')) ?? '', page.url()).href, new URL('.', ADDRESS).href);
+        }));
+
+test('the lesson in twelve steps begins with the introduction, which leads to it', () =>
+    withPage({ address: new URL('course.html', ADDRESS).href, also: ADDRESS, drawing: null }, async (page) => {
+        await page.click('a[href="docs/lesson.html"]');
+        await page.click('a[href="../course.html"] >> nth=0');
+        assert.match(await page.title(), /a lesson$/);
+    }));

@@ -471,7 +471,7 @@ test('printing shows picture and system, without controls', () =>
             await page.emulateMedia({ media: 'print' });
             for (const name of ['#panel', '.tools-read', '.tools-view'])
                 assert.equal(await page.isVisible(name), false, name);
-            assert.match((await page.textContent('#sheet')) ?? '', /AxiomFProductionsF -> F\[\+F\]F\[-F\]F/);
+            assert.match((await page.textContent('#sheet')) ?? '', /Start \(axiom\)FRulesF -> F\[\+F\]F\[-F\]F/);
             const box = (await page.locator('#drawing').boundingBox()) ?? { height: 0, y: -1 };
             const sheet = (await page.locator('#sheet').boundingBox()) ?? { y: 0, height: 0 };
             assert.ok(

@@ -165,11 +165,11 @@ for (const [name, options] of /** @type {const} */ ([
     ['a desktop', DESKTOP],
     ['a phone', PHONE],
 ])) {
-    test(`an exercise is made in the share dialog on ${name}, and hides what is to be found`, () =>
+    test(`an exercise is made on ${name}, and hides what is to be found`, () =>
         withPage(
             { hash: '#v=1&title=Weed&axiom=X&rules=X%20-%3E%20F%5B%2BX%5D-X%0AF%20-%3E%20FF&n=4&angle=25', options },
             async (page) => {
-                await page.click('#share');
+                await page.click('#tab-save');
                 await page.click('#make-exercise');
                 await page.fill(
                     '#maker-task',
@@ -224,7 +224,7 @@ for (const [name, options] of /** @type {const} */ ([
 
 test('the meaning of the symbols can be asked for', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20A%2BA&n=3&angle=60&turtle=every-letter' }, async (page) => {
-        await page.click('#share');
+        await page.click('#tab-save');
         await page.click('#make-exercise');
         await page.waitForSelector('#maker-made:visible');
         const before = await page.inputValue('#maker-link');
@@ -266,7 +266,6 @@ test('the lesson works from a disk', () =>
 
 test('what a program printed is compared with the system', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20AB%0AB%20-%3E%20A&n=4' }, async (page) => {
-        await page.click('#share');
         await page.click('#check-program');
         await page.fill('#check-output', 'ABAABABA');
         await page.waitForSelector('#check-result.agrees');
@@ -280,7 +279,6 @@ test('what a program printed is compared with the system', () =>
             'the string is open there',
         );
         await page.click('#close-reader');
-        await page.click('#share');
         await page.click('#check-program');
         await page.setInputFiles('#check-file', {
             name: 'out.txt',
@@ -374,3 +372,23 @@ for (const [name, options] of /** @type {const} */ ([
             assert.match((await page.textContent('.step.now h2')) ?? '', /^12\. /);
         }));
 }
+
+test('only rules are offered as something to find', () =>
+    withPage(
+        { hash: '#v=1&axiom=A&rules=%2F%2F%20words%0AA%20-%3E%20AA%0Adraw%3A%0AA%20-%3E%20F&n=3&angle=60' },
+        async (page) => {
+            await page.click('#tab-save');
+            await page.click('#make-exercise');
+            await page.waitForSelector('#maker-made:visible');
+            assert.deepEqual(await page.locator('#maker-given code').allInnerTexts(), ['A', 'A -> AA', 'A -> F']);
+        },
+    ));
+
+test('an exercise on a page of its own leads home', () =>
+    withPage({ address: ADDRESS, hash: linkOf('koch') }, async (page) => {
+        assert.ok(await page.isVisible('.home'));
+        assert.equal(
+            new URL((await page.getAttribute('.home', 'href')) ?? '', page.url()).href,
+            new URL('.', ADDRESS).href,
+        );
+    }));

@@ -24,6 +24,7 @@ async function open(page) {
 const text = (page) => page.inputValue('#film-text');
 /** Writes the film's text. @param {Page} page @param {string} film */
 async function write(page, film) {
+    if (!(await page.isVisible('#film-text'))) await page.click('.film-raw summary');
     await page.fill('#film-text', film);
     await page.press('#film-text', 'Enter');
 }
@@ -124,7 +125,7 @@ test('saving is cancelled, and the page goes on', () =>
         await write(page, '1;60s;60fps;1280x720;n=0:0,60:8');
         await until(async () => (await page.getAttribute('#film-at', 'max')) === '3599', 'the film');
         await page.click('[data-film="gif"]');
-        await page.waitForSelector('.film-progress:not([hidden])');
+        await page.waitForSelector('.film-progress:not(.idle)');
         await page.click('#film-cancel');
         await page.waitForSelector('.film-progress', { state: 'hidden' });
         await write(page, SHORT);
@@ -165,3 +166,32 @@ test('a film plays in a page of its own, and opens in the playground', () =>
             assert.equal(await text(page), SHORT);
         },
     ));
+
+test('the dialog has one size, and says why a drawing in the plane has no turntable', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await open(page);
+        assert.ok(await page.isDisabled('[data-preset=turntable]'));
+        assert.match(await page.innerText('#film-options'), /A turntable needs a drawing in space/);
+        assert.ok(!(await page.isVisible('#film-text')), 'the raw text is folded');
+        const first = await page.locator('#film-dialog').boundingBox();
+        await write(page, SHORT);
+        const [saved] = await Promise.all([page.waitForEvent('download'), page.click('[data-film=gif]')]);
+        assert.match(saved.suggestedFilename(), /gif$/);
+        await page.waitForSelector('#film-dialog .toast.shown');
+        assert.match(await page.innerText('#toast'), /^Saved/);
+        assert.deepEqual(await page.locator('#film-dialog').boundingBox(), first);
+        await page.keyboard.press('Escape');
+        await page.waitForSelector('#stage .toast', { state: 'attached' });
+    }));
+
+test('the best kind of film that the browser writes is the first', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await open(page);
+        await page.waitForSelector('[data-film].primary');
+        const kinds = await page
+            .locator('[data-film]:visible')
+            .evaluateAll((all) => all.map((each) => [each.getAttribute('data-film'), each.className]));
+        assert.match(String(kinds[0]?.[1]), /primary/);
+        assert.equal(kinds.at(-1)?.[0], 'gif');
+        assert.equal(kinds.filter(([, name]) => /primary/.test(String(name))).length, 1);
+    }));

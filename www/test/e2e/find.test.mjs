@@ -350,7 +350,7 @@ test('a search that does not load is told, and tried again', () =>
 // Like any search of an exercise, this one tries a million systems; these draw few segments.
 test('an exercise is searched for other answers', () =>
     withPage({ hash: '#v=1&title=Weed&axiom=F&rules=F%20-%3E%20F%5B%2BF%5D%5B%5D&n=3&angle=60' }, async (page) => {
-        await page.click('#share');
+        await page.click('#tab-save');
         await page.click('#make-exercise');
         await page.waitForSelector('#maker-made:visible');
         await page.click('#maker-unique');

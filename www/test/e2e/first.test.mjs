@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
-import { DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, close, nextPicture, quiet, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -23,7 +23,6 @@ for (const [device, options] of /** @type {const} */ ([
                 '#axiom',
                 '#rules',
                 '#tab-rules',
-                '#tab-grow',
                 '#tab-turtle',
                 '#tab-look',
                 '#tab-save',
@@ -91,9 +90,9 @@ test('a single segment is longer than wide', () =>
 test('a limit is refused on the drawing, with a button that draws what fits', () =>
     withPage({}, async (page) => {
         await page.fill('#iterations', '14');
-        await page.click('#tab-grow');
         await page.click('#variation summary');
         await page.fill('#angle-variation', '5');
+        await page.click('#tab-look');
         await page.waitForSelector('#refusal:visible');
         await until(() => page.isVisible('#refusal-fix'), 'the largest number is known');
         const label = await text(page, '#refusal-fix');
@@ -112,10 +111,17 @@ test('a mistake is shown on the drawing after a pause, and its remedy is one und
     withPage({}, async (page) => {
         await page.fill('#rules', 'F = F[+F]F');
         assert.ok(!(await page.isVisible('#refusal')), 'half a rule is no mistake yet');
+        await page.waitForSelector('#rules-problems li:visible');
+        await quiet(1200, 'the mistake would be told twice');
+        assert.ok(!(await page.isVisible('#refusal')), 'a mistake is told once');
+        await page.click('#tab-look');
+        await page.waitForSelector('#refusal:visible');
+        await page.click('#tab-rules');
+        await page.waitForSelector('#refusal', { state: 'hidden' });
+        await page.click('#tab-look');
         await page.waitForSelector('#refusal:visible');
         assert.doesNotMatch(await text(page, '#refusal-words'), /`/);
         assert.doesNotMatch(await text(page, '#rules-problems'), /`/);
-        await page.click('#tab-look');
         await page.click('#refusal-show');
         assert.equal(await page.evaluate(() => document.activeElement?.id), 'rules');
         await page.click('#rules-problems .fix');
@@ -123,6 +129,20 @@ test('a mistake is shown on the drawing after a pause, and its remedy is one und
         await until(async () => !(await page.isVisible('#refusal')), 'nothing is refused');
         await page.click('#undo');
         assert.equal(await page.inputValue('#rules'), 'F = F[+F]F');
+    }));
+
+test('a limit has its remedy beside the numbers, where it is in sight', () =>
+    withPage({}, async (page) => {
+        await page.fill('#iterations', '14');
+        await page.click('#variation summary');
+        await page.fill('#angle-variation', '5');
+        await page.locator('#numbers-problems').scrollIntoViewIfNeeded();
+        const remedy = page.locator('#numbers-problems .fix');
+        await remedy.waitFor();
+        assert.match((await remedy.textContent()) ?? '', /^Use \d+ iterations$/);
+        assert.ok(!(await page.isVisible('#refusal')), 'it is told once');
+        await remedy.click();
+        await until(async () => (await text(page, '#numbers-problems')) === '', 'what fits is drawn');
     }));
 
 test('a symbol in the rules says what it does, by pointer and by caret', () =>
@@ -177,4 +197,39 @@ test('the star adds the system to favourites', () =>
             async () => (await text(page, '#toast')).includes('Added “A plant by one rule”'),
             'the favourite is added',
         );
+    }));
+
+test('the first screen of a laptop has at most 26 controls', () =>
+    withPage({ options: { viewport: { width: 1280, height: 657 } } }, async (page) => {
+        const seen = await page.evaluate(() =>
+            [...document.querySelectorAll('button, a, input, textarea, select, summary')]
+                .filter((control) => {
+                    const { left, right, top, bottom } = control.getBoundingClientRect();
+                    const [x, y] = [(left + right) / 2, (top + bottom) / 2];
+                    return right - left > 1 && control.contains(document.elementFromPoint(x, y));
+                })
+                .map(({ id, textContent }) => id || textContent),
+        );
+        assert.ok(seen.length > 15 && seen.length <= 26, `${seen.length}: ${seen.join()}`);
+    }));
+
+test('a new system has the look of the opening plant', () =>
+    withPage({}, async (page) => {
+        await page.click('#start-anew');
+        await until(async () => (await page.inputValue('#rules')) === '', 'it is new');
+        await page.fill('#rules', 'F -> F[+F]F');
+        await until(async () => /, 81 segments/.test(await text(page, '#caption-text')), 'it is drawn');
+        await page.click('#tab-look');
+        assert.equal(await page.inputValue('#colour-by'), 'level');
+        assert.equal(await page.inputValue('#width'), '0.45');
+        assert.match(await text(page, '#caption-title'), /^Untitled system/);
+    }));
+
+test('letters that draw nothing are told, with the dialect in which they draw', () =>
+    withPage({ hash: '#v=1&axiom=X&rules=X%20-%3E%20F%5B%2BX%5DX&n=3&angle=30' }, async (page) => {
+        await page.click('#tab-turtle');
+        assert.match(await text(page, '#legend-hint'), /^X draws nothing \(course assignments: every letter draws\)/);
+        await page.click('#letters-draw');
+        await until(async () => !(await page.isVisible('#legend-hint')), 'every letter draws');
+        assert.equal(await page.inputValue('#dialect'), 'every-letter');
     }));

@@ -104,6 +104,9 @@ test('a search reads names, notes and rules, not sources, and can be cleared', (
         // Filters are cleared as well.
         await chip(page, 'Signals').click();
         await page.fill('#search', 'snowflake');
+        assert.ok((await titles(page)).includes('Koch snowflake'), 'found on another shelf');
+        await chip(page, 'Curves').click();
+        await page.fill('#search', 'zzz');
         await page.waitForSelector('#no-results:visible');
         await page.click('#clear-search');
         assert.equal(await shown(page), all);
@@ -149,4 +152,40 @@ test('on a phone the first shelf is in sight and a tap opens a system', () =>
         }
         await page.locator('.card', { hasText: 'Lime twig' }).tap();
         await until(async () => (await page.textContent('#caption-title')) === 'Lime twig', 'it is opened');
+    }));
+
+test('a chip shows its shelf from the beginning, and a search that finds nothing there looks on all shelves', () =>
+    withPage({}, async (page) => {
+        await open(page);
+        await page.evaluate(() => document.querySelector('#shelves')?.scrollTo(0, 900));
+        await chip(page, 'Trees').click();
+        assert.equal(await page.evaluate(() => document.querySelector('#shelves')?.scrollTop), 0);
+        await page.fill('#search', 'Hilbert');
+        assert.ok((await titles(page)).includes('Hilbert curve'));
+        assert.equal(await chip(page, 'Trees').getAttribute('aria-pressed'), 'false');
+    }));
+
+for (const width of [1280, 1100, 900])
+    test(`no card is alone in the last row of a shelf: ${width} pixels wide`, () =>
+        withPage({ options: { viewport: { width, height: 700 } } }, async (page) => {
+            await open(page);
+            const alone = await page.evaluate(
+                () =>
+                    [...document.querySelectorAll('#gallery .cards')].filter((shelf) => {
+                        const tops = [...shelf.children].map((card) => card.getBoundingClientRect().top);
+                        return tops.length > 1 && tops.filter((top) => top === tops.at(-1)).length === 1;
+                    }).length,
+            );
+            assert.equal(alone, 0);
+        }));
+
+test('the foot of the gallery takes no room, and lies over the cards while a system is pointed at', () =>
+    withPage({}, async (page) => {
+        await open(page);
+        assert.ok(!(await page.isVisible('#gallery-about')));
+        const height = () => page.evaluate(() => document.querySelector('#shelves')?.clientHeight);
+        const before = await height();
+        await page.hover('#gallery .card >> nth=0');
+        assert.ok(await page.isVisible('#gallery-about'));
+        assert.equal(await height(), before);
     }));

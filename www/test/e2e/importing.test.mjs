@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';
 import test, { after } from 'node:test';
-import { DESKTOP, PHONE, answered, close, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, answered, close, quiet, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -207,4 +207,64 @@ test('every case of the readers opens or is refused in the page', () =>
         );
         const opened = became.filter(({ what }) => what === 'opened').length;
         assert.ok(opened >= 30, `${opened} opened`);
+    }));
+
+test('an offer for pasted text is alone: no mistakes of the text, on the drawing or in the controls', () =>
+    withPage({}, async (page) => {
+        await loadReaders(page);
+        await page.fill('#rules', '');
+        /** Whether a mistake was ever in sight. */
+        await page.evaluate(() => {
+            const site = /** @type {any} */ (globalThis);
+            site.mistakes = 0;
+            const look = () => {
+                for (const name of ['#rules-problems li', '#refusal', '#rules-problems'])
+                    for (const element of document.querySelectorAll(name))
+                        if (element.getBoundingClientRect().height > 0) site.mistakes += 1;
+                requestAnimationFrame(look);
+            };
+            look();
+        });
+        await paste(page, '#rules', FRACTINT);
+        await page.waitForSelector('#import-offer:visible');
+        await until(async () => (await page.locator('#rules-problems li').count()) > 0, 'the mistakes are known');
+        await quiet(1200, 'a mistake would be shown on the drawing after a pause');
+        assert.equal(await page.evaluate(() => /** @type {any} */ (globalThis).mistakes), 0);
+        await page.click('#import-dismiss');
+        assert.ok(await page.isVisible('#rules-problems li'), 'they are mistakes of a text that stays');
+        await paste(page, '#rules', FRACTINT);
+        await page.waitForSelector('#import-offer:visible');
+        await page.focus('#rules');
+        await page.keyboard.type('F');
+        await page.waitForSelector('#import-offer', { state: 'hidden' });
+        assert.ok(await page.isVisible('#rules-problems li'));
+    }));
+
+test('our own JSON is offered where it is pasted into a field', () =>
+    withPage({}, async (page) => {
+        await page.fill('#rules', '');
+        await paste(page, '#rules', '{"initial": "A", "rules": {"A": "A+A"}, "angle_deg": 33, "num_iters": 3}');
+        await page.click('#import-accept');
+        await page.click('#import-open');
+        await until(async () => (await page.inputValue('#angle')) === '33', 'the system is open');
+    }));
+
+test('a description without a heading has no title, and its minus signs raise no warning', () =>
+    withPage({}, async (page) => {
+        await paste(page, '#drawing', PROSE.split('\n').slice(1).join('\n'));
+        await page.waitForSelector('#import[open]');
+        assert.equal(await text(page, '#import-name'), 'Untitled system');
+        await page.click('#import-cancel');
+        await page.fill('#rules', 'F -> F[+F]F[\u2212F]F');
+        await until(async () => /, 3,125 segments/.test(await text(page, '#caption-text')), 'it is drawn');
+        assert.equal(await text(page, '#rules-problems'), '');
+        await page.fill('#rules', 'F -> F[\u2795F]F[\u2212F]F');
+        await until(async () => /U\+2795/.test(await text(page, '#rules-problems')), 'other characters are told');
+        assert.equal(await page.locator('#rules-problems li').count(), 1);
+    }));
+
+test('a pasted text that is too long to be read is answered', () =>
+    withPage({}, async (page) => {
+        await paste(page, '#drawing', 'F'.repeat((1 << 20) + 1));
+        await until(async () => /more than 1 MB/.test(await text(page, '#toast')), 'an answer');
     }));

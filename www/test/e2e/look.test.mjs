@@ -122,7 +122,7 @@ test('a click on a segment opens the string there', () =>
 test('on a phone, the card of a segment opens the string', () =>
     withPage({ options: PHONE }, async (page) => {
         await stillPicture(page);
-        const { x, y } = await lineIn(page, { across: 0.5, from: 0.3 });
+        const { x, y } = await lineIn(page, { across: 0.33, from: 0.3 });
         await page.touchscreen.tap(x, y);
         await page.tap('.card-read');
         await until(() => page.isVisible('#reader .chosen'), 'the symbol is selected');
@@ -169,6 +169,25 @@ test('a view inside one broad line leads back to the line', () =>
         await wheel(page, 40);
         await page.waitForSelector('#nothing-here:visible');
         assert.equal(await text(page, '#nothing-here-words'), 'You are inside one line.');
+        // The card of the line lies beside the note.
+        const stage = await page.locator('#stage').boundingBox();
+        assert.ok(stage);
+        for (const down of [0.4, 0.6, 0.8]) {
+            await page.mouse.move(stage.x + stage.width / 2, stage.y + stage.height * down);
+            await page.waitForSelector('#card:visible');
+            await answered(page);
+            const [card, note] = [
+                await page.locator('#card').boundingBox(),
+                await page.locator('#nothing-here').boundingBox(),
+            ];
+            assert.ok(card && note);
+            const apart =
+                card.x >= note.x + note.width ||
+                note.x >= card.x + card.width ||
+                card.y >= note.y + note.height ||
+                note.y >= card.y + card.height;
+            assert.ok(apart, `${down}: ${JSON.stringify([card, note])}`);
+        }
         await page.click('#nothing-here-back');
         await page.waitForSelector('#nothing-here', { state: 'hidden' });
         assert.ok(await hasLines(page));

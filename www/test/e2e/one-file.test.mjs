@@ -34,7 +34,7 @@ for (const [name, options] of /** @type {const} */ ([
             assert.equal(page.url(), address + KOCH);
             const before = await stillPicture(page);
             assert.ok(before.ink > 0.001);
-            if (!(await page.isVisible('#iterations'))) await page.click('#tab-grow');
+            if (!(await page.isVisible('#iterations'))) await page.click('#tab-rules');
             await page.fill('#iterations', '5');
             await nextPicture(page, before);
             await until(async () => (await page.evaluate(() => location.hash)).includes('n=5'), 'the address follows');

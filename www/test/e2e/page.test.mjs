@@ -346,17 +346,17 @@ test('undo and redo cover every control', () =>
         /** @type {[string, () => Promise<unknown>][]} */
         const edits = [
             ['#axiom', () => page.fill('#axiom', 'F+F')],
-            ['#rules', () => page.fill('#rules', 'F -> FF+F')],
+            ['#rules', () => page.fill('#rules', 'F -> FF+F : 1\nF -> F+F : 2')],
+            ['#seed', () => page.fill('#seed', '7')],
             ['#iterations', () => page.fill('#iterations', '5')],
             ['#angle', () => page.fill('#angle', '33.3')],
             [
                 '#two-angles',
                 async () => {
-                    await page.click('#tab-grow');
+                    await page.click('#tab-turtle');
                     await page.check('#two-angles');
                 },
             ],
-            ['#seed', () => page.fill('#seed', '7')],
             [
                 '#dialect',
                 async () => {
@@ -491,9 +491,9 @@ test('the view stays while angle and iterations change', () =>
 test('a new seed changes a random plant, and the same seed grows the same plant', () =>
     withPage({ hash: CHANCE }, async (page) => {
         const first = await stillPicture(page);
-        assert.match(await text(page, '#seed-note'), /same seed grows the same plant/);
-        await page.click('#tab-grow');
+        assert.match(String(await page.getAttribute('#seed-row', 'title')), /same seed grows the same plant/);
         await page.click('#dice');
+        assert.match(await page.inputValue('#seed'), /^\d{1,4}$/);
         const second = await nextPicture(page, first);
         assert.notEqual(second.digest, first.digest);
         await page.fill('#seed', '0');
@@ -759,7 +759,7 @@ test('on a phone everything is within reach', () =>
         assert.deepEqual(small, []);
         for (const [tab, control] of [
             ['rules', '#rules'],
-            ['grow', '#length-factor-slider'],
+            ['turtle', '#length-factor-slider'],
             ['turtle', '#dialect'],
             ['look', '#background'],
             ['save', '[data-save=svg]'],
@@ -775,7 +775,7 @@ test('on a phone everything is within reach', () =>
         assert.ok(await page.isVisible('#fit'));
         // Undo is hidden while there is nothing to undo.
         assert.ok(!(await page.isVisible('#undo')));
-        assert.ok(((await page.locator('.tools-read').boundingBox())?.x ?? 0) > 260, 'the stem is in sight');
+        assert.ok(((await page.locator('.tools-read').boundingBox())?.x ?? 0) > 195 + 40, 'the stem is in sight');
         const whole = await stillPicture(page);
         await page.tap('#tab-rules');
         await page.fill('#angle', '30');

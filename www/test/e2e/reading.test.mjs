@@ -541,10 +541,19 @@ test('another system ends playback and shows its whole picture; other colours do
 test('on a phone the string, a tapped segment and playback are within reach', () =>
     withPage({ hash: PLANT, options: PHONE }, async (page) => {
         await stillPicture(page);
-        const stage = /** @type {{x: number, y: number, width: number, height: number}} */ (
-            await page.locator('#stage').boundingBox()
-        );
-        await page.touchscreen.tap(stage.x + stage.width / 2, stage.y + stage.height * 0.75);
+        // The trunk stands beside the tools.
+        const at = () =>
+            onPixels(page, ({ words, width, height }) => {
+                const row = Math.floor(height * 0.75) * width;
+                for (let x = 0; x < width; x++) if (words[row + x] !== words[0]) return x / width;
+                return 0;
+            });
+        const tapped = async () => {
+            const stage = await page.locator('#stage').boundingBox();
+            assert.ok(stage);
+            await page.touchscreen.tap(stage.x + stage.width * (await at()), stage.y + stage.height * 0.75);
+        };
+        await tapped();
         await page.waitForSelector('#card:visible');
         assert.match(await text(page, '#card'), /step 40, by rule 2/);
         await page.tap('#open-reader');
@@ -552,7 +561,8 @@ test('on a phone the string, a tapped segment and playback are within reach', ()
         assert.ok(!(await page.isVisible('#panel')));
         const columns = (await page.locator('.row-line .cells').first().textContent())?.length ?? 0;
         assert.ok(columns >= 20, `${columns} columns`);
-        await page.touchscreen.tap(stage.x + stage.width / 2, stage.y + stage.height * 0.75);
+        await stillPicture(page);
+        await tapped();
         await until(async () => (await page.locator('.cells .chosen').count()) === 1, 'the tapped symbol is chosen');
         await page.tap('#close-reader');
         assert.ok(await page.isVisible('#panel'));
@@ -566,3 +576,30 @@ test('on a phone the string, a tapped segment and playback are within reach', ()
         await page.tap('#close-playback');
         assert.ok(!(await page.isVisible('#playback')));
     }));
+
+test('the string of a generation is copied as a whole, and the keys select nothing else', () =>
+    withPage(
+        { hash: SMALL, options: { ...DESKTOP, permissions: ['clipboard-read', 'clipboard-write'] } },
+        async (page) => {
+            await page.click('#open-reader');
+            await page.waitForSelector('#reader-text .cells');
+            const clipboard = () => page.evaluate(() => navigator.clipboard.readText());
+            await page.click('#copy-string');
+            await until(async () => /^Copied/.test(await text(page, '#toast')), 'it is copied');
+            const copied = await clipboard();
+            const [, told = ''] = /Copied ([\d,]+) symbols/.exec(await text(page, '#toast')) ?? [];
+            assert.equal(String(copied.length), told.replaceAll(',', ''));
+            assert.match(copied, /^[FX+[\]-]+$/);
+            await page.focus('#reader-text');
+            await page.keyboard.press('Control+a');
+            assert.ok(
+                await page.evaluate(() => {
+                    const range = getSelection()?.getRangeAt(0);
+                    return range?.commonAncestorContainer === document.querySelector('#reader-text');
+                }),
+            );
+            await page.evaluate(() => navigator.clipboard.writeText(''));
+            await page.keyboard.press('Control+c');
+            await until(async () => (await clipboard()) === copied, 'the keys copy the same');
+        },
+    ));

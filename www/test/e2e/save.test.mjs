@@ -108,8 +108,13 @@ test('a picture larger than a canvas, without a background, is made piece by pie
 test('limits and mistakes are told in the dialog, with hints', () =>
     withPage({ hash: WEED.replace('n=4', 'n=30') }, async (page) => {
         await open(page);
+        // What works is taken, with the reason; what cannot work says so when it is chosen.
+        await until(() => page.isChecked('[name=save-format][value=png]'), 'a picture of pixels is taken');
+        assert.match(await page.innerText('#save-advice'), /SVG would be too large/);
+        await choose(page, 'svg');
         await page.waitForSelector('#save-problems .error');
         assert.match(await page.innerText('#save-problems'), /segments/);
+        assert.match(await page.innerText('#save-advice'), /PNG holds every drawing/);
         // The compact form has no such limit here.
         await choose(page, 'svg-compact');
         await until(async () => /kB$/.test(await size(page)), 'it is made');
@@ -256,4 +261,71 @@ test('a PNG shows what the page shows: the place, the segments played so far, an
         // In space a file is made with more work than the picture on the screen.
         const differ = await difference(page);
         assert.ok(differ < 0.02, `${differ}`);
+    }));
+
+test('additive ink is saved as pixels unless strokes are asked for', () =>
+    withPage({ hash: `${WEED}&ink=density` }, async (page) => {
+        await open(page);
+        assert.ok(await page.isChecked('[name=save-format][value=png]'));
+        assert.match(await page.innerText('#save-advice'), /glow/);
+        await choose(page, 'svg');
+        assert.equal(await page.innerText('#save-advice'), '');
+        await page.click('#save-cancel');
+        await page.click('#open-save');
+        assert.ok(await page.isChecked('[name=save-format][value=png]'));
+    }));
+
+test('the dialog keeps its place and its size while its choices change', () =>
+    withPage({ hash: WEED, options: { viewport: { width: 1280, height: 800 } } }, async (page) => {
+        await open(page);
+        await stillDialog(page);
+        const first = await page.locator('#save-dialog').boundingBox();
+        for (const purpose of ['film', 'plotter', 'paper', 'print', 'mesh', 'data', 'screen']) {
+            await choose(page, purpose);
+            assert.deepEqual(await page.locator('#save-dialog').boundingBox(), first, purpose);
+        }
+    }));
+
+/** Waits for the end of the dialog's movement. @param {import('playwright-core').Page} page */
+const stillDialog = (page) =>
+    page.evaluate(() =>
+        Promise.all((document.querySelector('#save-dialog')?.getAnimations() ?? []).map(({ finished }) => finished)),
+    );
+
+test('a poster has the pixels of its sheet, and a picture for the screen keeps its own', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await open(page);
+        await choose(page, 'print');
+        await page.selectOption('#poster-sheet', 'a4');
+        await page.selectOption('#poster-orientation', 'landscape');
+        await page.selectOption('#poster-dpi', '150');
+        await until(async () => (await size(page)) === '1754 × 1240 pixels', 'the pixels are told');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
+        const bytes = await readFile(String(await download.path()));
+        assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [1754, 1240]);
+        // 150 pixels per inch are 5906 per metre.
+        assert.equal(bytes.readUInt32BE(bytes.indexOf('pHYs') + 4), 5906);
+        await open(page);
+        assert.equal(await page.inputValue('#poster-orientation'), 'landscape');
+        await choose(page, 'screen');
+        await choose(page, 'png');
+        assert.equal(await page.inputValue('#option-size'), '');
+    }));
+
+test('a sheet is upright or on its side, and a plot is shown with the lines of its pen', () =>
+    withPage({ hash: WEED }, async (page) => {
+        await open(page);
+        await choose(page, 'plotter');
+        await page.waitForSelector('#save-preview.sheet > img');
+        const shape = () =>
+            page.evaluate(() => {
+                const image = /** @type {HTMLImageElement | null} */ (document.querySelector('#save-preview > img'));
+                return image ? image.naturalWidth / image.naturalHeight : 0;
+            });
+        await page.selectOption('#option-orientation', 'landscape');
+        await until(async () => (await shape()) > 1.3, 'the sheet lies on its side');
+        await page.selectOption('#option-orientation', 'portrait');
+        await until(async () => (await shape()) < 0.8 && (await shape()) > 0, 'the sheet is upright');
+        await choose(page, 'paper');
+        assert.deepEqual(await page.locator('#option-orientation option').allInnerTexts(), ['Portrait', 'Landscape']);
     }));

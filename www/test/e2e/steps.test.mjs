@@ -121,7 +121,6 @@ test('what cannot be shown says why', () =>
         await says(page, /Generation 0/);
         assert.equal(await page.textContent('#steps-problem'), '');
         await page.click('#close-steps');
-        await page.click('#tab-grow');
         await page.click('#mathematics summary');
         await until(async () => /have parameters/.test((await page.textContent('#math-words')) ?? ''), 'why');
         assert.ok(!(await page.isVisible('#math-known')));
@@ -129,7 +128,6 @@ test('what cannot be shown says why', () =>
 
 test('the mathematics is told in words, a plot, a matrix, a table and files', () =>
     withPage({ hash: ALGAE }, async (page) => {
-        await page.click('#tab-grow');
         await page.click('#mathematics summary');
         await until(
             async () => /\(1 \+ √5\)\/2, about 1\.618/.test((await page.textContent('#math-words')) ?? ''),
@@ -143,8 +141,19 @@ test('the mathematics is told in words, a plot, a matrix, a table and files', ()
             await readFile(await saved.path(), 'utf8'),
             /^n,symbols,segments,width,height,length,turning_degrees,"A","B"\n0,1,1,/,
         );
-        await page.click('#tab-rules');
         await page.fill('#rules', 'A -> AA');
-        await page.click('#tab-grow');
         await until(async () => /by 2\./.test((await page.textContent('#math-words')) ?? ''), 'it follows');
+    }));
+
+test('playing goes on while the slider has the focus', () =>
+    withPage({ hash: ALGAE }, async (page) => {
+        await page.click('#open-steps');
+        await says(page, /Generation/);
+        await page.focus('#steps-at');
+        await page.keyboard.press('Home');
+        await says(page, /Generation 0/);
+        assert.ok(await page.isDisabled('#steps-back'));
+        await page.keyboard.press('ArrowRight');
+        await says(page, /Generation 1/);
+        assert.ok(await page.isEnabled('#steps-back'));
     }));

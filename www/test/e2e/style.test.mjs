@@ -61,11 +61,18 @@ test('drawings in space say that they are opaque', () =>
 test('nine seeds can be compared', () =>
     withPage({ hash: `${PLANT}&vary=20&seed=7` }, async (page) => {
         const before = await stillPicture(page);
-        await tab(page, 'grow');
-        await until(() => page.isEnabled('#seed-sheet'), 'chance plays a part');
+        await page.waitForSelector('#seed-sheet:visible');
         await page.click('#seed-sheet');
         const cards = page.locator('#seed-cards .card');
         assert.equal(await cards.count(), 9);
+        await page.setViewportSize({ width: 1280, height: 657 });
+        assert.ok(
+            await page.evaluate(() => {
+                const shelf = document.querySelector('#seed-cards');
+                return shelf && shelf.scrollHeight <= shelf.clientHeight;
+            }),
+            'all nine are in sight',
+        );
         await until(async () => (await page.locator('#seed-cards .thumb.inked').count()) === 9, 'all nine are drawn');
         assert.equal(
             new Set(await cards.evaluateAll((all) => all.map((card) => /** @type {HTMLButtonElement} */ (card).value)))

@@ -44,7 +44,7 @@ const CHOICES = /** @type {const} */ ([
     ['#background', ['#ffffff', '#000000', '#336699']],
     ['#wells input', ['#ff0000', '#00ff00']],
 ]);
-const TABS = ['rules', 'grow', 'turtle', 'look', 'save'];
+const TABS = ['rules', 'turtle', 'look', 'save'];
 const SAVES = ['[data-save=svg]', '[data-save=png]', '#open-save'];
 
 /** The texts in the fields, by field. @param {import('playwright-core').Frame} frame */

@@ -7,6 +7,7 @@ import {
     groupsOf,
     optionOf,
     pixelSize,
+    posterValues,
     rowOf,
     savedName,
     sizeOf,
@@ -59,20 +60,34 @@ test('every format stands in the groups of its purposes, and dialogs of their ow
     );
 });
 
+const POSTER = { sheet: 'a3', landscape: false, dpi: 300 };
+
+test('posters have the pixels of their sheets', () => {
+    assert.deepEqual(posterValues(POSTER), { size: '3508x4961', dpi: 300 });
+    assert.deepEqual(posterValues({ sheet: 'a1', landscape: true, dpi: 150 }), { size: '4967x3508', dpi: 150 });
+    assert.deepEqual(posterValues({ sheet: 'tabloid', landscape: false, dpi: 300 }), { size: '3300x5100', dpi: 300 });
+});
+
 test('remembered choices are kept as far as they are possible', () => {
     const groups = groupsOf([]);
     const none = choicesFrom(undefined, groups);
-    assert.deepEqual(none, { purpose: 'screen', formats: {}, values: {} });
+    assert.deepEqual(none, { purpose: 'screen', formats: {}, values: {}, poster: POSTER });
     assert.equal(rowOf(none, groups).name, 'svg');
     const some = choicesFrom(
         {
             purpose: 'data',
             formats: { data: 'csv', screen: 'gone' },
             values: { margin: 500, landscape: true, sheet: 'a99', size: '2048', flavour: 1 },
+            poster: { sheet: 'a1', landscape: 'yes', dpi: 301 },
         },
         groups,
     );
-    assert.deepEqual(some, { purpose: 'data', formats: { data: 'csv' }, values: { landscape: true, size: '2048' } });
+    assert.deepEqual(some, {
+        purpose: 'data',
+        formats: { data: 'csv' },
+        values: { landscape: true, size: '2048' },
+        poster: { ...POSTER, sheet: 'a1' },
+    });
     assert.equal(rowOf(some, groups).name, 'csv');
     for (const junk of [null, 7, 'x', [], { purpose: {}, formats: 3, values: null }])
         assert.equal(choicesFrom(junk, groups).purpose, 'screen');
@@ -81,7 +96,12 @@ test('remembered choices are kept as far as they are possible', () => {
 test('every option admits its default, and only differing values of a format are sent', () => {
     for (const option of Object.values(FILE_OPTIONS)) assert.ok(admits(option, defaultOf(option)), option.label);
     /** @type {import('../../js/save/choices.js').Choices} */
-    const choices = { purpose: 'screen', formats: {}, values: { transparent: true, bare: false, margin: 3 } };
+    const choices = {
+        purpose: 'screen',
+        formats: {},
+        values: { transparent: true, bare: false, margin: 3 },
+        poster: POSTER,
+    };
     assert.deepEqual(valuesFor('svg', choices), { transparent: true });
     assert.deepEqual(valuesFor('json', choices), {});
 });

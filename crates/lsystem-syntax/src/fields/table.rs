@@ -93,7 +93,7 @@ pub static FIELDS: [FieldSpec; 38] = [
         link: "rules",
         file: Some((Section::File, "rules")),
         expected: text(50_000),
-        label: "Productions",
+        label: "Rules",
         help: "productions and constants, one on each line",
         access: Some(at!(rules)),
         ..FIELD
