@@ -1,9 +1,9 @@
 //! The rules of a picture, searched with all cores.
 
 use super::{Known, MAX_LISTED};
-use crate::{CommandFailure, print};
+use crate::{CommandFailure, print, say};
 use lsystem::files::{SegmentForm, read_segments};
-use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, merged};
+use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, draw_svg, merged};
 use serde::Serialize;
 use std::io::Cursor;
 use std::sync::Arc;
@@ -16,6 +16,20 @@ const SHARE: u64 = 4096;
 const MAX_PIXELS: usize = 100 << 20;
 /// The most segments of a file.
 const MAX_SEGMENTS: usize = 1_000_000;
+/// Parts of an SVG that segments do not tell.
+const OTHER: [&str; 11] = [
+    "<use",
+    "<symbol",
+    "<style",
+    "<clipPath",
+    "<pattern",
+    "<text",
+    "<circle",
+    "<ellipse",
+    "<switch",
+    "display:",
+    "visibility",
+];
 /// The systems that all cores together have tried after the first round. Each further round tries as many systems as
 /// all rounds before it.
 const FIRST: u64 = 1 << 16;
@@ -43,6 +57,13 @@ pub(super) fn is_picture(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG\r\n\x1a\n")
 }
 
+/// The kind of a picture that is not read.
+pub(super) fn other_kind(bytes: &[u8]) -> Option<&'static str> {
+    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
+    let kinds = [("JPEG", bytes.starts_with(b"\xff\xd8\xff")), ("GIF", bytes.starts_with(b"GIF8")), ("WebP", is_webp)];
+    kinds.into_iter().find(|(_, is)| *is).map(|(kind, _)| kind)
+}
+
 /// Finds the rules that draw a picture.
 ///
 /// # Errors
@@ -51,6 +72,27 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
     let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
     let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
     let picture = Picture::new(&grey, width, height).map_err(said)?;
+    find_rules(name, picture, known, json)
+}
+
+/// Finds the rules that draw an SVG picture: by its exact segments, if it has nothing else, or by its pixels.
+///
+/// # Errors
+/// As [`find`].
+pub(super) fn find_svg(name: &str, bytes: &[u8], known: &Known, json: bool) -> Result<(), CommandFailure> {
+    let text = str::from_utf8(bytes).unwrap_or_default();
+    if !OTHER.iter().any(|other| text.contains(other))
+        && let Ok(Some(segments)) = segments(name, text)
+        && !segments.is_empty()
+    {
+        return find_segments(name, &segments, known, json);
+    }
+    let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
+    let drawn = draw_svg(bytes).map_err(|why| said(&why))?;
+    if !drawn.left_out.is_empty() {
+        say(&format!("note: {name}: left out: {}\n", drawn.left_out.join(", ")));
+    }
+    let picture = Picture::new(&drawn.grey, drawn.width, drawn.height).map_err(said)?;
     find_rules(name, picture, known, json)
 }
 
