@@ -16,6 +16,7 @@ mod pick;
 mod plots;
 mod render;
 mod solid;
+mod svg;
 
 use crate::{Gauge, Source};
 
@@ -35,7 +36,7 @@ const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Ga
 }
 
 /// Those that take longest come first, so that jobs at the same time end at about the same time.
-const TARGETS: [Target; 27] = [
+const TARGETS: [Target; 28] = [
     target("exercises", 150, course::exercises),
     target("find", 30, find::pictures_found),
     target("growth", 600, course::growth),
@@ -46,6 +47,7 @@ const TARGETS: [Target; 27] = [
     target("expressions", 15_000, expressions::expressions),
     target("json", 4_000, files::json),
     target("pictures", 4_000, files::pictures),
+    target("svg", 400, svg::drawn),
     target("bytes", 8_000, files::bytes),
     target("import", 1_500, import::import_text),
     target("links", 1_500, answers::links),

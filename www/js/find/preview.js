@@ -172,6 +172,13 @@ export function createPreview({ changed }) {
             fit();
         },
 
+        /** Copies the preview, or hides the copy if there is none. @param {HTMLCanvasElement} copy */
+        copyTo(copy) {
+            copy.hidden = picture === null;
+            [copy.width, copy.height] = [canvas.width, canvas.height];
+            copy.getContext('2d')?.drawImage(canvas, 0, 0);
+        },
+
         /** Paints the preview again, in the present theme. */
         repaint: showSoon,
     };

@@ -34,6 +34,11 @@ export function createSearch() {
     /** Whether the search goes on after a find, to its end. */
     let isThorough = false;
 
+    /** @param {number} count */
+    function have(count) {
+        while (tools.length < count) tools.push(createTool('find'));
+    }
+
     /**
      * Works until a system is found, and one round more for shorter ones; or until `most`.
      * @param {AbortSignal} signal
@@ -107,7 +112,7 @@ export function createSearch() {
                 isThorough = thorough;
                 const isString = 'text' in source;
                 parts = isString ? 1 : workersOn(navigator);
-                while (tools.length < parts) tools.push(createTool('find'));
+                have(parts);
                 ({ first, most } = isString ? WORK.string : WORK.picture);
                 if (thorough) most = Math.min(most, THOROUGH);
                 done = 0;
@@ -118,6 +123,14 @@ export function createSearch() {
                 );
                 return goOn(signal, progress);
             }),
+
+        /** Draws an SVG; throws a sentence if that is not possible. @param {Uint8Array<ArrayBuffer>} bytes */
+        async drawSvg(bytes) {
+            have(1);
+            const [tool] = tools;
+            if (!tool) throw new Error('There is no worker.');
+            return tool.call('svg', { bytes });
+        },
 
         /** Goes on where the search stopped. @param {AbortSignal} signal @param {(report: FindReport) => void} progress */
         longer(signal, progress) {

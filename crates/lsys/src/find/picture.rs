@@ -51,6 +51,7 @@ struct Candidate {
     draws: String,
     symbols: usize,
     agreement: f64,
+    same: bool,
 }
 
 pub(super) fn is_picture(bytes: &[u8]) -> bool {
@@ -144,23 +145,28 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
                 rules: one.found.text().lines().map(str::to_owned).collect(),
                 draws: one.draws.clone(),
                 symbols: one.found.symbols(),
-                agreement: (one.agreement * 1e4).round() / 1e4,
+                agreement: (one.agreement * 1e4).floor() / 1e4,
+                same: one.is_same(),
             });
             let answer = Answer { candidates: candidates.collect(), searched: searched.clone() };
             writeln!(out, "{}", serde_json::to_string_pretty(&answer)?)
         }
         false => {
-            if !is_found && !kept.is_empty() {
-                writeln!(out, "None draws this picture. The closest:\n")?;
+            match kept.iter().map(|one| one.agreement).reduce(f64::max) {
+                None => {}
+                Some(1.0..) => writeln!(out, "The same picture:\n")?,
+                Some(_) if is_found => writeln!(out, "Nearly the same picture:\n")?,
+                Some(_) => writeln!(out, "None draws this picture. The closest:\n")?,
             }
             for one in &kept {
-                let Drawn { axiom, found, draws, angle, heading, agreement } = one;
+                let Drawn { axiom, found, draws, angle, heading, .. } = one;
+                let nearly = if one.is_same() { "" } else { "nearly the same: " };
                 let (text, n, symbols) = (found.text(), found.n, found.symbols());
                 let steps = if n == 1 { "step" } else { "steps" };
                 writeln!(
                     out,
-                    "{text}\n  after {n} {steps} from {axiom} with {angle}°, heading {heading}°; {draws} draws; {symbols} symbols; {:.1} % of the ink agrees\n",
-                    agreement * 100.0
+                    "{text}\n  after {n} {steps} from {axiom} with {angle}°, heading {heading}°; {draws} draws; {symbols} symbols; {nearly}{:.1} % of the ink agrees\n",
+                    one.percent()
                 )?;
             }
             let none = if kept.is_empty() { "Nothing found. " } else { "" };

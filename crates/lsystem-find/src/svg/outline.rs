@@ -188,7 +188,7 @@ impl Stroke<'_> {
     /// Draws every other dash.
     fn dash(&mut self, dash: &mut Vec<[f64; 2]>, at: usize, work: &mut Work) -> Result<(), String> {
         dash.dedup();
-        if at % 2 == 0 {
+        if at.is_multiple_of(2) {
             self.line(dash, false, work)?;
         }
         dash.clear();
