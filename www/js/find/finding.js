@@ -5,7 +5,7 @@ import styles from '../../css/find.css';
 import { toast } from '../announce.js';
 import { button, byId, closes, html, input, setText } from '../dom.js';
 import { addElements } from '../late.js';
-import { Cancelled } from '../tool.js';
+import { Cancelled, SILENT } from '../tool.js';
 import { fillExamples, pictureOf } from './examples.js';
 import { pictureIn } from './files.js';
 import markup from './finding.html';
@@ -23,13 +23,11 @@ import { createSearch } from './search.js';
 const isSvg = (text) => /^\s*</.test(text) && text.includes('<svg');
 
 /** @param {unknown} error */
-const words = (error) => {
-    const text = String(error instanceof Error ? error.message : error);
-    return `${text}${/[.!?]$/.test(text) ? '' : '.'}`;
+const sentence = (error) => {
+    const words = String(error instanceof Error ? error.message : error);
+    if (words === SILENT) return 'The search has stopped, because it did not answer. Try again.';
+    return `${words.charAt(0).toUpperCase()}${words.slice(1)}${/[.!?]$/.test(words) ? '' : '.'}`;
 };
-
-/** @param {unknown} error */
-const sentence = (error) => words(error).charAt(0).toUpperCase() + words(error).slice(1);
 
 /** @param {import('../dialogs.js').Page} page */
 export function createFinding({ store, engine, restyle }) {
@@ -102,7 +100,9 @@ export function createFinding({ store, engine, restyle }) {
         setText(html('find-work'), workWords(next, isString()));
         // On a phone the results stand below the fields.
         if (isNew) {
-            preview.copyTo(byId('find-searched-picture', HTMLCanvasElement));
+            const copy = byId('find-searched-picture', HTMLCanvasElement);
+            copy.hidden = isString();
+            preview.copyTo(copy);
             section.scrollIntoView({ block: 'start' });
         }
     }
@@ -125,7 +125,7 @@ export function createFinding({ store, engine, restyle }) {
             // What was found stays; the search cannot go on.
             if (report) progress((report = { ...report, isMore: false }));
             if (!(error instanceof Cancelled) && !report?.candidates.some(({ isFound }) => isFound))
-                problem(`The search has stopped: ${words(error)} Try again.`);
+                problem(sentence(error));
         }
         showActs();
         if (document.activeElement === document.body) button(report?.isMore ? 'find-longer' : 'find-start').focus();

@@ -172,9 +172,8 @@ export function createPreview({ changed }) {
             fit();
         },
 
-        /** Copies the preview, or hides the copy if there is none. @param {HTMLCanvasElement} copy */
+        /** @param {HTMLCanvasElement} copy */
         copyTo(copy) {
-            copy.hidden = picture === null;
             [copy.width, copy.height] = [canvas.width, canvas.height];
             copy.getContext('2d')?.drawImage(canvas, 0, 0);
         },

@@ -3,7 +3,7 @@
  * as long as all before it, so that all workers have searched the same at the end of a round.
  */
 
-import { createTool } from '../tool.js';
+import { SILENT, createTool } from '../tool.js';
 import { merged } from './merge.js';
 
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
@@ -129,7 +129,14 @@ export function createSearch() {
             have(1);
             const [tool] = tools;
             if (!tool) throw new Error('There is no worker.');
-            return tool.call('svg', { bytes });
+            try {
+                return await tool.call('svg', { bytes });
+            } catch (error) {
+                // On a busy machine the worker is ended before its work is counted to the end.
+                if (error instanceof Error && error.message === SILENT)
+                    throw new Error('This SVG takes too long to draw. Save it as a PNG first.');
+                throw error;
+            }
         },
 
         /** Goes on where the search stopped. @param {AbortSignal} signal @param {(report: FindReport) => void} progress */

@@ -172,6 +172,15 @@ for (const [device, options] of /** @type {const} */ ([
             await page.click('[data-example=hexerode]');
             await found(page);
             assert.match(await text(page, '.find-rules >> nth=0'), /^F -> /);
+            // The searched picture stays in sight while the results are read.
+            await page.locator('#find-searched').scrollIntoViewIfNeeded();
+            const { top, bottom } = await page
+                .locator('#find-searched-picture')
+                .evaluate((shown) => shown.getBoundingClientRect());
+            assert.ok(
+                top >= 0 && bottom > top + 40 && bottom <= (page.viewportSize()?.height ?? 0),
+                `${top} ${bottom}`,
+            );
             assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
         }));
 }
@@ -305,7 +314,7 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
             ['bomb.png', hollowPng(60_000, 60_000), /60,000 × 60,000 pixels/],
             ['broken.svg', Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><g></svg>'), /damaged/],
             ['page.svg', Buffer.from('<html xmlns="http://www.w3.org/1999/xhtml"/>'), /damaged/],
-            ['uses.svg', svg(`<path id="g0" d="M0 0H9"/>${USES}<use href="#g30"/>`), /too many elements/],
+            ['uses.svg', svg(`<path id="g0" d="M0 0H9"/>${USES}<use href="#g30"/>`), /too long to draw/],
             ['circle.svg', svg('<g id="a"><use xlink:href="#a"/></g>'), /draws itself/],
             ['deep.svg', svg('<g>'.repeat(2000) + '</g>'.repeat(2000)), /500 levels/],
             [
@@ -326,9 +335,9 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
             [
                 'dashes.svg',
                 svg('<path d="M0 0H100" stroke="#000" stroke-dasharray=".00001"/>'.repeat(6000)),
-                /too many dashes/,
+                /too long to draw/,
             ],
-            ['large.svg', svg('<path d="M0 0H100V50H0z" opacity=".9"/>'.repeat(20_000)), /too many pixels/],
+            ['large.svg', svg('<path d="M0 0H100V50H0z" opacity=".9"/>'.repeat(20_000)), /too long to draw/],
             ['declarations.svg', Buffer.from('<!a>'.repeat(240_000)), /damaged/],
             ['jpeg.jpg', Buffer.from('ffd8ffc0001108ffffffff03', 'hex'), /65,535 × 65,535 pixels/],
         ]);
@@ -352,6 +361,12 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
         // The examples can be reached again.
         await page.click('#find-back');
         assert.ok(await page.isVisible('#find-examples'));
+        await page.evaluate((text) => {
+            const data = new DataTransfer();
+            data.setData('text/plain', text);
+            document.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, cancelable: true }));
+        }, evil.toString());
+        await page.waitForSelector('#find-picture:visible');
     }));
 
 test('a search that does not load is told, and tried again', () =>
