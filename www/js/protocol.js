@@ -128,6 +128,7 @@ export {};
 /** @typedef {import('./messages.js').FindQuestion} FindQuestion */
 /** Where rules are searched: levels of grey, row by row from above, 0 for black; or a string. @typedef {{grey: Uint8Array, width: number, height: number} | {text: string}} FindSource */
 /** @typedef {import('./messages.js').Candidate} Candidate */
+/** A picture with the names of what of it was not drawn, with commas. @typedef {import('./find/ink.js').Grey & {leftOut: string}} DrawnPicture */
 /** `work`: the systems of a picture that a search tried, or the symbols of a string that it read. @typedef {import('./messages.js').FindReport & {work: number, isMore: boolean}} FindReport */
 /**
  * The calls of the tool that searches for rules. `begin` replaces the former search; `part` is which of `parts` searches
@@ -136,6 +137,7 @@ export {};
  * @typedef {{
  *     begin: {asked: {source: FindSource, question: FindQuestion, part: number, parts: number}, answer: null},
  *     search: {asked: {until: number}, answer: FindReport},
+ *     svg: {asked: {bytes: Uint8Array<ArrayBuffer>}, answer: DrawnPicture},
  * }} FindCalls
  */
 /** A film: a system with the view that it begins with, and the text of its tracks (docs/films.md). @typedef {{definition: Definition, view: View | null, camera: Camera | null, text: string}} Film */

@@ -11,6 +11,9 @@ import { compile } from './wasm.js';
 /** @typedef {import('./protocol.js').FromTool} FromTool */
 /** @typedef {{resolve: (value: any) => void, reject: (error: unknown) => void, progress?: ((value: any) => void) | undefined}} Waiting */
 
+/** The reason of calls whose worker was silent for too long. */
+export const SILENT = 'the tool did not answer';
+
 /** The reason of a call that its caller cancelled. */
 export class Cancelled extends Error {}
 
@@ -36,7 +39,7 @@ export function createTool(tool, { isStraight = false } = {}) {
     const watchdog = createWatchdog({
         patience: () => (!worker || waiting.size === 0 ? 0 : hasSpoken ? SILENCE : STARTUP),
         ping: () => post({ type: 'ping' }),
-        stopped: () => end('the tool did not answer'),
+        stopped: () => end(SILENT),
     });
 
     /** @param {ToTool} message */

@@ -17,6 +17,7 @@ mod pick;
 mod plots;
 mod render;
 mod solid;
+mod svg;
 mod tiles;
 
 use crate::{Gauge, Source};
@@ -37,7 +38,7 @@ const fn target(name: &'static str, short: u64, run: fn(&mut Source<'_>, &mut Ga
 }
 
 /// Those that take longest come first, so that jobs at the same time end at about the same time.
-const TARGETS: [Target; 30] = [
+const TARGETS: [Target; 31] = [
     target("exercises", 150, course::exercises),
     target("find", 30, find::pictures_found),
     target("growth", 600, course::growth),
@@ -48,6 +49,7 @@ const TARGETS: [Target; 30] = [
     target("expressions", 15_000, expressions::expressions),
     target("json", 4_000, files::json),
     target("pictures", 4_000, files::pictures),
+    target("svg", 400, svg::drawn),
     target("bytes", 8_000, files::bytes),
     target("import", 1_500, import::import_text),
     target("long-texts", 100, import::long_texts),

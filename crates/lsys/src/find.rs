@@ -4,7 +4,7 @@ mod picture;
 
 use crate::{CommandFailure, input, print};
 use lsystem::course::MAX_OUTPUT;
-use lsystem::find::{Found, Search, Searched};
+use lsystem::find::{Found, Search, Searched, is_svg};
 use serde::Serialize;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -65,6 +65,13 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
             let bytes = input::output_of(path).map_err(|error| CommandFailure::io(wanted, &error))?;
             if picture::is_picture(&bytes) {
                 return picture::find(wanted, &bytes, known, json);
+            }
+            if let Some(kind) = picture::other_kind(&bytes) {
+                let words = format!("{wanted}: {kind} pictures are not read: save this one as a PNG or an SVG");
+                return Err(CommandFailure::Words(words));
+            }
+            if is_svg(&bytes) {
+                return picture::find_svg(wanted, &bytes, known, json);
             }
             let text = String::from_utf8(bytes);
             let text = text.map_err(|_| CommandFailure::Words(format!("{wanted}: this is no text")))?;

@@ -142,3 +142,33 @@ fn no_time_finds_nothing() {
         assert!(code == Some(1) && told.starts_with("Nothing found."), "{text}: {told}");
     }
 }
+
+#[test]
+fn pictures_of_other_programs_are_drawn_or_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let system = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data_in/assignment-8/left_plant.json");
+    let (_, picture) = output(&["draw", system, "--format", "svg", "-n", "4"]);
+    let picture = String::from_utf8(picture).expect("UTF-8");
+    let find = |name: &str, bytes: &[u8]| {
+        let file = folder.path().join(name);
+        std::fs::write(&file, bytes).expect("a file");
+        let (code, told) = output(&["find", file.to_str().expect("UTF-8"), "--axiom", "F", "--angle", "60", "-n", "4"]);
+        (code, String::from_utf8(told).expect("UTF-8"))
+    };
+    // A text is no segment, so the picture is drawn.
+    let (code, told) = find("plant.svg", picture.replace("</svg>", "<text>F</text></svg>").as_bytes());
+    assert!(code == Some(0) && told.contains("F -> F[+F]F") && told.contains("left out: text"), "{told}");
+    for (bytes, words) in [
+        (&b"\xff\xd8\xff\xe0"[..], "JPEG pictures are not read: save this one as a PNG or an SVG"),
+        (b"GIF89a", "GIF pictures are not read"),
+        (b"RIFF....WEBPVP8 ", "WebP pictures are not read"),
+        (
+            b"<svg viewBox='0 0 9 9'><path stroke-dasharray='1e-9' d='M0 0h9' stroke='#000'/><use/></svg>",
+            "too many dashes",
+        ),
+        (b"<svg><g></svg>", "this SVG is damaged"),
+    ] {
+        let (code, told) = find("other", bytes);
+        assert!(code == Some(1) && told.contains(words), "{told}");
+    }
+}

@@ -35,13 +35,64 @@ static FLAGS: LazyLock<Vec<(String, Vec<String>)>> = LazyLock::new(|| {
 });
 
 const VALUES: [&str; 40] = [
-    "0", "1", "-1", "3", "40", "1000", "1001", "1e9", "-0.5", "nan", "inf", "99999999999999999999", "", "x", "64x64", "1x32768",
-    "0x0", "a4", "300x400", "png", "svg", "stl", "glb", "txt", "zoomify", "dzi", "xyz", "1/3", "2/2", "64m", "1k", "angle=90",
-    "rules=F -> FF", "axiom=", "style.palette=#ff0000", "cpfg", "ABAABABA", "A", "🌿", "--",
+    "0",
+    "1",
+    "-1",
+    "3",
+    "40",
+    "1000",
+    "1001",
+    "1e9",
+    "-0.5",
+    "nan",
+    "inf",
+    "99999999999999999999",
+    "",
+    "x",
+    "64x64",
+    "1x32768",
+    "0x0",
+    "a4",
+    "300x400",
+    "png",
+    "svg",
+    "stl",
+    "glb",
+    "txt",
+    "zoomify",
+    "dzi",
+    "xyz",
+    "1/3",
+    "2/2",
+    "64m",
+    "1k",
+    "angle=90",
+    "rules=F -> FF",
+    "axiom=",
+    "style.palette=#ff0000",
+    "cpfg",
+    "ABAABABA",
+    "A",
+    "🌿",
+    "--",
 ];
 const FILES: [&str; 16] = [
-    "koch.json", "plant.json", "solid.json", "odd.json", "damaged.json", "empty", "noise", "link", "answers.csv",
-    "picture.png", "text.l", "folder", "missing.json", "folder/out", "out", "-",
+    "koch.json",
+    "plant.json",
+    "solid.json",
+    "odd.json",
+    "damaged.json",
+    "empty",
+    "noise",
+    "link",
+    "answers.csv",
+    "picture.png",
+    "text.l",
+    "folder",
+    "missing.json",
+    "folder/out",
+    "out",
+    "-",
 ];
 
 /// The folder that a command line is tried in.
@@ -49,8 +100,14 @@ fn filled() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str, bytes: &[u8]| fs::write(folder.path().join(name), bytes).expect("a file");
     file("koch.json", br#"{"initial": "F", "rules": ["F -> F+F--F+F"], "angle_deg": 60, "num_iters": 3}"#);
-    file("plant.json", br#"{"initial": "A(1)", "rules": ["A(x) : x > 0.2 -> F(x)[+A(x/2)] : 0.5", "A(x) -> F"], "num_iters": 4}"#);
-    file("solid.json", br#"{"initial": "X", "rules": ["X -> F[&X]/X"], "num_iters": 4, "turtle": {"dialect": "abop"}}"#);
+    file(
+        "plant.json",
+        br#"{"initial": "A(1)", "rules": ["A(x) : x > 0.2 -> F(x)[+A(x/2)] : 0.5", "A(x) -> F"], "num_iters": 4}"#,
+    );
+    file(
+        "solid.json",
+        br#"{"initial": "X", "rules": ["X -> F[&X]/X"], "num_iters": 4, "turtle": {"dialect": "abop"}}"#,
+    );
     file("odd.json", br#"{"initial": "F]]}", "rules": ["F -> {F.+F.", "nothing"], "num_iters": 1000}"#);
     file("damaged.json", br#"{"initial": "F", "rules": ["#);
     file("empty", b"");

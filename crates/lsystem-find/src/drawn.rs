@@ -9,7 +9,7 @@ use lsystem_drawing::{Plane, draw};
 use lsystem_syntax::{Definition, Dialect};
 use std::iter::once;
 
-/// The least agreement of a system that counts as found.
+/// The least agreement of a system that counts as found: it draws the picture or nearly so, and the search may end.
 pub const FOUND: f64 = 0.985;
 /// Of systems that draw the picture, those whose agreement is less than the best one's by at least this come after the
 /// others, however short they are.
@@ -37,6 +37,19 @@ pub struct Drawn {
 }
 
 impl Drawn {
+    /// Whether the system draws the same picture: each has no ink more than a pixel beside that of the other, at a size of
+    /// 512 pixels. Less is nearly the same, however little of the ink differs: small parts may be others.
+    #[must_use]
+    pub fn is_same(&self) -> bool {
+        self.agreement >= 1.0
+    }
+
+    /// The agreement in percent, rounded down to a tenth, so that 100.0 is the same picture.
+    #[must_use]
+    pub fn percent(&self) -> f64 {
+        (self.agreement * 1000.0 + 1e-9).floor() / 10.0
+    }
+
     /// The system as a definition that draws the picture.
     #[must_use]
     pub fn definition(&self) -> Definition {

@@ -35,6 +35,7 @@ mod share;
 mod source;
 mod strings;
 mod strokes;
+mod svg;
 mod words;
 
 pub use derivation::{Search, Searched};
@@ -44,6 +45,7 @@ pub use picture::Picture;
 pub use picture_search::{Known, PictureSearch};
 pub use share::Share;
 pub use strings::StringFinder;
+pub use svg::{Svg, draw_svg, is_svg};
 
 use lsystem_syntax::print_module;
 

@@ -2,7 +2,7 @@
 
 use lsystem_base::Limits;
 use lsystem_drawing::{Plane, System, draw};
-use lsystem_find::{Drawn, FOUND, Finder, Known, Picture, PictureSearch, Question, Searched, Share, merged};
+use lsystem_find::{Drawn, FOUND, Finder, Found, Known, Picture, PictureSearch, Question, Searched, Share, merged};
 use std::sync::Arc;
 
 /// Systems that are tried at most.
@@ -125,6 +125,7 @@ fn rules_of_pictures_are_found() {
             let rules: Vec<(char, &str)> = best.found.rules.iter().map(|(from, to)| (*from, to.as_str())).collect();
             let again = drawn(&segments(&rules, &best.draws, best.found.n), width);
             assert!(picture.agreement(&again) > FOUND, "{axiom} {rules:?} {width}");
+            assert!(best.is_same(), "{axiom} {rules:?} {width}: {best:?}");
         }
     }
 }
@@ -220,4 +221,25 @@ fn a_search_ends_soon_after_it_is_over() {
     assert_eq!(finder.step_until(1 << 20, &is_over), Searched::More);
     assert!(finder.tried() <= 20 * 16, "{}", finder.tried());
     assert!(asked.get() < 100, "{}", asked.get());
+}
+
+/// Curled twigs that the picture does not have are little ink, and agree by more than [`FOUND`].
+#[test]
+fn nearly_the_same_is_not_the_same() {
+    let found = |rules: &[(char, &str)], width: f64| {
+        let picture = |rules: &[(char, &str)]| drawn(&walk(&derive("X", rules, 5), "F", 25.7, 90.0), width);
+        let agreement = picture(&[('X', "F[+X][-X]FX"), ('F', "FF")]).agreement(&picture(rules));
+        let (axiom, draws) = ("X".to_owned(), "F".to_owned());
+        let found = Found { rules: rules.iter().map(|(from, to)| (*from, (*to).to_owned())).collect(), n: 5 };
+        Drawn { axiom, found, draws, angle: 25.7, heading: 90.0, agreement }
+    };
+    for width in [1.5, 3.0] {
+        let curled = found(&[('X', "FF[-F+F][-X][+X]FFX"), ('F', "FF")], width);
+        assert!(!curled.is_same() && curled.percent() < 100.0, "{width}: {curled:?}");
+        for rules in [[('X', "F[+X][-X]FX"), ('F', "FF")], [('X', "F[-X][+X]FX"), ('F', "FF")]] {
+            let same = found(&rules, width);
+            assert!(same.is_same() && same.percent() == 100.0, "{width}: {same:?}");
+        }
+    }
+    assert!(found(&[('X', "FF[-F+F][-X][+X]FFX"), ('F', "FF")], 3.0).agreement > 0.97);
 }

@@ -1,7 +1,7 @@
 //! The search for the rules of a picture or a string.
 
 use crate::{from_js, to_js};
-use lsystem_find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, StringFinder};
+use lsystem_find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, StringFinder, Svg};
 use lsystem_syntax::Definition;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -42,6 +42,49 @@ pub(crate) struct Candidate {
     /// From 0 to 1.
     agreement: f64,
     is_found: bool,
+}
+
+/// An SVG picture as levels of grey.
+#[wasm_bindgen]
+pub struct DrawnSvg(Svg);
+
+#[wasm_bindgen]
+impl DrawnSvg {
+    /// Draws a file, with counted work.
+    ///
+    /// # Errors
+    /// Throws a sentence if it is not drawn.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: &[u8]) -> Result<Self, JsValue> {
+        Ok(Self(lsystem_find::draw_svg(bytes).map_err(JsValue::from)?))
+    }
+
+    /// The levels of grey, row by row from above; 0 is black.
+    #[must_use]
+    pub fn grey(&self) -> Vec<u8> {
+        self.0.grey.clone()
+    }
+
+    /// In pixels.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.0.width
+    }
+
+    /// In pixels.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.0.height
+    }
+
+    /// The names of what was not drawn, with commas; empty if all was.
+    #[wasm_bindgen(getter, js_name = leftOut)]
+    #[must_use]
+    pub fn left_out(&self) -> String {
+        self.0.left_out.join(", ")
+    }
 }
 
 /// A search in the making.

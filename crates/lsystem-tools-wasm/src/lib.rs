@@ -21,7 +21,7 @@ pub use export::make_file;
 #[cfg(feature = "film")]
 pub use film::{FilmPlayer, read_film, subjects, with_preset};
 #[cfg(feature = "find")]
-pub use find::RuleFinder;
+pub use find::{DrawnSvg, RuleFinder};
 #[cfg(feature = "import")]
 pub use import::{import_systems, write_system};
 

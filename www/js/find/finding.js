@@ -5,7 +5,7 @@ import styles from '../../css/find.css';
 import { toast } from '../announce.js';
 import { button, byId, closes, html, input, setText } from '../dom.js';
 import { addElements } from '../late.js';
-import { Cancelled } from '../tool.js';
+import { Cancelled, SILENT } from '../tool.js';
 import { fillExamples, pictureOf } from './examples.js';
 import { pictureIn } from './files.js';
 import markup from './finding.html';
@@ -19,9 +19,13 @@ import { createSearch } from './search.js';
 /** @typedef {import('../state.js').Definition} Definition */
 /** @typedef {import('../protocol.js').FindReport} FindReport */
 
+/** A text of several formats that begins as SVG does. @param {string} text */
+const isSvg = (text) => /^\s*</.test(text) && text.includes('<svg');
+
 /** @param {unknown} error */
 const sentence = (error) => {
     const words = String(error instanceof Error ? error.message : error);
+    if (words === SILENT) return 'The search has stopped, because it did not answer. Try again.';
     return `${words.charAt(0).toUpperCase()}${words.slice(1)}${/[.!?]$/.test(words) ? '' : '.'}`;
 };
 
@@ -95,7 +99,12 @@ export function createFinding({ store, engine, restyle }) {
         results.show(next, { isString: isString(), isRunning: running !== null });
         setText(html('find-work'), workWords(next, isString()));
         // On a phone the results stand below the fields.
-        if (isNew) section.scrollIntoView({ block: 'start' });
+        if (isNew) {
+            const copy = byId('find-searched-picture', HTMLCanvasElement);
+            copy.hidden = isString();
+            preview.copyTo(copy);
+            section.scrollIntoView({ block: 'start' });
+        }
     }
 
     /** Runs a search, or goes on with one. @param {(signal: AbortSignal) => Promise<FindReport>} work */
@@ -113,7 +122,10 @@ export function createFinding({ store, engine, restyle }) {
         } catch (error) {
             if (running !== own) return;
             running = null;
-            if (!(error instanceof Cancelled)) problem(sentence(error));
+            // What was found stays; the search cannot go on.
+            if (report) progress((report = { ...report, isMore: false }));
+            if (!(error instanceof Cancelled) && !report?.candidates.some(({ isFound }) => isFound))
+                problem(sentence(error));
         }
         showActs();
         if (document.activeElement === document.body) button(report?.isMore ? 'find-longer' : 'find-start').focus();
@@ -150,6 +162,7 @@ export function createFinding({ store, engine, restyle }) {
     /** @param {import('./ink.js').Grey | null} picture @param {string} name */
     function setPicture(picture, name) {
         title = name;
+        setText(html('find-left-out'), '');
         input('find-of-picture').checked = true;
         preview.set(picture);
         invalidate();
@@ -161,8 +174,10 @@ export function createFinding({ store, engine, restyle }) {
         const own = ++turn;
         stop();
         try {
-            const grey = await readPicture(picture);
-            if (own === turn) setPicture(grey, picture.name.replace(/\.\w+$/, ''));
+            const grey = await readPicture(picture, search.drawSvg);
+            if (own !== turn) return;
+            setPicture(grey, picture.name.replace(/\.\w+$/, ''));
+            setText(html('find-left-out'), grey.leftOut && `Left out of this SVG: ${grey.leftOut}.`);
         } catch (error) {
             if (own === turn) problem(sentence(error));
         }
@@ -202,6 +217,10 @@ export function createFinding({ store, engine, restyle }) {
     });
     button('find-longer').addEventListener('click', () => void run((signal) => search.longer(signal, progress)));
     for (const id of ['find-choose', 'find-other']) button(id).addEventListener('click', () => file.click());
+    button('find-back').addEventListener('click', () => {
+        setPicture(null, '');
+        button('find-choose').focus();
+    });
     file.addEventListener('change', () => {
         const [chosen] = file.files ?? [];
         file.value = '';
@@ -215,8 +234,11 @@ export function createFinding({ store, engine, restyle }) {
         if (dropped) void take(dropped);
     });
     document.addEventListener('paste', (event) => {
-        const picture = dialog.open ? pictureIn(event.clipboardData) : null;
-        if (!picture || event.clipboardData?.getData('text/plain')) return;
+        if (!dialog.open) return;
+        const pasted = event.clipboardData?.getData('text/plain') ?? '';
+        const drawing = !isString() && isSvg(pasted) ? new File([pasted], 'Pasted.svg') : null;
+        const picture = drawing ?? (pasted ? null : pictureIn(event.clipboardData));
+        if (!picture) return;
         event.preventDefault();
         void take(picture);
     });

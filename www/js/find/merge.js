@@ -11,9 +11,13 @@ export function keyOf({ definition: { axiom, rules, overrides, angle, heading, i
     return JSON.stringify([axiom, rules, overrides, angle, heading, iterations]);
 }
 
-/** The order of candidates: found ones by their symbols, others by their agreement. @param {Candidate} a @param {Candidate} b */
+/** Whether a candidate draws the same picture: all ink of both agrees. @param {Candidate} candidate */
+export const isSame = ({ agreement }) => agreement >= 1;
+
+/** The order of candidates: those that draw the picture and then those nearly so by their symbols, others by their agreement. @param {Candidate} a @param {Candidate} b */
 function order(a, b) {
     if (a.isFound !== b.isFound) return a.isFound ? -1 : 1;
+    if (isSame(a) !== isSame(b)) return isSame(a) ? -1 : 1;
     const [bySymbols, byAgreement] = [a.symbols - b.symbols, b.agreement - a.agreement];
     return a.isFound ? bySymbols || byAgreement : byAgreement || bySymbols;
 }
@@ -54,11 +58,13 @@ export const systems = (count) =>
  * @param {Pick<FindReport, 'candidates'>} report @param {boolean} isString
  */
 export function verdict({ candidates }, isString) {
-    const found = candidates.filter(({ isFound }) => isFound).length;
+    const same = candidates.filter(isSame).length;
+    const best = Math.max(0, ...candidates.map(({ agreement }) => agreement));
     const [one, many] = isString
         ? ['derives the string', 'derive the string']
         : ['draws this picture', 'draw the same picture'];
-    if (found > 0) return `${systems(found)} ${found === 1 ? one : many}.`;
+    if (same > 0) return `${systems(same)} ${same === 1 ? one : many}.`;
+    if (candidates.some(({ isFound }) => isFound)) return `Nearly the same: ${percent(best)}`;
     return candidates.length > 0
         ? 'None of the searched systems draws this picture. The closest:'
         : `None of the searched systems ${isString ? one : 'comes close'}.`;

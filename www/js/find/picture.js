@@ -1,19 +1,24 @@
-/** Pictures from files and the clipboard, decoded by the browser, as levels of grey. */
+/** Pictures from files and the clipboard as levels of grey: decoded by the browser, but for SVG. */
 
+import { promisedSize } from './header.js';
 import { greyOf, isPlain } from './ink.js';
-import { drawableSvg } from './svg.js';
 
 /** @typedef {import('./ink.js').Grey} Grey */
+/** @typedef {import('../protocol.js').DrawnPicture} DrawnPicture */
 
 /** Larger files are not read, in bytes. */
 const LARGEST = 64 << 20;
 const LARGEST_SVG = 16 << 20;
 /** Pictures with more pixels are not decoded: that takes 256 MB of memory. */
 const MOST_PIXELS = 64e6;
+/** A JPEG tells its size after its notes, a preview among them. In bytes. */
+const HEADER = 4 << 20;
 /** Larger pictures are made smaller, to this side in pixels: three times that of the compared pictures, for crops. */
 const SIDE = 1536;
 /** A picture that is not decoded after this time is given up, in milliseconds. */
 const PATIENCE = 10_000;
+
+const DAMAGED = 'This picture is damaged, or the browser does not know its format.';
 
 /** How files of pictures begin. @type {Readonly<Record<string, RegExp>>} */
 const KINDS = {
@@ -27,55 +32,66 @@ const KINDS = {
 /**
  * Decodes a picture; throws a sentence if it cannot be read.
  * @param {Blob} blob
- * @returns {Promise<Grey>}
+ * @param {(bytes: Uint8Array<ArrayBuffer>) => Promise<DrawnPicture>} drawSvg in a worker: drawing an SVG may take any time
+ * @returns {Promise<DrawnPicture>}
  */
-export async function readPicture(blob) {
+export async function readPicture(blob, drawSvg) {
     const start = String.fromCharCode(...new Uint8Array(await blob.slice(0, 1024).arrayBuffer()));
     const kind = Object.keys(KINDS).find((kind) => KINDS[kind]?.test(start));
-    if (!kind) throw new Error('This file is no PNG, JPEG, WebP or SVG picture.');
+    if (!kind) throw new Error('This file is no PNG, JPEG, WebP, GIF or SVG picture.');
     const isSvg = kind === 'image/svg+xml';
     if (blob.size > (isSvg ? LARGEST_SVG : LARGEST))
         throw new Error(`This picture has more than ${isSvg ? 16 : 64} MB.`);
-    const typed = new Blob([isSvg ? drawableSvg(await blob.text()) : blob], { type: kind });
-    const address = URL.createObjectURL(typed);
+    if (isSvg) return drawSvg(new Uint8Array(await blob.arrayBuffer()));
+    const size = promisedSize(kind, await blob.slice(0, HEADER).arrayBuffer());
+    if (!size) throw new Error(DAMAGED);
+    check(...size);
+    const bitmap = await inTime(createImageBitmap(new Blob([blob], { type: kind })));
     try {
-        const image = await loaded(address);
-        const [width, height] = [image.naturalWidth, image.naturalHeight];
-        if (width * height > MOST_PIXELS)
-            throw new Error(
-                `This picture has ${width.toLocaleString('en')} × ${height.toLocaleString('en')} pixels. At most 64 million are read.`,
-            );
-        if (width === 0 || height === 0) throw new Error('This picture is empty.');
+        const { width, height } = bitmap;
+        check(width, height);
         const scale = Math.min(1, SIDE / Math.max(width, height));
-        const [wide, high] = [width, height].map((side) => Math.max(1, Math.round(side * scale)));
-        // Decoded beside the page; an SVG is drawn by the page.
-        const source = isSvg ? image : await createImageBitmap(typed);
-        return pixelsOf(source, wide ?? 1, high ?? 1);
+        const [wide = 1, high = 1] = [width, height].map((side) => Math.max(1, Math.round(side * scale)));
+        return { ...pixelsOf(bitmap, wide, high), leftOut: '' };
     } finally {
-        URL.revokeObjectURL(address);
+        bitmap.close();
     }
 }
 
-/** @param {string} address @returns {Promise<HTMLImageElement>} */
-function loaded(address) {
+/** @param {number} width @param {number} height */
+function check(width, height) {
+    if (width * height > MOST_PIXELS)
+        throw new Error(
+            `This picture has ${width.toLocaleString('en')} × ${height.toLocaleString('en')} pixels. At most 64 million are read.`,
+        );
+    if (width === 0 || height === 0) throw new Error('This picture is empty.');
+}
+
+/** @param {Promise<ImageBitmap>} decoded @returns {Promise<ImageBitmap>} */
+function inTime(decoded) {
     return new Promise((resolve, reject) => {
-        const image = new Image();
-        const timer = setTimeout(() => reject(new Error('This picture takes too long to read.')), PATIENCE);
-        image.onload = () => {
-            clearTimeout(timer);
-            resolve(image);
-        };
-        image.onerror = () => {
-            clearTimeout(timer);
-            reject(new Error('This picture is damaged, or the browser does not know its format.'));
-        };
-        image.src = address;
+        let isLate = false;
+        const timer = setTimeout(() => {
+            isLate = true;
+            reject(new Error('This picture takes too long to read.'));
+        }, PATIENCE);
+        decoded.then(
+            (bitmap) => {
+                clearTimeout(timer);
+                if (isLate) bitmap.close();
+                else resolve(bitmap);
+            },
+            () => {
+                clearTimeout(timer);
+                reject(new Error(DAMAGED));
+            },
+        );
     });
 }
 
 /**
  * A picture as levels of grey; what is transparent is white, or black where that shows nothing.
- * @param {HTMLImageElement | ImageBitmap} source @param {number} width @param {number} height
+ * @param {ImageBitmap} source @param {number} width @param {number} height
  * @returns {Grey}
  */
 export function pixelsOf(source, width, height) {

@@ -172,6 +172,12 @@ export function createPreview({ changed }) {
             fit();
         },
 
+        /** @param {HTMLCanvasElement} copy */
+        copyTo(copy) {
+            [copy.width, copy.height] = [canvas.width, canvas.height];
+            copy.getContext('2d')?.drawImage(canvas, 0, 0);
+        },
+
         /** Paints the preview again, in the present theme. */
         repaint: showSoon,
     };

@@ -2,7 +2,7 @@
 
 import { html, make, setText } from '../dom.js';
 import { emptyThumb, paintThumb } from '../thumb.js';
-import { keyOf, percent, verdict } from './merge.js';
+import { isSame, keyOf, percent, verdict } from './merge.js';
 
 /** @typedef {import('../protocol.js').Candidate} Candidate */
 /** @typedef {import('../protocol.js').FindReport} FindReport */
@@ -18,7 +18,7 @@ const NUMBERS = new Intl.NumberFormat('en');
  *   without `open` there is no button; `told` stands for the agreement
  */
 export function candidateCard(candidate, { engine, restyle, open, told }) {
-    const { definition, agreement, symbols, isFound } = candidate;
+    const { definition, agreement, symbols } = candidate;
     const styled = restyle(definition);
     const picture = emptyThumb();
     picture.style.background = styled.background;
@@ -38,7 +38,11 @@ export function candidateCard(candidate, { engine, restyle, open, told }) {
             'span',
             { class: 'card-picture' },
             picture,
-            make('span', { class: isFound ? 'find-percent found' : 'find-percent' }, told ?? percent(agreement)),
+            make(
+                'span',
+                { class: isSame(candidate) ? 'find-percent found' : 'find-percent' },
+                told ?? percent(agreement),
+            ),
         ),
         make('pre', { class: 'find-rules' }, definition.rules),
         make('span', { class: 'card-kind' }, facts.filter(Boolean).join(' · ')),
@@ -85,15 +89,17 @@ export function createResults(page) {
                         : 'Searching…'
                     : verdict(report, isString);
             setText(html('find-verdict'), so);
-            html('find-verdict').classList.toggle('found', isFound);
+            html('find-verdict').classList.toggle('found', report.candidates.some(isSame));
             setText(html('find-searched'), `Searched${isRunning ? ' so far' : ''}: ${report.searched}.`);
             setText(
                 html('find-advice'),
-                isRunning || isFound
+                isRunning || report.candidates.some(isSame)
                     ? ''
-                    : report.isMore
-                      ? 'Other systems may do. Search longer, or tell more of what is known.'
-                      : 'This was all that this search can try. Other systems may do.',
+                    : isFound
+                      ? `Small parts differ, such as twigs.${report.isMore ? ' Search longer, or tell more of what is known.' : ''}`
+                      : report.isMore
+                        ? 'Other systems may do. Search longer, or tell more of what is known.'
+                        : 'This was all that this search can try. Other systems may do.',
             );
         },
 

@@ -3,7 +3,7 @@
  * as long as all before it, so that all workers have searched the same at the end of a round.
  */
 
-import { createTool } from '../tool.js';
+import { SILENT, createTool } from '../tool.js';
 import { merged } from './merge.js';
 
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
@@ -33,6 +33,11 @@ export function createSearch() {
     let [done, first, most] = [0, 0, 0];
     /** Whether the search goes on after a find, to its end. */
     let isThorough = false;
+
+    /** @param {number} count */
+    function have(count) {
+        while (tools.length < count) tools.push(createTool('find'));
+    }
 
     /**
      * Works until a system is found, and one round more for shorter ones; or until `most`.
@@ -107,7 +112,7 @@ export function createSearch() {
                 isThorough = thorough;
                 const isString = 'text' in source;
                 parts = isString ? 1 : workersOn(navigator);
-                while (tools.length < parts) tools.push(createTool('find'));
+                have(parts);
                 ({ first, most } = isString ? WORK.string : WORK.picture);
                 if (thorough) most = Math.min(most, THOROUGH);
                 done = 0;
@@ -118,6 +123,21 @@ export function createSearch() {
                 );
                 return goOn(signal, progress);
             }),
+
+        /** Draws an SVG; throws a sentence if that is not possible. @param {Uint8Array<ArrayBuffer>} bytes */
+        async drawSvg(bytes) {
+            have(1);
+            const [tool] = tools;
+            if (!tool) throw new Error('There is no worker.');
+            try {
+                return await tool.call('svg', { bytes });
+            } catch (error) {
+                // On a busy machine the worker is ended before its work is counted to the end.
+                if (error instanceof Error && error.message === SILENT)
+                    throw new Error('This SVG takes too long to draw. Save it as a PNG first.');
+                throw error;
+            }
+        },
 
         /** Goes on where the search stopped. @param {AbortSignal} signal @param {(report: FindReport) => void} progress */
         longer(signal, progress) {

@@ -1,6 +1,7 @@
 /** The rules of pictures and strings: dropped, pasted, opened, cropped, found, opened; and what cannot be read. */
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import test, { after } from 'node:test';
 import { DESKTOP, PHONE, close, quiet, until, withPage } from './browser.mjs';
 
@@ -171,6 +172,15 @@ for (const [device, options] of /** @type {const} */ ([
             await page.click('[data-example=hexerode]');
             await found(page);
             assert.match(await text(page, '.find-rules >> nth=0'), /^F -> /);
+            // The searched picture stays in sight while the results are read.
+            await page.locator('#find-searched').scrollIntoViewIfNeeded();
+            const { top, bottom } = await page
+                .locator('#find-searched-picture')
+                .evaluate((shown) => shown.getBoundingClientRect());
+            assert.ok(
+                top >= 0 && bottom > top + 40 && bottom <= (page.viewportSize()?.height ?? 0),
+                `${top} ${bottom}`,
+            );
             assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
         }));
 }
@@ -287,6 +297,8 @@ const svg = (inside) =>
     Buffer.from(
         `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 100 50">${inside}</svg>`,
     );
+/** @param {string} name */
+const hostile = (name) => readFileSync(new URL(`../../../crates/lsystem-find/tests/hostile/${name}`, import.meta.url));
 const USES = Array.from(
     { length: 30 },
     (_, at) => `<g id="g${at + 1}"><use href="#g${at}"/><use href="#g${at}"/></g>`,
@@ -296,24 +308,38 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
     withPage({}, async (page) => {
         await begin(page);
         const cases = /** @type {const} */ ([
-            ['text.png', Buffer.from('no picture at all'), /no PNG, JPEG, WebP or SVG/],
-            ['empty.png', Buffer.from(''), /no PNG, JPEG, WebP or SVG/],
+            ['text.png', Buffer.from('no picture at all'), /no PNG, JPEG, WebP, GIF or SVG/],
+            ['empty.png', Buffer.from(''), /no PNG, JPEG, WebP, GIF or SVG/],
             ['cut.png', (await koch(page)).subarray(0, 40), /damaged/],
-            ['bomb.png', hollowPng(60_000, 60_000), /60,000 × 60,000 pixels|damaged/],
+            ['bomb.png', hollowPng(60_000, 60_000), /60,000 × 60,000 pixels/],
             ['broken.svg', Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><g></svg>'), /damaged/],
             ['page.svg', Buffer.from('<html xmlns="http://www.w3.org/1999/xhtml"/>'), /damaged/],
-            ['uses.svg', svg(`<path id="g0" d="M0 0H9"/>${USES}<use href="#g30"/>`), /more than 200,000 shapes/],
-            ['circle.svg', svg('<g id="a"><use xlink:href="#a"/></g>'), /more than 200,000 shapes/],
-            ['deep.svg', svg('<g>'.repeat(2000) + '</g>'.repeat(2000)), /more than 200,000 shapes|damaged/],
+            ['uses.svg', svg(`<path id="g0" d="M0 0H9"/>${USES}<use href="#g30"/>`), /too long to draw/],
+            ['circle.svg', svg('<g id="a"><use xlink:href="#a"/></g>'), /draws itself/],
+            ['deep.svg', svg('<g>'.repeat(2000) + '</g>'.repeat(2000)), /500 levels/],
             [
                 'laughs.svg',
                 Buffer.from(
                     '<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;">]><svg xmlns="http://www.w3.org/2000/svg">&b;</svg>',
                 ),
-                /entities/,
+                /one shade of grey/,
             ],
             ['white.svg', svg(''), /one shade of grey/],
-            ['hidden.svg', svg('<path id="&#97;" d="M0 0H9"/><use href="#a"/>'), /names with & or %/],
+            ['attributes.svg', hostile('svgatt.svg'), /too many|one shade|draws itself/],
+            ['entities.svg', hostile('svgentuse2.svg'), /too many|one shade|draws itself|damaged/],
+            [
+                'blur.svg',
+                svg('<g style="filter:blur(40px)"><text>F</text></g>'.repeat(2000)),
+                /Left out: filters, text/,
+            ],
+            [
+                'dashes.svg',
+                svg('<path d="M0 0H100" stroke="#000" stroke-dasharray=".00001"/>'.repeat(6000)),
+                /too long to draw/,
+            ],
+            ['large.svg', svg('<path d="M0 0H100V50H0z" opacity=".9"/>'.repeat(20_000)), /too long to draw/],
+            ['declarations.svg', Buffer.from('<!a>'.repeat(240_000)), /damaged/],
+            ['jpeg.jpg', Buffer.from('ffd8ffc0001108ffffffff03', 'hex'), /65,535 × 65,535 pixels/],
         ]);
         for (const [name, buffer, said] of cases) {
             await page.evaluate(() => document.getElementById('find-problem')?.replaceChildren());
@@ -331,6 +357,16 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
         await page.setInputFiles('#find-file', { name: 'evil.svg', mimeType: 'image/svg+xml', buffer: evil });
         await page.waitForSelector('#find-picture:visible');
         assert.equal(await page.evaluate(() => 'evil' in window), false);
+        assert.match(await text(page, '#find-left-out'), /images/);
+        // The examples can be reached again.
+        await page.click('#find-back');
+        assert.ok(await page.isVisible('#find-examples'));
+        await page.evaluate((text) => {
+            const data = new DataTransfer();
+            data.setData('text/plain', text);
+            document.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, cancelable: true }));
+        }, evil.toString());
+        await page.waitForSelector('#find-picture:visible');
     }));
 
 test('a search that does not load is told, and tried again', () =>

@@ -30,6 +30,13 @@ export const calls = {
         search = { finder, isString, share: isString ? SHARE.string : SHARE.picture, work: 0, isMore: true };
         return null;
     },
+    svg({ bytes }) {
+        const drawn = new wasm_bindgen.DrawnSvg(bytes);
+        const { width, height, leftOut } = drawn;
+        const picture = { grey: drawn.grey(), width, height, leftOut };
+        drawn.free();
+        return picture;
+    },
     *search({ until }) {
         let last = performance.now();
         while (search?.isMore && search.work < until) {

@@ -1,9 +1,9 @@
 //! The rules of a picture, searched with all cores.
 
 use super::{Known, MAX_LISTED};
-use crate::{CommandFailure, cores, print};
+use crate::{CommandFailure, cores, print, say};
 use lsystem::files::{SegmentForm, read_segments};
-use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, merged};
+use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, draw_svg, merged};
 use serde::Serialize;
 use std::io::Cursor;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,6 +16,20 @@ const SHARE: u64 = 4096;
 const MAX_PIXELS: u64 = 64_000_000;
 /// The most segments of a file.
 const MAX_SEGMENTS: usize = 1_000_000;
+/// Parts of an SVG that segments do not tell.
+const OTHER: [&str; 11] = [
+    "<use",
+    "<symbol",
+    "<style",
+    "<clipPath",
+    "<pattern",
+    "<text",
+    "<circle",
+    "<ellipse",
+    "<switch",
+    "display:",
+    "visibility",
+];
 /// The systems that all cores together have tried after the first round. Each further round tries as many systems as
 /// all rounds before it.
 const FIRST: u64 = 1 << 16;
@@ -37,10 +51,18 @@ struct Candidate {
     draws: String,
     symbols: usize,
     agreement: f64,
+    same: bool,
 }
 
 pub(super) fn is_picture(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG\r\n\x1a\n")
+}
+
+/// The kind of a picture that is not read.
+pub(super) fn other_kind(bytes: &[u8]) -> Option<&'static str> {
+    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
+    let kinds = [("JPEG", bytes.starts_with(b"\xff\xd8\xff")), ("GIF", bytes.starts_with(b"GIF8")), ("WebP", is_webp)];
+    kinds.into_iter().find(|(_, is)| *is).map(|(kind, _)| kind)
 }
 
 /// Finds the rules that draw a picture.
@@ -51,6 +73,27 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
     let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
     let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
     let picture = Picture::new(&grey, width, height).map_err(said)?;
+    find_rules(name, picture, known, json)
+}
+
+/// Finds the rules that draw an SVG picture: by its exact segments, if it has nothing else, or by its pixels.
+///
+/// # Errors
+/// As [`find`].
+pub(super) fn find_svg(name: &str, bytes: &[u8], known: &Known, json: bool) -> Result<(), CommandFailure> {
+    let text = str::from_utf8(bytes).unwrap_or_default();
+    if !OTHER.iter().any(|other| text.contains(other))
+        && let Ok(Some(segments)) = segments(name, text)
+        && !segments.is_empty()
+    {
+        return find_segments(name, &segments, known, json);
+    }
+    let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
+    let drawn = draw_svg(bytes).map_err(|why| said(&why))?;
+    if !drawn.left_out.is_empty() {
+        say(&format!("note: {name}: left out: {}\n", drawn.left_out.join(", ")));
+    }
+    let picture = Picture::new(&drawn.grey, drawn.width, drawn.height).map_err(said)?;
     find_rules(name, picture, known, json)
 }
 
@@ -102,23 +145,28 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
                 rules: one.found.text().lines().map(str::to_owned).collect(),
                 draws: one.draws.clone(),
                 symbols: one.found.symbols(),
-                agreement: (one.agreement * 1e4).round() / 1e4,
+                agreement: (one.agreement * 1e4).floor() / 1e4,
+                same: one.is_same(),
             });
             let answer = Answer { candidates: candidates.collect(), searched: searched.clone() };
             writeln!(out, "{}", serde_json::to_string_pretty(&answer)?)
         }
         false => {
-            if !is_found && !kept.is_empty() {
-                writeln!(out, "None draws this picture. The closest:\n")?;
+            match kept.iter().map(|one| one.agreement).reduce(f64::max) {
+                None => {}
+                Some(1.0..) => writeln!(out, "The same picture:\n")?,
+                Some(_) if is_found => writeln!(out, "Nearly the same picture:\n")?,
+                Some(_) => writeln!(out, "None draws this picture. The closest:\n")?,
             }
             for one in &kept {
-                let Drawn { axiom, found, draws, angle, heading, agreement } = one;
+                let Drawn { axiom, found, draws, angle, heading, .. } = one;
+                let nearly = if one.is_same() { "" } else { "nearly the same: " };
                 let (text, n, symbols) = (found.text(), found.n, found.symbols());
                 let steps = if n == 1 { "step" } else { "steps" };
                 writeln!(
                     out,
-                    "{text}\n  after {n} {steps} from {axiom} with {angle}°, heading {heading}°; {draws} draws; {symbols} symbols; {:.1} % of the ink agrees\n",
-                    agreement * 100.0
+                    "{text}\n  after {n} {steps} from {axiom} with {angle}°, heading {heading}°; {draws} draws; {symbols} symbols; {nearly}{:.1} % of the ink agrees\n",
+                    one.percent()
                 )?;
             }
             let none = if kept.is_empty() { "Nothing found. " } else { "" };

@@ -1,0 +1,85 @@
+//! SVG pictures of any program, drawn as levels of grey.
+//!
+//! Foreign files are hostile until the opposite is known: every loop charges the [`Work`] of the whole picture, no
+//! function recurses, and a picture that takes too much work is refused. Libraries that draw all of SVG do not bound
+//! their work, so only the reading of XML (`quick-xml`) and of attributes (`svgtypes`) is theirs.
+//!
+//! Shapes, groups, references, nested pictures, styles, strokes with dashes and opacity are drawn. A gradient is its
+//! first colour, the opacity of a group is that of its shapes, and lines are at least one pixel wide. Text, images,
+//! filters, masks, patterns, markers, clip paths and other files are left out, and named.
+
+mod canvas;
+mod css;
+mod outline;
+mod shapes;
+mod style;
+mod transform;
+mod walk;
+mod work;
+mod xml;
+
+use canvas::Canvas;
+use work::Work;
+
+/// The most bytes of a file.
+const MAX_BYTES: usize = 16 << 20;
+/// The longer side of the drawn picture, in pixels.
+const SIDE: usize = 1024;
+
+/// An SVG picture as levels of grey.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Svg {
+    /// The levels of grey, row by row from above; 0 is black. The paper is white, or black where nothing shows on white.
+    pub grey: Vec<u8>,
+    /// In pixels; the longer side has 1024.
+    pub width: usize,
+    /// In pixels.
+    pub height: usize,
+    /// The names of what was not drawn, in the plural, such as `clip paths`.
+    pub left_out: Vec<&'static str>,
+    /// The units of work, of 1 to 5 nanoseconds each.
+    pub work: u64,
+}
+
+/// Whether a file looks like an SVG.
+#[must_use]
+pub fn is_svg(bytes: &[u8]) -> bool {
+    let start = bytes.iter().find(|byte| !byte.is_ascii_whitespace() && !matches!(byte, 0 | 0x80..));
+    start == Some(&b'<') && bytes.windows(5).any(|part| part.starts_with(b"svg") || part == b"s\0v\0g")
+}
+
+/// Draws an SVG file: UTF-8, or UTF-16 with a byte order mark.
+///
+/// # Errors
+/// Why it is not drawn.
+pub fn draw_svg(bytes: &[u8]) -> Result<Svg, String> {
+    if bytes.len() > MAX_BYTES {
+        return Err("this SVG has more than 16 MB".to_owned());
+    }
+    let mut work = Work::default();
+    let text = text_of(bytes);
+    let document = xml::Document::read(&text, &mut work)?;
+    let sheet = css::Sheet::read(&document.sheet, &mut work)?;
+    let (canvas, left_out) = walk::drawn(&document, &sheet, &mut work)?;
+    let Canvas { width, height, .. } = canvas;
+    let papers = [255.0, 0.0].map(|paper| canvas.on(paper));
+    let shown = papers.into_iter().find(|grey| grey.iter().any(|level| *level != grey[0]));
+    let grey = shown.ok_or_else(|| match left_out.is_empty() {
+        true => "this picture has one shade of grey only".to_owned(),
+        false => format!("this SVG has nothing that is read. Left out: {}", left_out.join(", ")),
+    })?;
+    Ok(Svg { grey, width, height, left_out, work: work.done() })
+}
+
+fn text_of(bytes: &[u8]) -> String {
+    let wide = |bytes: &[u8], unit: fn([u8; 2]) -> u16| {
+        let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+        char::decode_utf16(units).map(|symbol| symbol.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
+    };
+    match bytes {
+        [0xff, 0xfe, rest @ ..] => wide(rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => wide(rest, u16::from_be_bytes),
+        [0xef, 0xbb, 0xbf, rest @ ..] => String::from_utf8_lossy(rest).into_owned(),
+        _ => String::from_utf8_lossy(bytes).into_owned(),
+    }
+}

@@ -1,0 +1,230 @@
+//! The way through the elements of a picture, in the order in which they are painted.
+
+use super::SIDE;
+use super::canvas::{Canvas, Polygons};
+use super::css::Sheet;
+use super::outline::stroke;
+use super::shapes::Pencil;
+use super::style::{Style, note};
+use super::transform::Transform;
+use super::work::{Kind, Work};
+use super::xml::{Document, Element, MAX_DEPTH, too_deep};
+use std::rc::Rc;
+use std::str::FromStr;
+use svgtypes::{Align, AspectRatio, Length, LengthUnit, ViewBox};
+
+/// The size in pixels of the letter m, to which some lengths refer.
+const EM: f64 = 16.0;
+/// The units of an element that waits.
+const WAITING: u64 = 50;
+
+/// What an element inherits.
+struct Around {
+    transform: Transform,
+    style: Style,
+    /// The size of the viewport in the user's coordinates.
+    size: [f64; 2],
+    depth: usize,
+    /// The size that a reference gives to its target.
+    given: [Option<f64>; 2],
+    is_target: bool,
+}
+
+/// Draws the elements. Returns the names of what was left out, too.
+pub(super) fn drawn(
+    document: &Document,
+    sheet: &Sheet,
+    work: &mut Work,
+) -> Result<(Canvas, Vec<&'static str>), String> {
+    let root = document.element(0);
+    let (first, size, pixels) = page(root);
+    let mut canvas = Canvas::new(pixels[0], pixels[1]);
+    let mut left_out = Vec::new();
+    let diagonal = libm::hypot(size[0], size[1]) / std::f64::consts::SQRT_2;
+    let around =
+        Around { transform: first, style: Style::new(diagonal), size, depth: 0, given: [None; 2], is_target: false };
+    let mut waiting = vec![(0, Rc::new(around))];
+    while let Some((at, around)) = waiting.pop() {
+        let element = document.element(at);
+        element.charge(work)?;
+        if !is_drawn(element.name, around.is_target) {
+            continue;
+        }
+        let style = around.style.of(element, (document, sheet), &mut left_out, work)?;
+        if !style.is_displayed {
+            continue;
+        }
+        let own = element.get("transform").and_then(Transform::read);
+        let transform = own.map_or(around.transform, |own| around.transform.after(own));
+        let mut inside =
+            Around { transform, style, size: around.size, depth: around.depth + 1, given: [None; 2], is_target: false };
+        if inside.depth > MAX_DEPTH {
+            return Err(too_deep());
+        }
+        match element.name {
+            "use" => {
+                let name = element.get("href").unwrap_or_default().trim();
+                let Some(target) = document.named(name) else {
+                    if !name.is_empty() && !name.starts_with('#') {
+                        note(&mut left_out, "other files");
+                    }
+                    continue;
+                };
+                let [x, y] = corner(element, around.size);
+                inside.transform = transform.after(Transform::moved(x, y));
+                inside.given = sides(element, around.size);
+                inside.is_target = true;
+                waiting.push((target, Rc::new(inside)));
+            }
+            "text" | "image" | "foreignObject" => {
+                let names = [("text", "text"), ("image", "images"), ("foreignObject", "texts of web pages")];
+                names.iter().filter(|(name, _)| *name == element.name).for_each(|(_, name)| note(&mut left_out, name));
+            }
+            "svg" | "symbol" | "g" | "a" | "switch" => {
+                if at != 0 && matches!(element.name, "svg" | "symbol") {
+                    enter(element, &around, &mut inside);
+                }
+                let inside = Rc::new(inside);
+                let from = waiting.len();
+                let mut children = document.children(at);
+                let one = if element.name == "switch" {
+                    children.by_ref().find(|&child| is_understood(document.element(child)))
+                } else {
+                    None
+                };
+                let all = children.take_while(|_| element.name != "switch");
+                for child in one.into_iter().chain(all) {
+                    work.charge(Kind::Elements, 1, WAITING)?;
+                    waiting.push((child, inside.clone()));
+                }
+                waiting[from..].reverse();
+            }
+            _ => draw(element, &inside, &mut canvas, work)?,
+        }
+    }
+    Ok((canvas, left_out))
+}
+
+fn is_drawn(name: &str, is_target: bool) -> bool {
+    match name {
+        "symbol" => is_target,
+        "" | "defs" | "linearGradient" | "radialGradient" | "stop" | "style" | "clipPath" | "mask" | "pattern"
+        | "marker" | "filter" => false,
+        _ => true,
+    }
+}
+
+/// Whether an element of a `switch` is for us.
+fn is_understood(element: &Element) -> bool {
+    let speaks = |languages: &str| languages.split(',').any(|language| language.trim().starts_with("en"));
+    is_drawn(element.name, false)
+        && element.name != "foreignObject"
+        && element.get("requiredExtensions").is_none()
+        && element.get("systemLanguage").is_none_or(speaks)
+}
+
+fn draw(element: &Element, around: &Around, canvas: &mut Canvas, work: &mut Work) -> Result<(), String> {
+    let shades = around.style.shades();
+    if shades == [None; 2] {
+        return Ok(());
+    }
+    let mut pencil = Pencil::new(around.transform, work);
+    pencil.shape(element, around.size)?;
+    let lines = pencil.lines();
+    if let Some(shade) = shades[0].filter(|_| element.name != "line") {
+        let mut polygons = Polygons::on(canvas);
+        for line in &lines {
+            polygons.add(&line.points, false, around.transform, work)?;
+        }
+        canvas.fill(&mut polygons, around.style.is_even_odd, shade, work)?;
+    }
+    match shades[1] {
+        Some(shade) => stroke(&lines, &around.style.pen, around.transform, shade, canvas, work),
+        None => Ok(()),
+    }
+}
+
+/// The transform to pixels, the size in the user's coordinates and that in pixels. Only the ratio of the given size
+/// counts.
+fn page(root: &Element) -> (Transform, [f64; 2], [usize; 2]) {
+    let side = SIDE as f64;
+    let is_size = |size: &[f64; 2]| {
+        let [width, height] = *size;
+        width > 0.0 && height > 0.0 && width.max(height) < 1e9 && (width / height).max(height / width) < side
+    };
+    let view = view_box(root).filter(|view| is_size(&[view.w, view.h]));
+    let given = ["width", "height"].map(|name| root.get(name).filter(|text| !text.contains('%')));
+    let given = given.map(|text| text.and_then(|text| length(text, 0.0)).unwrap_or(0.0));
+    let box_ = view.unwrap_or_else(|| {
+        let [w, h] = Some(given).filter(is_size).unwrap_or([side; 2]);
+        ViewBox { x: 0.0, y: 0.0, w, h }
+    });
+    let scale = side / box_.w.max(box_.h);
+    let pixels = [box_.w, box_.h].map(|each| ((each * scale).round() as usize).max(1));
+    let transform = Transform::new(scale, 0.0, 0.0, scale, -box_.x * scale, -box_.y * scale);
+    (transform, [box_.w, box_.h], pixels)
+}
+
+/// Enters a nested picture, or a symbol that is the target of a reference.
+fn enter(element: &Element, around: &Around, inside: &mut Around) {
+    let [x, y] = corner(element, around.size);
+    let own = sides(element, around.size);
+    let size = [0, 1].map(|axis| around.given[axis].or(own[axis]).unwrap_or(around.size[axis]));
+    inside.transform = inside.transform.after(Transform::moved(x, y));
+    inside.size = size;
+    let Some(view) = view_box(element) else { return };
+    let ratio = element.get("preserveAspectRatio").and_then(|text| AspectRatio::from_str(text).ok());
+    let ratio = ratio.unwrap_or(AspectRatio { defer: false, align: Align::XMidYMid, slice: false });
+    let (wide, high) = (size[0] / view.w, size[1] / view.h);
+    let same = if ratio.slice { wide.max(high) } else { wide.min(high) };
+    let [wide, high] = if ratio.align == Align::None { [wide, high] } else { [same; 2] };
+    let part = match ratio.align {
+        Align::None | Align::XMinYMin => [0.0, 0.0],
+        Align::XMidYMin => [0.5, 0.0],
+        Align::XMaxYMin => [1.0, 0.0],
+        Align::XMinYMid => [0.0, 0.5],
+        Align::XMidYMid => [0.5, 0.5],
+        Align::XMaxYMid => [1.0, 0.5],
+        Align::XMinYMax => [0.0, 1.0],
+        Align::XMidYMax => [0.5, 1.0],
+        Align::XMaxYMax => [1.0, 1.0],
+    };
+    let left = (size[0] - wide * view.w) * part[0] - view.x * wide;
+    let top = (size[1] - high * view.h) * part[1] - view.y * high;
+    inside.transform = inside.transform.after(Transform::new(wide, 0.0, 0.0, high, left, top));
+    inside.size = [view.w, view.h];
+}
+
+fn view_box(element: &Element) -> Option<ViewBox> {
+    ViewBox::from_str(element.get("viewBox")?).ok()
+}
+
+fn corner(element: &Element, size: [f64; 2]) -> [f64; 2] {
+    [("x", size[0]), ("y", size[1])]
+        .map(|(name, whole)| element.get(name).and_then(|text| length(text, whole)).unwrap_or(0.0))
+}
+
+fn sides(element: &Element, size: [f64; 2]) -> [Option<f64>; 2] {
+    [("width", size[0]), ("height", size[1])]
+        .map(|(name, whole)| element.get(name).and_then(|text| length(text, whole)).filter(|side| *side >= 0.0))
+}
+
+/// A length in the user's coordinates; a percentage is a part of `whole`.
+pub(super) fn length(text: &str, whole: f64) -> Option<f64> {
+    Length::from_str(text).ok().map(|length| pixels(length, whole)).filter(|length| length.is_finite())
+}
+
+pub(super) fn pixels(Length { number, unit }: Length, whole: f64) -> f64 {
+    let unit = match unit {
+        LengthUnit::None | LengthUnit::Px => 1.0,
+        LengthUnit::Em => EM,
+        LengthUnit::Ex => EM / 2.0,
+        LengthUnit::In => 96.0,
+        LengthUnit::Cm => 96.0 / 2.54,
+        LengthUnit::Mm => 96.0 / 25.4,
+        LengthUnit::Pt => 96.0 / 72.0,
+        LengthUnit::Pc => 16.0,
+        LengthUnit::Percent => whole / 100.0,
+    };
+    number * unit
+}
