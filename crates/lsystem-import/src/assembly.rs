@@ -7,6 +7,7 @@ use core::ops::Range;
 use lsystem_base::decimal;
 use lsystem_base::number::number;
 use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern, Production, look_alike, parse};
+use std::collections::HashMap;
 
 /// A value, and the place of its statement.
 #[derive(Clone, Debug, PartialEq)]
@@ -177,12 +178,9 @@ impl<'a> Assembly<'a> {
 
     /// Several rules of one symbol are alternatives.
     fn weights(&mut self) {
-        let count = |from: &str, rules: &[Rule]| rules.iter().filter(|rule| rule.from == from).count();
-        let repeated: Vec<bool> = match self.said.rules.len() {
-            // So many are compared by their sorted predecessors only.
-            many if many > 2000 => vec![false; many],
-            _ => self.said.rules.iter().map(|rule| count(&rule.from, &self.said.rules) > 1).collect(),
-        };
+        let mut counts: HashMap<&str, usize> = HashMap::new();
+        self.said.rules.iter().for_each(|rule| *counts.entry(&rule.from).or_default() += 1);
+        let repeated: Vec<bool> = self.said.rules.iter().map(|rule| counts[&*rule.from] > 1).collect();
         for (rule, repeated) in self.said.rules.iter_mut().zip(repeated) {
             if repeated && rule.weight.is_none() && !rule.from.contains(':') {
                 rule.weight = Some(1.0);

@@ -18,6 +18,7 @@ use crate::source::Source;
 use crate::words::{is_language, is_prose, weight, weighted};
 use core::ops::Range;
 use lsystem_base::decimal;
+use std::collections::HashSet;
 
 /// A text with more arrows is no description of a system.
 const MOST_RULES: usize = 20_000;
@@ -790,15 +791,17 @@ impl Reader<'_> {
         }
         let (Some(axiom), true) = (&said.axiom, !said.rules.is_empty()) else { return };
         let strict = |rule: &Rule| rule.from.chars().next();
-        if !self.is_named && !said.rules.iter().filter_map(strict).any(|symbol| axiom.value.contains(symbol)) {
+        let begun: HashSet<char> = axiom.value.chars().collect();
+        if !self.is_named && !said.rules.iter().filter_map(strict).any(|symbol| begun.contains(&symbol)) {
             return;
         }
         let is_module = |rule: &Rule| rule.from.chars().count() == 1 || rule.from.contains(['(', '<', '>']);
         if !self.is_named && !said.rules.iter().all(is_module) {
             return;
         }
-        let occurs =
-            |symbol: char| axiom.value.contains(symbol) || said.rules.iter().any(|rule| rule.to.contains(symbol));
+        let made = said.rules.iter().map(|rule| &*rule.to).chain([&*axiom.value]).flat_map(str::chars);
+        let made: HashSet<char> = made.collect();
+        let occurs = |symbol: char| made.contains(&symbol);
         if !said.rules.iter().filter_map(strict).any(occurs)
             && said.rules.len() < 2
             && said.meanings.is_empty()
@@ -806,17 +809,13 @@ impl Reader<'_> {
         {
             return;
         }
-        let uses = |name: &str| {
-            let whole = |text: &str| {
-                text.match_indices(name).any(|(at, _)| {
-                    let part = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
-                    !part(text[..at].chars().next_back()) && !part(text[at + name.len()..].chars().next())
-                })
-            };
-            said.rules.iter().any(|rule| {
-                (rule.from.contains('(') || rule.to.contains('(')) && (whole(&rule.to) || whole(&rule.from))
-            }) || axiom.value.contains('(') && whole(&axiom.value)
-        };
+        // The words of what has arguments.
+        let with_arguments = said.rules.iter().filter(|rule| rule.from.contains('(') || rule.to.contains('('));
+        let texts = with_arguments.flat_map(|rule| [&*rule.from, &*rule.to]);
+        let words = texts.chain([&*axiom.value].into_iter().filter(|axiom| axiom.contains('(')));
+        let words: HashSet<&str> =
+            words.flat_map(|text| text.split(|c: char| !c.is_alphanumeric() && c != '_')).collect();
+        let uses = |name: &str| words.contains(name);
         let own: Vec<Said<String>> = constants
             .into_iter()
             .filter(|constant| constant.value.split_once(" = ").is_some_and(|(name, _)| uses(name)))

@@ -32,6 +32,9 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
     }
 }
 
+/// The page's worker is ended after four seconds.
+const LONG_STEPS: u32 = 4000 / 8;
+
 /// Texts of up to 1 MiB that repeat a part of a notation, each time with other names: work that grows faster than the
 /// text shows.
 pub(super) fn long_texts(source: &mut Source<'_>, gauge: &mut Gauge) {
@@ -63,7 +66,7 @@ pub(super) fn long_texts(source: &mut Source<'_>, gauge: &mut Gauge) {
     if source.is_shown {
         println!("{} bytes of {part:?} after {before:?}", text.len());
     }
-    if let Some(imported) = gauge.call("import", || import(&text)) {
+    if let Some(imported) = gauge.long_call("import", LONG_STEPS, || import(&text)) {
         gauge.reach(imported.notation);
         assert_eq!(
             imported.account.last().map(|part| part.span.end),
