@@ -76,13 +76,16 @@ const FROM: &[&str] = &[
     "name",
 ];
 
+/// Parts of the names of functions that take an axiom and rules.
+const MAKERS: [&str; 5] = ["lsys", "l_sys", "lindenmayer", "grammar", "derivation"];
+
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let text = source.text;
     let lower = text.to_ascii_lowercase();
-    if !["axiom", "start", "init", "omega", "seed", "s0", "lsys", "grammar"].iter().any(|word| lower.contains(word))
-        || !["rule", "prod", "repl", "case", "==", "sub", "rewrit", "mapp", "transf"]
-            .iter()
-            .any(|word| lower.contains(word))
+    let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
+    if !has(&MAKERS)
+        && !(has(&["axiom", "start", "init", "omega", "seed", "s0"])
+            && has(&["rule", "prod", "repl", "case", "==", "sub", "rewrit", "mapp", "transf"]))
     {
         return None;
     }
@@ -338,7 +341,7 @@ impl Reader<'_> {
     /// Reads `LSystem("FX", {"X": "F+X"})` and `new Grammar("X")`; whether it is one.
     fn constructor(&mut self, function: &str, arguments: &Node, span: Range<usize>, name: &str) -> bool {
         let lower = function.to_ascii_lowercase();
-        if !["lsys", "l_sys", "lindenmayer", "grammar"].iter().any(|part| lower.contains(part)) {
+        if !MAKERS.iter().any(|part| lower.contains(part)) {
             return false;
         }
         let own = arguments.group().map(elements).unwrap_or_default();
@@ -978,6 +981,21 @@ mod tests {
                   F -> *
                   | -: turn left"#]],
         );
+    }
+
+    #[test]
+    fn functions_of_an_axiom_and_rules() {
+        for text in [
+            "derivation('X', {'F':'FF', 'X':'F[+X][-X]FX'})",
+            "print(derivation(\"X\", {'F': 'FF', 'X': 'F[+X][-X]FX'}, 5))",
+            "plant = LSystem(\"X\", {\"F\": \"FF\", \"X\": \"F[+X][-X]FX\"}, angle=25.7)",
+        ] {
+            let source = crate::import(text).unwrap_or_else(|| panic!("{text}"));
+            let [entry] = &source.entries[..] else { panic!("{text}: {:?}", source.entries) };
+            let definition = entry.definition.as_ref().unwrap_or_else(|| panic!("{text}: {:?}", entry.remarks));
+            assert_eq!((&*definition.axiom, &*definition.rules), ("X", "F -> FF\nX -> F[+X][-X]FX"), "{text}");
+        }
+        assert_eq!(crate::import("the derivation(s) of it: {'a': 'b'}"), None);
     }
 
     #[test]

@@ -86,7 +86,8 @@ fn same(exercise: &Exercise, student: &Definition) {
     let drawn = |definition: &Definition| {
         let system = System::new(definition).0?;
         let figure = Figure::draw(&system, definition.iterations, &Limits::default()).ok()?;
-        (figure.segment_count() <= MOST_COMPARED && figure.polygon_count() == 0).then(|| figure)
+        let is_compared = figure.segment_count() <= MOST_COMPARED && figure.polygon_count() == 0;
+        is_compared.then_some(figure)
     };
     let (Some(target), Some(own)) = (drawn(&exercise.target), drawn(&exercise.complete(student))) else { return };
     match exercise.asks {
