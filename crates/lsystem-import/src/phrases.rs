@@ -164,6 +164,9 @@ const CONNECTORS: [&str; 40] = [
     "significa",
 ];
 
+/// Longer words are no symbols, in bytes.
+const LONGEST: usize = 100;
+
 /// The symbols at the start of a sentence, and the place where what they do begins; `None` if it begins with other words.
 pub(super) fn symbols(sentence: &str) -> Option<(Vec<char>, usize)> {
     let mut found: Vec<char> = Vec::new();
@@ -173,10 +176,14 @@ pub(super) fn symbols(sentence: &str) -> Option<(Vec<char>, usize)> {
         let rest = &sentence[at..];
         let rest_at = at + rest.len() - rest.trim_start().len();
         let rest = rest.trim_start();
-        let end = rest.find(char::is_whitespace).unwrap_or(rest.len());
+        let near = &rest[..rest.floor_char_boundary(LONGEST)];
+        let end = near.find(char::is_whitespace).unwrap_or(near.len());
         // A longer list is no sentence.
         if end == 0 || found.len() > 64 {
             return None;
+        }
+        if end == near.len() && near.len() < rest.len() {
+            return (!found.is_empty() && connected).then_some((found, rest_at));
         }
         let token = &rest[..end];
         let bare = token.trim_matches(['"', '\'', '`', '“', '”', '‘', '’', '*', '•']);

@@ -20,6 +20,8 @@ use core::ops::Range;
 use lsystem_base::decimal;
 use std::collections::HashSet;
 
+/// Longer predecessors and sentences are none, in bytes.
+const LONGEST: usize = 1000;
 /// A text with more arrows is no description of a system.
 const MOST_RULES: usize = 20_000;
 
@@ -706,7 +708,8 @@ impl Reader<'_> {
             // `A mean draw forward and B mean move forward`
             let sentence = &text[from..end];
             let mut part = from;
-            for (at, _) in sentence.match_indices(" and ").map(|(at, word)| (from + at, word)).collect::<Vec<_>>() {
+            let joints = sentence.match_indices(" and ").filter(|_| sentence.len() <= LONGEST);
+            for (at, _) in joints.map(|(at, word)| (from + at, word)).collect::<Vec<_>>() {
                 if symbols(&text[at + 5..end]).is_some_and(|(_, begins)| actions(&text[at + 5 + begins..end]).is_some())
                     && symbols(&text[part..at]).is_some_and(|(_, begins)| actions(&text[part + begins..at]).is_some())
                 {
@@ -972,8 +975,9 @@ fn arrows(text: &str) -> Vec<Range<usize>> {
             continue;
         }
         // A further arrow stands behind a predecessor that is apart, and before a successor.
-        let own = head.rsplit([' ', ',', ';', '(', '\t']).next().unwrap_or_default().trim_matches(QUOTES);
-        let apart = head.len() > own.len() && (own.chars().count() == 1 || own.ends_with(')'));
+        let near = &head[head.floor_char_boundary(head.len().saturating_sub(LONGEST))..];
+        let own = near.rsplit([' ', ',', ';', '(', '\t']).next().unwrap_or_default().trim_matches(QUOTES);
+        let apart = near.len() > own.len() && (own.chars().count() == 1 || own.ends_with(')'));
         if apart && !text[place.end..].trim().is_empty() {
             found.push(place);
         }

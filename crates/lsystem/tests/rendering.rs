@@ -142,10 +142,10 @@ fn nothing_reaches_the_terminal_as_a_command() {
 
 #[test]
 fn a_file_as_a_whole_has_no_place() {
-    let text = format!("{{\"name\": \"{}\"}}", "x".repeat(1 << 20));
+    let text = format!("{{\"name\": \"{}\"}}", "x".repeat(4 << 20));
     let (_, diagnostics) = read_json(&text);
     expect![[r#"
-        error: The text is longer than 1,048,576 bytes
+        error: The text is longer than 4,194,304 bytes
          --> big.json
     "#]]
     .assert_eq(&render_diagnostic(&diagnostics[0], "big.json", &text));
