@@ -19,7 +19,7 @@ export class Fault extends Error {}
 const TEXTS = [
     ['#rules', rulesText, 50_000],
     ['#rules', rulesText, 50_000],
-    ['#axiom', axiomText, 20_000],
+    ['#axiom', axiomText, 1 << 20],
     ['#overrides', overridesText, 20_000],
     ['#title', (roll) => pick(roll, ['Weed', '', '<b>x</b>', 'T'.repeat(300), '\u202ename'.repeat(3)]), 200],
 ];

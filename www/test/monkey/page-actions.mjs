@@ -2,7 +2,7 @@
 
 import { Fault, COMMON } from './actions.mjs';
 import { NOTHING, click, drop, enter, open, set, setOffline, valueOf } from './hands.mjs';
-import { file, hash, pick, whole } from './texts.mjs';
+import { axiomText, file, hash, numberText, pick, rulesText, whole } from './texts.mjs';
 
 /** @typedef {import('./actions.mjs').Action} Action */
 
@@ -59,6 +59,30 @@ async function pressButton(place, roll) {
     const [selector, which] = [pick(roll, BUTTONS), whole(roll, 8)];
     await open(place, selector);
     return click(place, selector, which);
+}
+
+/** Parts that are dialogs with much to press. */
+const PARTS = ['find', 'find', 'film', 'film', 'save', 'steps', 'check', 'maker', 'share', 'seeds'];
+
+/**
+ * Runs in the page: uses a control of the dialog on top. Returns the control, or nothing if there is none.
+ * @param {{which: number, way: number, text: string}} choice
+ */
+function poke({ which, way, text }) {
+    const dialog = [...document.querySelectorAll('dialog[open]')].at(-1);
+    const all = [...(dialog?.querySelectorAll('button, input, select, textarea, summary') ?? [])];
+    const seen = all.filter((one) => one.checkVisibility() && !one.matches(':disabled, [type=file]'));
+    const one = seen[Math.floor(which * seen.length)];
+    if (!(one instanceof HTMLElement)) return '';
+    if (one instanceof HTMLSelectElement) one.selectedIndex = Math.floor(way * one.options.length);
+    else if (
+        one instanceof HTMLTextAreaElement ||
+        one.matches('input:not([type=checkbox], [type=radio], [type=button])')
+    )
+        /** @type {HTMLInputElement} */ (one).value = text;
+    else one.click();
+    for (const type of ['input', 'change']) one.dispatchEvent(new Event(type, { bubbles: true }));
+    return one.id || one.getAttribute('name') || (one.textContent ?? '').trim().slice(0, 30);
 }
 
 /** @type {readonly Action[]} */
@@ -150,6 +174,25 @@ export const PAGE = [
             const which = pick(roll, ['#open-shortcuts', '#seed-sheet', '#open-favourites']);
             if ((await click(place, which)) === NOTHING) return NOTHING;
             return `${which}: ${await click(place, pick(roll, ['dialog[open] .card', '#more-seeds', 'dialog[open] button']), whole(roll, 12))}`;
+        },
+    },
+    {
+        kind: 'inside a dialog',
+        weight: 8,
+        async act(place, roll) {
+            const opener = `[data-opens=${pick(roll, PARTS)}]`;
+            await open(place, opener);
+            const opened = await click(place, opener);
+            // Parts load late.
+            await place.page.waitForTimeout(200);
+            const done = [];
+            for (let step = whole(roll, 8); step >= 0; step--) {
+                const [which, way] = [roll(), roll()];
+                const text = pick(roll, [rulesText, axiomText, numberText])(roll);
+                done.push(await place.frame.evaluate(poke, { which, way, text }));
+                await place.page.waitForTimeout(50);
+            }
+            return opened === NOTHING && done.every((one) => one === '') ? NOTHING : `${opener}: ${done.join(', ')}`;
         },
     },
     {
