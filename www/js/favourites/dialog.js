@@ -11,6 +11,7 @@ import { openSession } from '../sessions.js';
 import { favouriteCard, visitCard } from './cards.js';
 import markup from './dialog.html';
 import { createExchange } from './exchange.js';
+import { isFavouritesFile } from './file.js';
 import { createLazyThumbs } from './lazy-thumbs.js';
 import { showNameField } from './name-field.js';
 import { FULL } from './stored.js';
@@ -129,14 +130,21 @@ export function createFavourites({ engine, favourites: stored, session }) {
             button('close-favourites').focus();
         },
 
-        /** Imports a file of favourites that was opened like a system. @param {string} text */
+        /** Imports a file of favourites that was opened like a system; whether it is one. @param {string} text */
         async take(text) {
-            if (!stored.available) return toast('This browser cannot store favourites here.');
-            try {
-                toast(await exchange.take(text));
-            } catch (error) {
-                toast(`The favourites could not be read: ${error instanceof Error ? error.message : error}.`);
-            }
+            if (!isFavouritesFile(text)) return false;
+            if (!stored.available) toast('This browser cannot store favourites here.');
+            else await add(text);
+            return true;
         },
     };
+
+    /** @param {string} text */
+    async function add(text) {
+        try {
+            toast(await exchange.take(text));
+        } catch (error) {
+            toast(`The favourites could not be read: ${error instanceof Error ? error.message : error}.`);
+        }
+    }
 }

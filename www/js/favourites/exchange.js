@@ -2,7 +2,8 @@
 
 import { button, input } from '../dom.js';
 import { download } from '../download.js';
-import { LARGEST_FILE, readFile, writeFile } from '../favourites.js';
+import { LARGEST_FILE } from '../favourites.js';
+import { readFile, writeFile } from './file.js';
 import { FULL } from './stored.js';
 
 /**

@@ -4,7 +4,7 @@ import { toast } from '../announce.js';
 import { listProblems, placesIn } from '../controls/editor.js';
 import { copyText } from '../copy.js';
 import { button, byId, html, input, setValue } from '../dom.js';
-import { LARGEST_FILE, isFavouritesFile } from '../favourites.js';
+import { FORMAT, LARGEST_FILE } from '../favourites.js';
 import { isPicture } from '../find/files.js';
 import { bestLink } from '../packed.js';
 
@@ -57,7 +57,7 @@ export function savePanel(store, engine, dialogs) {
         try {
             if (json && file.size <= LARGEST_FILE) {
                 const text = await file.text();
-                if (isFavouritesFile(text)) return void (await (await dialogs.part('favourites'))?.take(text));
+                if (text.includes(FORMAT) && (await (await dialogs.part('favourites'))?.take(text))) return;
             }
             // The worker reads the file, so that the page stays responsive.
             const { definition, diagnostics, text } = await engine.read(file);

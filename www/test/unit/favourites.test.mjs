@@ -1,15 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import {
-    MOST_ENTRIES,
-    MOST_FAVOURITES,
-    favourite,
-    isFavouritesFile,
-    readFavourites,
-    readFile,
-    rename,
-    writeFile,
-} from '../../js/favourites.js';
+import { MOST_FAVOURITES, favourite, readFavourites, rename } from '../../js/favourites.js';
+import { MOST_ENTRIES, isFavouritesFile, readFile, writeFile } from '../../js/favourites/file.js';
 import { readLink, writeLink } from '../../js/link.js';
 import { shortestLink } from '../../js/packed.js';
 import { clean } from '../../js/state.js';

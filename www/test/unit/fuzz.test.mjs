@@ -5,16 +5,8 @@ import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { CONTROLS, readControls, readOptions } from '../../js/embed/options.js';
 import { fieldsOf, valuesOf } from '../../js/embed/values.js';
-import {
-    LONGEST_NAME,
-    MOST_FAVOURITES,
-    favourite,
-    isFavouritesFile,
-    readFavourites,
-    readFile,
-    rename,
-    writeFile,
-} from '../../js/favourites.js';
+import { LONGEST_NAME, MOST_FAVOURITES, favourite, readFavourites, rename } from '../../js/favourites.js';
+import { isFavouritesFile, readFile, writeFile } from '../../js/favourites/file.js';
 import { readLink, writeLink } from '../../js/link.js';
 import { plain, readNumber } from '../../js/numerals.js';
 import { bestLink, openLink, shortestLink } from '../../js/packed.js';
