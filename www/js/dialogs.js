@@ -15,6 +15,7 @@ import { createLate } from './late.js';
  * @property {(index: bigint) => void} readAt opens the string at a symbol
  * @property {() => string} theme its name
  * @property {(definition: Definition) => Definition} restyle gives a system with default colours the theme's colours
+ * @property {<K extends keyof Parts>(name: K) => Promise<Parts[K] | null>} part another part
  * @property {<K extends keyof Parts>(name: K, ...words: Parameters<Parts[K]['open']>) => Promise<void>} open opens another part
  */
 
@@ -39,10 +40,10 @@ function isTypedInto(target) {
 /** The part that an element opens, if any. @param {EventTarget | null} target */
 const openerOf = (target) => (target instanceof Element ? target.closest('[data-opens]') : null);
 
-/** @param {Omit<Page, 'open'>} own */
+/** @param {Omit<Page, 'open' | 'part'>} own */
 export function createDialogs(own) {
     /** @type {Page} */
-    const page = { ...own, open };
+    const page = { ...own, part, open };
     const load = createLate(async () => (await import('./parts.js')).PARTS);
     /** The parts that were needed so far. @type {Partial<Parts>} */
     const made = {};

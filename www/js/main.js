@@ -116,7 +116,7 @@ const dialogs = createDialogs({
     theme,
     restyle: (definition) => withThemeScheme(definition, theme()),
 });
-savePanel(store, engine, dialogs);
+savePanel(store, dialogs);
 followPasting(dialogs);
 html('mathematics').addEventListener('toggle', () => void dialogs.open('mathematics'));
 const film = filmIn(location.hash);

@@ -7,6 +7,7 @@ import { createCheck } from './course/check.js';
 import { createMaker } from './course/maker.js';
 import { createMathematics } from './course/mathematics.js';
 import { createFavourites } from './favourites/dialog.js';
+import { createFileOpening } from './file-opening.js';
 import { createFilms } from './film/films.js';
 import { createFinding } from './find/finding.js';
 import { createGallery } from './gallery.js';
@@ -26,6 +27,7 @@ export const PARTS = {
     save: createSave,
     share: createShare,
     favourites: createFavourites,
+    file: createFileOpening,
     film: createFilms,
     find: createFinding,
     import: createImporting,

@@ -1,26 +1,15 @@
 /** The Save section: title, link, files, and opening files. */
 
 import { toast } from '../announce.js';
-import { listProblems, placesIn } from '../controls/editor.js';
 import { copyText } from '../copy.js';
-import { button, byId, html, input, setValue } from '../dom.js';
-import { FORMAT, LARGEST_FILE } from '../favourites.js';
-import { isPicture } from '../find/files.js';
+import { button, byId, input, setValue } from '../dom.js';
 import { bestLink } from '../packed.js';
-
-/** @typedef {import('../engine.js').Engine} Engine */
-
-/** Larger JSON files are not read, in bytes: a system's texts have at most 1 MiB, and more when escaped. */
-const LARGEST_JSON = 4 << 20;
-/** Larger pictures are not read, in bytes. */
-const LARGEST_PICTURE = 64 << 20;
 
 /**
  * @param {import('../store.js').Store} store
- * @param {Engine} engine
  * @param {ReturnType<typeof import('../dialogs.js').createDialogs>} dialogs
  */
-export function savePanel(store, engine, dialogs) {
+export function savePanel(store, dialogs) {
     const title = input('title');
     const showTitle = () => setValue(title, store.state.title || store.state.name);
     // A new title replaces the name of the file.
@@ -46,43 +35,7 @@ export function savePanel(store, engine, dialogs) {
     }
 
     /** @param {File} file */
-    async function openFile(file) {
-        const problems = html('file-problems');
-        problems.replaceChildren();
-        const json = /\.json$/i.test(file.name);
-        if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE))
-            return toast(
-                `This file is too large. ${json ? 'JSON files have at most 4 MB' : 'Pictures have at most 64 MB'}.`,
-            );
-        try {
-            if (json && file.size <= LARGEST_FILE) {
-                const text = await file.text();
-                if (text.includes(FORMAT) && (await (await dialogs.part('favourites'))?.take(text))) return;
-            }
-            // The worker reads the file, so that the page stays responsive.
-            const { definition, diagnostics, text } = await engine.read(file);
-            if (text !== null && (await (await dialogs.part('import'))?.offer(text))) return;
-            listProblems(problems, diagnostics, text ?? undefined);
-            if (!definition) {
-                if (isPicture(file))
-                    return toast(`${file.name} has no system inside.`, {
-                        action: { label: 'Find its rules', act: () => void dialogs.open('find', file) },
-                    });
-                const mistake = diagnostics.find(({ severity }) => severity === 'error');
-                const words = [
-                    text !== null && mistake && `${placesIn(text)(mistake.start)}: `,
-                    mistake?.message ?? 'The file contains no system',
-                ];
-                return toast(`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
-            }
-            const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');
-            store.open({ ...definition, name });
-            toast(`Opened ${file.name}${diagnostics.length > 0 ? ', with warnings: see Save' : ''}`);
-        } catch (error) {
-            toast(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
-        }
-    }
-
+    const openFile = (file) => void dialogs.open('file', file);
     const chooser = input('file');
     button('open-file').addEventListener('click', () => chooser.click());
     chooser.addEventListener('change', () => {
