@@ -83,10 +83,9 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let text = source.text;
     let lower = text.to_ascii_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-    if !has(&MAKERS)
-        && !(has(&["axiom", "start", "init", "omega", "seed", "s0"])
-            && has(&["rule", "prod", "repl", "case", "==", "sub", "rewrit", "mapp", "transf"]))
-    {
+    let has_axiom = has(&["axiom", "start", "init", "omega", "seed", "s0"]);
+    let has_rules = has(&["rule", "prod", "repl", "case", "==", "sub", "rewrit", "mapp", "transf"]);
+    if !(has(&MAKERS) || has_axiom && has_rules) {
         return None;
     }
     let tree = tree(text);

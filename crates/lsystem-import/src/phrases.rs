@@ -179,7 +179,7 @@ pub(super) fn symbols(sentence: &str) -> Option<(Vec<char>, usize)> {
         let near = &rest[..rest.floor_char_boundary(LONGEST)];
         let end = near.find(char::is_whitespace).unwrap_or(near.len());
         // A longer list is no sentence.
-        if end == 0 || found.len() > 64 {
+        if end == 0 || found.len() > 20 {
             return None;
         }
         if end == near.len() && near.len() < rest.len() {
