@@ -20,15 +20,17 @@ const HELD = 0.45;
 /** The busy sign appears after this time, in milliseconds. */
 const SLOW_MS = 300;
 
-/** The places of the visible tools. @param {HTMLElement} frame */
+/**
+ * The places of the tools for drawings in the plane. Tools that come and go with the state have their place always, so
+ * that equal states have equal views.
+ * @param {HTMLElement} frame
+ */
 function toolsOn(frame) {
     const { left, top } = frame.getBoundingClientRect();
-    return [...frame.querySelectorAll('.tools:not([hidden])')]
-        .filter((bar) => getComputedStyle(bar).visibility === 'visible')
-        .map((bar) => {
-            const box = bar.getBoundingClientRect();
-            return { left: box.left - left, top: box.top - top, right: box.right - left, bottom: box.bottom - top };
-        });
+    return [...frame.querySelectorAll('.tools:not([hidden], .tools-space)')].map((bar) => {
+        const box = bar.getBoundingClientRect();
+        return { left: box.left - left, top: box.top - top, right: box.right - left, bottom: box.bottom - top };
+    });
 }
 
 /**

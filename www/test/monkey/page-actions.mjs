@@ -75,10 +75,10 @@ function poke({ which, way, text }) {
     const one = seen[Math.floor(which * seen.length)];
     if (!(one instanceof HTMLElement)) return '';
     if (one instanceof HTMLSelectElement) one.selectedIndex = Math.floor(way * one.options.length);
-    else if (
-        one instanceof HTMLTextAreaElement ||
-        one.matches('input:not([type=checkbox], [type=radio], [type=button])')
-    )
+    else if (one.matches('[type=number], [type=range]'))
+        /** @type {HTMLInputElement} */ (one).value = String(Math.floor(way * 2000) / 10 - 50);
+    else if (one.matches('[type=color]')) /** @type {HTMLInputElement} */ (one).value = '#336699';
+    else if (one.matches('textarea, input:not([type=checkbox], [type=radio], [type=button])'))
         /** @type {HTMLInputElement} */ (one).value = text;
     else one.click();
     for (const type of ['input', 'change']) one.dispatchEvent(new Event(type, { bubbles: true }));
