@@ -217,7 +217,11 @@ export const PAGE = [
         async act({ frame }, roll) {
             const [given, dropped] = [file(roll), roll() < 0.5];
             if (dropped) await drop(frame, given);
-            else await frame.setInputFiles(roll() < 0.8 ? '#file' : '#favourites-file', given, { timeout: 3000 });
+            else {
+                // The dialog of favourites loads late.
+                const others = roll() < 0.8 ? null : await frame.$('#favourites-file');
+                await frame.setInputFiles(others ? '#favourites-file' : '#file', given, { timeout: 3000 });
+            }
             return `${given.name}, ${given.buffer.length} bytes, ${dropped ? 'dropped' : 'chosen'}`;
         },
     },
