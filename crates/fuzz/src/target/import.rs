@@ -1,6 +1,6 @@
 //! Texts in the notations of other programs: any text is read without a panic, and every system of the result compiles.
 
-use crate::{Gauge, Source};
+use crate::{Gauge, Source, make};
 use lsystem::System;
 use lsystem::base::MAX_TEXT;
 use lsystem::import::import;
@@ -118,16 +118,6 @@ fn text(source: &mut Source<'_>) -> String {
     for _ in 0..source.between(1, 3) {
         text.push_str(source.pick(&WHOLE));
     }
-    for _ in 0..source.between(0, 12) {
-        let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
-        let (from, to) = (source.pick(&ends), source.pick(&ends));
-        let times = if source.once_in(60) { source.pick(&[10, 500, 20_000]) } else { 1 };
-        let inserted = match source.below(4) {
-            0 => text[from.min(to)..from.max(to)].to_owned(),
-            _ => source.pick(&PIECES).repeat(times),
-        };
-        let end = if source.once_in(4) { to.max(from) } else { from };
-        text.replace_range(from..end, &inserted);
-    }
+    make::damage(source, &mut text, &PIECES, 12);
     text
 }

@@ -1,6 +1,6 @@
 //! SVG pictures of other programs: right ones, and damaged ones.
 
-use crate::{Gauge, Source};
+use crate::{Gauge, Source, make};
 use lsystem::find::draw_svg;
 
 /// The most units of a picture.
@@ -65,17 +65,7 @@ const PIECES: [&str; 40] = [
 /// Each file is drawn within the bound of its work, equally each time, or refused in words.
 pub(super) fn drawn(source: &mut Source<'_>, gauge: &mut Gauge) {
     let mut text = source.pick(&WHOLE).to_owned();
-    for _ in 0..source.between(0, 8) {
-        let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
-        let (from, to) = (source.pick(&ends), source.pick(&ends));
-        let times = if source.once_in(60) { source.pick(&[10, 500, 20_000]) } else { 1 };
-        let inserted = match source.below(4) {
-            0 => text[from.min(to)..from.max(to)].to_owned(),
-            _ => source.pick(&PIECES).repeat(times),
-        };
-        let end = if source.once_in(4) { to.max(from) } else { from };
-        text.replace_range(from..end, &inserted);
-    }
+    make::damage(source, &mut text, &PIECES, 8);
     let found = gauge.call("draw_svg", || draw_svg(text.as_bytes()));
     match found {
         Ok(svg) => {

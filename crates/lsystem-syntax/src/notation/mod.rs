@@ -110,7 +110,7 @@ pub(crate) fn read_with(axiom: &str, rules: &str, constants: &mut Constants, not
 }
 
 /// Whether `text` has at most [`MAX_TEXT`] bytes; noted otherwise.
-pub fn is_short_enough(text: &str, notes: &mut Notes) -> bool {
+pub(crate) fn is_short_enough(text: &str, notes: &mut Notes) -> bool {
     let short = text.len() <= MAX_TEXT;
     if !short {
         notes.add(Kind::Limit { limit: LimitName::Text, value: MAX_TEXT as u64, largest: None }, 0..0);
