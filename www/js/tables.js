@@ -41,7 +41,9 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
  * @property {string} background the colour behind the drawing
  * @property {number} width the stroke width, in steps
  * @property {number} widthFactor what every branch multiplies the width by
+ * @property {boolean} tapers whether each line runs from its own width to the width with which its branch goes on
  * @property {number} minWidth the width of the thinnest line, in pixels
+ * @property {number} maxWidth the width of the thickest line, in percent of the picture's longer side; 0 for no limit
  * @property {'solid' | 'density'} ink blending of overlapping strokes: opaque (`solid`) or additive (`density`)
  * @property {number} hue by how many degrees the palette's hues are turned
  * @property {number} exposure brightness of additive blending, in stops: each doubles it
@@ -99,7 +101,9 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
     background: { link: 'bg', kind: 'colour', default: '#fbfaf5', label: 'Background', expected: 'a colour such as "#1f5c3a"', affects: 'look' },
     width: { link: 'width', kind: 'number', low: 0, high: 1000000000, default: 0, label: 'Stroke width (steps)', expected: 'a number from 0 to 1,000,000,000', unit: 'steps', slider: { from: 0, parts: [[1, 0.05], [3, 0.1], [10, 0.25], [20, 0.5]], arrow: 0.1 }, affects: 'look' },
     widthFactor: { link: 'thinner', kind: 'number', low: 0, high: 10, default: 1, label: 'Width per branch level ×', expected: 'a number from 0 to 10', unit: 'times', slider: { from: 0, parts: [[2, 0.05]], arrow: 0.05 }, affects: 'look' },
+    tapers: { link: 'taper', kind: 'flag', default: true, label: 'Tapered lines', expected: 'true or false', affects: 'look' },
     minWidth: { link: 'thin', kind: 'number', low: 0, high: 10000, default: 1, label: 'Thinnest line', expected: 'a number from 0 to 10,000', unit: 'pixels', slider: { from: 0, parts: [[8, 0.25]], arrow: 0.5 }, affects: 'look' },
+    maxWidth: { link: 'thick', kind: 'number', low: 0, high: 100, default: 2, label: 'Thickest line (%)', expected: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[4, 0.25], [20, 1]], arrow: 0.5 }, affects: 'look' },
     ink: { link: 'ink', kind: 'word', words: ['solid', 'density'], default: 'solid', label: 'Blending', expected: 'one of `solid`, `density`', affects: 'look' },
     hue: { link: 'hue', kind: 'number', low: -360, high: 360, default: 0, label: 'Hue', expected: 'a number from -360 to 360', unit: 'degrees', slider: { from: 0, parts: [[360, 5]], arrow: 5 }, affects: 'look' },
     exposure: { link: 'exposure', kind: 'number', low: -10, high: 10, default: 0, label: 'Exposure (stops)', expected: 'a number from -10 to 10', unit: 'stops', slider: { from: -4, parts: [[4, 0.25]], arrow: 0.25 }, affects: 'look' },
@@ -111,4 +115,4 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
 });
 
 /** Attributes of the element and the keys in links that they stand for. */
-export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', thin: 'thin', ink: 'ink', hue: 'hue', exposure: 'exposure', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };
+export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', taper: 'taper', thin: 'thin', thick: 'thick', ink: 'ink', hue: 'hue', exposure: 'exposure', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };

@@ -83,6 +83,12 @@ impl<T> Chunks<T> {
     }
 
     /// The element with this number, if any.
+    pub(crate) fn get_mut(&mut self, number: usize) -> Option<&mut T> {
+        let owner = *self.owners.get(number >> SHIFT)? as usize;
+        self.pieces[owner].get_mut(number - self.starts[owner] as usize)
+    }
+
+    /// The element with this number, if any.
     #[must_use]
     pub fn get(&self, number: usize) -> Option<&T> {
         let owner = *self.owners.get(number >> SHIFT)? as usize;

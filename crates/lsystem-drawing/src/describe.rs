@@ -5,7 +5,7 @@ use lsystem_base::sorted::set;
 use lsystem_base::{MAX_ITERATIONS, Meter};
 use lsystem_derive::{Rewrite, Tally, weigh_until};
 use lsystem_syntax::message::grouped;
-use lsystem_syntax::{Action, Grammar, Heading, Pattern, Production};
+use lsystem_syntax::{Action, Grammar, Heading, Outline, Pattern, Production};
 
 /// A symbol of a system and its actions, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -78,7 +78,8 @@ fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) ->
                 Some(Action::SetWidth(_)) => "w",
                 Some(Action::SetColour(_)) => "c",
                 Some(Action::Draw(_) | Action::Move(_) | Action::DrawUnmarked(_) | Action::MoveUnmarked(_)) => "l",
-                Some(Action::Circle(_) | Action::Disc(_)) => "d",
+                Some(Action::Circle(_) | Action::Fill(Outline::Disc, _)) => "d",
+                Some(Action::Fill(..)) => "l",
                 Some(_) => "a",
                 None => "x",
             };
@@ -103,7 +104,8 @@ fn numbered_words(system: &System, action: Action, name: &str) -> String {
         Action::SetWidth(_) => format!("draws {name} steps wide"),
         Action::ScaleLength(_) => format!("multiplies lengths by {name}"),
         Action::Circle(_) => format!("draws a circle with the diameter {name}"),
-        Action::Disc(_) => format!("fills a disc with the diameter {name}"),
+        Action::Fill(Outline::Disc, _) => format!("fills a disc with the diameter {name}"),
+        Action::Fill(outline, _) => format!("draws a {} of length {name}", leaf_words(outline)),
         _ => action_words(system, action),
     }
 }
@@ -120,6 +122,18 @@ pub fn kind(system: &System) -> String {
     ];
     let kinds: Vec<&str> = kinds.into_iter().filter(|(_, holds)| *holds).map(|(kind, _)| kind).collect();
     if kinds.is_empty() { "deterministic".to_owned() } else { kinds.join(", ") }
+}
+
+/// A leaf in words.
+fn leaf_words(outline: Outline) -> &'static str {
+    match outline {
+        Outline::Disc => "disc",
+        Outline::Lance => "narrow leaf",
+        Outline::Heart => "heart-shaped leaf",
+        Outline::Oak => "lobed leaf",
+        Outline::Needle => "needle",
+        Outline::Petal => "petal",
+    }
 }
 
 fn action_words(system: &System, action: Action) -> String {
@@ -161,7 +175,8 @@ fn action_words(system: &System, action: Action) -> String {
         Action::ScaleLength(factor) => format!("multiplies lengths by {factor}"),
         Action::SwapTurns => "exchanges left and right turns".to_owned(),
         Action::Circle(diameter) => round("draws a circle", diameter),
-        Action::Disc(diameter) => round("fills a disc", diameter),
+        Action::Fill(Outline::Disc, diameter) => round("fills a disc", diameter),
+        Action::Fill(outline, length) => along(&format!("draws a {} of length", leaf_words(outline)), length),
     }
 }
 

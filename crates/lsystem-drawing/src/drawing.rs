@@ -26,6 +26,7 @@ mod share;
 mod simplify;
 mod solid;
 mod solid_reader;
+mod taper;
 mod task;
 mod tree;
 mod unfold;
@@ -49,7 +50,7 @@ use crate::Plane;
 use crate::chunks::Chunks;
 use crate::room::bytes_of;
 use crate::space::finite;
-use crate::style::StyleChange;
+use crate::style::{StyleChange, StyleId, Widths};
 use lsystem_base::{LimitName, Meter};
 use lsystem_derive::LetterId;
 use lsystem_syntax::Diagnostic;
@@ -137,6 +138,55 @@ impl<S: Space> Drawing<S> {
                 }
             }
         })
+    }
+
+    /// Makes all strokes thinner by one factor if the widest exceeds `most`, a fraction of the drawing's longest side;
+    /// 0 for no limit. Widths are linear in the factor, so blocks stay shared.
+    pub(crate) fn limit_widths(&mut self, most: f64) {
+        /// A drawing smaller than this, in steps, is a point: its size is rounding.
+        const POINT: f64 = 1e-9;
+        let Some(root) = self.root.filter(|_| most > 0.0) else { return };
+        let side = self.extent.get().copied().flatten().map_or(0.0, |extent| S::longest(&extent));
+        let side = finite(libm::scalbn(side, self.blocks[root.0 as usize].exponent));
+        let factor = if side > POINT { most * side / self.widest(root) } else { 1.0 };
+        if factor < 1.0 {
+            self.width *= factor;
+            for style in &mut self.styles {
+                style.width.offset *= factor;
+                style.next.iter_mut().for_each(|next| next.offset *= factor);
+            }
+            self.blocks.iter_mut().for_each(|block| block.widest.offset *= factor);
+        }
+    }
+
+    /// The width of the widest stroke, in steps.
+    fn widest(&self, root: BlockId) -> f64 {
+        let bound = self.blocks[root.0 as usize].widest;
+        if !self.memoised {
+            // All widths are relative to the start, so that the bound is exact.
+            return bound.of(self.width);
+        }
+        // By block: the widest entry. A wider entry makes nothing inside thinner, so the others do not matter.
+        let mut entries = vec![None; self.blocks.len()];
+        entries[root.0 as usize] = Some(self.width);
+        let mut widest = 0.0_f64;
+        for (number, block) in self.blocks.iter().enumerate().rev() {
+            let Some(entry) = entries[number] else { continue };
+            let style = |id: StyleId| Widths::new(entry).after(&self.styles[id.0 as usize]);
+            for item in self.contents(block) {
+                match item {
+                    Item::Stroke(stroke) => widest = style(stroke.style).ends().into_iter().fold(widest, f64::max),
+                    Item::Block(placed) => {
+                        let Widths { own, next } = style(placed.style);
+                        let inner = &mut entries[placed.block.0 as usize];
+                        *inner = Some(inner.map_or(own, |before: f64| before.max(own)));
+                        widest = widest.max(next.unwrap_or(0.0));
+                    }
+                    Item::Polygon(_) => {}
+                }
+            }
+        }
+        widest
     }
 
     /// The contents of all blocks.
@@ -336,6 +386,8 @@ pub struct Segment<S: Space = Plane> {
     pub colour: i32,
     /// The branch level: the number of open branches.
     pub level: u32,
-    /// The stroke width, in model units.
+    /// The stroke width at the first end, in model units.
     pub width: f64,
+    /// The stroke width at the second end.
+    pub end_width: f64,
 }

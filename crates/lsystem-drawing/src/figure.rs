@@ -163,8 +163,8 @@ impl Figure {
 }
 
 fn in_space(segment: Segment) -> Segment<Solid> {
-    let Segment { from: [x0, y0], to: [x1, y1], colour, level, width } = segment;
-    Segment { from: [x0, y0, 0.0], to: [x1, y1, 0.0], colour, level, width }
+    let Segment { from: [x0, y0], to: [x1, y1], colour, level, width, end_width } = segment;
+    Segment { from: [x0, y0, 0.0], to: [x1, y1, 0.0], colour, level, width, end_width }
 }
 
 fn vertices<S: Space>(drawing: &Drawing<S>, number: u128) -> Option<Vec<[f64; 3]>> {

@@ -56,6 +56,6 @@ pub use plane::{Directions, Plane};
 pub use solid::Solid;
 pub use space::{Geometry, exponent_of, finite, times};
 pub use strings::{count_segments, count_symbols, expand, expand_counted, expand_into, expand_once, expand_symbol};
-pub use style::{ColourChange, StyleChange, StyleId, WidthChange};
+pub use style::{ColourChange, StyleChange, StyleId, WidthChange, Widths};
 pub use system::System;
 pub use turtle::{Colouring, Turtle};

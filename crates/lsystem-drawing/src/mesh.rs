@@ -239,7 +239,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     fn mesh(axiom: &str, rules: &str, angle: f64, n: u32) -> Mesh {
-        let style = Style { width: 0.1, min_width: 0.0, ..Style::default() };
+        let style = Style { width: 0.1, min_width: 0.0, max_width: 0.0, ..Style::default() };
         let definition = Definition {
             axiom: axiom.into(),
             rules: rules.into(),

@@ -17,6 +17,9 @@ pub struct StyleChange {
     pub width: WidthChange,
     /// The number of branches opened and not closed.
     pub level: u32,
+    /// The width, as a change from the same entry, with which the branch goes on after the last stroke: the stroke tapers
+    /// to it. `None`: as where the block is placed, or the stroke's own width if the block is placed nowhere.
+    pub next: Option<WidthChange>,
 }
 
 /// A change of the colour index.
@@ -39,12 +42,18 @@ pub struct WidthChange {
 
 impl StyleChange {
     /// No change.
-    pub const NONE: Self = Self { colour: ColourChange::Add(0), width: WidthChange::NONE, level: 0 };
+    pub const NONE: Self = Self { colour: ColourChange::Add(0), width: WidthChange::NONE, level: 0, next: None };
 
     /// The style at the start of a drawing: colour index 0, `width`, and level 0 if nothing was before.
     #[must_use]
     pub fn start(width: f64) -> Self {
-        Self { colour: ColourChange::Set(0), width: WidthChange { factor: 0.0, offset: width }, level: 0 }
+        Self { colour: ColourChange::Set(0), width: WidthChange { factor: 0.0, offset: width }, ..Self::NONE }
+    }
+
+    /// The widths of a style that began with [`StyleChange::start`].
+    #[must_use]
+    pub fn widths(&self) -> Widths {
+        Widths::new(0.0).after(self)
     }
 
     /// The parts of the colour index and of the branch level that a style shows; 0 for those that it does not.
@@ -59,6 +68,15 @@ impl StyleChange {
         }
     }
 
+    /// Whether a stroke in the style `next` goes on evenly from the end of one in this style: both look alike, and this
+    /// one does not taper.
+    #[must_use]
+    pub fn goes_on(&self, next: &Self) -> bool {
+        // Without tapers no stroke has a `next`.
+        let is_even = self.next == Some(self.width) || self.next.is_none() && next.next.is_none();
+        is_even && Self { next: None, ..*self } == (Self { next: None, ..*next })
+    }
+
     /// This change, followed by `next`.
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
@@ -66,6 +84,7 @@ impl StyleChange {
             colour: self.colour.then(next.colour),
             width: self.width.then(next.width),
             level: self.level.saturating_add(next.level),
+            next: next.next.map(|next| self.width.then(next)).or(self.next),
         }
     }
 }
@@ -114,6 +133,61 @@ impl WidthChange {
     }
 }
 
+/// The stroke width at a block's entry, and the width with which the branch goes on after the block's last stroke.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Widths {
+    /// The width at entry, in step lengths.
+    pub own: f64,
+    /// The width after the last stroke, in step lengths; `None` if that stroke does not taper.
+    pub next: Option<f64>,
+}
+
+impl Widths {
+    /// The widths at the entry of a whole drawing.
+    #[must_use]
+    pub fn new(own: f64) -> Self {
+        Self { own, next: None }
+    }
+
+    /// The widths after a change of style.
+    #[must_use]
+    pub fn after(self, change: &StyleChange) -> Self {
+        Self { own: change.width.of(self.own), next: change.next.map(|next| next.of(self.own)).or(self.next) }
+    }
+
+    /// The widths at the two ends of a stroke.
+    #[must_use]
+    pub fn ends(self) -> [f64; 2] {
+        [self.own, self.next.unwrap_or(self.own)]
+    }
+
+    /// The widths without a taper.
+    #[must_use]
+    pub fn even(self) -> Self {
+        Self { next: None, ..self }
+    }
+
+    /// The most width of strokes inside a block with this bound.
+    #[must_use]
+    pub fn widest(self, bound: WidthChange) -> f64 {
+        bound.of(self.own).max(self.next.unwrap_or(0.0))
+    }
+
+    /// Numbers that are equal for equal widths.
+    #[must_use]
+    pub fn key(self) -> [u64; 2] {
+        [self.own.to_bits(), self.next.map_or(u64::MAX, f64::to_bits)]
+    }
+}
+
+impl From<Widths> for StyleChange {
+    /// The change that makes these widths from any others.
+    fn from(Widths { own, next }: Widths) -> Self {
+        let set = |offset: f64| WidthChange { factor: 0.0, offset };
+        Self { width: set(own), next: next.map(set), ..Self::NONE }
+    }
+}
+
 impl From<ColourChange> for StyleChange {
     fn from(colour: ColourChange) -> Self {
         Self { colour, ..Self::NONE }
@@ -126,11 +200,14 @@ impl From<WidthChange> for StyleChange {
     }
 }
 
+/// The members of a style as bits.
+type StyleKey = (ColourChange, [u64; 2], u32, Option<[u64; 2]>);
+
 /// The distinct styles of a drawing in the making.
 #[derive(Clone, Debug)]
 pub(crate) struct Styles {
     pub list: Vec<StyleChange>,
-    ids: HashMap<(ColourChange, u64, u64, u32), StyleId>,
+    ids: HashMap<StyleKey, StyleId>,
     /// A cache of recent styles by level and colour: consecutive strokes mostly have the same style.
     recent: [(StyleChange, Option<StyleId>); 32],
 }
@@ -142,19 +219,21 @@ impl Styles {
 
     /// The bytes that the styles occupy.
     pub(crate) fn bytes(&self) -> u64 {
-        let each = size_of::<(ColourChange, u64, u64, u32)>() + size_of::<StyleId>() + 1;
+        let each = size_of::<StyleKey>() + size_of::<StyleId>() + 1;
         // A hash map leaves an eighth of its places free.
         (self.list.capacity() * size_of::<StyleChange>() + self.ids.capacity() / 7 * 8 * each) as u64
     }
 
     /// The index of a style, which is added if it is new.
     pub(crate) fn id(&mut self, style: &StyleChange) -> StyleId {
-        let place =
-            style.level.wrapping_add(style.colour.of(0).cast_unsigned().wrapping_mul(8)) as usize % self.recent.len();
+        let colour = style.colour.of(0).cast_unsigned().wrapping_mul(8);
+        let tapers = u32::from(style.next.is_some()) * 16;
+        let place = style.level.wrapping_add(colour).wrapping_add(tapers) as usize % self.recent.len();
         match self.recent[place] {
             (recent, Some(id)) if recent == *style => id,
             _ => {
-                let key = (style.colour, style.width.factor.to_bits(), style.width.offset.to_bits(), style.level);
+                let bits = |width: WidthChange| [width.factor.to_bits(), width.offset.to_bits()];
+                let key = (style.colour, bits(style.width), style.level, style.next.map(bits));
                 let next = StyleId(self.list.len() as u32);
                 let id = *self.ids.entry(key).or_insert(next);
                 if id == next {

@@ -89,6 +89,8 @@ impl System {
             start: definition.start,
             step: definition.step,
             width: style.width,
+            max_width: style.max_width / 100.0,
+            tapers: style.tapers,
             width_factor: style.width_factor,
             length_factor: definition.length_factor,
             colouring: match style.colour_by {

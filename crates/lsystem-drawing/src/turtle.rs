@@ -6,7 +6,7 @@ use crate::rotation::Axis;
 use crate::space::{Geometry, Tropism, exponent_of, finite, unit_of};
 use crate::style::{ColourChange, StyleChange, WidthChange};
 use lsystem_derive::{Fate, LetterId, Rule, Rules, Varied};
-use lsystem_syntax::{Action, CIRCLE_SIDES, Heading};
+use lsystem_syntax::{Action, CIRCLE_SIDES, Heading, Outline};
 
 /// The actions of all letters and the settings of the turtle.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,11 @@ pub struct Turtle {
     pub step: f64,
     /// The stroke width at the start, in multiples of the step length.
     pub width: f64,
+    /// The greatest stroke width, as a fraction of the drawing's longest side: if the widest stroke exceeds it, all
+    /// strokes are thinner by the same factor. 0 for no limit.
+    pub max_width: f64,
+    /// Whether a stroke tapers to the width with which its branch goes on.
+    pub tapers: bool,
     /// The factor of the stroke width in a branch.
     pub width_factor: f64,
     /// The factor of all lengths in a branch.
@@ -78,8 +83,8 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     ScaleLength(f64),
     /// Draw a circle around the turtle; the diameter in the same units as lengths.
     Circle(f64),
-    /// Fill a disc around the turtle; the diameter in the same units.
-    Disc(f64),
+    /// Fill an outline; the size in the same units.
+    Fill(Outline, f64),
     /// Roll until the turtle's left is level.
     Upright,
     /// Turn the heading by a tropism.
@@ -129,6 +134,8 @@ pub(crate) struct Score<S: Geometry = Plane> {
     pub width: f64,
     /// As [`Turtle::growth`].
     pub growth: f64,
+    /// Whether strokes taper: the turtle wants it, and widths may change.
+    pub tapers: bool,
     /// The largest deviations of angles and of lengths, as fractions.
     variations: [f64; 2],
     /// Whether the colour index is the derivation step that made the module.
@@ -151,6 +158,8 @@ impl Default for Turtle {
             start: [0.0; 2],
             step: 1.0,
             width: 0.0,
+            max_width: 0.0,
+            tapers: false,
             width_factor: 1.0,
             length_factor: 1.0,
             colouring: Colouring::Symbols,
@@ -178,6 +187,7 @@ impl Turtle {
             *op = op.scaled(-exponent);
         }
         Score {
+            tapers: self.tapers && self.changes_width(reachable),
             ops,
             exponent,
             step: self.unit(),
@@ -186,6 +196,17 @@ impl Turtle {
             variations: [self.angle_variation, self.length_variation].map(|part| finite(part).clamp(0.0, 1.0)),
             colours_by_generation: self.colouring == Colouring::Generations,
         }
+    }
+
+    /// Whether a reachable letter changes the width.
+    fn changes_width(&self, reachable: &[bool]) -> bool {
+        self.actions.iter().zip(reachable).filter(|(_, reached)| **reached).flat_map(|(actions, _)| actions).any(
+            |action| match action {
+                Action::SetWidth(_) | Action::ScaleWidth(_) => true,
+                Action::Push => self.width_factor != 1.0,
+                _ => false,
+            },
+        )
     }
 
     /// The default length in units of [`Turtle::unit`]: 0 if the step is zero or not finite, 1 otherwise.
@@ -250,7 +271,7 @@ impl Turtle {
             Action::SwapTurns => TurtleOp::SwapTurns,
             Action::ScaleLength(factor) => TurtleOp::ScaleLength(finite(factor).max(0.0)),
             Action::Circle(diameter) => TurtleOp::Circle(in_steps(diameter)),
-            Action::Disc(diameter) => TurtleOp::Disc(in_steps(diameter)),
+            Action::Fill(outline, size) => TurtleOp::Fill(outline, in_steps(size)),
             Action::PitchDown(degrees) => turn(Axis::Left, degrees, self.pitch_down),
             Action::PitchUp(degrees) => back(Axis::Left, degrees, self.pitch_up),
             Action::RollLeft(degrees) => turn(Axis::Ahead, degrees, self.roll_left),
@@ -318,7 +339,7 @@ impl<S: Geometry> Score<S> {
 
     /// Whether a letter opens a polygon or fills a disc.
     pub(crate) fn fills(&self) -> bool {
-        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::OpenPolygon | TurtleOp::Disc(_)))
+        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::OpenPolygon | TurtleOp::Fill(..)))
     }
 
     /// Whether a letter exchanges left and right turns.
@@ -431,7 +452,7 @@ impl<S: Geometry> TurtleOp<S> {
             Self::Draw(length) => Self::Draw(change(length)),
             Self::Move(length) => Self::Move(change(length)),
             Self::Circle(diameter) => Self::Circle(change(diameter)),
-            Self::Disc(diameter) => Self::Disc(change(diameter)),
+            Self::Fill(outline, size) => Self::Fill(outline, change(size)),
             other => other,
         }
     }
@@ -439,7 +460,7 @@ impl<S: Geometry> TurtleOp<S> {
     /// The operation's length or diameter.
     pub(crate) fn length(&self) -> Option<f64> {
         match *self {
-            Self::Draw(length) | Self::Move(length) | Self::Circle(length) | Self::Disc(length) => Some(length),
+            Self::Draw(length) | Self::Move(length) | Self::Circle(length) | Self::Fill(_, length) => Some(length),
             _ => None,
         }
     }
@@ -455,7 +476,11 @@ impl<S: Geometry> TurtleOp<S> {
 
     /// The units of work of the operation, and an upper bound on the number of its items.
     pub(crate) fn work(&self) -> u64 {
-        if matches!(self, Self::Circle(_) | Self::Disc(_)) { u64::from(CIRCLE_SIDES) } else { 1 }
+        match self {
+            Self::Circle(_) => u64::from(CIRCLE_SIDES),
+            Self::Fill(outline, _) => u64::from(outline.sides()),
+            _ => 1,
+        }
     }
 }
 
@@ -507,8 +532,16 @@ pub(crate) struct Pen<S: Geometry = Plane> {
 
 /// A receiver of segments and polygons.
 pub(crate) trait Paper<S: Geometry> {
-    /// Adds a segment.
+    /// Adds a segment of the branch.
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
+    /// Adds a segment beside the branch.
+    fn side(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
+    /// Interrupts the branch: the turtle moves.
+    fn gap(&mut self);
+    /// Opens a branch.
+    fn branch(&mut self);
+    /// Ends a branch and returns to the outer one.
+    fn rejoin(&mut self);
     /// Opens a polygon.
     fn open(&mut self, style: &StyleChange);
     /// Adds a vertex to the innermost open polygon, if any, unless the polygon has vertices already.
@@ -542,19 +575,27 @@ impl<S: Geometry> Pen<S> {
                     self.forward(length * scale, directions);
                     paper.stroke(from, self.at, &self.style);
                 }
-                TurtleOp::Move(length) => self.forward(length * scale, directions),
+                TurtleOp::Move(length) => {
+                    self.forward(length * scale, directions);
+                    paper.gap();
+                }
                 TurtleOp::Turn(by) => self.heading = S::then(self.heading, by.turn(self.swapped)),
                 TurtleOp::SwapTurns => self.swapped = !self.swapped,
                 TurtleOp::ScaleLength(factor) => self.scale_by(factor),
                 TurtleOp::Circle(diameter) => {
                     let corners = self.circle(diameter * scale, directions);
                     for (at, &from) in corners.iter().enumerate() {
-                        paper.stroke(from, corners[(at + 1) % corners.len()], &self.style);
+                        paper.side(from, corners[(at + 1) % corners.len()], &self.style);
                     }
                 }
-                TurtleOp::Disc(diameter) => {
+                TurtleOp::Fill(outline, size) => {
                     paper.open(&self.style);
-                    self.circle(diameter * scale, directions).into_iter().for_each(|corner| paper.vertex(corner));
+                    if let Some(corners) = outline.leaf() {
+                        let axes = S::scaled(S::axes(directions, self.heading), size * scale * self.scale);
+                        corners.for_each(|[x, y]| paper.vertex(S::transform(&axes, self.at, S::point([x, y, 0.0]))));
+                    } else {
+                        self.circle(size * scale, directions).into_iter().for_each(|corner| paper.vertex(corner));
+                    }
                     paper.close();
                 }
                 TurtleOp::Upright => self.heading = S::upright(self.heading, &self.vertical),
@@ -562,11 +603,17 @@ impl<S: Geometry> Pen<S> {
                 TurtleOp::Push(BranchFactors { width, length }) => {
                     reserve(saved, 1);
                     saved.push(*self);
+                    paper.branch();
                     self.style.level = self.style.level.saturating_add(1);
                     self.style.width = self.style.width.then(WidthChange { factor: width, offset: 0.0 });
                     self.scale_by(length);
                 }
-                TurtleOp::Pop => *self = saved.pop().unwrap_or(*self),
+                TurtleOp::Pop => {
+                    if let Some(outer) = saved.pop() {
+                        *self = outer;
+                        paper.rejoin();
+                    }
+                }
                 TurtleOp::Style(change) => self.style = self.style.then(&change),
                 TurtleOp::TurnColour(sides) => {
                     self.style.colour = ColourChange::Set(sides[usize::from(self.swapped)]);

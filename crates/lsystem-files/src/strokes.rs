@@ -31,7 +31,13 @@ pub(super) fn write_marks(
         match mark {
             Mark::Segment(segment, tint) => {
                 file.charge(8)?;
-                file.stroke(place(segment.from), place(segment.to), look(tint, segment.width));
+                let ends = [place(segment.from), place(segment.to)];
+                let [first, last] = [segment.width, segment.end_width].map(|width| look(tint, width));
+                if first.width == last.width {
+                    file.stroke(ends[0], ends[1], first);
+                } else {
+                    file.fill(cone(ends, [first.width, last.width]), first.rgb)?;
+                }
             }
             Mark::Polygon(vertices, tint) => {
                 file.charge(8 + vertices.len() as u64 / 8)?;
@@ -41,6 +47,27 @@ pub(super) fn write_marks(
     }
     file.close();
     Ok(())
+}
+
+/// The corners of half a round end.
+const ROUND: usize = 8;
+
+/// The outline of a stroke that tapers, with round ends. `widths` are those at the ends.
+pub(super) fn cone(ends: [[f64; 2]; 2], widths: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let [dx, dy] = [0, 1].map(|axis| ends[1][axis] - ends[0][axis]);
+    let length = libm::hypot(dx, dy);
+    let radii = widths.map(|width| width / 2.0);
+    let ahead = libm::atan2(dy, dx);
+    // The angle from the direction ahead to the place where the straight sides begin. An end may contain the other.
+    let side = libm::acos(((radii[0] - radii[1]) / length).clamp(-1.0, 1.0));
+    let side = if side.is_nan() { core::f64::consts::FRAC_PI_2 } else { side };
+    let arc = move |end: usize, from: f64, to: f64| {
+        (0..=ROUND).map(move |step| {
+            let (sin, cos) = libm::sincos(ahead + from + (to - from) * step as f64 / ROUND as f64);
+            [ends[end][0] + radii[end] * cos, ends[end][1] + radii[end] * sin]
+        })
+    };
+    arc(1, -side, side).chain(arc(0, side, core::f64::consts::TAU - side))
 }
 
 /// The look of a stroke.

@@ -91,7 +91,7 @@ impl BlockFacts {
         };
         let part = (ink / distance(from, to)).min(1.0);
         let to = if part < 1.0 { [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis])) } else { to };
-        Line { from, to, style: longest.style }
+        Line { from, to, ..longest }
     }
 }
 

@@ -12,7 +12,7 @@ use crate::options::PlotOptions;
 use crate::page::{Page, Point, distance};
 use crate::spots::Spots;
 use lsystem_base::LimitName;
-use lsystem_drawing::{BlockFrame, BlockId, Directions, Drawing, Item, Line, Placed, Polygon, StyleChange};
+use lsystem_drawing::{BlockFrame, BlockId, Directions, Drawing, Item, Line, Placed, Polygon, StyleChange, Widths};
 use lsystem_syntax::style::gradient_step;
 use lsystem_syntax::{ColourBy, Diagnostic, Halt, Style, Tint, Work};
 use std::collections::{HashMap, HashSet};
@@ -64,7 +64,7 @@ pub(crate) struct Gather<'a> {
 
 /// A block in a direction, at a scale and in a style: whether positions are in steps of [`BESIDE`], the bits of the scale and the width,
 /// and the visible colour and level.
-type Variant = (BlockId, u64, bool, u64, u64, i32, u32);
+type Variant = (BlockId, u64, bool, u64, [u64; 2], i32, u32);
 
 impl<'a> Gather<'a> {
     /// No strokes so far, and no limits.
@@ -217,15 +217,15 @@ impl<'a> Gather<'a> {
     /// Whether a block is drawn at this place already; from now on it is.
     fn is_known(&mut self, block: BlockId, frame: &BlockFrame) -> bool {
         let is_cut = self.is_cut && self.facts.finest(block) * frame.scale.abs() < self.options.pen;
-        let width = frame.style.width.of(0.0);
-        let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.page.step;
+        let widths = frame.style.widths();
+        let widest = widths.widest(self.drawing.blocks[block.0 as usize].widest) * self.page.step;
         let is_broad = self.options.hatch && widest > self.options.pen;
         let (colour, level) = match self.style.colour_by {
             ColourBy::Path => (gradient_step(self.place(self.passed)) as i32, 0),
             _ => frame.style.seen(self.style),
         };
-        let width = if is_broad { width } else { 0.0 };
-        let variant = (block, frame.heading.units(), is_cut, frame.scale.to_bits(), width.to_bits(), colour, level);
+        let widths = if is_broad { widths } else { Widths::new(0.0) };
+        let variant = (block, frame.heading.units(), is_cut, frame.scale.to_bits(), widths.key(), colour, level);
         let next = self.variants.len() as u32;
         let variant = *self.variants.entry(variant).or_insert(next);
         let cell = if is_cut { BESIDE * self.options.pen } else { SAME };
@@ -250,10 +250,14 @@ impl<'a> Gather<'a> {
         let change = frame.style.then(&line.style);
         let layer = self.layer(&change);
         let ends = [line.from, line.to].map(|end| self.down(frame.transform(end)));
-        let width = change.width.of(0.0) * self.page.step;
-        if self.options.hatch && width > self.options.pen && ends[0] != ends[1] {
-            let left = self.limits[0].saturating_sub(self.count) + 1;
-            hatch::broad(ends, width, self.options.pen, left).for_each(|ends| self.stroke(layer, ends));
+        let [first, last] = change.widths().ends();
+        if self.options.hatch && first.max(last) * self.page.step > self.options.pen && ends[0] != ends[1] {
+            for (ends, widths) in line.parts(change.widths()) {
+                let ends = ends.map(|end| self.down(frame.transform(end)));
+                let widths = widths.ends().map(|width| width * self.page.step);
+                let left = self.limits[0].saturating_sub(self.count) + 1;
+                hatch::broad(ends, widths, self.options.pen, left).for_each(|ends| self.stroke(layer, ends));
+            }
         } else if !self.is_cut {
             self.stroke(layer, ends);
         } else if distance(ends[0], ends[1]) < self.options.pen {

@@ -4,16 +4,17 @@ use crate::page::{Point, distance};
 use core::f64::consts::FRAC_1_SQRT_2;
 use lsystem_syntax::{Halt, Work};
 
-/// The lines of a stroke of this width, at most `most`: parallel to its axis, joined end to end in turns.
-pub(crate) fn broad([from, to]: [Point; 2], width: f64, pen: f64, most: u64) -> impl Iterator<Item = [Point; 2]> {
+/// The lines of a stroke with these widths at its ends, at most `most`: along its axis, joined end to end in turns.
+pub(crate) fn broad([from, to]: [Point; 2], widths: [f64; 2], pen: f64, most: u64) -> impl Iterator<Item = [Point; 2]> {
     let length = distance(from, to);
     // The outer lines reach the stroke's sides with half a pen.
-    let between = (width - pen).max(0.0);
-    let count = (libm::ceil(between / pen) as u64).saturating_add(1).min(most);
+    let between = widths.map(|width| (width - pen).max(0.0));
+    let count = (libm::ceil(between[0].max(between[1]) / pen) as u64).saturating_add(1).min(most);
     let aside = [(from[1] - to[1]) / length, (to[0] - from[0]) / length];
     let line = move |number: u64| {
-        let by = if count > 1 { between * (number as f64 / (count - 1) as f64 - 0.5) } else { 0.0 };
-        let ends = [from, to].map(|end| [0, 1].map(|axis| end[axis] + by * aside[axis]));
+        let part = if count > 1 { number as f64 / (count - 1) as f64 - 0.5 } else { 0.0 };
+        let ends = [(from, between[0]), (to, between[1])];
+        let ends = ends.map(|(end, between)| [0, 1].map(|axis| end[axis] + between * part * aside[axis]));
         if number.is_multiple_of(2) { ends } else { [ends[1], ends[0]] }
     };
     (0..count).flat_map(move |number| {
@@ -116,12 +117,12 @@ mod tests {
 
     #[test]
     fn a_broad_stroke_is_one_way_of_lines() {
-        let lines: Vec<_> = broad([[0.0, 0.0], [10.0, 0.0]], 1.0, 0.3, 100).collect();
+        let lines: Vec<_> = broad([[0.0, 0.0], [10.0, 0.0]], [1.0; 2], 0.3, 100).collect();
         assert_eq!(lines.len(), 7);
         assert!(lines.windows(2).all(|pair| distance(pair[0][1], pair[1][0]) < 1e-12));
         let reach = lines.iter().flatten().map(|point| point[1].abs()).fold(0.0, f64::max);
         assert!((reach - 0.35).abs() < 1e-12);
-        assert_eq!(broad([[0.0, 0.0], [10.0, 0.0]], 0.2, 0.3, 100).count(), 1);
-        assert_eq!(broad([[0.0, 0.0], [10.0, 0.0]], 1e300, 0.3, 4).count(), 7);
+        assert_eq!(broad([[0.0, 0.0], [10.0, 0.0]], [0.2; 2], 0.3, 100).count(), 1);
+        assert_eq!(broad([[0.0, 0.0], [10.0, 0.0]], [1e300; 2], 0.3, 4).count(), 7);
     }
 }

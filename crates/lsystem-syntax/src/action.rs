@@ -1,5 +1,7 @@
 //! The turtle's actions.
 
+use crate::Outline;
+
 /// The number of sides of a circle and of a disc. With 32 sides, the sides stay within half a pixel of a true circle
 /// with a diameter of up to 200 pixels.
 pub const CIRCLE_SIDES: u32 = 32;
@@ -58,8 +60,9 @@ pub enum Action {
     /// Draw a circle around the turtle, in the plane of its heading and its left. The diameter is in model units, times
     /// the length scale; `None` is the system's step length. The circle is drawn as [`CIRCLE_SIDES`] segments.
     Circle(Option<f64>),
-    /// As [`Action::Circle`], filled in the turtle's current colour, without segments.
-    Disc(Option<f64>),
+    /// Fill an outline in the turtle's current colour, in the plane of its heading and its left. The size is in model
+    /// units, times the length scale; `None` is the system's step length.
+    Fill(Outline, Option<f64>),
     /// In the next derivation step, remove this symbol and the rest of its branch. The turtle ignores the symbol.
     Cut,
 }
@@ -84,7 +87,7 @@ impl Action {
             Self::RollRight(_) => Self::RollRight(Some(number)),
             Self::ScaleLength(_) => Self::ScaleLength(number),
             Self::Circle(_) => Self::Circle(Some(number)),
-            Self::Disc(_) => Self::Disc(Some(number)),
+            Self::Fill(outline, _) => Self::Fill(outline, Some(number)),
             Self::TurnRound
             | Self::SwapTurns
             | Self::RollUpright
@@ -122,7 +125,7 @@ impl Action {
         match self {
             Self::Draw(length) | Self::DrawUnmarked(length) => Some(length),
             Self::Move(length) | Self::MoveUnmarked(length) => Some(length),
-            Self::Circle(length) | Self::Disc(length) => Some(length),
+            Self::Circle(length) | Self::Fill(_, length) => Some(length),
             _ => None,
         }
     }

@@ -1,6 +1,6 @@
 //! Named tables of the symbols' actions.
 
-use crate::Action;
+use crate::{Action, Outline};
 
 /// A named table from symbols to actions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -116,7 +116,7 @@ impl Dialect {
             (Self::Abop, '\'' | ';') => &[Action::AddColour(1)],
             (Self::Abop, ',') => &[Action::AddColour(-1)],
             (Self::Abop, '○') => &[Action::Circle(None)],
-            (Self::Abop, '●') => &[Action::Disc(None)],
+            (Self::Abop, '●') => &[Action::Fill(Outline::Disc, None)],
             (Self::Abop, '%') => &[Action::Cut],
             (Self::Abop, '{') => &[Action::OpenPolygon],
             (Self::Abop, '.') => &[Action::Vertex],

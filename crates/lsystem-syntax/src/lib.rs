@@ -25,6 +25,7 @@ mod class;
 mod definition;
 mod dialect;
 pub mod fields;
+mod outline;
 pub mod style;
 mod value;
 
@@ -62,6 +63,7 @@ pub use heading::Heading;
 pub use notation::constants::ConstantPlace;
 pub use notation::parse;
 pub use notation::site::{Site, site};
+pub use outline::Outline;
 pub use overrides::{parse_overrides, print_overrides};
 pub use place::{byte_offset, line_of, render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};

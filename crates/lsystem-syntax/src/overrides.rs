@@ -25,6 +25,7 @@
 //! | `colour 3`, `next colour`, `next colour 2`, `previous colour` | choose from the palette, counted from 0 |
 //! | `width 2`, `width times 0.5`, `thicker`, `thinner` | stroke width in steps, or by a factor (√2, 1/√2) |
 //! | `circle`, `circle 2`, `disc`, `disc 2` | a circle or a filled disc around the turtle, with the step or this number as diameter |
+//! | `leaf lance`, `leaf heart`, `leaf oak`, `leaf needle`, `leaf petal 2` | the filled outline of a leaf ahead of the turtle, with the step or this number as length |
 //! | `length times 0.5` | multiply all lengths from here on |
 //! | `swap turns` | from here on, left turns go right and right turns go left |
 //! | `cut branch` | in the next derivation step it and the rest of its branch are gone |
@@ -34,7 +35,7 @@ use crate::notation::token::{Token, span_of, text_of, tokens};
 use crate::notation::{is_comment, is_short_enough, lines};
 use crate::notes::{Notes, similar};
 use crate::print::symbol;
-use crate::{Action, Class, Diagnostic, Expected, Field, Kind};
+use crate::{Action, Class, Diagnostic, Expected, Field, Kind, Outline};
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::Range;
 use lsystem_base::number::number;
@@ -168,7 +169,7 @@ fn print_action(action: Action) -> String {
         Action::ScaleLength(factor) => format!("length times {}", number(factor)),
         Action::SwapTurns => "swap turns".to_owned(),
         Action::Circle(diameter) => optional("circle", diameter),
-        Action::Disc(diameter) => optional("disc", diameter),
+        Action::Fill(outline, size) => optional(outline.words(), size),
     }
 }
 
@@ -248,6 +249,8 @@ enum NumberForm {
     Plain(Action),
     /// An optional number between -[`MOST`] and [`MOST`].
     Optional(fn(Option<f64>) -> Action),
+    /// As `Optional`: the size of an outline that is filled.
+    Size(Outline),
     /// A number in this range.
     Number(fn(f64) -> Action, Expected),
     /// A palette index.
@@ -260,7 +263,7 @@ enum NumberForm {
 const MOST: f64 = 1e9;
 
 /// The words of all actions except `nothing`.
-const FORMS: [(&str, NumberForm); 36] = [
+const FORMS: [(&str, NumberForm); 41] = [
     ("draw", NumberForm::Optional(Action::Draw)),
     ("move", NumberForm::Optional(Action::Move)),
     ("draw unmarked", NumberForm::Optional(Action::DrawUnmarked)),
@@ -295,8 +298,13 @@ const FORMS: [(&str, NumberForm); 36] = [
     ("length times", NumberForm::Number(Action::ScaleLength, Expected::Between(0.0, MOST))),
     ("swap turns", NumberForm::Plain(Action::SwapTurns)),
     ("circle", NumberForm::Optional(Action::Circle)),
-    ("disc", NumberForm::Optional(Action::Disc)),
-    ("disk", NumberForm::Optional(Action::Disc)),
+    ("disc", NumberForm::Size(Outline::Disc)),
+    ("disk", NumberForm::Size(Outline::Disc)),
+    ("leaf lance", NumberForm::Size(Outline::Lance)),
+    ("leaf heart", NumberForm::Size(Outline::Heart)),
+    ("leaf oak", NumberForm::Size(Outline::Oak)),
+    ("leaf needle", NumberForm::Size(Outline::Needle)),
+    ("leaf petal", NumberForm::Size(Outline::Petal)),
 ];
 
 fn form(words: &str) -> Option<NumberForm> {
@@ -321,11 +329,18 @@ fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
     match form {
         NumberForm::Plain(action) if digits.is_empty() => Ok(action),
         NumberForm::Plain(_) => wrong(Expected::Nothing),
-        NumberForm::Optional(make) if digits.is_empty() => Ok(make(None)),
-        NumberForm::Optional(make) => match value {
-            Some(v) if v.abs() <= MOST => Ok(make(Some(v))),
-            _ => wrong(Expected::Between(-MOST, MOST)),
-        },
+        NumberForm::Optional(_) | NumberForm::Size(_) => {
+            let number = match value {
+                _ if digits.is_empty() => None,
+                Some(value) if value.abs() <= MOST => Some(value),
+                _ => return wrong(Expected::Between(-MOST, MOST)),
+            };
+            match form {
+                NumberForm::Size(outline) => Ok(Action::Fill(outline, number)),
+                NumberForm::Optional(make) => Ok(make(number)),
+                _ => wrong(Expected::Nothing),
+            }
+        }
         NumberForm::Number(make, expected) => match value {
             Some(v) if expected.admits(v) => Ok(make(v)),
             _ => wrong(expected),

@@ -90,8 +90,13 @@ pub struct Style {
     pub width: f64,
     /// The factor of the width for each branch level.
     pub width_factor: f64,
+    /// Whether a stroke tapers to the width with which its branch goes on.
+    pub tapers: bool,
     /// The smallest width of a stroke, in CSS pixels of the picture.
     pub min_width: f64,
+    /// The greatest width of a stroke, in percent of the drawing's longer side: if the widest stroke exceeds it, all
+    /// strokes are thinner by the same factor. 0 for no limit.
+    pub max_width: f64,
     /// The blending of overlapping strokes.
     pub ink: Ink,
     /// The rotation of the palette's hues, in degrees.
@@ -134,6 +139,8 @@ impl Default for Style {
             width: 0.0,
             width_factor: 1.0,
             min_width: 1.0,
+            max_width: 2.0,
+            tapers: true,
             ink: Ink::Solid,
             hue: 0.0,
             exposure: 0.0,
@@ -150,6 +157,8 @@ impl Style {
             background: Colour { rgb: [0xff; 3] },
             width: 0.04,
             min_width: 0.0,
+            max_width: 0.0,
+            tapers: false,
             ..Self::default()
         }
     }

@@ -39,6 +39,27 @@ struct Stroke {
     to: [f64; 2],
     colour: String,
     width: f64,
+    end_width: f64,
+}
+
+/// The stroke whose outline this is: an arc around its end, then one around its start, nine corners each. `None` for
+/// another polygon.
+fn cone(corners: &[[f64; 2]], colour: &str) -> Option<Stroke> {
+    let (end, start) = (corners.len() == 18).then(|| corners.split_at(9))?;
+    let circle = |arc: &[[f64; 2]]| {
+        // The centre is as far from the first corner as from the middle and the last one.
+        let row = |to: [f64; 2]| {
+            let way = [to[0] - arc[0][0], to[1] - arc[0][1]];
+            (way, (to[0] * to[0] + to[1] * to[1] - arc[0][0] * arc[0][0] - arc[0][1] * arc[0][1]) / 2.0)
+        };
+        let ((a, u), (b, v)) = (row(arc[4]), row(arc[8]));
+        let det = a[0] * b[1] - a[1] * b[0];
+        let centre = [(u * b[1] - v * a[1]) / det, (a[0] * v - b[0] * u) / det];
+        let radius = distance(centre, arc[0]);
+        arc.iter().all(|&corner| (distance(centre, corner) - radius).abs() < 0.02).then_some((centre, radius))
+    };
+    let ((to, last), (from, first)) = (circle(end)?, circle(start)?);
+    Some(Stroke { from, to, colour: colour.to_owned(), width: 2.0 * first, end_width: 2.0 * last })
 }
 
 /// A rotation in degrees and a translation, with y down.
@@ -106,8 +127,12 @@ impl<'a> Reader<'a> {
                 continue;
             }
             assert!(line.starts_with("<path"), "{line}");
-            // Polygons have no strokes.
+            // Polygons have no strokes, but may be the outlines of strokes that taper.
             if attribute(line, "stroke") == Some("none") {
+                let path = attribute(line, "d").unwrap().trim_start_matches('M').trim_end_matches('z');
+                let numbers: Vec<f64> = path.split([' ', 'L']).map(|number| number.parse().unwrap()).collect();
+                let corners: Vec<[f64; 2]> = numbers.chunks(2).map(|p| transform.of([p[0], p[1]])).collect();
+                self.strokes.extend(cone(&corners, attribute(line, "fill").unwrap()));
                 continue;
             }
             let of = |name| attribute(line, name).or(attribute(around, name)).unwrap();
@@ -117,7 +142,7 @@ impl<'a> Reader<'a> {
                 let points: Vec<[f64; 2]> = numbers.chunks(2).map(|p| transform.of([p[0], p[1]])).collect();
                 self.strokes.extend(points.windows(2).map(|pair| {
                     let [from, to] = [pair[0], pair[1]];
-                    Stroke { from, to, colour: colour.clone(), width }
+                    Stroke { from, to, colour: colour.clone(), width, end_width: width }
                 }));
             }
         }
@@ -152,9 +177,15 @@ fn check_covers(definition: &Definition, size: f64) {
                 place: 0.0,
             }));
             assert_eq!(stroke.colour, colour);
-            let width = (segment.width / pixel).max(definition.style.min_width);
-            assert!((stroke.width - width).abs() <= 1e-5 * width, "{stroke:?} {width}");
+            let [width, end_width] =
+                [segment.width, segment.end_width].map(|width| (width / pixel).max(definition.style.min_width));
+            // The corners of an outline are rounded.
+            let exact = if stroke.width == stroke.end_width { 1e-5 * width } else { 0.1 };
+            assert!((stroke.width - width).abs() <= exact, "{stroke:?} {width}");
             at = place(segment.to);
+            if near(at, stroke.to) {
+                assert!((stroke.end_width - end_width).abs() <= exact, "{stroke:?} {end_width}");
+            }
         }
         assert!(near(at, stroke.to), "{stroke:?} {at:?} {}", definition.name);
     }

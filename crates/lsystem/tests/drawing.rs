@@ -41,6 +41,8 @@ fn system(axiom: &str, rules: &[(char, &str, f64)], angle: f64) -> System {
         start: [3.0, -4.0],
         step: 0.7,
         width: 0.5,
+        tapers: true,
+        max_width: 0.03,
         ..Turtle::default()
     };
     System { grammar, rules, turtle, style: Style::default(), seed: 7 }
@@ -63,7 +65,7 @@ fn near(a: [f64; 2], b: [f64; 2], tolerance: f64) -> bool {
 /// Checks that the drawing equals that of the naive turtle, to 1e-9 of the extent.
 fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
     let drawing = draw::<Plane>(system, n, &Limits::default()).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
-    let expected = naive::segments(system, n);
+    let expected = naive::limited_segments(system, n, drawing.bounds());
     prop_assert_eq!(drawing.segment_count(), expected.len() as u128);
     if let Some(symbols) = drawing.symbol_count() {
         let word = naive::modules(&system.grammar, system.seed, n).unwrap();
@@ -85,6 +87,7 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
         prop_assert!(near(a.from, b.from, tolerance) && near(a.to, b.to, tolerance), "{}: {:?} {:?}", index, a, b);
         prop_assert_eq!((a.colour, a.level), (b.colour, b.level), "{}", index);
         prop_assert!((a.width - b.width).abs() <= 1e-9 * b.width, "{}: {:?} {:?}", index, a, b);
+        prop_assert!((a.end_width - b.end_width).abs() <= 1e-9 * b.end_width, "{}: {:?} {:?}", index, a, b);
     }
     check_arrays(&drawing, &segments)?;
     check_places(&drawing, &segments)?;
@@ -171,7 +174,7 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
         let point = [middle[0] + 0.02 * k as f64 * extent, middle[1]];
         let tolerance = 0.05 * fitted;
         let distances: Vec<f64> =
-            segments.iter().map(|s| scale * (distance(point, s) - s.width / 2.0).max(0.0)).collect();
+            segments.iter().map(|s| scale * (distance(point, s) - width_beside(point, s) / 2.0).max(0.0)).collect();
         let slack = 1e-9 * fitted;
         for upto in [None, Some(segments.len() / 2)] {
             let pointer = Pointer {
@@ -199,11 +202,23 @@ fn check_places(drawing: &Drawing, segments: &[Segment]) -> Result<(), TestCaseE
 
 #[expect(clippy::disallowed_methods, reason = "a test on one machine")]
 fn distance(point: [f64; 2], segment: &Segment) -> f64 {
+    let t = nearest(point, segment);
+    let away = [0, 1].map(|axis| point[axis] - segment.from[axis] - t * (segment.to[axis] - segment.from[axis]));
+    away[0].hypot(away[1])
+}
+
+/// The place of a segment's nearest point, from 0 to 1.
+fn nearest(point: [f64; 2], segment: &Segment) -> f64 {
     let along = [0, 1].map(|axis| segment.to[axis] - segment.from[axis]);
     let away = [0, 1].map(|axis| point[axis] - segment.from[axis]);
     let length = along[0].hypot(along[1]);
     let t = if length > 0.0 { (along[0] * away[0] + along[1] * away[1]) / (length * length) } else { 0.0 };
-    (away[0] - t.clamp(0.0, 1.0) * along[0]).hypot(away[1] - t.clamp(0.0, 1.0) * along[1])
+    t.clamp(0.0, 1.0)
+}
+
+/// The width of a segment at its nearest point.
+fn width_beside(point: [f64; 2], segment: &Segment) -> f64 {
+    segment.width + nearest(point, segment) * (segment.end_width - segment.width)
 }
 
 /// Checks that the arrays, whole and in chunks, have the same segments, to 1e-6 of the extent.

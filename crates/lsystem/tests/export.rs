@@ -57,10 +57,10 @@ fn styles_part_paths_and_moves_part_lines() {
             <desc>Three</desc>
             <rect x="-3" y="-5" width="4" height="6" fill="#fbfaf5"/>
             <g fill="none" stroke-linecap="round" stroke-linejoin="round">
-            <path stroke="#1f5c3a" stroke-width="0.5" d="M0 0L0 -1 -1 -1"/>
-            <path stroke="#5f8f2f" stroke-width="0.5" d="M-1 -1L-2 -1"/>
-            <path stroke="#1f5c3a" stroke-width="0.5" d="M0 -2L0 -3"/>
-            <path stroke="#1f5c3a" stroke-width="2" d="M0 -3L0 -4"/>
+            <path stroke="#1f5c3a" stroke-width="0.06" d="M0 0L0 -1 -1 -1"/>
+            <path stroke="#5f8f2f" stroke-width="0.06" d="M-1 -1L-2 -1"/>
+            <path fill="#1f5c3a" stroke="none" d="M0.039998 -2.9996L0.037069 -3.01503 0.028425 -3.028142 0.0154 -3.036917 0 -3.04 -0.0154 -3.036917 -0.028425 -3.028142 -0.037069 -3.01503 -0.039998 -2.9996 -0.029998 -1.9997 -0.02763 -1.988312 -0.021107 -1.978681 -0.011411 -1.972255 0 -1.97 0.011411 -1.972255 0.021107 -1.978681 0.02763 -1.988312 0.029998 -1.9997z"/>
+            <path stroke="#1f5c3a" stroke-width="0.08" d="M0 -3L0 -4"/>
             </g>
             </svg>
         "##]],

@@ -73,7 +73,7 @@ fn affordable(system: &System, most: u32) -> Option<u32> {
 /// Checks that the drawing equals that of the naive turtle, to 1e-9 of its extent.
 fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
     let drawing = drawn(system, n);
-    let expected = naive::segments(system, n);
+    let expected = naive::limited_segments(system, n, drawing.bounds());
     prop_assert_eq!(drawing.segment_count(), expected.len() as u128);
     let word = naive::modules(&system.grammar, system.seed, n).unwrap();
     prop_assert_eq!(drawing.symbol_count(), Some(word.len() as u64));
@@ -84,6 +84,7 @@ fn check(system: &System, n: u32) -> Result<Drawing, TestCaseError> {
         }
         prop_assert_eq!((a.colour, a.level), (b.colour, b.level));
         prop_assert!((a.width - b.width).abs() <= 1e-9 * b.width, "{:?} {:?}", a, b);
+        prop_assert!((a.end_width - b.end_width).abs() <= 1e-9 * b.end_width, "{:?} {:?}", a, b);
     }
     let bounds = drawing.bounds().into_iter().flatten().zip(naive::bounds(&expected).into_iter().flatten());
     for (a, b) in bounds {

@@ -75,8 +75,11 @@ fn winds(outline: &[[f64; 2]], at: [f64; 2]) -> bool {
     sum.abs() > 1.0
 }
 
-/// All marks: target, number of segments before, and stroke width in fitted extents.
-fn marks<S: Space>(drawing: &Drawing<S>, length: &dyn Fn(u128) -> f64) -> Vec<(Target, u128, f64)> {
+/// A target, the number of segments before it, and the stroke widths at its ends in fitted extents.
+type Marked = (Target, u128, [f64; 2]);
+
+/// All marks.
+fn marks<S: Space>(drawing: &Drawing<S>, length: &dyn Fn(u128) -> f64) -> Vec<Marked> {
     let size = |from: &S::Point, to: &S::Point| {
         from.as_ref().iter().zip(to.as_ref()).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
     };
@@ -87,11 +90,11 @@ fn marks<S: Space>(drawing: &Drawing<S>, length: &dyn Fn(u128) -> f64) -> Vec<(T
     let one = |mark: Mark<S>| match mark {
         Mark::Segment(segment, _) => {
             segments += 1;
-            (Target::Segment(segments - 1), segments - 1, segment.width * unit)
+            (Target::Segment(segments - 1), segments - 1, [segment.width * unit, segment.end_width * unit])
         }
         Mark::Polygon(..) => {
             polygons += 1;
-            (Target::Polygon(polygons - 1), segments, 0.0)
+            (Target::Polygon(polygons - 1), segments, [0.0; 2])
         }
     };
     drawing.marks().map(one).collect()
@@ -126,20 +129,20 @@ fn seen_solid(figure: &Figure, camera: &Camera, at: [f64; 2]) -> Vec<Shown> {
             part
         };
         let ([x, y], depth) = view([0, 1, 2].map(|i| from[i] + t * (to[i] - from[i])));
-        (((x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])).sqrt(), depth)
+        (((x - at[0]) * (x - at[0]) + (y - at[1]) * (y - at[1])).sqrt(), depth, t)
     };
     let ends = |number: u128| fitted_ends(figure, number).unwrap().map(coordinates);
     let length = |number: u128| {
         let [from, to] = ends(number);
         dot(minus(to, from), minus(to, from)).sqrt()
     };
-    let one = |(target, before, width): (Target, u128, f64)| {
+    let one = |(target, before, [first, last]): Marked| {
         let seen = match target {
             Target::Segment(number) => {
                 let ends = ends(number);
                 (!ends.iter().any(is_near)).then(|| {
-                    let (axis, depth) = nearest(ends);
-                    let radius = width / 2.0 * scale;
+                    let (axis, depth, along) = nearest(ends);
+                    let radius = (first + along * (last - first)) / 2.0 * scale;
                     let off = axis / larger(depth);
                     let bulge = (radius * radius - off * off).max(0.0).sqrt();
                     let distance = (axis - radius * larger(depth)).max(0.0);
@@ -151,7 +154,7 @@ fn seen_solid(figure: &Figure, camera: &Camera, at: [f64; 2]) -> Vec<Shown> {
                 (!outline.iter().any(is_near)).then(|| {
                     let corners: Vec<_> = outline.iter().map(|&corner| view(corner).0).collect();
                     let sides = (0..outline.len()).map(|i| nearest([outline[i], outline[(i + 1) % outline.len()]]));
-                    let (sides, beside) = sides.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+                    let (sides, beside, _) = sides.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
                     if !winds(&corners, at) {
                         return Seen { distance: sides, depth: scale * beside, sides: Some(sides) };
                     }
@@ -190,10 +193,12 @@ fn seen_flat(figure: &Figure, view: View, at: [f64; 2]) -> Vec<Shown> {
         let [[x0, y0], [x1, y1]] = ends(number);
         ((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)).sqrt() / scale
     };
-    let one = |(target, before, width): (Target, u128, f64)| {
+    let one = |(target, before, [first, last]): Marked| {
         let seen = match target {
             Target::Segment(number) => {
-                let distance = (to_line(at, ends(number)).0 - width * scale / 2.0).max(0.0);
+                let (axis, along) = to_line(at, ends(number));
+                let width = first + along * (last - first);
+                let distance = (axis - width * scale / 2.0).max(0.0);
                 Seen { distance, depth: 0.0, sides: None }
             }
             Target::Polygon(number) => {

@@ -205,7 +205,9 @@ fn strings_and_segments_equal_the_reference() {
                 let fast: Vec<_> = drawing.segments().collect();
                 same_segments(&fast, &naive::solid_segments(&system, n), &what);
             } else {
-                same_segments(&segments(&system, n), &naive::segments(&system, n), &what);
+                let bounds =
+                    draw::<Plane>(&system, n, &Limits::default()).unwrap_or_else(|limit| panic!("{limit:?}")).bounds();
+                same_segments(&segments(&system, n), &naive::limited_segments(&system, n, bounds), &what);
             }
         }
     }
@@ -221,7 +223,11 @@ fn same_segments<S: Space>(fast: &[Segment<S>], slow: &[Segment<S>], what: &str)
     };
     let extent = (0..3).map(side).fold(0.0, f64::max);
     for (i, (a, b)) in fast.iter().zip(slow).enumerate() {
-        assert_eq!((a.colour, a.level, a.width), (b.colour, b.level, b.width), "{what}, segment {i}");
+        assert_eq!(
+            (a.colour, a.level, a.width, a.end_width),
+            (b.colour, b.level, b.width, b.end_width),
+            "{what}, segment {i}"
+        );
         let ends = |s: &Segment<S>| [s.from, s.to].map(|end| end.as_ref().to_vec()).concat();
         for (a, b) in ends(a).iter().zip(&ends(b)) {
             assert!((a - b).abs() <= 1e-9 * extent, "{what}, segment {i}: {a} and {b}");

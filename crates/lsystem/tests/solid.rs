@@ -48,6 +48,7 @@ fn check(system: &System, n: u32) -> Result<Drawing<Solid>, TestCaseError> {
         prop_assert!(near(a.from, b.from) && near(a.to, b.to), "{}: {:?} {:?}", index, a, b);
         prop_assert_eq!((a.colour, a.level), (b.colour, b.level), "{}", index);
         prop_assert!((a.width - b.width).abs() <= 1e-9 * b.width, "{}: {:?} {:?}", index, a, b);
+        prop_assert!((a.end_width - b.end_width).abs() <= 1e-9 * b.end_width, "{}: {:?} {:?}", index, a, b);
     }
     for start in [1, segments.len() / 3, segments.len() - 1] {
         let from: Vec<_> = drawing.segments_from(start as u128).take(3).collect();

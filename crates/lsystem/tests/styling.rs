@@ -25,7 +25,7 @@ fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
     let limits = Limits::default();
     let flat = draw::<Plane>(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
     let solid = draw::<Solid>(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;
-    let expected = naive::segments(&system, n);
+    let expected = naive::limited_segments(&system, n, flat.bounds());
     let reach = expected.iter().flat_map(|s| s.from.into_iter().chain(s.to)).fold(1.0_f64, |r, c| r.max(c.abs()));
     prop_assert_eq!(flat.segment_count(), expected.len() as u128);
     for (index, (a, b)) in flat.segments().zip(&expected).enumerate() {
@@ -33,6 +33,7 @@ fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
         prop_assert!(near(a.from, b.from, tolerance) && near(a.to, b.to, tolerance), "{index}: {a:?} {b:?}");
         prop_assert_eq!((a.colour, a.level), (b.colour, b.level), "{}", index);
         prop_assert!((a.width - b.width).abs() <= 1e-9 * (1.0 + b.width), "{index}: {a:?} {b:?}");
+        prop_assert!((a.end_width - b.end_width).abs() <= 1e-9 * (1.0 + b.end_width), "{index}: {a:?} {b:?}");
     }
     let expected = naive::solid_segments(&system, n);
     let polygons = naive::solid_polygons(&system, n);
@@ -271,10 +272,10 @@ fn a_polygon_records_the_start_of_its_first_segment_only() {
 }
 
 #[test]
-fn scaled_lengths_exchanged_turns_and_discs_share_blocks() {
-    let overrides = "@: length times 0.5\n~: swap turns";
+fn scaled_lengths_exchanged_turns_discs_and_leaves_share_blocks() {
+    let overrides = "@: length times 0.5\n~: swap turns\nL: leaf oak 0.7\nQ: next colour, leaf petal";
     // The last rule leaves the turtle with exchanged turns.
-    for rules in ["X -> F[@+X]~[@-X]F", "X -> F@X~+X○", "X -> @~F-X●~", "X -> +FX~"] {
+    for rules in ["X -> F[@+X]~[@-X]F", "X -> F@X~+X○", "X -> @~F-X●~", "X -> +FX~", "X -> F[+L@X]-FQX~"] {
         let definition =
             |rules: &str| Definition { overrides: overrides.into(), right_angle: Some(50.0), ..abop("X", rules, 30.0) };
         check(&definition(rules), 5).unwrap();
@@ -287,6 +288,101 @@ fn scaled_lengths_exchanged_turns_and_discs_share_blocks() {
         check(&turned, 5).unwrap();
         assert!(drawn(&turned, 40).is_memoised(), "{rules}");
     }
+}
+
+#[test]
+fn a_stroke_tapers_to_the_width_with_which_its_branch_goes_on() {
+    let widths = |axiom: &str| -> Vec<[f64; 2]> {
+        let mut definition = abop(axiom, "", 90.0);
+        (definition.style.width, definition.style.max_width) = (1.0, 0.0);
+        definition.overrides = "!: width times 0.5\n#: width times 2".into();
+        drawn(&definition, 0).segments().map(|segment| [segment.width, segment.end_width]).collect()
+    };
+    // From stroke to stroke; the last one is even.
+    assert_eq!(widths("F!F!F"), [[1.0, 0.5], [0.5, 0.25], [0.25, 0.25]]);
+    assert_eq!(widths("F#F"), [[1.0, 2.0], [2.0, 2.0]]);
+    // Past a side branch, which is a branch of its own.
+    assert_eq!(widths("F[!!+F!F]!F"), [[1.0, 0.5], [0.25, 0.125], [0.125, 0.125], [0.5, 0.5]]);
+    assert_eq!(widths("F[+F]F"), [[1.0, 1.0]; 3]);
+    // Not over a gap, nor to the sides of a circle.
+    assert_eq!(widths("F!fF"), [[1.0, 1.0], [0.5, 0.5]]);
+    assert_eq!(widths("F!○F")[..2], [[1.0, 0.5], [0.5, 0.5]]);
+    // To a width of its own.
+    assert_eq!(widths("F!(3)F!(0)F"), [[1.0, 3.0], [3.0, 0.0], [0.0, 0.0]]);
+    // A branch that is never closed, and one that was never opened.
+    assert_eq!(widths("F[!F!F"), [[1.0, 1.0], [0.5, 0.25], [0.25, 0.25]]);
+    assert_eq!(widths("F]!F"), [[1.0, 0.5], [0.5, 0.5]]);
+}
+
+#[test]
+fn tapered_strokes_share_blocks() {
+    for (axiom, rules) in [
+        ("X", "X -> F![+X]F![-X]!+X\nF -> FF"),
+        ("FXF", "X -> F[!X]+!X"),
+        ("X", "X -> [!+X]X\nF -> F"),
+        ("XF", "X -> Y!Y\nY -> [+F]YF"),
+        ("X", "X -> f!X[+F!F]F"),
+        ("X", "X -> X!\nY -> F"),
+        ("X!F", "X -> FX"),
+        ("!X#F", "X -> #FX[!FX]"),
+    ] {
+        for width_factor in [1.0, 0.7] {
+            let mut definition = abop(axiom, rules, 25.7);
+            (definition.style.width, definition.style.width_factor) = (0.3, width_factor);
+            for n in 0..6 {
+                check(&definition, n).unwrap();
+            }
+            let deep = drawn(&definition, 60);
+            assert!(deep.is_memoised() && deep.block_count() < 400, "{rules}: {}", deep.block_count());
+            // The same turtle without sharing: by chance, by generations, and for modules with parameters.
+            let chance = rules.replace("X ->", "X -> F!F : 0.2\nX ->");
+            let chance = chance
+                .lines()
+                .map(|line| if line.starts_with("X -> F!F") { line.into() } else { format!("{line} : 1") });
+            let chance = Definition { rules: chance.collect::<Vec<_>>().join("\n"), ..definition.clone() };
+            check(&chance, 5).unwrap();
+            let context = Definition { rules: format!("{rules}\nF < F > F -> F!F"), ..definition.clone() };
+            check(&context, 4).unwrap();
+            let module = rules.replace('X', "X(x)").replace("X(x) ->", "X(x) : x > 0 ->");
+            let module = Definition { axiom: axiom.replace('X', "X(1)"), rules: module, ..definition };
+            check(&module, 5).unwrap();
+        }
+    }
+}
+
+#[test]
+fn long_words_taper_over_their_blocks() {
+    // Branches that stay open over thousands of strokes, each of a bottom block or more.
+    for part in ["F+", "F[+F!F]-", "F[-F", "X"] {
+        let axiom = format!("F![+F!{}]F!F", part.repeat(3_000));
+        let mut definition = abop(&axiom, "", 25.7);
+        (definition.style.width, definition.overrides) = (0.5, "X: draw, thinner".into());
+        check(&definition, 0).unwrap();
+        check(&Definition { axiom: "A".into(), rules: format!("A -> {axiom}"), ..definition.clone() }, 1).unwrap();
+        let chance = Definition { axiom: "A".into(), rules: format!("A -> {axiom} : 1\nA -> F : 0.001"), ..definition };
+        check(&chance, 1).unwrap();
+    }
+}
+
+#[test]
+fn the_widest_stroke_is_a_set_part_of_the_drawing() {
+    for (axiom, rules, n, side) in [("FFF!F", "", 0, 4.0), ("F[+F]F", "F -> F!F", 1, 4.0), ("F(7)", "", 0, 7.0)] {
+        let widths = |width: f64, max_width: f64| -> Vec<f64> {
+            let mut definition = abop(axiom, rules, 90.0);
+            (definition.style.width, definition.style.max_width) = (width, max_width);
+            drawn(&definition, n).segments().flat_map(|segment| [segment.width, segment.end_width]).collect()
+        };
+        let (free, limited) = (widths(40.0, 0.0), widths(40.0, 3.0));
+        let widest = limited.iter().copied().fold(0.0, f64::max);
+        assert!((widest - 0.03 * side).abs() < 1e-12, "{axiom}: {widest}");
+        // All strokes by the same factor.
+        assert!(free.iter().zip(&limited).all(|(a, b)| (a * widest / 40.0 - b).abs() < 1e-12), "{axiom}");
+        // Strokes that are thin enough stay as they are, and a point has no size.
+        assert_eq!(widths(0.02 * side, 3.0), widths(0.02 * side, 0.0), "{axiom}");
+    }
+    let mut point = abop("F(0)", "", 0.0);
+    point.style.width = 2.0;
+    assert_eq!(drawn(&point, 0).segments().next().unwrap().width, 2.0);
 }
 
 #[test]

@@ -398,7 +398,7 @@ fn panes_of_wide_strokes_in_space_are_the_picture() {
         rules: "F -> `é`X\n- -> G`é`B-A\ndraw:\nB -> F`🌱`A+".into(),
         angle: 30.0,
         iterations: 7,
-        style: Style { width: 100.0, width_factor: 0.7, min_width: 10.0, ..Style::default() },
+        style: Style { width: 100.0, width_factor: 0.7, min_width: 10.0, max_width: 0.0, ..Style::default() },
         ..Definition::default()
     };
     let drawing = Arc::new(draw::<Solid>(&system(&definition), definition.iterations, &Limits::default()).unwrap());

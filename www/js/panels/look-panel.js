@@ -67,8 +67,11 @@ export function lookPanel(store) {
     colourBy.addEventListener('change', () => {
         store.change({ colourBy: /** @type {import('../state.js').ColourBy} */ (colourBy.value) }, '');
     });
-    const holds = input('palette-holds');
-    holds.addEventListener('change', () => store.change({ paletteHolds: holds.checked }, ''));
+    const flags = /** @type {[HTMLInputElement, 'paletteHolds' | 'tapers'][]} */ ([
+        [input('palette-holds'), 'paletteHolds'],
+        [input('tapers'), 'tapers'],
+    ]);
+    for (const [box, name] of flags) box.addEventListener('change', () => store.change({ [name]: box.checked }, ''));
     const turnFields = ['left-colour', 'right-colour'].map((id, side) =>
         numberField(input(id), {
             low: 1,
@@ -132,7 +135,7 @@ export function lookPanel(store) {
             button('add-colour').disabled = state.palette.length >= maxLengthOf('palette');
             for (const { scheme, chip } of schemes) chip.setAttribute('aria-pressed', String(hasScheme(state, scheme)));
             setChoice(colourBy, state.colourBy);
-            holds.checked = state.paletteHolds;
+            for (const [box, name] of flags) box.checked = state[name];
             html('holds-row').hidden = state.colourBy !== 'level' && state.colourBy !== 'generation';
             html('turns-row').hidden = state.colourBy !== 'turn';
             turnFields.forEach((field, side) => field(/** @type {number} */ (state.turnColours[side]) + 1));

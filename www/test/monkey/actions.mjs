@@ -45,6 +45,7 @@ const NUMBERS = [
     '#width',
     '#width-factor',
     '#min-width',
+    '#max-width',
     '#left-colour',
     '#play-place',
     '#reader-goto',

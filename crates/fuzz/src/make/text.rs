@@ -219,7 +219,7 @@ pub(super) fn rules(source: &mut Source<'_>, features: SystemFeatures) -> String
 
 /// Overrides of a dialect.
 pub(crate) fn overrides(source: &mut Source<'_>) -> String {
-    const ACTIONS: [&str; 38] = [
+    const ACTIONS: [&str; 43] = [
         "draw",
         "move",
         "draw N",
@@ -255,6 +255,11 @@ pub(crate) fn overrides(source: &mut Source<'_>) -> String {
         "swap turns",
         "circle",
         "disc N",
+        "leaf lance",
+        "leaf heart N",
+        "leaf oak",
+        "leaf needle N",
+        "leaf petal",
         "cut branch",
         "nothing",
         "move unmarked",

@@ -173,7 +173,7 @@ fn is_comparable(definition: &Definition, system: &System, n: u32) -> bool {
 /// Whether an action has a number of usual size, if any.
 fn is_usual(action: lsystem::syntax::Action) -> bool {
     use lsystem::syntax::Action::{
-        Circle, Disc, Draw, DrawUnmarked, Move, MoveUnmarked, PitchDown, PitchUp, RollLeft, RollRight, ScaleLength,
+        Circle, Draw, DrawUnmarked, Fill, Move, MoveUnmarked, PitchDown, PitchUp, RollLeft, RollRight, ScaleLength,
         ScaleWidth, SetWidth, TurnLeft, TurnRight,
     };
     let usual = |number: f64| number == 0.0 || (1e-4..1e4).contains(&number.abs());
@@ -181,7 +181,7 @@ fn is_usual(action: lsystem::syntax::Action) -> bool {
         Draw(number) | DrawUnmarked(number) | Move(number) | MoveUnmarked(number) => number.is_none_or(usual),
         TurnLeft(number) | TurnRight(number) | PitchDown(number) | PitchUp(number) => number.is_none_or(usual),
         RollLeft(number) | RollRight(number) => number.is_none_or(usual),
-        Circle(number) | Disc(number) => number.is_none_or(usual),
+        Circle(number) | Fill(_, number) => number.is_none_or(usual),
         // Factors of length multiply along a path.
         ScaleLength(factor) => (0.1..10.0).contains(&factor),
         SetWidth(number) | ScaleWidth(number) => usual(number),

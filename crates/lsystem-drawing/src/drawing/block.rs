@@ -32,6 +32,9 @@ pub trait Space: Geometry {
     /// A search for the extent of a block in block units.
     fn survey(root: BlockId) -> Self::Survey;
 
+    /// The longest side of the box.
+    fn longest(extent: &Self::Extent) -> f64;
+
     /// Continues the search until the meter is spent. Returns the extent after a bounded number of calls. The extent
     /// does not depend on the budgets of the calls.
     fn advance(survey: &mut Self::Survey, contents: Contents<'_, Self>, meter: &mut Meter) -> Option<Self::Extent>;

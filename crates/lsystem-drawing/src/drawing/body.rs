@@ -30,6 +30,10 @@ impl Space for Solid {
     type Extent = Extent;
     type Survey = SolidSurvey;
 
+    fn longest(Extent { sides: [low, high], .. }: &Extent) -> f64 {
+        (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
+    }
+
     fn enclose(input: HullInput<'_, Self>, items: &[Item<Self>]) -> Enclosed<Self> {
         let HullInput { blocks, items: made, corners, vertices, .. } = input;
         Body::enclose(Contents { blocks, items: made, corners, vertices }, items)

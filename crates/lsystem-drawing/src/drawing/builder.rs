@@ -5,7 +5,7 @@ use crate::drawing::block::{Block, BlockId, Contents, Enclosed, HullInput, Item,
 use crate::drawing::scene::SceneSize;
 use crate::room::{bytes_for, bytes_of, reserve};
 use crate::space::times;
-use crate::style::{StyleChange, StyleId, Styles, WidthChange};
+use crate::style::{StyleChange, Styles, WidthChange};
 
 /// The growing vectors of a [`Drawing`](super::Drawing).
 #[derive(Clone, Debug)]
@@ -94,10 +94,14 @@ impl<S: Space> Builder<S> {
     /// block, returns that block. `None` without items, or if memory does not suffice; the builder is then full.
     pub(crate) fn block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
         match *items {
-            [] => return None,
-            [Item::Block(only)] if only.is_plain(self, exponent) => return Some(only.block),
-            _ => {}
+            [] => None,
+            [Item::Block(only)] if only.is_plain(self, exponent) => Some(only.block),
+            _ => self.new_block(items, exponent),
         }
+    }
+
+    /// As [`Builder::block`], but always makes a block of its own. There is at least one item.
+    pub(crate) fn new_block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
         if !self.has_room(items.len()) {
             return None;
         }
@@ -107,14 +111,16 @@ impl<S: Space> Builder<S> {
             match item {
                 Item::Stroke(stroke) => {
                     segments = segments.saturating_add(1);
-                    widest = widest.widest(self.width(stroke.style));
+                    let StyleChange { width, next, .. } = self.styles.list[stroke.style.0 as usize];
+                    widest = next.into_iter().fold(widest.widest(width), WidthChange::widest);
                 }
                 Item::Polygon(_) => polygons = polygons.saturating_add(1),
                 Item::Block(placed) => {
                     let block = &self.blocks[placed.block.0 as usize];
                     segments = segments.saturating_add(block.segments);
                     polygons = polygons.saturating_add(block.polygons);
-                    widest = widest.widest(self.width(placed.style).then(block.widest));
+                    let StyleChange { width, next, .. } = self.styles.list[placed.style.0 as usize];
+                    widest = next.into_iter().fold(widest.widest(width.then(block.widest)), WidthChange::widest);
                 }
             }
         }
@@ -140,11 +146,6 @@ impl<S: Space> Builder<S> {
             widest,
         });
         Some(BlockId(self.blocks.len() as u32 - 1))
-    }
-
-    /// The width change of a style.
-    fn width(&self, style: StyleId) -> WidthChange {
-        self.styles.list[style.0 as usize].width
     }
 }
 

@@ -131,7 +131,7 @@ impl<S: Space> Drawer<S> {
             _ => (None, Pieces::None, None),
         };
         self.builder.shrink();
-        Ok(Drawing {
+        let mut drawing = Drawing {
             blocks: self.builder.blocks,
             items: self.builder.items,
             corners: self.builder.corners,
@@ -147,7 +147,9 @@ impl<S: Space> Drawer<S> {
             symbols: self.symbols,
             scene: self.builder.scene,
             extent: extent.map_or_else(OnceLock::new, |extent| OnceLock::from(Some(extent))),
-        })
+        };
+        drawing.limit_widths(self.task.turtle.max_width);
+        Ok(drawing)
     }
 
     /// Continues in the present stage, or changes to the next.

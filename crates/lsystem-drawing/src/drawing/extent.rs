@@ -19,6 +19,10 @@ impl Space for Plane {
     type Extent = [f64; 4];
     type Survey = PlaneSurvey;
 
+    fn longest([x0, y0, x1, y1]: &[f64; 4]) -> f64 {
+        (x1 - x0).max(y1 - y0)
+    }
+
     fn enclose(input: HullInput<'_, Self>, items: &[Item]) -> Enclosed<Self> {
         let HullInput { blocks, corners, vertices, directions, points, .. } = input;
         points.clear();

@@ -1,10 +1,12 @@
 //! The items of a block in the making.
 
 use super::builder::Builder;
-use crate::drawing::block::{Item, Polygon, Space, Stroke};
+use super::taper::{Flow, Taper, TaperItems};
+use crate::chunks::Chunks;
+use crate::drawing::block::{Item, Placed, Polygon, Space, Stroke};
 use crate::room::{bytes_of, reserve};
 use crate::space::minus;
-use crate::style::{StyleChange, Styles};
+use crate::style::{StyleChange, Styles, WidthChange};
 use crate::turtle::Paper;
 
 /// The items that will form blocks, and the polygons that are still open.
@@ -17,11 +19,13 @@ pub(super) struct ItemBuffer<S: Space> {
     held: usize,
     /// The place of the symbol that is being drawn, as in [`Polygon::symbol`].
     pub symbol: u32,
+    /// The items that wait for the widths at their ends, if strokes taper.
+    pub taper: Option<Taper>,
 }
 
 impl<S: Space> ItemBuffer<S> {
-    pub(super) fn new() -> Self {
-        Self { items: vec![], open: vec![], held: 0, symbol: 0 }
+    pub(super) fn new(tapers: bool) -> Self {
+        Self { items: vec![], open: vec![], held: 0, symbol: 0, taper: tapers.then(Taper::new) }
     }
 
     /// Whether no polygon is open.
@@ -37,7 +41,10 @@ impl<S: Space> ItemBuffer<S> {
 
     /// The bytes that the buffer occupies. A list of vertices may have twice the capacity that it uses.
     pub(super) fn bytes(&self) -> u64 {
-        bytes_of(&self.items) + bytes_of(&self.open) + (2 * self.held * size_of::<S::Point>()) as u64
+        bytes_of(&self.items)
+            + bytes_of(&self.open)
+            + (2 * self.held * size_of::<S::Point>()) as u64
+            + self.taper.as_ref().map_or(0, Taper::bytes)
     }
 }
 
@@ -75,14 +82,54 @@ pub(super) fn shift<S: Space>(builder: &mut Builder<S>, items: &mut [Item<S>], o
 /// Adds strokes and polygons to a buffer, and their styles and vertices to the builder's lists.
 pub(crate) struct ItemWriter<'a, S: Space> {
     pub buffer: &'a mut ItemBuffer<S>,
+    pub made: &'a mut Chunks<Item<S>>,
     pub styles: &'a mut Styles,
     pub vertices: &'a mut Vec<S::Point>,
 }
 
-impl<S: Space> Paper<S> for ItemWriter<'_, S> {
-    fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+impl<S: Space> ItemWriter<'_, S> {
+    /// Tells the items that wait for the widths at their ends, if strokes taper.
+    fn taper(&mut self, note: impl FnOnce(&mut Taper, usize, TaperItems<'_, S>)) {
+        let ItemBuffer { items, taper, .. } = &mut *self.buffer;
+        if let Some(taper) = taper {
+            let index = items.len();
+            note(taper, index, TaperItems { buffer: items, made: self.made, styles: self.styles });
+        }
+    }
+
+    fn push(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
         reserve(&mut self.buffer.items, 1);
         self.buffer.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style) }));
+    }
+
+    /// As [`Tree::place`](super::tree::Tree::place).
+    pub(super) fn place(&mut self, placed: Option<Placed<S>>, flow: &Flow, entry: WidthChange) {
+        self.taper(|taper, index, items| taper.piece(flow, entry, index, items));
+        self.buffer.items.extend(placed.map(Item::Block));
+    }
+}
+
+impl<S: Space> Paper<S> for ItemWriter<'_, S> {
+    fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+        self.taper(|taper, index, items| taper.stroke(style.width, index, items));
+        self.push(from, to, style);
+    }
+
+    fn side(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+        let next = self.buffer.taper.is_some().then_some(style.width);
+        self.push(from, to, &StyleChange { next, ..*style });
+    }
+
+    fn gap(&mut self) {
+        self.taper(|taper, _, items| taper.gap(items));
+    }
+
+    fn branch(&mut self) {
+        self.taper(|taper, _, _| taper.open());
+    }
+
+    fn rejoin(&mut self) {
+        self.taper(|taper, _, items| taper.close(items));
     }
 
     fn open(&mut self, style: &StyleChange) {

@@ -2,6 +2,7 @@
 
 use super::block::{BlockId, Placed, Space};
 use super::builder::Builder;
+use super::taper::Flow;
 use crate::Plane;
 use crate::space::{reach, times, unit_of};
 use crate::style::StyleChange;
@@ -32,6 +33,8 @@ pub struct Piece<S: Space = Plane> {
     pub block: Option<BlockId>,
     /// The change of the turtle's state.
     pub effect: Effect<S>,
+    /// The ends of the piece on its branch, if strokes taper.
+    pub(crate) flow: Flow,
 }
 
 /// The pieces of one depth, sorted by letter and by whether the turtle enters with exchanged turns.
@@ -43,7 +46,7 @@ pub(super) fn variants<S: Space>(score: &Score<S>) -> usize {
 }
 
 /// The exponent of the farthest coordinate of a piece; `None` if the piece neither draws nor moves the turtle.
-pub(super) fn exponent<S: Space>(builder: &Builder<S>, Piece { block, effect }: &Piece<S>) -> Option<i32> {
+pub(super) fn exponent<S: Space>(builder: &Builder<S>, Piece { block, effect, .. }: &Piece<S>) -> Option<i32> {
     let block = block.map(|block| builder.blocks[block.0 as usize].exponent);
     block.max((effect.at != S::Point::default()).then_some(effect.exponent))
 }

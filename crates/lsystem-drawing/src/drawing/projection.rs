@@ -124,7 +124,7 @@ impl Projection {
             points: vec![],
             order: BinaryHeap::new(),
             builder: Builder::new(),
-            tree: Tree::new(exponent),
+            tree: Tree::new(exponent, false),
             places: vec![],
             stage: Stage::Read,
             spent: 0,

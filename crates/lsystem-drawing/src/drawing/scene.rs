@@ -16,9 +16,9 @@ impl SceneSize {
     /// The most links, strokes and triangles of a node.
     pub const WIDTH: usize = 16;
     /// The most bytes of a node.
-    pub const NODE: usize = 472;
+    pub const NODE: usize = 512;
     /// The bytes of a sample of a node's strokes.
-    pub const SAMPLE: usize = 64;
+    pub const SAMPLE: usize = 88;
     /// The bytes of a mean colour.
     const MEAN: usize = size_of::<[f32; 3]>();
     /// The bytes of a link.

@@ -61,12 +61,14 @@ impl<S: Space> Iterator for SegmentIter<'_, S> {
 impl<S: Space> Drawing<S> {
     /// A segment between two points of the root block; `unit` as [`Drawing::unit`].
     pub(super) fn segment(&self, [from, to]: [S::Point; 2], style: &StyleChange, unit: f64) -> Segment<S> {
+        let [width, end_width] = style.widths().ends().map(|width| width * self.step.abs());
         Segment {
             from: self.model(from, unit),
             to: self.model(to, unit),
             colour: style.colour.of(0),
             level: style.level,
-            width: style.width.of(0.0) * self.step.abs(),
+            width,
+            end_width,
         }
     }
 

@@ -3,7 +3,7 @@
 use super::{BlockFrame, Drawing};
 use crate::drawing::block::{Block, Item, Stroke};
 use crate::plane::Directions;
-use crate::style::StyleChange;
+use crate::style::{StyleChange, Widths};
 
 /// The largest rounding error of ends that meet, in block units, and of directions on a line, in radians.
 const EXACT: f64 = 1e-9;
@@ -15,8 +15,10 @@ pub struct Line {
     pub from: [f64; 2],
     /// The second end.
     pub to: [f64; 2],
-    /// The style, relative to the block's entry.
+    /// The style of the last stroke, relative to the block's entry. The other strokes have the same, but do not taper.
     pub style: StyleChange,
+    /// Where the last stroke begins; `None` if it is the only one.
+    pub bend: Option<[f64; 2]>,
 }
 
 /// A block's main features.
@@ -67,7 +69,8 @@ impl Shape {
         }
         let straight = straight.filter(|_| !bent && !filled);
         let corners = drawing.corners_of(block);
-        Self { straight, filled, longest: Line { style: last, ..longest(corners) } }
+        let style = StyleChange { next: Some(last.width), ..last };
+        Self { straight, filled, longest: Line { style, ..longest(corners) } }
     }
 
     /// The units of work for the shape. All pairs of corners are compared, but a hull has few corners.
@@ -82,7 +85,7 @@ impl Line {
     /// The line of a stroke.
     #[must_use]
     pub fn new(stroke: &Stroke, drawing: &Drawing) -> Self {
-        Self { from: stroke.from, to: stroke.to, style: drawing.styles[stroke.style.0 as usize] }
+        Self { from: stroke.from, to: stroke.to, style: drawing.styles[stroke.style.0 as usize], bend: None }
     }
 
     /// The length, in block units.
@@ -96,9 +99,23 @@ impl Line {
         [self.to[0] - self.from[0], self.to[1] - self.from[1]]
     }
 
+    /// The one or two strokes that the line is, and their widths: only the last stroke may taper. `widths`: those of the
+    /// line's style.
+    pub fn parts(&self, widths: Widths) -> impl DoubleEndedIterator<Item = ([[f64; 2]; 2], Widths)> + use<> {
+        let [first, last] = widths.ends();
+        let bend = self.bend.filter(|_| first != last);
+        let trunk = bend.map(|bend| ([self.from, bend], widths.even()));
+        trunk.into_iter().chain([([bend.unwrap_or(self.from), self.to], widths)])
+    }
+
     /// The line in the outer frame of `frame`.
     fn within(&self, frame: &BlockFrame) -> Self {
-        Self { from: frame.transform(self.from), to: frame.transform(self.to), style: frame.style.then(&self.style) }
+        Self {
+            from: frame.transform(self.from),
+            to: frame.transform(self.to),
+            style: frame.style.then(&self.style),
+            bend: self.bend.map(|bend| frame.transform(bend)),
+        }
     }
 
     /// Both as one line, if `next` continues straight ahead in the same style.
@@ -107,14 +124,15 @@ impl Line {
         let ([a, b], [c, d]) = (self.way(), next.way());
         let exact = EXACT * self.length() * next.length();
         let ahead = a * c + b * d > 0.0 && (a * d - b * c).abs() <= exact;
-        (self.style == next.style && gap <= EXACT && ahead).then_some(Self { to: next.to, ..*self })
+        let is_one = self.style.goes_on(&next.style) && gap <= EXACT && ahead;
+        is_one.then_some(Self { from: self.from, bend: next.bend.or(Some(next.from)), ..*next })
     }
 }
 
 /// The line between the two corners that are farthest apart.
 fn longest(corners: &[[f64; 2]]) -> Line {
     let first = corners.first().copied().unwrap_or_default();
-    let mut best = Line { from: first, to: first, style: StyleChange::NONE };
+    let mut best = Line { from: first, to: first, style: StyleChange::NONE, bend: None };
     for (at, &from) in corners.iter().enumerate() {
         for &to in &corners[at + 1..] {
             let line = Line { from, to, ..best };

@@ -110,7 +110,11 @@ impl Simplifier {
                 if 2.0 * inner.hull.radius * scale.abs() < self.finest {
                     let home = BlockFrame::new(1.0, StyleChange::NONE).place(&placed, drawing, &mut ());
                     let [from, to] = span(inner).map(|end| home.transform(end));
-                    let look = home.style.then(&StyleChange { width: inner.widest, ..last(drawing, inner) });
+                    let look = home.style.then(&StyleChange {
+                        width: inner.widest,
+                        next: Some(inner.widest),
+                        ..last(drawing, inner)
+                    });
                     (Item::Stroke(Stroke { from, to, style: styles.id(&look) }), 1, 0)
                 } else if let Some(&block) = self.known.get(&(placed.block, scale.to_bits())) {
                     let simple = &self.blocks[block.0 as usize];

@@ -92,9 +92,9 @@ impl Iterator for SolidReader<'_> {
                     let [from, to] = ends.map(|end| self.model(end));
                     let style = style(stroke.style);
                     let tint = self.tint(&style);
-                    let width = style.width.of(0.0) * drawing.step.abs();
+                    let [width, end_width] = style.widths().ends().map(|width| width * drawing.step.abs());
                     self.pass(1, 0);
-                    let segment = Segment { from, to, colour: tint.index, level: tint.level, width };
+                    let segment = Segment { from, to, colour: tint.index, level: tint.level, width, end_width };
                     return Some(SolidMark::Mark(Mark::Segment(segment, tint)));
                 }
                 Item::Polygon(polygon) => {

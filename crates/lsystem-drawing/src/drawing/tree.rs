@@ -2,10 +2,11 @@
 
 use super::builder::Builder;
 use super::item_buffer::{ItemBuffer, ItemWriter, is_hollow, origin, shift};
+use super::taper::{Flow, TaperItems};
 use crate::drawing::block::{BlockId, Item, Placed, Space};
 use crate::room::bytes_of;
 use crate::space::minus;
-use crate::style::StyleChange;
+use crate::style::{StyleChange, WidthChange};
 
 /// The strokes and polygons of a bottom block: enough to make work per block cheap, few enough for the L1 cache.
 const STROKES: usize = 1024;
@@ -34,12 +35,12 @@ pub(crate) struct Tree<S: Space> {
 }
 
 impl<S: Space> Tree<S> {
-    pub(super) fn new(exponent: i32) -> Self {
+    pub(super) fn new(exponent: i32, tapers: bool) -> Self {
         Self {
             exponent,
             bottom: STROKES,
             is_word: false,
-            buffer: ItemBuffer::new(),
+            buffer: ItemBuffer::new(tapers),
             done: 0,
             run: vec![],
             rows: vec![],
@@ -47,8 +48,8 @@ impl<S: Space> Tree<S> {
     }
 
     /// A tree of the items of a word. The items form one block, unless the word is `long`.
-    pub(crate) fn of_word(exponent: i32, long: bool) -> Self {
-        Self { bottom: if long { WORD } else { usize::MAX }, is_word: true, ..Self::new(exponent) }
+    pub(crate) fn of_word(exponent: i32, long: bool, tapers: bool) -> Self {
+        Self { bottom: if long { WORD } else { usize::MAX }, is_word: true, ..Self::new(exponent, tapers) }
     }
 
     /// The bytes that the tree occupies, without its blocks.
@@ -65,15 +66,33 @@ impl<S: Space> Tree<S> {
     ) {
         // A string that is drawn symbol by symbol has fewer than 2^32 symbols.
         self.buffer.symbol = place as u32;
-        let Builder { styles, vertices, directions, .. } = builder;
-        act(&mut ItemWriter { buffer: &mut self.buffer, styles, vertices }, directions);
+        let Builder { styles, vertices, directions, items: made, .. } = builder;
+        act(&mut ItemWriter { buffer: &mut self.buffer, made, styles, vertices }, directions);
         self.settle(builder);
     }
 
-    /// Appends a block.
-    pub(super) fn place(&mut self, builder: &mut Builder<S>, placed: Placed<S>) {
-        self.buffer.items.push(Item::Block(placed));
+    /// Appends the block of a piece that is entered with the width change `entry`, if the piece has one.
+    pub(super) fn place(
+        &mut self,
+        builder: &mut Builder<S>,
+        placed: Option<Placed<S>>,
+        flow: &Flow,
+        entry: WidthChange,
+    ) {
+        let Builder { styles, vertices, items: made, .. } = builder;
+        ItemWriter { buffer: &mut self.buffer, made, styles, vertices }.place(placed, flow, entry);
         self.settle(builder);
+    }
+
+    /// Notes that all items are drawn. Returns what they show to their surroundings; nothing follows the items of a
+    /// `whole` drawing.
+    pub(crate) fn end(&mut self, builder: &mut Builder<S>, whole: bool) -> Flow {
+        let ItemBuffer { items, taper, .. } = &mut self.buffer;
+        let Some(taper) = taper else { return Flow::default() };
+        if whole {
+            taper.end(TaperItems { buffer: items, made: &mut builder.items, styles: &mut builder.styles });
+        }
+        taper.flow()
     }
 
     /// Makes a bottom block if there are enough items and no polygon is open.
@@ -99,6 +118,9 @@ impl<S: Space> Tree<S> {
             self.close_row(builder, height);
             height += 1;
         }
+        if let Some(taper) = &self.buffer.taper {
+            taper.widen(&mut builder.blocks);
+        }
         let row = self.rows.pop();
         Some(row.and_then(|row| {
             let items = self.items(builder, &row, S::Point::default());
@@ -114,14 +136,28 @@ impl<S: Space> Tree<S> {
         self.run.clear();
         let next = &self.buffer.items[self.done..self.done + count];
         self.run.extend(next.iter().filter(|item| !is_hollow(item)));
+        let from = self.done;
         self.done += count;
+        let made = self.run.first().map(|item| origin(builder, item)).and_then(|origin| {
+            shift(builder, &mut self.run, &origin);
+            // An item that waits for the width at its end stays an item.
+            let keeps = self.buffer.taper.is_some();
+            let block = if keeps {
+                builder.new_block(&self.run, self.exponent)
+            } else {
+                builder.block(&self.run, self.exponent)
+            };
+            block.map(|block| (block, origin))
+        });
+        if let (Some(taper), Some((block, _))) = (&mut self.buffer.taper, made) {
+            let number = builder.blocks[block.0 as usize].items.start;
+            taper.moved(&self.buffer.items, from, number, block.0 as usize);
+        }
         if self.done == self.buffer.items.len() {
             self.buffer.items.clear();
             self.done = 0;
         }
-        let Some(origin) = self.run.first().map(|item| origin(builder, item)) else { return };
-        shift(builder, &mut self.run, &origin);
-        if let Some(block) = builder.block(&self.run, self.exponent) {
+        if let Some((block, origin)) = made {
             self.push_block(builder, 0, block, origin);
         }
     }

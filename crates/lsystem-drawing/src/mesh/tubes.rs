@@ -34,8 +34,8 @@ pub(super) struct Tubes {
     last: Option<OpenTube>,
 }
 
-/// The ends of a stroke, the lesser first, and its radius, as bits of `f32`.
-type StrokeKey = [u32; 7];
+/// The ends of a stroke, the lesser first, and the radii there, as bits of `f32`.
+type StrokeKey = [u32; 8];
 
 /// A stroke that has its first ring.
 #[derive(Clone, Copy, Debug)]
@@ -45,6 +45,7 @@ struct OpenTube {
     along: Vector,
     /// The direction of a ring's first corner, at right angles to `along`.
     across: Vector,
+    /// The radius at the far end.
     radius: f64,
     colour: [u8; 3],
     /// The index of the first ring's first corner, in the mesh of the stroke's material.
@@ -121,13 +122,15 @@ impl Tubes {
     }
 
     /// Whether a stroke is drawn for the first time, if repeats are left out.
-    fn is_new(&mut self, segment: &Segment<Solid>, radius: f64) -> bool {
+    fn is_new(&mut self, segment: &Segment<Solid>, radii: [f64; 2]) -> bool {
         let Some(drawn) = &mut self.drawn else { return true };
         // Zero has one sign, so that equal places have equal bits.
         let bits = |value: f64| (value as f32 + 0.0).to_bits();
         let [from, to] = [segment.from.map(bits), segment.to.map(bits)];
-        let ([a, b, c], [d, e, f]) = if from <= to { (from, to) } else { (to, from) };
-        drawn.insert([a, b, c, d, e, f, bits(radius)])
+        let [first, last] = radii.map(bits);
+        let ([a, b, c], [d, e, f], [g, h]) =
+            if from <= to { (from, to, [first, last]) } else { (to, from, [last, first]) };
+        drawn.insert([a, b, c, d, e, f, g, h])
     }
 
     /// Adds a polygon: one side, two sides or a slab, as the form has it.
@@ -168,8 +171,10 @@ impl Tubes {
         }
         let along = way.map(|c| c / length);
         // Clamped to the range of `f32`, as coordinates are.
-        let radius = (0.5 * segment.width).max(self.least).min(f64::from(f32::MAX));
-        if !self.is_new(segment, radius) {
+        let radii =
+            [segment.width, segment.end_width].map(|width| (0.5 * width).max(self.least).min(f64::from(f32::MAX)));
+        let radius = radii[0];
+        if !self.is_new(segment, radii) {
             return self.close();
         }
         let gap = |last: &OpenTube| norm(minus(segment.from, last.to));
@@ -185,7 +190,7 @@ impl Tubes {
                 (across, ring)
             }
         };
-        self.last = Some(OpenTube { to: segment.to, along, across, radius, colour, ring });
+        self.last = Some(OpenTube { to: segment.to, along, across, radius: radii[1], colour, ring });
     }
 
     /// Ends a stroke at the start of the next one, which goes along `along`. Returns the next stroke's `across` and

@@ -1,10 +1,10 @@
 //! The plan of a compact file: its symbols, and the strokes, polygons and placed symbols in them.
 
 use super::styled_drawing::StyledDrawing;
-use crate::strokes::{PATH, StrokeLook};
+use crate::strokes::{PATH, StrokeLook, cone};
 use core::ops::Range;
 use lsystem_base::LimitName;
-use lsystem_drawing::{BlockFrame, BlockId, Directions, Item, Line, StyleChange};
+use lsystem_drawing::{BlockFrame, BlockId, Directions, Item, Line, StyleChange, Widths};
 use lsystem_syntax::{Diagnostic, Halt, Heading, Work};
 use std::collections::{BinaryHeap, HashMap};
 
@@ -22,7 +22,7 @@ pub(super) struct CompactPlan {
     /// The vertices of all polygons.
     vertices: Vec<[f64; 2]>,
     /// Symbols by block, scale, colour index, level and width.
-    known: HashMap<(BlockId, u64, i32, u32, u64), usize>,
+    known: HashMap<(BlockId, u64, i32, u32, [u64; 2]), usize>,
     /// Symbols whose parts are not planned yet, by block.
     pending: BinaryHeap<(BlockId, usize)>,
     /// The symbol being planned.
@@ -131,15 +131,8 @@ impl CompactPlan {
         work: &mut dyn Work,
     ) -> Result<Option<(core::slice::Iter<'a, Item>, BlockFrame)>, Halt> {
         let drawing = styled.drawing;
-        let stroke = |line: &Line, frame: &BlockFrame| {
-            SymbolPart::Stroke(
-                frame.transform(line.from),
-                frame.transform(line.to),
-                styled.look(&frame.style.then(&line.style)),
-            )
-        };
         let part = match item {
-            Item::Stroke(own) => stroke(&Line::new(own, drawing), frame),
+            Item::Stroke(own) => return self.line(styled, &Line::new(own, drawing), frame).map(|()| None),
             Item::Polygon(polygon) => {
                 self.take(u64::from(polygon.count) - 1)?;
                 work.charge(u64::from(polygon.count) / 8)?;
@@ -151,7 +144,7 @@ impl CompactPlan {
             Item::Block(placed) => {
                 let inner = frame.place(placed, drawing, &mut self.directions);
                 match styled.features.one_stroke(placed.block, inner.scale) {
-                    Some(line) => stroke(line, &inner),
+                    Some(line) => return self.line(styled, line, &inner).map(|()| None),
                     None if styled.features.strokes(placed.block) <= self.small => {
                         return Ok(Some((drawing.items_of(placed.block).iter(), inner)));
                     }
@@ -166,10 +159,35 @@ impl CompactPlan {
                 }
             }
         };
+        self.add(part)?;
+        Ok(None)
+    }
+
+    /// Adds the strokes of a line to the current symbol; a stroke that tapers as its outline.
+    fn line(&mut self, styled: &StyledDrawing<'_>, line: &Line, frame: &BlockFrame) -> Result<(), Halt> {
+        let style = frame.style.then(&line.style);
+        for (ends, widths) in line.parts(style.widths()) {
+            let ends = ends.map(|end| frame.transform(end));
+            let [first, last] = widths.ends().map(|own| {
+                styled.look(&StyleChange { level: style.level, colour: style.colour, ..Widths::new(own).into() })
+            });
+            if first.width == last.width {
+                self.add(SymbolPart::Stroke(ends[0], ends[1], first))?;
+                continue;
+            }
+            let before = self.vertices.len();
+            self.vertices.extend(cone(ends, [first.width, last.width]));
+            self.take((self.vertices.len() - before) as u64 - 1)?;
+            self.add(SymbolPart::Polygon(before..self.vertices.len(), first.rgb))?;
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, part: SymbolPart) -> Result<(), Diagnostic> {
         self.take(1)?;
         self.parts.push(part);
         self.symbols[self.current].parts.end = self.parts.len();
-        Ok(None)
+        Ok(())
     }
 
     fn take(&mut self, count: u64) -> Result<(), Diagnostic> {
@@ -181,7 +199,7 @@ impl CompactPlan {
     /// The symbol of a block. A new symbol becomes pending.
     fn symbol(&mut self, styled: &StyledDrawing<'_>, block: BlockId, scale: f64, style: &StyleChange) -> usize {
         let entry = styled.entry(block, style);
-        let key = (block, scale.to_bits(), entry.colour, entry.level, entry.width.to_bits());
+        let key = (block, scale.to_bits(), entry.colour, entry.level, entry.widths.key());
         let next = self.symbols.len();
         let symbol = *self.known.entry(key).or_insert(next);
         if symbol == next {

@@ -2,7 +2,7 @@
 
 use super::features::Features;
 use crate::strokes::StrokeLook;
-use lsystem_drawing::{BlockId, ColourChange, Drawing, StyleChange, WidthChange};
+use lsystem_drawing::{BlockId, ColourChange, Drawing, StyleChange, Widths};
 use lsystem_syntax::Style;
 
 /// A drawing with its style and features.
@@ -19,12 +19,12 @@ pub(super) struct StyledDrawing<'a> {
 pub(super) struct Entry {
     pub(super) colour: i32,
     pub(super) level: u32,
-    pub(super) width: f64,
+    pub(super) widths: Widths,
 }
 
 impl From<Entry> for StyleChange {
-    fn from(Entry { colour, level, width }: Entry) -> Self {
-        Self { colour: ColourChange::Set(colour), width: WidthChange { factor: 0.0, offset: width }, level }
+    fn from(Entry { colour, level, widths }: Entry) -> Self {
+        Self { colour: ColourChange::Set(colour), level, ..widths.into() }
     }
 }
 
@@ -36,9 +36,9 @@ impl StyledDrawing<'_> {
     /// The visible part of the style at the start of a block.
     pub(super) fn entry(&self, block: BlockId, style: &StyleChange) -> Entry {
         let (colour, level) = style.seen(self.style);
-        let width = style.width.of(0.0);
+        let widths = style.widths();
         // If all strokes have the least width, the width is not visible.
-        let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.step;
-        Entry { colour, level, width: if widest <= self.style.min_width { 0.0 } else { width } }
+        let widest = widths.widest(self.drawing.blocks[block.0 as usize].widest) * self.step;
+        Entry { colour, level, widths: if widest <= self.style.min_width { Widths::new(0.0) } else { widths } }
     }
 }

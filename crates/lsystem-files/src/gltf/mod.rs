@@ -12,8 +12,8 @@ use crate::{FileOptions, Sink, collect};
 use core::hash::{Hash, Hasher};
 use lsystem_base::{LimitName, MAX_MESH_COPIES};
 use lsystem_drawing::{
-    BlockFrame, BlockId, ColourChange, Drawing, Mesh, MeshForm, MeshOptions, MeshParts, Solid, StyleChange,
-    WidthChange, times,
+    BlockFrame, BlockId, ColourChange, Drawing, Mesh, MeshForm, MeshOptions, MeshParts, Solid, StyleChange, Widths,
+    times,
 };
 use lsystem_syntax::{ColourBy, Diagnostic, Halt, Style, Work};
 use scene::{Node, Scene};
@@ -91,7 +91,7 @@ struct SceneMaker<'a> {
     /// The blocks of the parts and their frames. Part 0 of the scene is what lies outside these parts.
     parts: Vec<(BlockId, BlockFrame<Solid>)>,
     /// The parts of the scene by block, scale, colour index, level and width.
-    known: HashMap<(BlockId, u64, i32, u32, u64), usize>,
+    known: HashMap<(BlockId, u64, i32, u32, [u64; 2]), usize>,
     /// The indices of meshes by a hash of their corners.
     meshes: HashMap<u64, Vec<usize>>,
 }
@@ -101,16 +101,15 @@ impl SceneMaker<'_> {
     fn place(&mut self, least: f64, block: BlockId, frame: &BlockFrame<Solid>) -> Result<(), Diagnostic> {
         self.take_memory(NODE_BYTES)?;
         let (colour, level) = frame.style.seen(self.style);
-        let width = frame.style.width.of(0.0);
+        let widths = frame.style.widths();
         // If all tubes have the least width, the width is not visible.
-        let widest = self.drawing.blocks[block.0 as usize].widest.of(width) * self.drawing.step.abs();
-        let width = if widest <= least { 0.0 } else { width };
+        let widest = widths.widest(self.drawing.blocks[block.0 as usize].widest) * self.drawing.step.abs();
+        let widths = if widest <= least { Widths::new(0.0) } else { widths };
         let next = self.parts.len() + 1;
-        let key = (block, frame.scale.to_bits(), colour, level, width.to_bits());
+        let key = (block, frame.scale.to_bits(), colour, level, widths.key());
         let part = *self.known.entry(key).or_insert(next);
         if part == next {
-            let width = WidthChange { factor: 0.0, offset: width };
-            let entry = StyleChange { colour: ColourChange::Set(colour), width, level };
+            let entry = StyleChange { colour: ColourChange::Set(colour), level, ..widths.into() };
             self.parts.push((block, BlockFrame::new(frame.scale, entry)));
         }
         let [x, y, z] = times(frame.at, self.drawing.unit());

@@ -191,15 +191,17 @@ mod tests {
         expect![[r#"
             % A leaf & more
             % For documents with \usepackage{tikz}. Lengths are in millimetres.
-            \begin{tikzpicture}[x=1mm,y=1mm,line cap=round,line join=round,line width=9.0418mm]
+            \begin{tikzpicture}[x=1mm,y=1mm,line cap=round,line join=round,line width=0.6192mm]
             \definecolor{background}{RGB}{251,250,245}
             \fill[background](0,0)rectangle(56.93,160);
             \definecolor{c0}{RGB}{31,92,58}
             \draw[c0](31.92,18.08)--(31.92,36.17)--(25,52.87);
             \definecolor{c1}{RGB}{95,143,47}
             \draw[c1](25,52.87)--(18.08,69.58);
-            \draw[c0](31.92,54.25)--(31.92,72.33);
-            \draw[c0,line width=36.1674mm](31.92,72.33)--(31.92,90.42);
+            \fill[c0](33.16,72.27)--(33.09,72.76)--(32.82,73.19)--(32.41,73.47)--(31.92,73.57)--(31.44,73.47)--(31.03,73.19)--(30.76,72.76)--
+            (30.69,72.27)--(31.62,54.24)--(31.64,54.12)--(31.71,54.03)--(31.81,53.96)--(31.92,53.94)--(32.04,53.96)--(32.14,54.03)--
+            (32.21,54.12)--(32.23,54.24)--cycle;
+            \draw[c0,line width=2.4767mm](31.92,72.33)--(31.92,90.42);
             \fill[c0](31.92,90.42)--(38.84,107.13)--(38.84,125.21)--(31.92,141.92)--(25,125.21)--(25,107.13)--(31.92,90.42)--cycle;
             \end{tikzpicture}
         "#]].assert_eq(&whole);

@@ -11,7 +11,7 @@ use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::sorted::set;
 use lsystem_syntax::grammar::Values;
-use lsystem_syntax::{Action, Expr, Function, Module, Pattern, Production, Seen};
+use lsystem_syntax::{Action, Expr, Function, Module, Outline, Pattern, Production, Seen};
 
 /// The parts of systems that cpfg lacks, or has in other files.
 pub(super) const LACKS: &[Need] = &[
@@ -104,6 +104,9 @@ impl<'a> File<'a> {
         let label = if kind == Kind::Cpfg { "cpfg" } else { "L-Py" };
         if kind == Kind::Cpfg && source.acts(|action| matches!(action, Action::Circle(_))) {
             return Err(Refusal::new("cpfg cannot express circles that are not filled"));
+        }
+        if source.acts(|action| matches!(action, Action::Fill(outline, _) if outline != Outline::Disc)) {
+            return Err(Refusal::new(format!("{label} cannot express the outlines of leaves")));
         }
         let lengths = |action: &Action| action.length().is_some_and(|own| own.is_some());
         let is_length = |action: &&Action| action.length().is_some();
@@ -294,7 +297,7 @@ impl<'a> File<'a> {
                 Action::OpenPolygon => "{".to_owned(),
                 Action::Vertex => ".".to_owned(),
                 Action::ClosePolygon => "}".to_owned(),
-                Action::Disc(own) => line("@o", Some(own.unwrap_or(definition.step))),
+                Action::Fill(_, own) => line("@o", Some(own.unwrap_or(definition.step))),
                 Action::SetColour(index) => format!(";({})", argument.map_or_else(|| index.to_string(), str::to_owned)),
                 Action::AddColour(_) if argument.is_some() => format!(";({})", argument.unwrap_or_default()),
                 Action::AddColour(by) => (if by < 0 { "," } else { ";" })

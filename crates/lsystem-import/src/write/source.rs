@@ -193,7 +193,7 @@ impl<'a> Source<'a> {
             Need::Scaling => self.acts(|action| matches!(action, Action::ScaleLength(_))),
             Need::SwappedTurns => self.acts(|action| action == Action::SwapTurns),
             Need::Polygons => self.acts(|action| action == Action::OpenPolygon),
-            Need::Circles => self.acts(|action| matches!(action, Action::Circle(_) | Action::Disc(_))),
+            Need::Circles => self.acts(|action| matches!(action, Action::Circle(_) | Action::Fill(..))),
             Need::Cuts => self.acts(|action| action == Action::Cut),
             Need::Tropism => system.turtle.tropism.is_some(),
             Need::Growth => definition.growth != 1.0,

@@ -9,7 +9,7 @@ use super::view::ViewTransform;
 use super::wide::Wide;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Directions;
-use lsystem_drawing::{BlockId, Drawing, Geometry, Item, Placed, Plane};
+use lsystem_drawing::{BlockId, Drawing, Geometry, Item, Placed, Plane, Widths};
 use lsystem_syntax::Heading;
 
 /// A block being painted, from its last item to its first.
@@ -144,19 +144,19 @@ impl Descent {
             cos: transform.scale,
             sin: 0.0,
         };
-        let pen = Pen { shade: Shade { number: 0, fixed: true }, width: drawing.width };
+        let pen = Pen { shade: Shade { number: 0, fixed: true }, widths: Widths::new(drawing.width) };
         self.transform = Some(transform);
         Some(Node { block, cursor, canvas: 0, place, root_place: Some(root_place), pen, span: Span::WHOLE })
     }
 
     /// The node of a part by itself, with its origin at `origin`, magnified by `times`.
     pub(super) fn part(&mut self, drawing: &Drawing, part: &Part, origin: [f64; 2], times: f64) -> Node {
-        let Part { block, heading, width, .. } = *part;
+        let Part { block, heading, widths, .. } = *part;
         let scale = part.scale * times;
         let (cos, sin) = Plane::scaled(self.directions.cos_sin(heading), scale);
         let place = Place { origin, scale, heading, cos, sin };
         let cursor = drawing.blocks[block.0 as usize].items.end;
-        let pen = Pen { shade: Shade::default(), width };
+        let pen = Pen { shade: Shade::default(), widths };
         Node { block, cursor, canvas: 1, place, root_place: None, pen, span: Span::WHOLE }
     }
 

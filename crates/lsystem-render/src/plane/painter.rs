@@ -2,8 +2,8 @@
 
 use super::RenderStats;
 use super::canvas::Canvas;
+use super::canvas::cone::Cone;
 use super::canvas::polygon::Filling;
-use super::canvas::stroke::Capsule;
 use super::descent::{Node, Place};
 use super::inks::InkTable;
 use super::pen::Pen;
@@ -67,7 +67,7 @@ impl Painter {
     /// The most that half the width of a block's strokes is, in subsamples.
     #[inline]
     pub(super) fn widest(&self, drawing: &Drawing, node: &Node) -> f64 {
-        self.measure.widest(&drawing.blocks[node.block.0 as usize], node.pen.width)
+        self.measure.widest(&drawing.blocks[node.block.0 as usize], node.pen)
     }
 
     /// The steps so far: blocks looked into, strokes and stamps, and more for large ones.
@@ -94,21 +94,21 @@ impl Painter {
 
     /// Notes a block with these properties at this place on this canvas. Returns whether it is new there.
     #[inline]
-    pub(super) fn is_new(&mut self, canvas: usize, properties: [u64; 4], place: [f64; 2]) -> bool {
-        let [block, scale, width, grain] = properties;
-        self.seen.paint([self.tag(canvas), block, scale, width, grain], [place])
+    pub(super) fn is_new(&mut self, canvas: usize, properties: [u64; 5], place: [f64; 2]) -> bool {
+        let [block, scale, width, next, grain] = properties;
+        self.seen.paint([self.tag(canvas), block, scale, width, next, grain], [place])
     }
 
     /// Paints a stroke, unless it was painted before. Returns the units of work.
-    pub(super) fn stroke(&mut self, canvas: usize, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
-        let radius = self.measure.radius(pen.width);
-        if self.repeats && !self.seen.paint([self.tag(canvas), radius.to_bits()], [from, to]) {
+    pub(super) fn stroke(&mut self, canvas: usize, ends: [[f64; 2]; 2], pen: Pen) -> u64 {
+        let radii = pen.widths.ends().map(|width| self.measure.radius(width));
+        if self.repeats && !self.seen.paint([self.tag(canvas), radii[0].to_bits(), radii[1].to_bits()], ends) {
             return 0;
         }
         self.stats.strokes += 1;
         self.painted += u64::from(canvas == 0);
         let colour = self.inks.code(pen.shade);
-        let rows = Capsule { from, to, radius }.paint(&mut self.canvases[canvas], colour);
+        let rows = Cone { ends, radii }.paint(&mut self.canvases[canvas], colour);
         let work = rows as u64 / 4 + self.canvases[canvas].take_work();
         self.add_work(work);
         work
@@ -166,8 +166,15 @@ impl Painter {
             && extent < LONGEST_LINE
             && plain
         {
-            let ends = [line.from, line.to].map(|p| node.place.point(p));
-            return Some(self.stroke(node.canvas, ends, node.pen.after(self.inks.choice, &line.style)));
+            let pen = node.pen.after(self.inks.choice, &line.style);
+            return Some(
+                line.parts(pen.widths)
+                    .rev()
+                    .map(|(ends, widths)| {
+                        self.stroke(node.canvas, ends.map(|p| node.place.point(p)), Pen { widths, ..pen })
+                    })
+                    .sum(),
+            );
         }
         (extent <= TINY).then(|| self.axis(drawing, shape, node))
     }

@@ -49,7 +49,10 @@ impl Sight<Plane> for PlaneSight<'_> {
         // Larger blocks are few, and their places are rounded too much to be compared.
         const LARGE: f64 = (1_u64 << 24) as f64;
         let along = [place.origin[0] + place.cos, place.origin[1] + place.sin];
-        place.scale > LARGE || self.seen.paint([u64::from(id.0), pen.width.to_bits()], [place.origin, along])
+        place.scale > LARGE || {
+            let [width, next] = pen.widths.key();
+            self.seen.paint([u64::from(id.0), width, next], [place.origin, along])
+        }
     }
 
     fn scale(&self, node: &Node) -> f64 {
@@ -71,14 +74,16 @@ impl Sight<Plane> for PlaneSight<'_> {
             inside &= (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0]) >= 0.0;
             from = to;
         }
-        let radius = self.step * block.widest.of(pen.width).max(0.0) / 2.0;
+        let radius = self.step * pen.widths.widest(block.widest).max(0.0) / 2.0;
         let distance = if inside { 0.0 } else { (place.scale * (away - ROUNDING) - radius).max(0.0) };
         Some(Self::aim(distance))
     }
 
     fn stroke(&self, node: &Node, stroke: &Stroke) -> Option<Aim> {
-        let axis = nearest_on(self.at, [stroke.from, stroke.to].map(|end| node.place.point(end))).0;
-        let width = self.drawing.styles[stroke.style.0 as usize].width.of(node.pen.width);
+        let (axis, along) = nearest_on(self.at, [stroke.from, stroke.to].map(|end| node.place.point(end)));
+        let pen = node.pen.after(Choice::default(), &self.drawing.styles[stroke.style.0 as usize]);
+        let [width, end] = pen.widths.ends();
+        let width = width + along * (end - width);
         Some(Self::aim((axis - self.step * width / 2.0).max(0.0)))
     }
 

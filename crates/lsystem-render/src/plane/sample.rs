@@ -3,7 +3,7 @@
 use super::view::ViewTransform;
 use super::{View, Viewport};
 use lsystem_base::Limits;
-use lsystem_drawing::{BlockId, Drawing, Item, StyleChange, System, draw};
+use lsystem_drawing::{BlockId, Drawing, Item, StyleChange, System, Widths, draw};
 use lsystem_syntax::{Colour, Definition, Dialect, Style, Tint};
 
 /// Subsamples along one side of a pixel.
@@ -26,7 +26,7 @@ impl Sample {
 
     /// The system with this stroke width, in steps.
     pub(super) fn wide(mut self, width: f64) -> Self {
-        self.0.style.width = width;
+        (self.0.style.width, self.0.style.max_width) = (width, 0.0);
         self
     }
 
@@ -37,12 +37,12 @@ impl Sample {
     }
 }
 
-/// The turtle's colour index, branch level and width in steps.
+/// The turtle's colour index, branch level and widths in steps.
 #[derive(Clone, Copy)]
 struct Pen {
     colour: i32,
     level: u32,
-    width: f64,
+    widths: Widths,
 }
 
 impl Pen {
@@ -50,7 +50,7 @@ impl Pen {
         Self {
             colour: change.colour.of(self.colour),
             level: self.level + change.level,
-            width: change.width.of(self.width),
+            widths: self.widths.after(change),
         }
     }
 
@@ -76,7 +76,7 @@ pub(super) fn brute_force_until(
     let transform = ViewTransform::new(drawing, viewport, view, SAMPLES);
     let mut picture = Subsamples::new(viewport);
     let hairline = (style.min_width * viewport.ratio).max(1.0) * SAMPLES / 2.0;
-    let pen = Pen { colour: 0, width: drawing.width, level: 0 };
+    let pen = Pen { colour: 0, widths: Widths::new(drawing.width), level: 0 };
     let [x, y] = transform.place(Default::default());
     let start = ([x, -y], [transform.scale, 0.0]);
     visit(drawing, drawing.root.unwrap(), start, pen, &mut |points, filled, pen| {
@@ -93,8 +93,8 @@ pub(super) fn brute_force_until(
             return;
         };
         left = rest;
-        let radius = (pen.width * transform.step / 2.0).max(hairline);
-        picture.stroke([points[0], points[1]], radius, pen.colour(style, (number + 0.5) / all));
+        let radii = pen.widths.ends().map(|width| (width * transform.step / 2.0).max(hairline));
+        picture.stroke([points[0], points[1]], radii, pen.colour(style, (number + 0.5) / all));
     });
     picture.pixels(style.background)
 }
@@ -160,9 +160,11 @@ impl Subsamples {
         }
     }
 
-    /// Paints the subsamples within `r` of a segment, y up.
-    fn stroke(&mut self, ends: [[f64; 2]; 2], r: f64, colour: Colour) {
+    /// Paints the subsamples inside a disc that goes from one end of a segment to the other, y up. Its radius goes from
+    /// the first of `radii` to the second.
+    fn stroke(&mut self, ends: [[f64; 2]; 2], radii: [f64; 2], colour: Colour) {
         let [a, b] = ends.map(|end| [end[0], -end[1]]);
+        let r = radii[0].max(radii[1]);
         let range = |axis: usize, end: i64| {
             let low = (a[axis].min(b[axis]) - r - 1.0).clamp(0.0, end as f64) as i64;
             low..(a[axis].max(b[axis]) + r + 2.0).clamp(0.0, end as f64) as i64
@@ -172,9 +174,17 @@ impl Subsamples {
         for row in range(1, self.height) {
             for column in range(0, self.width) {
                 let (px, py) = (column as f64 + 0.5 - a[0], row as f64 + 0.5 - a[1]);
-                let t = if norm > 0.0 { ((px * dx + py * dy) / norm).clamp(0.0, 1.0) } else { 0.0 };
-                let (qx, qy) = (px - t * dx, py - t * dy);
-                if qx * qx + qy * qy <= r * r {
+                let reaches = |t: f64| {
+                    let (qx, qy) = (px - t * dx, py - t * dy);
+                    let r = radii[0] + t * (radii[1] - radii[0]);
+                    qx * qx + qy * qy <= r * r
+                };
+                let t = if norm > 0.0 { (px * dx + py * dy) / norm } else { 0.0 };
+                // The disc that reaches farthest is nearer to the wide end than the nearest one.
+                let lean = if norm > 0.0 { (radii[0] - radii[1]) / norm.sqrt() } else { 0.0 };
+                let aside = if norm > 0.0 { (px * dy - py * dx).abs() / norm } else { 0.0 };
+                let t = if lean.abs() < 1.0 { t - aside * lean / (1.0 - lean * lean).sqrt() } else { t };
+                if reaches(t.clamp(0.0, 1.0)) || reaches(0.0) || reaches(1.0) {
                     self.colours[(row * self.width + column) as usize] = Some(colour);
                 }
             }

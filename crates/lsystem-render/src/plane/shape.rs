@@ -2,7 +2,7 @@
 
 use super::sweep::{BlockVisitor, Sweep};
 use lsystem_base::{Meter, Progress};
-use lsystem_drawing::{Block, Drawing, Item, StyleChange};
+use lsystem_drawing::{Block, Drawing, Item, Line, StyleChange};
 
 /// Facts about one block, in its own frame.
 #[derive(Clone, Copy, Debug)]
@@ -30,15 +30,6 @@ impl Shape {
         let along = if self.half[0] >= self.half[1] { [self.half[0], 0.0] } else { [0.0, self.half[1]] };
         [-1.0, 1.0].map(|sign| [self.centre[0] + sign * along[0], self.centre[1] + sign * along[1]])
     }
-}
-
-/// A straight line.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
-    pub from: [f64; 2],
-    pub to: [f64; 2],
-    /// The style relative to the block's entry.
-    pub style: StyleChange,
 }
 
 /// Gaps and deviations below this part of a line are rounding.
@@ -92,7 +83,8 @@ impl BlockVisitor for Shapes {
         let line = match item {
             Item::Stroke(stroke) => {
                 block.strokes = block.strokes.saturating_add(1);
-                Some(Line { from: stroke.from, to: stroke.to, style: drawing.styles[stroke.style.0 as usize] })
+                let style = drawing.styles[stroke.style.0 as usize];
+                Some(Line { from: stroke.from, to: stroke.to, style, bend: None })
             }
             Item::Polygon(_) => {
                 block.strokes = block.strokes.saturating_add(1);
@@ -111,7 +103,7 @@ impl BlockVisitor for Shapes {
                         [placed.at[0] + placed.scale * (c * x - s * y), placed.at[1] + placed.scale * (s * x + c * y)]
                     };
                     let style = drawing.styles[placed.style.0 as usize].then(&line.style);
-                    Line { from: place(line.from), to: place(line.to), style }
+                    Line { from: place(line.from), to: place(line.to), style, bend: line.bend.map(place) }
                 })
             }
         };
@@ -166,17 +158,18 @@ fn bounds(drawing: &Drawing, block: &Block) -> [[f64; 2]; 2] {
     [[0, 1].map(|a| (low[a] + high[a]) / 2.0), [0, 1].map(|a| (high[a] - low[a]) / 2.0)]
 }
 
-/// The union of two lines, if it is one line in one style.
+/// The union of two lines, if it is one line in one style. Only its last stroke may taper.
 fn join(a: Line, b: Line) -> Option<Line> {
-    if a.style != b.style {
+    if !a.style.goes_on(&b.style) {
         return None;
     }
+    let tapers = a.style.next != b.style.next;
     let length = |l: &Line| (l.to[0] - l.from[0]).abs() + (l.to[1] - l.from[1]).abs();
     let base = if length(&a) >= length(&b) { a } else { b };
     let (dx, dy) = (base.to[0] - base.from[0], base.to[1] - base.from[1]);
     let norm = (dx * dx + dy * dy).sqrt();
     if norm == 0.0 {
-        return (a.from == b.from).then_some(a);
+        return (a.from == b.from).then_some(Line { style: b.style, ..a });
     }
     let (ux, uy) = (dx / norm, dy / norm);
     let along = |p: [f64; 2]| (p[0] - base.from[0]) * ux + (p[1] - base.from[1]) * uy;
@@ -185,11 +178,16 @@ fn join(a: Line, b: Line) -> Option<Line> {
     if [a.from, a.to, b.from, b.to].iter().any(|&p| aside(p).abs() > tolerance) {
         return None;
     }
+    if tapers {
+        let [a0, a1, b0, b1] = [a.from, a.to, b.from, b.to].map(along);
+        let follows = a0 <= a1 && b0 <= b1 && (b0 - a1).abs() <= tolerance;
+        return follows.then_some(Line { from: a.from, to: b.to, style: b.style, bend: b.bend.or(Some(b.from)) });
+    }
     let range = |l: &Line| (along(l.from).min(along(l.to)), along(l.from).max(along(l.to)));
     let ((a0, a1), (b0, b1)) = (range(&a), range(&b));
     if b0 > a1 + tolerance || a0 > b1 + tolerance {
         return None;
     }
     let at = |t: f64| [base.from[0] + t * ux, base.from[1] + t * uy];
-    Some(Line { from: at(a0.min(b0)), to: at(a1.max(b1)), style: a.style })
+    Some(Line { from: at(a0.min(b0)), to: at(a1.max(b1)), style: a.style, bend: None })
 }

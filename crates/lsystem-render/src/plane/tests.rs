@@ -53,6 +53,8 @@ pub(super) fn samples() -> Vec<(&'static str, Sample, u32)> {
         ("leaves", Sample::abop("X", &[('X', "F[+X]F[-X]{'+f-f+f|+f-f}X"), ('F', "FF")], 25.7).wide(0.2), 5),
         ("star", Sample::abop("{F+F+F+F+F}", &[], 144.0).wide(0.02), 1),
         ("narrowing", narrowing(Sample::abop("X", &[('X', "F[+X][-X]'FX")], 25.7).wide(0.4)), 6),
+        ("tapering", Sample::abop("X", &[('X', "F!!![+X]F[-X]!!+X"), ('F', "FF")], 25.7).wide(3.0), 5),
+        ("tapering leaves", Sample::abop("X", &[('X', "F![+F!!X]!!+F#[-X]!F{-f+f+f}")], 40.0).wide(1.5), 5),
         ("step colours", Sample::abop("X", &[('X', "F[+'X]F[-''X]+X"), ('F', "FF")], 25.7).wide(0.3), 6),
     ]
 }
@@ -358,7 +360,7 @@ fn blocks_small_beside_their_strokes_are_as_wide_as_the_widest() {
     let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
     // The segment drawn last is a thousandth as wide as the trunk.
     let mut sample = Sample::abop("A", &[('A', "AILR"), ('I', "F"), ('L', "[+F]"), ('R', "[-F]")], 30.0);
-    (sample.0.style.width, sample.0.style.width_factor) = (1000.0, 0.001);
+    (sample.0.style.width, sample.0.style.width_factor, sample.0.style.max_width) = (1000.0, 0.001, 0.0);
     for (mut renderer, n) in [(Renderer::new(), 2), (Renderer::new(), 5), (bottom_up(), 5)] {
         let drawing = Arc::new(sample.draw(n));
         renderer.load(drawing.clone());

@@ -4,7 +4,7 @@ use super::Pane;
 use super::pen::Pen;
 use super::wide::Wide;
 use lsystem_base::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
-use lsystem_drawing::{Block, Drawing};
+use lsystem_drawing::{Block, Drawing, Widths};
 use lsystem_syntax::Style;
 
 /// The size of a picture.
@@ -177,16 +177,17 @@ impl Measure {
         2.0 * radius > self.hairline
     }
 
-    /// The most that half the width of a block's strokes is, in samples, from the width at the block's entry.
-    pub(super) fn widest(&self, block: &Block, width: f64) -> f64 {
-        self.radius(block.widest.of(width))
+    /// The most that half the width of a block's strokes is, in samples, from the pen at the block's entry.
+    pub(super) fn widest(&self, block: &Block, entry: Pen) -> f64 {
+        self.radius(entry.widths.widest(block.widest))
     }
 
     /// The pens of the strokes that stand for a whole block, the last drawn first: the pen of the block's `last` stroke
     /// and, if the block has much wider strokes, a pen as wide as the widest.
     pub(super) fn pens(&self, block: &Block, entry: Pen, last: Pen) -> impl Iterator<Item = Pen> + use<> {
-        let pen = Pen { width: block.widest.of(entry.width), ..last };
-        let wider = self.radius(pen.width) > self.radius(last.width) + TINY;
+        let last = last.even();
+        let pen = Pen { widths: Widths::new(entry.widths.widest(block.widest)), ..last };
+        let wider = self.radius(pen.widths.own) > self.radius(last.widths.own) + TINY;
         core::iter::once(last).chain(wider.then_some(pen))
     }
 }

@@ -185,16 +185,18 @@ impl Lens {
         [self.middle[0] + x * factor, self.middle[1] + y * factor, z * factor]
     }
 
-    /// The part of a line before the eye; `None` if there is none.
-    pub(super) fn before_eye(&self, ends: [Vector; 2]) -> Option<[Vector; 2]> {
+    /// The ends of the part of a line before the eye, and their places from 0 to 1 along the line; `None` if there is
+    /// none.
+    pub(super) fn before_eye(&self, ends: [Vector; 2]) -> Option<[(Vector, f64); 2]> {
+        let [whole, other] = [(ends[0], 0.0), (ends[1], 1.0)];
         let ahead = ends.map(|end| 1.0 + end[2] * self.nearness - NEAR);
         match ahead.map(|a| a > 0.0) {
-            [true, true] => Some(ends),
+            [true, true] => Some([whole, other]),
             [false, false] => None,
             [first, _] => {
                 let t = ahead[0] / (ahead[0] - ahead[1]);
                 let cut = [0, 1, 2].map(|i| ends[0][i] + t * (ends[1][i] - ends[0][i]));
-                Some(if first { [ends[0], cut] } else { [cut, ends[1]] })
+                Some(if first { [whole, (cut, t)] } else { [(cut, t), other] })
             }
         }
     }

@@ -8,6 +8,7 @@ use super::scene::{Scene, SceneNode, WIDTH};
 use super::setup::Setup;
 use super::shares::{UNLIMITED, shares, weight};
 use crate::plane::Shade;
+use lsystem_drawing::Widths;
 use lsystem_drawing::rotation::dot;
 
 /// A node with more samples to a unit than this has its contents sorted by depth.
@@ -25,8 +26,7 @@ pub(super) struct OpenNode {
     pub place: Place,
     pub shade: Shade,
     pub path: Stretch,
-    /// The stroke width at entry, in step lengths.
-    pub width: f64,
+    pub widths: Widths,
     /// By content: the strokes and nodes that may be looked into.
     pub shares: [f32; WIDTH],
     /// The rest that contents did not need of their shares so far.
@@ -41,7 +41,7 @@ pub(super) struct Entry {
     pub place: Place,
     pub shade: Shade,
     pub path: Stretch,
-    pub width: f64,
+    pub widths: Widths,
     pub share: f32,
 }
 
@@ -56,12 +56,12 @@ impl OpenNode {
         id: u32,
         entry: Entry,
     ) -> Self {
-        let Entry { place, shade, path, width, share } = entry;
+        let Entry { place, shade, path, widths, share } = entry;
         let node = &scene.nodes[id as usize];
         let lens = &setup.lens;
         let balls = balls_in_tile(node, &place, lens, corner);
         let nearest = (1.0 / NEAR).min(1.0 / (1.0 + (place.origin[2] - 2.0 * place.scale) * lens.nearness).max(NEAR));
-        let widest = ((node.summary.widest.of(width) * lens.step * nearest / 2.0).max(setup.hairline)) as f32;
+        let widest = ((widths.widest(node.summary.widest) * lens.step * nearest / 2.0).max(setup.hairline)) as f32;
         let mut open = Self {
             node: id,
             left: 0,
@@ -70,7 +70,7 @@ impl OpenNode {
             place,
             shade,
             path,
-            width,
+            widths,
             shares: [UNLIMITED; WIDTH],
             spare: 0.0,
             towards: DIRECTIONS.map(|to| place.axes.map(|axis| (dot(axis, to) / place.scale) as f32)),

@@ -7,6 +7,7 @@ use super::setup::Setup;
 use super::stroke::{Dot, Painted, Stick};
 use super::tile::ScreenTile;
 use crate::RenderStats;
+use lsystem_drawing::Widths;
 use lsystem_drawing::rotation::{Vector, cross, dot, minus, norm};
 use std::collections::VecDeque;
 
@@ -78,18 +79,27 @@ impl TilePainter {
     }
 
     /// Paints a stroke, made `thicker` by a factor if it stands for others.
-    pub(super) fn stick(&mut self, setup: &Setup, ends: [Vector; 2], width: f64, thicker: f32, ink: [f32; 3]) -> i64 {
+    pub(super) fn stick(
+        &mut self,
+        setup: &Setup,
+        ends: [Vector; 2],
+        widths: Widths,
+        thicker: f32,
+        ink: [f32; 3],
+    ) -> i64 {
         self.stats.strokes += 1;
-        let Some(ends) = setup.lens.before_eye(ends) else { return 1 };
-        let radius = |end: Vector| {
+        let Some(parts) = setup.lens.before_eye(ends) else { return 1 };
+        let [first, last] = widths.ends();
+        let radius = |(end, place): (Vector, f64)| {
+            let width = first + place * (last - first);
             let own = (width * setup.lens.step * setup.lens.factor(end[2]) / 2.0).max(setup.hairline);
             (own * f64::from(thicker)).min(THICKER * setup.samples as f64).max(own)
         };
         let stick = Stick {
-            ends: ends.map(|end| setup.lens.project(end)),
-            radii: ends.map(radius),
+            ends: parts.map(|(end, _)| setup.lens.project(end)),
+            radii: parts.map(radius),
             ink,
-            spots: ends.map(|end| setup.light.spot(end)),
+            spots: parts.map(|(end, _)| setup.light.spot(end)),
         };
         self.primitive(setup, Primitive::Stick(stick))
     }

@@ -47,7 +47,7 @@ impl Sight<Solid> for SolidSight<'_> {
 
     fn block(&self, id: BlockId, frame: &BlockFrame<Solid>) -> Option<Aim> {
         let (block, lens) = (&self.drawing.blocks[id.0 as usize], &self.lens);
-        let widest = block.widest.of(frame.style.width.of(0.0)).max(0.0) * lens.step / 2.0;
+        let widest = frame.style.widths().widest(block.widest).max(0.0) * lens.step / 2.0;
         // A little larger, because rounding may leave an end outside the hull.
         let radius = (block.hull.radius + 1e-9) * frame.scale * self.unit + widest;
         let centre = self.place(frame.transform(block.hull.centre()));
@@ -62,10 +62,13 @@ impl Sight<Solid> for SolidSight<'_> {
 
     fn stroke(&self, frame: &BlockFrame<Solid>, stroke: &Stroke<Solid>) -> Option<Aim> {
         let lens = &self.lens;
-        let ends = lens.before_eye([stroke.from, stroke.to].map(|end| self.place(frame.transform(end))))?;
-        let (axis, depth) = self.beside(ends);
+        let parts = lens.before_eye([stroke.from, stroke.to].map(|end| self.place(frame.transform(end))))?;
+        let (axis, depth, along) = self.beside(parts.map(|(end, _)| end));
         let style = frame.style.then(&self.drawing.styles[stroke.style.0 as usize]);
-        let radius = (style.width.of(0.0) * lens.step / 2.0).max(0.0);
+        let [first, last] = style.widths().ends();
+        let [from, to] = parts.map(|(_, place)| place);
+        let width = first + (from + along * (to - from)) * (last - first);
+        let radius = (width * lens.step / 2.0).max(0.0);
         let off = axis / lens.factor(depth);
         let distance = (axis - radius * lens.factor(depth)).max(0.0);
         // The surface of the stick bulges towards the eye.
@@ -90,7 +93,8 @@ impl Sight<Solid> for SolidSight<'_> {
             return Some(Aim { distance: 0.0, depth, off: 0.0 });
         }
         let sides = vertices.iter().zip(vertices.iter().cycle().skip(1));
-        let (distance, depth) = sides.map(|(&from, &to)| self.beside([from, to])).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let nearest = sides.map(|(&from, &to)| self.beside([from, to])).min_by(|a, b| a.0.total_cmp(&b.0));
+        let (distance, depth, _) = nearest?;
         Some(Aim { distance, depth, off: 0.0 })
     }
 }
@@ -105,14 +109,17 @@ impl SolidSight<'_> {
         [x0 + x, y0 + y, z0 + z]
     }
 
-    /// The distance in pixels of the pointer from a line before the eye, and the depth of the line's nearest place: how
-    /// far behind the target, in pixels.
+    /// The distance in pixels of the pointer from a line before the eye, and the line's nearest place: how far behind the
+    /// target, in pixels, and how far along the line, from 0 to 1.
     // Not inlined, to keep the wasm small.
     #[inline(never)]
-    fn beside(&self, ends: [Vector; 2]) -> (f64, f64) {
+    fn beside(&self, ends: [Vector; 2]) -> (f64, f64, f64) {
         let ends = ends.map(|end| self.lens.project(end));
         let (axis, t) = nearest_on(self.at, ends.map(|[x, y, _]| [x, y]));
         let shown = ends[0][2] + t * (ends[1][2] - ends[0][2]);
-        (axis, shown / (1.0 - shown * self.lens.nearness))
+        let depth = shown / (1.0 - shown * self.lens.nearness);
+        // With perspective equal parts of the line are not equal in the picture.
+        let [near, far] = ends.map(|end| 1.0 - end[2] * self.lens.nearness);
+        (axis, depth, t * far / (near + t * (far - near)).max(f64::MIN_POSITIVE))
     }
 }

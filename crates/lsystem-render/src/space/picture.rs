@@ -148,7 +148,7 @@ impl Picture {
         let shade = Shade { number: 0, fixed: true };
         let share = if is_always_drawn(scene) { UNLIMITED } else { setup.effort.budget };
         let place = Place::root(&setup.lens);
-        self.open(scene, setup, root, Entry { place, shade, path: scene.shown, width: setup.width, share });
+        self.open(scene, setup, root, Entry { place, shade, path: scene.shown, widths: setup.widths, share });
     }
 
     /// Reduces the budget of the rest of the picture to a `part`.
@@ -219,9 +219,9 @@ impl Picture {
             let corners = [line.from, line.to, corner].map(|corner| open.place.point(corner.map(f64::from)));
             return self.painter.face(setup, corners, ink);
         }
-        let width = scene.styles[line.style as usize].width.of(open.width);
+        let widths = open.widths.after(&scene.styles[line.style as usize]);
         let ends = [line.from, line.to].map(|end| open.place.point(end.map(f64::from)));
-        self.painter.stick(setup, ends, width, 1.0, ink)
+        self.painter.stick(setup, ends, widths, 1.0, ink)
     }
 
     /// Paints a node inside the node on top of the stack, or puts it on the stack.
@@ -231,7 +231,7 @@ impl Picture {
         let link = &scene.links[node.first_link as usize + lane];
         let [x, y, ball, near] = [0, 1, 2, 3].map(|i| open.balls[i][lane]);
         let factor = open.place.scale_at(&setup.lens, near);
-        let stroke = ((link.widest.of(open.width) * setup.lens.step * factor / 2.0).max(setup.hairline)) as f32;
+        let stroke = ((open.widths.widest(link.widest) * setup.lens.step * factor / 2.0).max(setup.hairline)) as f32;
         let disc = Disc { at: [f64::from(x), f64::from(y)], radius: ball, near, stroke, factor };
         let mut share = open.shares[lane];
         if setup.single {
@@ -265,8 +265,8 @@ impl Picture {
             return LINE_WORK;
         }
         let place = open.place.inside(link);
-        let width = scene.styles[link.style as usize].width.of(open.width);
-        let entry = |share: f32| Entry { place, shade, path, width, share };
+        let widths = open.widths.after(&scene.styles[link.style as usize]);
+        let entry = |share: f32| Entry { place, shade, path, widths, share };
         let thin = 2.0 * (inner.summary.main_line.reach * place.scale * factor) as f32 <= setup.detail;
         if thin && (!scene.along || path.is_short()) {
             // No content is visibly off the main line, so the main line stands for the node.

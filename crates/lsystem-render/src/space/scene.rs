@@ -14,7 +14,7 @@ use lsystem_base::{Meter, Progress};
 use lsystem_drawing::SceneSize;
 use lsystem_drawing::rotation::{Vector, combine, cross, dot, minus, norm};
 use lsystem_drawing::triangulate::triangulate;
-use lsystem_drawing::{BlockId, Drawing, Item, Placed, Solid, StyleChange, WidthChange};
+use lsystem_drawing::{BlockId, Drawing, Item, Placed, Solid, StyleChange, WidthChange, Widths};
 use lsystem_syntax::{ColourBy, Style};
 
 /// The most contents of a node.
@@ -94,7 +94,10 @@ pub(super) struct Summary {
 pub(super) struct MainLine {
     pub(super) from: Vector,
     pub(super) to: Vector,
+    /// The style of the last stroke. The other strokes have the same, but do not taper.
     pub(super) style: StyleChange,
+    /// Where the last stroke begins, as a part of the line.
+    pub(super) bend: f64,
     /// The farthest that any content of the node is from the line, without the widths of strokes.
     pub(super) reach: f64,
     /// The part of the node's segments that comes before.
@@ -144,6 +147,18 @@ pub(super) struct SceneLine {
     pub(super) style: u32,
     /// The part of the node's segments that comes before.
     pub(super) before: f32,
+}
+
+impl MainLine {
+    /// The one or two strokes that the line is: only the last stroke may taper. `entry`: the widths at the node's entry.
+    pub(super) fn parts(&self, entry: Widths) -> impl Iterator<Item = ([Vector; 2], Widths)> + use<> {
+        let widths = entry.after(&self.style);
+        let [first, last] = widths.ends();
+        let splits = first != last && self.bend > 0.0;
+        let bend = [0, 1, 2].map(|i| self.from[i] + self.bend * (self.to[i] - self.from[i]));
+        let trunk = splits.then_some(([self.from, bend], widths.even()));
+        trunk.into_iter().chain([([if splits { bend } else { self.from }, self.to], widths)])
+    }
 }
 
 impl SceneLine {
@@ -447,8 +462,8 @@ impl Scene {
     /// The style of a main line made of this line: the longest side of a triangle has no width.
     fn style_of(&self, line: &SceneLine) -> StyleChange {
         let style = self.styles[line.style as usize];
-        let width = if line.corner.is_some() { WidthChange { factor: 0.0, offset: 0.0 } } else { style.width };
-        StyleChange { width, ..style }
+        let none = WidthChange { factor: 0.0, offset: 0.0 };
+        if line.corner.is_some() { StyleChange { width: none, next: Some(none), ..style } } else { style }
     }
 
     /// The sample strokes of a node, by direction.

@@ -5,7 +5,7 @@ use super::camera::{Camera, Lens};
 use super::effort::Effort;
 use super::light::Light;
 use crate::{Pane, Viewport};
-use lsystem_drawing::{Drawing, Solid};
+use lsystem_drawing::{Drawing, Solid, Widths};
 use lsystem_syntax::Style;
 
 /// The settings of a picture, which only change when its budget does.
@@ -32,8 +32,7 @@ pub(super) struct Setup {
     pub corner: [f64; 2],
     /// Half the smallest stroke width, in samples.
     pub hairline: f64,
-    /// The stroke width at the start, in step lengths.
-    pub width: f64,
+    pub widths: Widths,
 }
 
 impl Setup {
@@ -65,7 +64,7 @@ impl Setup {
             pane: budget.is_some(),
             corner: [pane.x, pane.y].map(|pixels| f64::from(pixels) * samples as f64),
             hairline: viewport.least_width(style) * samples as f64 / 2.0,
-            width: drawing.width,
+            widths: Widths::new(drawing.width),
         }
     }
 }

@@ -72,16 +72,17 @@ pub(super) fn dot(
 /// Paints the main line of a node in the node's mean colour.
 #[inline(always)]
 pub(super) fn main_line(painter: &mut TilePainter, scene: &Scene, setup: &Setup, id: u32, entry: Entry) -> i64 {
-    let Entry { place, shade, path, width, .. } = entry;
+    let Entry { place, shade, path, widths, .. } = entry;
     let main_line = &scene.nodes[id as usize].summary.main_line;
-    let ends = [main_line.from, main_line.to].map(|end| place.point(end));
-    painter.stick(setup, ends, main_line.style.width.of(width), 1.0, scene.mean(id, shade, path))
+    let ink = scene.mean(id, shade, path);
+    let parts = main_line.parts(widths);
+    parts.map(|(ends, widths)| painter.stick(setup, ends.map(|end| place.point(end)), widths, 1.0, ink)).sum()
 }
 
 /// Paints as many strokes of a node as its share allows: the main line if it stands out, and sample strokes that face
 /// the viewer.
 pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, id: u32, entry: &Entry) -> i64 {
-    let Entry { place, shade, path, width, share } = *entry;
+    let Entry { place, shade, path, widths, share } = *entry;
     let own = &scene.nodes[id as usize].summary;
     let main_line = &own.main_line;
     let outstanding = norm(minus(main_line.to, main_line.from)) > OUTSTANDING * f64::from(own.sampled);
@@ -94,15 +95,16 @@ pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, i
     let thicker = own.length / (count as f32 * own.sampled);
     let mut cost = 0;
     if outstanding {
-        let ends = [main_line.from, main_line.to].map(|end| place.point(end));
         let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&main_line.style)), path, main_line.before);
-        cost += painter.stick(setup, ends, main_line.style.width.of(width), 1.0, ink);
+        for (ends, widths) in main_line.parts(widths) {
+            cost += painter.stick(setup, ends.map(|end| place.point(end)), widths, 1.0, ink);
+        }
     }
     for sample in samples {
         let ends = [sample.from, sample.to].map(|end| place.point(end.map(f64::from)));
         let shade = scene.choice.then(shade, scene.choice.shade(&sample.style));
         let ink = scene.ink(shade, path, f64::from(sample.before));
-        cost += painter.stick(setup, ends, sample.style.width.of(width), thicker, ink);
+        cost += painter.stick(setup, ends, widths.after(&sample.style), thicker, ink);
     }
     cost
 }

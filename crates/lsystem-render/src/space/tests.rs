@@ -24,6 +24,13 @@ fn bush() -> System {
     system(Dialect::Abop, "A", "A -> [&F!A]/////'[&F!A]///////'[&F!A]\nF -> S/////F\nS -> F", 22.5)
 }
 
+/// Branches that become thinner and thicker, with trunks of several strokes.
+fn tapering() -> System {
+    let mut system = system(Dialect::Abop, "A", "A -> FF!!F[&A][^!!A]#/FA\nF -> FF", 40.0);
+    system.turtle.max_width = 0.05;
+    system
+}
+
 fn drawing(system: &System, n: u32) -> Arc<Drawing<Solid>> {
     Arc::new(draw::<Solid>(system, n, &Limits::default()).unwrap())
 }
@@ -96,8 +103,10 @@ fn naive_until(drawing: &Drawing<Solid>, style: &Style, viewport: Viewport, came
         });
         let ends = seen.map(|p| lens.project(p));
         let hairline = style.min_width.max(1.0) * viewport.ratio * 2.0;
-        let width_of = |p: Vector| segment.width / drawing.step.abs() * lens.step / 2.0 / (1.0 + p[2] * lens.nearness);
-        let radii = seen.map(|p| width_of(p).max(hairline));
+        let width_of =
+            |p: Vector, width: f64| width / drawing.step.abs() * lens.step / 2.0 / (1.0 + p[2] * lens.nearness);
+        let widths = [segment.width, segment.end_width];
+        let radii = [0, 1].map(|end| width_of(seen[end], widths[end]).max(hairline));
         let place = (number as f64 + 0.5) / drawing.segment_count() as f64;
         let tint = lsystem_syntax::Tint { index: segment.colour, level: segment.level, place };
         let ink = style.colour_of(tint).rgb.map(f64::from);
@@ -182,7 +191,7 @@ fn styles() -> [Style; 3] {
 /// Rounding moves an edge by much less than a sample, a sixteenth of a pixel's colour.
 #[test]
 fn pictures_are_true_where_all_is_looked_into() {
-    for (system, n) in [(tree(), 2), (bush(), 4)] {
+    for (system, n) in [(tree(), 2), (bush(), 4), (tapering(), 3)] {
         for mut style in styles() {
             style.width = style.width.min(if n == 2 { 0.25 } else { 1.0 });
             let mut system = system.clone();
@@ -225,7 +234,7 @@ fn pictures_of_small_blocks_are_true_on_the_whole() {
 #[test]
 fn the_first_segments_are_shown_alone() {
     let [level, _, path] = &styles();
-    for (style, system, n) in [(level, tree(), 2), (path, tree(), 2), (path, bush(), 4)] {
+    for (style, system, n) in [(level, tree(), 2), (path, tree(), 2), (path, bush(), 4), (level, tapering(), 2)] {
         let mut system = system.clone();
         system.turtle.width = 0.25;
         let drawing = drawing(&system, n);

@@ -66,7 +66,7 @@ const CAMERA: &[(&str, Expected)] = &[
 ];
 
 /// All fields, in the order of links.
-pub static FIELDS: [FieldSpec; 38] = [
+pub static FIELDS: [FieldSpec; 40] = [
     FieldSpec {
         name: "title",
         link: "title",
@@ -406,6 +406,17 @@ pub static FIELDS: [FieldSpec; 38] = [
         ..FIELD
     },
     FieldSpec {
+        name: "tapers",
+        link: "taper",
+        file: Some((Section::Style, "tapers")),
+        expected: Expected::Boolean,
+        affects: Affects::Look,
+        label: "Tapered lines",
+        help: "whether each line runs from its own width to the width with which its branch goes on",
+        access: Some(at!(style.tapers)),
+        ..FIELD
+    },
+    FieldSpec {
         name: "minWidth",
         link: "thin",
         file: Some((Section::Style, "min_width")),
@@ -416,6 +427,19 @@ pub static FIELDS: [FieldSpec; 38] = [
         label: "Thinnest line",
         help: "the width of the thinnest line, in pixels",
         access: Some(at!(style.min_width)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "maxWidth",
+        link: "thick",
+        file: Some((Section::Style, "max_width")),
+        expected: PERCENT,
+        slider: Some(Slider { from: 0.0, parts: &[(4.0, 0.25), (20.0, 1.0)], arrow: 0.5 }),
+        unit: "percent",
+        affects: Affects::Look,
+        label: "Thickest line (%)",
+        help: "the width of the thickest line, in percent of the picture's longer side; 0 for no limit",
+        access: Some(at!(style.max_width)),
         ..FIELD
     },
     FieldSpec {

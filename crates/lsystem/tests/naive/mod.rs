@@ -40,11 +40,23 @@ struct Pen {
     scale: f64,
     /// Whether left and right turns are exchanged.
     swapped: bool,
+    /// The number of the branch's last segment, if the branch has not moved since.
+    last: Option<usize>,
 }
 
 impl Pen {
     fn new(turtle: &Turtle) -> Self {
-        Self { colour: 0, width: turtle.width, level: 0, scale: 1.0, swapped: false }
+        Self { colour: 0, width: turtle.width, level: 0, scale: 1.0, swapped: false, last: None }
+    }
+
+    /// Draws a segment of the branch. The segment before it gets its width at the end.
+    fn draw<S: Space>(&mut self, turtle: &Turtle, from: S::Point, to: S::Point, segments: &mut Vec<Segment<S>>) {
+        let segment = self.segment(turtle, from, to);
+        if let Some(last) = self.last.filter(|_| turtle.tapers) {
+            segments[last].end_width = segment.width;
+        }
+        self.last = Some(segments.len());
+        segments.push(segment);
     }
 
     fn begin(&mut self, turtle: &Turtle, module: &Module) {
@@ -55,7 +67,8 @@ impl Pen {
 
     fn segment<S: Space>(&self, turtle: &Turtle, from: S::Point, to: S::Point) -> Segment<S> {
         let &Self { colour, level, width, .. } = self;
-        Segment { from, to, colour, level, width: width * turtle.step.abs() }
+        let width = width * turtle.step.abs();
+        Segment { from, to, colour, level, width, end_width: width }
     }
 
     /// Applies an action to the pen, after the turtle.
@@ -63,6 +76,7 @@ impl Pen {
         match (action, turtle.colouring) {
             (Action::Push, _) => {
                 self.level += 1;
+                self.last = None;
                 self.width *= turtle.width_factor;
                 self.scale *= turtle.length_factor;
             }
@@ -74,6 +88,7 @@ impl Pen {
             (Action::ScaleWidth(factor), _) => self.width *= factor,
             (Action::ScaleLength(factor), _) => self.scale *= factor.max(0.0),
             (Action::SwapTurns, _) => self.swapped = !self.swapped,
+            (Action::Move(_) | Action::MoveUnmarked(_), _) => self.last = None,
             _ => {}
         }
     }
@@ -145,7 +160,7 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                 Action::Draw(length) | Action::DrawUnmarked(length) => {
                     let from = state.at;
                     advance(&mut state, longer * length.unwrap_or(turtle.step));
-                    segments.push(state.pen.segment(turtle, from, state.at));
+                    state.pen.draw(turtle, from, state.at, &mut segments);
                     if let Some(tropism) = turtle.tropism {
                         let (radians, [x, y, _]) = (state.degrees.to_radians(), tropism.vector);
                         let across = libm::cos(radians) * y - libm::sin(radians) * x;
@@ -181,6 +196,26 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
     segments
 }
 
+/// The segments of generation `n`, in drawing order, of a drawing with these bounds.
+pub fn limited_segments(system: &System, n: u32, bounds: Option<[f64; 4]>) -> Vec<Segment> {
+    let mut segments = segments(system, n);
+    let longest = bounds.map_or(0.0, |[x0, y0, x1, y1]| (x1 - x0).max(y1 - y0));
+    limit_widths(&mut segments, &system.turtle, longest);
+    segments
+}
+
+/// Makes all segments thinner by one factor, so that the widest is at most a part of the drawing's longest side.
+fn limit_widths<S: Space>(segments: &mut [Segment<S>], turtle: &Turtle, longest: f64) {
+    let widest = segments.iter().fold(0.0_f64, |widest, segment| widest.max(segment.width));
+    let factor = if longest > 1e-9 * turtle.step.abs() { turtle.max_width * longest / widest } else { 0.0 };
+    if factor > 0.0 && factor < 1.0 {
+        for segment in segments {
+            segment.width *= factor;
+            segment.end_width *= factor;
+        }
+    }
+}
+
 /// The segments around a closed outline.
 fn around<P: Copy, T>(corners: &[P], segment: impl Fn(P, P) -> T) -> Vec<T> {
     (0..corners.len()).map(|at| segment(corners[at], corners[(at + 1) % corners.len()])).collect()
@@ -191,7 +226,7 @@ fn slot(actions: &[Action], index: usize) -> usize {
     use Action::{PitchDown, PitchUp, RollLeft, RollRight, TurnLeft, TurnRight, TurnRound};
     let goes = |action: &Action| {
         matches!(action, Action::Draw(_) | Action::DrawUnmarked(_) | Action::Move(_) | Action::MoveUnmarked(_))
-            || matches!(action, Action::Circle(_) | Action::Disc(_))
+            || matches!(action, Action::Circle(_) | Action::Fill(..))
     };
     let turns = |action: &Action| {
         matches!(
@@ -230,7 +265,7 @@ fn replaced(action: Action, number: f64) -> Action {
         Action::MoveUnmarked(_) => Action::MoveUnmarked(Some(number)),
         Action::ScaleLength(_) => Action::ScaleLength(number),
         Action::Circle(_) => Action::Circle(Some(number)),
-        Action::Disc(_) => Action::Disc(Some(number)),
+        Action::Fill(outline, _) => Action::Fill(outline, Some(number)),
         Action::SwapTurns | Action::TurnRound | Action::RollUpright | Action::Push | Action::Pop | Action::Cut => {
             action
         }

@@ -1,6 +1,6 @@
 //! The naive turtle in space: three vectors, rotated by Rodrigues' formula.
 
-use super::{Pen, actions, around, drawn, replaced, shorter, slot, variations};
+use super::{Pen, actions, around, drawn, limit_widths, replaced, shorter, slot, variations};
 use lsystem::drawing::Segment;
 use lsystem::syntax::Action;
 use lsystem::{Solid, System};
@@ -106,7 +106,7 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                 Action::Draw(length) | Action::DrawUnmarked(length) => {
                     let from = state.at;
                     state.advance(longer * length.unwrap_or(turtle.step));
-                    segments.push(state.pen.segment(turtle, from, state.at));
+                    state.pen.draw(turtle, from, state.at, &mut segments);
                     if let Some(tropism) = turtle.tropism {
                         state.bend(tropism.vector, tropism.elasticity);
                     }
@@ -136,9 +136,17 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                     let corners = state.circle(longer * diameter.unwrap_or(turtle.step));
                     segments.extend(around(&corners, |from, to| state.pen.segment(turtle, from, to)));
                 }
-                Action::Disc(diameter) => {
+                Action::Fill(outline, size) => {
                     closed.push(polygons.len());
-                    let corners = state.circle(longer * diameter.unwrap_or(turtle.step));
+                    let size = longer * size.unwrap_or(turtle.step);
+                    let corners = match outline.leaf() {
+                        None => state.circle(size),
+                        Some(leaf) => leaf
+                            .map(|[x, y]| {
+                                [0, 1, 2].map(|i| state.at[i] + size * (x * state.heading[i] + y * state.left[i]))
+                            })
+                            .collect(),
+                    };
                     polygons.push((corners, state.pen.colour, state.pen.level, segments.len(), module.index));
                 }
                 Action::Push => saved.push(state),
@@ -163,6 +171,13 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
         place += 1;
         closed.contains(&(place - 1)) && vertices.len() > 2
     });
+    let points = || segments.iter().flat_map(|s| [s.from, s.to]).chain(polygons.iter().flat_map(|p| p.0.clone()));
+    let side = |axis: usize| {
+        let along = || points().map(|point| point[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    let longest = (0..3).map(side).fold(0.0, f64::max);
+    limit_widths(&mut segments, turtle, longest);
     (segments, polygons)
 }
 

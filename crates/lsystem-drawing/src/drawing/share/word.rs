@@ -112,7 +112,8 @@ impl<S: Space> LetterPieceWriting<S> {
             self.done = 0;
         }
         let exponent = self.exponent.unwrap_or(0);
-        let mut tree = self.tree.take().unwrap_or_else(|| Tree::of_word(exponent, self.weight > WORD));
+        let mut tree =
+            self.tree.take().unwrap_or_else(|| Tree::of_word(exponent, self.weight > WORD, word.score.tapers));
         while let Some(&symbol) = word.letters.get(self.done) {
             if meter.is_spent() || builder.is_full {
                 self.tree = Some(tree);
@@ -122,12 +123,13 @@ impl<S: Space> LetterPieceWriting<S> {
             meter.charge(2 + work_of(word.ops(symbol)) + builder.take_work());
             self.done += 1;
         }
+        let flow = tree.end(builder, word.origin.former.is_none());
         while !meter.is_spent() && !builder.is_full {
             // Only the axiom may leave branches open, and no word follows the axiom.
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
             if let Some(block) = finished {
-                return Some(Piece { block, effect: effect(&self.pen, exponent, word.swapped) });
+                return Some(Piece { block, effect: effect(&self.pen, exponent, word.swapped), flow });
             }
         }
         self.tree = Some(tree);
@@ -181,10 +183,8 @@ impl<S: Space> LetterPieceWriting<S> {
                 tree.draw(builder, *done as u64, |paper, directions| pen.act(ops, saved, scale, directions, paper));
             }
             Some(piece) => {
-                if let Some(block) = piece.block {
-                    let placed = place(builder, block, pen, exponent, 1.0);
-                    tree.place(builder, placed);
-                }
+                let placed = piece.block.map(|block| place(builder, block, pen, exponent, 1.0));
+                tree.place(builder, placed, &piece.flow, pen.style.width);
                 follow(builder, pen, &piece.effect, exponent, 1.0);
             }
         }

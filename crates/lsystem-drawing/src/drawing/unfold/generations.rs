@@ -126,7 +126,7 @@ impl<S: Space> Generations<S> {
                 *stage = Stage::Draw {
                     pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
                     saved: Vec::new(),
-                    tree: Tree::new(score.exponent.saturating_add(shift)),
+                    tree: Tree::new(score.exponent.saturating_add(shift), score.tapers),
                     scale: libm::scalbn(1.0, -shift),
                 };
             }
@@ -148,6 +148,7 @@ impl<S: Space> Generations<S> {
         match reader.read(rewriter, task, meter, &mut act) {
             Ok(false) => Outcome::Paused,
             Ok(true) => {
+                tree.end(builder, true);
                 let finished = tree.finish_one(builder);
                 meter.charge(builder.take_work());
                 finished.map_or(Outcome::Paused, Outcome::Ended)

@@ -98,7 +98,7 @@ impl<S: Space> LetterUnfolding<S> {
             census: Census::new(*n, *seed),
             pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
             saved: vec![],
-            tree: Tree::new(score.exponent),
+            tree: Tree::new(score.exponent, score.tapers),
             seed: *seed,
             continuation: None,
             own: vec![],
@@ -143,10 +143,10 @@ impl<S: Space> LetterUnfolding<S> {
         let outcome = match outcome {
             WalkOutcome::Paused => WalkOutcome::Paused,
             WalkOutcome::Passed(limit) => WalkOutcome::Passed(limit),
-            WalkOutcome::Ended(()) => match tree.finish_one(builder) {
-                Some(root) => WalkOutcome::Ended(root),
-                None => WalkOutcome::Paused,
-            },
+            WalkOutcome::Ended(()) => {
+                tree.end(builder, true);
+                tree.finish_one(builder).map_or(WalkOutcome::Paused, WalkOutcome::Ended)
+            }
         };
         meter.charge(builder.take_work());
         outcome

@@ -13,8 +13,8 @@ use layout::{Layout, Trials, is_empty, size};
 mod layout;
 mod parts;
 
+use crate::plane::canvas::cone::Cone;
 use crate::plane::canvas::polygon::Filling;
-use crate::plane::canvas::stroke::Capsule;
 use crate::plane::canvas::words::{GROUP, GroupBits};
 use crate::plane::pen::Pen;
 use crate::plane::top_down::tile;
@@ -191,22 +191,31 @@ impl BottomUp {
                     return 1;
                 }
                 stats.strokes += 1;
-                let (ends, change) = match &shape.line {
-                    Some(line) => ([line.from, line.to], &line.style),
-                    None => (shape.axis(), &shape.last),
+                let measure = self.measure;
+                let mut stroke = |ends: [[f64; 2]; 2], pen| {
+                    let ends = ends.map(|end| child.place.point(end));
+                    self.stroke(inks, ends, pen)
                 };
-                let ends = ends.map(|end| child.place.point(end));
-                let pen = child.pen.after(inks.choice, change);
-                let pens = self.measure.pens(&drawing.blocks[placed.block.0 as usize], child.pen, pen);
-                pens.map(|pen| self.stroke(inks, ends, pen)).sum()
+                if let Some(line) = &shape.line {
+                    let pen = child.pen.after(inks.choice, &line.style);
+                    return line
+                        .parts(pen.widths)
+                        .rev()
+                        .map(|(ends, widths)| stroke(ends, Pen { widths, ..pen }))
+                        .sum();
+                }
+                let pen = child.pen.after(inks.choice, &shape.last);
+                let pens = measure.pens(&drawing.blocks[placed.block.0 as usize], child.pen, pen);
+                pens.map(|pen| stroke(shape.axis(), pen)).sum()
             }
         }
     }
 
-    fn stroke(&mut self, inks: &InkTable, [from, to]: [[f64; 2]; 2], pen: Pen) -> u64 {
+    fn stroke(&mut self, inks: &InkTable, ends: [[f64; 2]; 2], pen: Pen) -> u64 {
         // A stroke thinner than a cell would have gaps.
-        let radius = (self.measure.radius(pen.width) / f64::from(self.layout.grain)).max(0.5);
-        Capsule { from, to, radius }.paint(&mut self.canvas, inks.code(pen.shade)) as u64 / 4 + 1
+        let radius = |width: f64| (self.measure.radius(width) / f64::from(self.layout.grain)).max(0.5);
+        let radii = pen.widths.ends().map(radius);
+        Cone { ends, radii }.paint(&mut self.canvas, inks.code(pen.shade)) as u64 / 4 + 1
     }
 
     /// Stamps the inner part of a joint, entered with a shade. Returns the units of work.

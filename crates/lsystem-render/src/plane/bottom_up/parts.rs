@@ -10,7 +10,7 @@ use crate::plane::view::{Measure, TINY};
 use core::hash::BuildHasherDefault;
 use core::ops::Range;
 use lsystem_base::{Meter, Progress};
-use lsystem_drawing::{BlockId, Drawing, Item};
+use lsystem_drawing::{BlockId, Drawing, Item, Widths};
 use lsystem_syntax::Heading;
 use std::collections::{BinaryHeap, HashMap};
 
@@ -43,8 +43,7 @@ pub(in crate::plane) struct Part {
     pub heading: Heading,
     /// Subsamples in one unit of the block.
     pub scale: f64,
-    /// The width at entry, in step lengths.
-    pub width: f64,
+    pub widths: Widths,
     /// The indices of its joints, the last item's first.
     pub joints: Range<usize>,
     /// The upper left and the lower right corner of the area it covers, from its origin in subsamples.
@@ -63,7 +62,7 @@ pub(in crate::plane) struct Joint {
 }
 
 /// Everything that a part's picture depends on: block, heading, scale, and the width if it is wider than a hairline.
-type PartKey = (BlockId, Heading, u64, Option<u64>);
+type PartKey = (BlockId, Heading, u64, Option<[u64; 2]>);
 
 /// The parts of a picture.
 #[derive(Default)]
@@ -144,16 +143,16 @@ impl Parts {
     /// The index of the part that a block is, which is added if it is new.
     fn find(&mut self, drawing: &Drawing, shapes: &[Shape], measure: Measure, node: Node) -> usize {
         let Node { block, place, pen, .. } = node;
-        let radius = measure.widest(&drawing.blocks[block.0 as usize], pen.width);
-        let width = measure.is_wide(radius).then_some(pen.width.to_bits());
+        let radius = measure.widest(&drawing.blocks[block.0 as usize], pen);
+        let width = measure.is_wide(radius).then_some(pen.widths.key());
         let index = self.list.len();
         let found = *self.known.entry((block, place.heading, tile::scale(place.scale), width)).or_insert(index);
         if found == index {
             let (centre, reach) = place.bounds(&shapes[block.0 as usize], radius);
             let bounds =
                 [-1.0, 1.0].map(|sign| [0, 1].map(|axis| centre[axis] + sign * reach[axis] - place.origin[axis]));
-            let (heading, scale, width) = (place.heading, place.scale, pen.width);
-            self.list.push(Part { block, heading, scale, width, joints: 0..0, bounds });
+            let (heading, scale, widths) = (place.heading, place.scale, pen.widths);
+            self.list.push(Part { block, heading, scale, widths, joints: 0..0, bounds });
             self.waiting.push((block, heading, index));
         }
         found

@@ -7,6 +7,7 @@
 //! painted. So large pictures with few strokes take little memory traffic.
 
 pub(in crate::plane) mod bits;
+pub(super) mod cone;
 pub(in crate::plane) mod polygon;
 pub(in crate::plane) mod resolve;
 pub(in crate::plane) mod stroke;

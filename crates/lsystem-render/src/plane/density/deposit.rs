@@ -30,7 +30,7 @@ impl Deposit {
     #[inline]
     pub(super) fn amount(&self, measure: &Measure, node: &Node) -> Amount {
         let scale = node.place.scale.abs();
-        self.length.times(scale).times(measure.width(node.pen.width)).plus(self.area.times(scale).times(scale))
+        self.length.times(scale).times(measure.width(node.pen.widths.own)).plus(self.area.times(scale).times(scale))
     }
 
     /// The mean of x x, x y and y y of a block's ink about its centre, in square pixels, x to the right and y up.
@@ -38,7 +38,7 @@ impl Deposit {
     #[inline]
     pub(super) fn squares(&self, measure: &Measure, node: &Node) -> [f64; 3] {
         let (cos, sin) = node.place.heading.cos_sin();
-        let width = measure.width(node.pen.width);
+        let width = measure.width(node.pen.widths.own);
         let along = turned(self.spread, [node.place.cos, node.place.sin]);
         let across = turned(self.across, [cos, sin]);
         // The mean square of an even distribution is a twelfth of the square of its length.

@@ -10,6 +10,7 @@ use super::survey::{Finding, Next, Survey};
 use super::tiling::{Footprint, Outcome, Sheets, Tiling, WantedTile};
 use crate::plane::descent::{Cut, Descent, Node, Visit};
 use crate::plane::inks::{InkTable, Inks, Shade};
+use crate::plane::pen::Pen;
 use crate::plane::picture::Plan;
 use crate::plane::view::{Measure, ViewTransform};
 use crate::plane::{Amount, Pane, Pass, RenderStats};
@@ -269,7 +270,8 @@ impl Picture {
             }
             Some(Visit { node, .. }) => {
                 // An upper bound of the ink of a stroke in the picture.
-                survey.count(Amount::new(self.measure.width(node.pen.width)).times(self.sheets[0].numbers() as f64));
+                survey
+                    .count(Amount::new(self.measure.width(node.pen.widths.own)).times(self.sheets[0].numbers() as f64));
                 self.stage = Stage::Survey(survey);
             }
         }
@@ -290,7 +292,7 @@ impl Picture {
             }
             Some(Visit { item: Item::Stroke(stroke), node }) => {
                 let ends = [stroke.from, stroke.to].map(|p| node.place.point(p));
-                self.stroke(&node, ends, node.pen.width, node.pen.shade)
+                self.stroke(&node, ends, node.pen)
             }
             Some(Visit { item: Item::Polygon(polygon), node }) => {
                 self.stats.strokes += 1;
@@ -308,7 +310,7 @@ impl Picture {
     fn footprint(&self, drawing: &Drawing, facts: &Facts, node: &Node) -> Option<Footprint> {
         let shape = facts.shape(node);
         let place = &node.place;
-        let width = self.measure.width(drawing.blocks[node.block.0 as usize].widest.of(node.pen.width));
+        let width = self.measure.width(node.pen.widths.widest(drawing.blocks[node.block.0 as usize].widest));
         let (centre, reach) = place.bounds(shape, width / 2.0);
         let [low, high] = [-1.0, 1.0].map(|sign| [0, 1].map(|axis| centre[axis] + sign * reach[axis]));
         let extent = shape.extent(place.scale.abs());
@@ -318,12 +320,12 @@ impl Picture {
         shows.then_some(Footprint { centre, reach, width, extent })
     }
 
-    fn stroke(&mut self, node: &Node, ends: [[f64; 2]; 2], width: f64, shade: Shade) -> u64 {
+    fn stroke(&mut self, node: &Node, ends: [[f64; 2]; 2], pen: Pen) -> u64 {
         self.stats.strokes += 1;
-        let (width, pigment) = (self.measure.width(width), self.pigments.of(shade));
+        let (widths, pigment) = (pen.widths.ends().map(|width| self.measure.width(width)), self.pigments.of(pen.shade));
         self.filled = node.canvas;
         let sheet = &mut self.sheets[node.canvas];
-        let work = sheet.stroke(ends, width, sheet.layer(), pigment);
+        let work = sheet.stroke(ends, widths, sheet.layer(), pigment);
         self.dots.work += work;
         work
     }
@@ -368,9 +370,12 @@ impl Picture {
         let is_plain = !self.descent.path.counts() || node.canvas != 0 || node.span.is_short();
         if let Some(line) = shape.line.as_ref().filter(|_| deposit.even && is_plain && footprint.extent < LONGEST_LINE)
         {
-            let ends = [line.from, line.to].map(|p| node.place.point(p));
             let pen = node.pen.after(self.table.choice, &line.style);
-            return self.stroke(&node, ends, pen.width, pen.shade);
+            return line
+                .parts(pen.widths)
+                .rev()
+                .map(|(ends, widths)| self.stroke(&node, ends.map(|p| node.place.point(p)), Pen { widths, ..pen }))
+                .sum();
         }
         self.grow_dots();
         if footprint.extent <= self.dots.extent {
@@ -390,7 +395,7 @@ impl Picture {
                 return 1;
             };
             let shade = is_mixed.then_some(node.pen.shade);
-            let width = self.measure.is_wide(footprint.width / 2.0).then_some(node.pen.width.to_bits());
+            let width = self.measure.is_wide(footprint.width / 2.0).then_some(node.pen.widths.key());
             let (height, strokes) = (self.stack.len(), shape.strokes);
             let wanted = WantedTile { height, size, strokes, width, shade, pigment };
             match self.tiling.add_or_make(&mut self.sheets, &mut node, &footprint, wanted) {

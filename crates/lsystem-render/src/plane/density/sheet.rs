@@ -184,38 +184,49 @@ impl Sheet {
         }
     }
 
-    /// Adds a stroke with flat ends, `width` pixels wide, that adds `layer` units of ink to each pixel. A width below 1
-    /// adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of work.
-    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], width: f64, layer: f64, pigment: Pigment) -> u64 {
-        let Some([from, to]) = self.clipped(ends, width) else { return 1 };
+    /// Adds a stroke with flat ends that adds `layer` units of ink to each pixel. Its widths at the ends are in pixels; a
+    /// width below 1 adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of work.
+    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], widths: [f64; 2], layer: f64, pigment: Pigment) -> u64 {
+        let broadest = widths[0].max(widths[1]);
+        let Some([(from, first), (to, last)]) = self.clipped(ends, broadest) else { return 1 };
+        let width_at = |place: f64| widths[0] + place * (widths[1] - widths[0]);
+        let widths = [width_at(first), width_at(last)];
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = (dx * dx + dy * dy).sqrt();
         if length == 0.0 {
             return 1;
         }
         let aside = [-dy / length, dx / length];
-        if width > BROAD {
-            let side = |p: [f64; 2], sign: f64| [0, 1].map(|i| p[i] + sign * 0.5 * width * aside[i]);
-            let corners = [side(from, 1.0), side(to, 1.0), side(to, -1.0), side(from, -1.0)];
+        if broadest > BROAD {
+            let side = |p: [f64; 2], half: f64| [0, 1].map(|i| p[i] + half * aside[i]);
+            let [a, b] = widths.map(|width| 0.5 * width);
+            let corners = [side(from, a), side(to, b), side(to, -b), side(from, -a)];
             return self.fill(corners.into_iter(), layer, pigment);
         }
-        let lines = width.ceil().max(1.0);
+        let lines = broadest.ceil().max(1.0);
         let points = (length * POINTS_PER_PIXEL).ceil().max(1.0);
-        let weight = (layer * width * length / (lines * points)) as f32;
         let step = [dx / points, dy / points];
+        let wider = (widths[1] - widths[0]) / points;
         for line in 0..lines as usize {
-            let off = ((line as f64 + 0.5) / lines - 0.5) * width;
-            let start = [0, 1].map(|i| from[i] + off * aside[i] + 0.5 * step[i]);
+            let across = (line as f64 + 0.5) / lines - 0.5;
+            let at = |width: f64| [0, 1].map(|i| from[i] + across * width * aside[i] + 0.5 * step[i]);
+            let weight = |width: f64| (layer * width * length / (lines * points)) as f32;
+            let (mut start, mut ink) = (at(widths[0]), weight(widths[0]));
             for point in 0..points as usize {
                 let point = point as f64;
-                self.dot([start[0] + point * step[0], start[1] + point * step[1]], weight, pigment);
+                if wider != 0.0 {
+                    let width = widths[0] + (point + 0.5) * wider;
+                    (start, ink) = (at(width), weight(width));
+                }
+                self.dot([start[0] + point * step[0], start[1] + point * step[1]], ink, pigment);
             }
         }
         (lines * points) as u64 / 4 + 1
     }
 
-    /// The part of a segment near the sheet; `None` if there is none, or if numbers are not finite.
-    fn clipped(&self, [from, to]: [[f64; 2]; 2], width: f64) -> Option<[[f64; 2]; 2]> {
+    /// The ends of the part of a segment near the sheet, and their places from 0 to 1 along the segment; `None` if there
+    /// is none, or if numbers are not finite.
+    fn clipped(&self, [from, to]: [[f64; 2]; 2], width: f64) -> Option<[([f64; 2], f64); 2]> {
         let margin = width / 2.0 + 2.0;
         let size = [self.width as f64, self.height as f64];
         let delta = [to[0] - from[0], to[1] - from[1]];
@@ -237,7 +248,10 @@ impl Sheet {
             return None;
         }
         let at = |t: f64| [from[0] + t * delta[0], from[1] + t * delta[1]];
-        Some([if start > 0.0 { at(start) } else { from }, if end < 1.0 { at(end) } else { to }])
+        Some([
+            if start > 0.0 { (at(start), start) } else { (from, 0.0) },
+            if end < 1.0 { (at(end), end) } else { (to, 1.0) },
+        ])
     }
 
     /// Starts to add `layer` units of ink inside an outline, where its winding number is not 0. [`Sheet::go_on`] does

@@ -34,7 +34,7 @@ pub(super) struct WantedTile {
     /// The number of the block's strokes.
     pub strokes: u32,
     /// The width of the pen, as bits, if it matters.
-    pub width: Option<u64>,
+    pub width: Option<[u64; 2]>,
     /// The entry for which the tile has pigments of its own, if the block has several inks.
     pub shade: Option<Shade>,
     /// The pigment of the tile on its sheet.

@@ -40,14 +40,18 @@ impl Finder {
                 }
                 Item::Stroke(stroke) => {
                     let ends = [stroke.from, stroke.to].map(|end| node.place.point(end));
-                    if !stroke_misses(size, ends, measure.radius(node.pen.width)) {
+                    if !stroke_misses(
+                        size,
+                        ends,
+                        node.pen.widths.ends().map(|width| measure.radius(width)).into_iter().fold(0.0, f64::max),
+                    ) {
                         return true;
                     }
                 }
                 Item::Block(_) => {
                     let index = node.block.0 as usize;
                     let (block, shape) = (&drawing.blocks[index], &shapes.list[index]);
-                    let radius = measure.widest(block, node.pen.width);
+                    let radius = measure.widest(block, node.pen);
                     let centre = node.place.point(shape.centre);
                     if shape.strokes == 0 || node.place.misses(size, centre, shape.half, radius) {
                         continue;

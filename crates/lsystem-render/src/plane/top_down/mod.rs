@@ -101,7 +101,7 @@ impl TopDown {
         let is_seen = |node: &Node| {
             let (block, shape) = (&drawing.blocks[node.block.0 as usize], &shapes[node.block.0 as usize]);
             let centre = node.place.point(shape.centre);
-            !node.place.misses(size, centre, shape.half, measure.widest(block, node.pen.width))
+            !node.place.misses(size, centre, shape.half, measure.widest(block, node.pen))
         };
         descent.done(drawing, painter.inks.choice, &self.stack, is_seen)
     }
@@ -241,7 +241,8 @@ impl TopDown {
 /// Notes a block at its place, in a pass of this grain. Returns whether the block is new there.
 fn is_new(painter: &mut Painter, node: &Node, grain: f64) -> bool {
     let block = u64::from(node.block.0) << 32 ^ node.place.heading.units();
-    let properties = [block, tile::scale(node.place.scale), node.pen.width.to_bits(), grain.to_bits()];
+    let [width, next] = node.pen.widths.key();
+    let properties = [block, tile::scale(node.place.scale), width, next, grain.to_bits()];
     !painter.repeats || painter.is_new(node.canvas, properties, node.place.origin)
 }
 

@@ -66,7 +66,7 @@ pub(in crate::plane) struct Key {
     /// Whether the steps are those of sparse blocks.
     pub fine: bool,
     /// The bits of the width at entry, if a stroke inside may be wider than a hairline.
-    pub width: Option<u64>,
+    pub width: Option<[u64; 2]>,
 }
 
 /// The bits of a scale, rounded to 2^-36 of its size, so that the order in which factors are multiplied does not

@@ -112,7 +112,7 @@ impl Tiling {
             scale: tile::scale(place.scale),
             offset: snapped.offset,
             fine,
-            width: painter.measure.is_wide(radius).then_some(node.pen.width.to_bits()),
+            width: painter.measure.is_wide(radius).then_some(node.pen.widths.key()),
         };
         let destination = Destination { canvas: node.canvas, cell: snapped.cell, shade: node.pen.shade };
         if let Some(tile) = self.tiles.get(&key) {

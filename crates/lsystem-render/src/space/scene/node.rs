@@ -54,8 +54,14 @@ impl Scene {
             let [from, to] = [line.from, line.to].map(|end| end.map(f64::from));
             let half = [0, 1, 2].map(|i| 0.5 * (to[i] - from[i]));
             let centre = [0, 1, 2].map(|i| from[i] + half[i]);
-            let mut main_line =
-                MainLine { from, to, style: self.style_of(line), reach: 0.0, before: f64::from(line.before) };
+            let mut main_line = MainLine {
+                from,
+                to,
+                style: self.style_of(line),
+                bend: 0.0,
+                reach: 0.0,
+                before: f64::from(line.before),
+            };
             if let Some(corner) = line.corner {
                 let corner = corner.map(f64::from);
                 put(run.links.len() + lane, centre, norm(half).max(norm(minus(corner, centre))));
@@ -112,6 +118,7 @@ impl Scene {
             from,
             to,
             style: self.styles[link.style as usize].then(&main_line.style),
+            bend: main_line.bend,
             reach: main_line.reach * scale,
             before: link.before + link.part * main_line.before,
         }
@@ -183,16 +190,18 @@ impl Scene {
 fn longest(main_lines: &[MainLine]) -> MainLine {
     let mut all = main_lines.iter();
     let Some(mut main_line) = all.next().copied() else {
-        return MainLine { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, reach: 0.0, before: 0.0 };
+        return MainLine { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, bend: 0.0, reach: 0.0, before: 0.0 };
     };
     for next in all {
         let way = minus(next.to, next.from);
         let long = norm(way);
-        let whole = MainLine { to: next.to, ..main_line };
+        let length = norm(minus(next.to, main_line.from));
+        let bend = if length > 0.0 { 1.0 - (1.0 - next.bend) * long / length } else { 0.0 };
+        let whole = MainLine { to: next.to, style: next.style, bend, ..main_line };
         let goes_on = norm(minus(next.from, main_line.to)) <= STRAIGHT * long
-            && next.style == main_line.style
+            && main_line.style.goes_on(&next.style)
             && distance(&whole, main_line.to) <= STRAIGHT * long
-            && norm(minus(next.to, main_line.from)) > norm(minus(main_line.to, main_line.from));
+            && length > norm(minus(main_line.to, main_line.from));
         if goes_on {
             main_line = whole;
         } else if long > norm(minus(main_line.to, main_line.from)) * LONGER {

@@ -5,6 +5,7 @@ use crate::drawing::block::Space;
 use crate::drawing::builder::Builder;
 use crate::drawing::piece::{Piece, effect, exponent, follow, place};
 use crate::drawing::share::word::Origin;
+use crate::drawing::taper::Flow;
 use crate::drawing::task::Task;
 use crate::drawing::tree::{Tree, WORD};
 use crate::room::bytes_of;
@@ -86,7 +87,7 @@ impl<S: Space> States<S> {
         let scale = libm::scalbn(1.0, task.score.exponent.saturating_sub(unit));
         let mut tree = writing.tree.take().unwrap_or_else(|| {
             writing.done = writing.parts.start;
-            Tree::of_word(unit, writing.weight > WORD)
+            Tree::of_word(unit, writing.weight > WORD, task.score.tapers)
         });
         while writing.done < end {
             let next = match writing.held {
@@ -112,11 +113,13 @@ impl<S: Space> States<S> {
             (writing.done, writing.held, writing.drawn) = (next, None, 0);
         }
         self.commands = commands;
+        let whole = writing.origin.former.is_none();
+        let flow = if writing.done == end { tree.end(builder, whole) } else { Flow::default() };
         while writing.done == end && !meter.is_spent() && !builder.is_full {
             let finished = tree.finish_one(builder);
             meter.charge(1 + builder.take_work());
             if let Some(block) = finished {
-                let piece = Piece { block, effect: effect(&writing.pen, unit, writing.swapped) };
+                let piece = Piece { block, effect: effect(&writing.pen, unit, writing.swapped), flow };
                 return Ok(Some((piece, writing.symbols)));
             }
         }
@@ -270,10 +273,8 @@ impl<S: Space> StatePieceWriting<S> {
             TurtleCommand::Colour(colour) => pen.style.colour = *colour,
             TurtleCommand::State(..) => {
                 let Some((piece, scale)) = piece else { return 1 };
-                if let Some(block) = piece.block {
-                    let placed = place(builder, block, pen, unit, scale);
-                    tree.place(builder, placed);
-                }
+                let placed = piece.block.map(|block| place(builder, block, pen, unit, scale));
+                tree.place(builder, placed, &piece.flow, pen.style.width);
                 follow(builder, pen, &piece.effect, unit, scale);
             }
         }
