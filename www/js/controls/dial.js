@@ -18,7 +18,13 @@ export function dial(store, field, id) {
         store.change({ [field]: value }, held ? `drag ${field}` : field);
     const settle = () => store.settle();
     const text = (/** @type {number} */ value) => `${plain(value)} ${unit}`.trim();
-    const slide = slider(input(`${id}-slider`), { stops: stopsOf(field), open: Boolean(rangeOf(field).whole), text, change, settle });
+    const slide = slider(input(`${id}-slider`), {
+        stops: stopsOf(field),
+        open: Boolean(rangeOf(field).whole),
+        text,
+        change,
+        settle,
+    });
     const write = numberField(input(id), { ...rangeOf(field), expected, step: scale?.arrow ?? 1, change, settle });
     // A finger is wider than a stop of the slider.
     for (const sign of '−+') {
