@@ -709,7 +709,7 @@ lengths: [string, string], };
 /**
  * A script, as the page edits it.
  */
-export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, frames: number, tracks: Array<TrackObject>, };
+export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, fixed: boolean, frames: number, tracks: Array<TrackObject>, };
 
 /**
  * A segment, and the turtle there.

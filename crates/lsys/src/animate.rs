@@ -61,7 +61,9 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
     let mut tracks = Vec::new();
     if options.growth || shows_growth {
         tracks.push(grow(&script, input.iterations));
+        script.fixed = true;
     }
+    script.fixed &= !options.follow;
     if options.turtle {
         tracks.push(turtle(&script));
     }

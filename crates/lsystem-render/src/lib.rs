@@ -31,6 +31,7 @@
 
 mod figure;
 mod figure_renderer;
+mod framing;
 pub mod mask;
 mod page;
 mod plane;
@@ -39,6 +40,7 @@ mod vantage;
 
 pub use figure::{fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick};
 pub use figure_renderer::{BAND_PIXEL, FigureRenderer, Painted, PictureOptions};
+pub use framing::Framing;
 pub use page::{PageCamera, PageView};
 pub use plane::{
     Detail, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target, TilePlace, TileRenderer, Tiles,

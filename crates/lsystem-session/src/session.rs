@@ -8,7 +8,7 @@ use crate::surface::{Clock, Surface};
 use crate::viewer::{Drawn, PictureSettings, Views};
 use lsystem::derive::History;
 use lsystem::drawing::FigureDrawer;
-use lsystem::render::{Pane, fitted_scale};
+use lsystem::render::{Framing, Pane, fitted_scale};
 use lsystem::syntax::{Kind, problems};
 use lsystem::{Camera, Definition, Diagnostic, Figure, Limits, Progress, System, Vantage, View, Viewport};
 use serde::Serialize;
@@ -47,6 +47,8 @@ pub struct Session<S> {
     is_report_new: bool,
     pub(crate) viewport: Viewport,
     pub(crate) vantage: Vantage,
+    /// The framing of all drawings, if they are not fitted.
+    pub(crate) framing: Option<Framing>,
     /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
     /// Whether the viewer has not yet begun with the present settings.
@@ -77,6 +79,7 @@ impl<S: Surface> Session<S> {
             is_report_new: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             vantage: Vantage::default(),
+            framing: None,
             upto: None,
             stale: false,
             refused: false,
@@ -124,6 +127,15 @@ impl<S: Surface> Session<S> {
         self.viewport = viewport.within_limits();
         self.vantage = Vantage { view, camera: camera.unwrap_or(self.vantage.camera) };
         self.stale = true;
+    }
+
+    /// Keeps the framing of the shown drawing for the next ones, or fits them again. In a kept framing nothing can be
+    /// picked, because the page's places are those of fitted drawings.
+    pub fn hold(&mut self, is_held: bool) {
+        if is_held != self.framing.is_some() {
+            self.framing = self.shown.as_ref().filter(|_| is_held).map(Framing::of);
+            self.stale = true;
+        }
     }
 
     /// Shows only the first `upto` segments, or all without a number. A new drawing shows all segments.
@@ -247,13 +259,19 @@ impl<S: Surface> Session<S> {
 
     /// The settings of the picture, if there is a drawing.
     pub(crate) fn settings(&self) -> Option<PictureSettings> {
+        let (figure, viewport, vantage) = (self.shown.as_ref()?, self.viewport, self.vantage);
+        let held = self.framing.as_ref();
         Some(PictureSettings {
             style: self.system.as_ref()?.style.clone(),
-            viewport: self.viewport,
-            scale: fitted_scale(self.shown.as_ref()?, self.viewport, &self.vantage),
-            vantage: self.vantage,
+            viewport,
+            scale: held.map_or_else(
+                || fitted_scale(figure, viewport, &vantage),
+                |framing| framing.fitted_scale(viewport, &vantage),
+            ),
+            vantage: held.map_or(vantage, |framing| framing.hold(figure, viewport, &vantage)),
             upto: self.upto,
-            mates: if self.refused { 0 } else { self.mates },
+            // Mates know neither a refused drawing nor the framing.
+            mates: if self.refused || held.is_some() { 0 } else { self.mates },
         })
     }
 }

@@ -69,6 +69,11 @@ impl Playground {
         Ok(())
     }
 
+    /// As [`Session::hold`].
+    pub fn hold(&mut self, is_held: bool) {
+        self.0.hold(is_held);
+    }
+
     /// As [`Session::play`].
     pub fn play(&mut self, upto: Option<u128>) {
         self.0.play(upto);

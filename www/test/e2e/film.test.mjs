@@ -46,7 +46,7 @@ for (const [name, options] of /** @type {const} */ ([
     test(`a film grows, and its tracks are edited, on ${name}`, () =>
         withPage({ hash: WEED, options: { ...options, reducedMotion: 'no-preference' } }, async (page) => {
             await open(page);
-            assert.equal(await text(page), '1;8s;25fps;1280x720;repeat;n=0:0,7.2:4');
+            assert.equal(await text(page), '1;8s;25fps;1280x720;repeat;fixed;n=0:0,7.2:4');
             await until(
                 async () => Number(await page.getAttribute('#film-picture', 'data-frame')) > 5,
                 'the film plays',
@@ -59,7 +59,9 @@ for (const [name, options] of /** @type {const} */ ([
             };
             const first = await dived();
             await page.click('[data-preset="growth"]');
-            await until(async () => (await text(page)).endsWith('n=0:0,7.2:4'), 'growth');
+            await until(async () => (await text(page)).endsWith('fixed;n=0:0,7.2:4'), 'growth');
+            await page.check('#film-follow');
+            await until(async () => (await text(page)).endsWith('repeat;n=0:0,7.2:4'), 'the camera follows');
             assert.equal(await dived(), first);
             await page.click('#film-play');
             await page.selectOption('#film-add', 'angle');

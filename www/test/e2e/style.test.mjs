@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, inkedRows, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -91,6 +91,22 @@ test('nine seeds can be compared', () =>
         assert.notEqual((await nextPicture(page, before)).digest, before.digest);
         await page.click('#undo');
         await until(async () => (await page.inputValue('#seed')) === '7', 'it can be undone');
+    }));
+
+test('a plant grows from the ground, in the frame of the whole plant', () =>
+    withPage({ hash: '#v=1&axiom=X&rules=X%20-%3E%20F[%2BX][-X]X%0AF%20-%3E%20FF&n=5&angle=30' }, async (page) => {
+        const before = await stillPicture(page);
+        const whole = await inkedRows(page);
+        await page.click('#open-playback');
+        await page.click('#grow');
+        await page.fill('#play-slider', '8000');
+        await until(async () => (await page.textContent('#play-total')) === 'generation 4.0 of 5', 'it is younger');
+        await until(async () => (await picture(page)).digest !== before.digest, 'a younger plant is shown');
+        await stillPicture(page);
+        const part = await inkedRows(page);
+        assert.ok(Math.abs(part.bottom - whole.bottom) <= 2, `the root stays: ${part.bottom} of ${whole.bottom}`);
+        const share = (part.bottom - part.top) / (whole.bottom - whole.top);
+        assert.ok(share > 0.4 && share < 0.6, `half as high: ${share}`);
     }));
 
 test('growth ends with the former drawing', () =>

@@ -37,7 +37,7 @@ mod tile;
 mod tests;
 
 pub use camera::{Camera, camera_axes};
-pub(crate) use camera::{fitted_ends, fitted_polygon, fitted_scale};
+pub(crate) use camera::{SpaceFraming, fitted_ends, fitted_polygon, fitted_scale};
 pub use effort::{Effort, Spent};
 pub(crate) use pick::pick;
 
