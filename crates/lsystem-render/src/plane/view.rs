@@ -8,7 +8,7 @@ use lsystem_drawing::{Block, Drawing};
 use lsystem_syntax::Style;
 
 /// Empty space around a fitted drawing, as a part of the viewport's shorter side.
-const MARGIN: f64 = 0.04;
+const MARGIN: f64 = 0.06;
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
