@@ -673,6 +673,10 @@ blocks: number | null,
  */
 aspect: number | null, 
 /**
+ * The azimuth, in degrees, from which a drawing in space is seen best.
+ */
+azimuth: number | null, 
+/**
  * The largest number of iterations within the limits, if the drawing exceeds a limit.
  */
 largest: number | null, 

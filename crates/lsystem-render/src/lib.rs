@@ -38,7 +38,7 @@ mod plane;
 mod space;
 mod vantage;
 
-pub use figure::{fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick};
+pub use figure::{fitted_ends, fitted_outline, fitted_polygon, fitted_scale, opening_camera, pick};
 pub use figure_renderer::{BAND_PIXEL, FigureRenderer, Painted, PictureOptions};
 pub use framing::Framing;
 pub use page::{PageCamera, PageView};

@@ -8,7 +8,7 @@ use crate::surface::{Clock, Surface};
 use crate::viewer::{Drawn, PictureSettings, Views};
 use lsystem::derive::History;
 use lsystem::drawing::FigureDrawer;
-use lsystem::render::{Framing, Pane, fitted_scale};
+use lsystem::render::{Framing, Pane, fitted_scale, opening_camera};
 use lsystem::syntax::{Kind, problems};
 use lsystem::{Camera, Definition, Diagnostic, Figure, Limits, Progress, System, Vantage, View, Viewport};
 use serde::Serialize;
@@ -47,6 +47,9 @@ pub struct Session<S> {
     is_report_new: bool,
     pub(crate) viewport: Viewport,
     pub(crate) vantage: Vantage,
+    /// The camera where the page names none: that of the shown drawing.
+    opening: Camera,
+    is_camera_named: bool,
     /// The framing of all drawings, if they are not fitted.
     pub(crate) framing: Option<Framing>,
     /// The number of segments shown; `None` for all.
@@ -79,6 +82,8 @@ impl<S: Surface> Session<S> {
             is_report_new: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             vantage: Vantage::default(),
+            opening: Camera::default(),
+            is_camera_named: false,
             framing: None,
             upto: None,
             stale: false,
@@ -121,11 +126,12 @@ impl<S: Surface> Session<S> {
         Cow::Borrowed(&self.report)
     }
 
-    /// Sets the size of the canvas and the place to look from; without a camera, the former one stays. Even an equal place
-    /// gets a new picture.
+    /// Sets the size of the canvas and the place to look from; without a camera, the [`opening_camera`]. Even an equal
+    /// place gets a new picture.
     pub fn look(&mut self, viewport: Viewport, view: View, camera: Option<Camera>) {
         self.viewport = viewport.within_limits();
-        self.vantage = Vantage { view, camera: camera.unwrap_or(self.vantage.camera) };
+        self.is_camera_named = camera.is_some();
+        self.vantage = Vantage { view, camera: camera.unwrap_or(self.opening) };
         self.stale = true;
     }
 
@@ -205,6 +211,7 @@ impl<S: Surface> Session<S> {
     fn describe(&mut self) {
         let (Some(figure), Some(system)) = (&self.shown, &self.system) else { return };
         self.report.add_drawing(figure);
+        self.report.azimuth = figure.is_solid().then_some(self.opening.azimuth);
         // If the count depends on chance, the drawing is unfolded and has an exact count.
         let counted = self.counts.segments().and_then(|segments| segments.count()).cloned();
         if let Some(segments) = counted.or_else(|| figure.exact_segments()) {
@@ -229,6 +236,10 @@ impl<S: Surface> Session<S> {
             Ok(figure) => {
                 self.refused = false;
                 self.views.load(&figure);
+                self.opening = opening_camera(&figure);
+                if !self.is_camera_named {
+                    self.vantage.camera = self.opening;
+                }
                 self.shown = Some(figure);
                 self.describe();
             }

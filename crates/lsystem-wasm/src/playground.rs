@@ -53,7 +53,7 @@ impl Playground {
     }
 
     /// Sets `{width, height, ratio, view, camera}`: the size of the canvas in device pixels, device pixels per CSS pixel,
-    /// and the page's view and camera; null for the former camera.
+    /// and the page's view and camera; null for the opening camera.
     ///
     /// # Errors
     /// Throws if the argument is something else.

@@ -3,7 +3,7 @@
 use super::{Bench, Refused, VIEWPORT, bush, random, weed};
 use crate::STEP;
 use crate::pace::REFINING;
-use lsystem::render::{Detail, Quality};
+use lsystem::render::{Detail, Quality, opening_camera};
 use lsystem::{Camera, Figure, Limits, Progress, Renderer, SolidRenderer, System, View, Viewport};
 
 /// The finest picture of the fitted view, by a renderer alone.
@@ -19,10 +19,12 @@ fn finest(definition: &lsystem::Definition) -> Vec<u8> {
             while renderer.step(1 << 20) == Progress::More {}
             renderer.pixels().to_vec()
         }
-        Figure::Space(drawing) => {
+        figure @ Figure::Space(_) => {
+            let camera = opening_camera(&figure);
+            let Figure::Space(drawing) = figure else { return vec![] };
             let mut renderer = SolidRenderer::new();
             renderer.load(drawing);
-            renderer.begin(&system.style, VIEWPORT, &Camera::default(), Quality::FINEST);
+            renderer.begin(&system.style, VIEWPORT, &camera, Quality::FINEST);
             while renderer.step(1 << 20) == Progress::More {}
             renderer.pixels().to_vec()
         }
