@@ -53,7 +53,7 @@ export function slider(element, { stops, open = false, text, change, settle }) {
     });
     element.addEventListener('change', () => {
         held = false;
-        if (stopAt() >= reach) reachFor(stopAt());
+        if (Number(element.value) === last) reachFor(stopAt());
         settle();
     });
 
