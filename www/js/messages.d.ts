@@ -18,7 +18,8 @@ text: string | null,
 start: import('./tables.js').Definition, 
 /**
  * The system without anything that the student found, and the fields, besides the rules, that the student has to
- * find. With them and the student's rules before the others, the system is whole.
+ * find. With them and the student's rules before the others, the system is whole. Its style is that in which the
+ * target is shown.
  */
 fixed: import('./tables.js').Definition, free: (keyof import('./tables.js').Definition)[], };
 
