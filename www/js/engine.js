@@ -128,7 +128,7 @@ export function createEngine(events) {
             return fallback.good;
         },
 
-        /** @param {import('./protocol.js').Definition} definition */
+        /** @param {import('./engine/newest.js').Definition} definition */
         define(definition) {
             fallback.defined();
             newest.define(definition);

@@ -63,7 +63,7 @@ export function createGrowing(store, engine, { begins, present }) {
         if (grown !== requested) {
             requested = grown;
             asked = now;
-            engine.define(at(definitionOf(store.state), grown));
+            engine.define({ ...at(definitionOf(store.state), grown), still: true });
         }
         present(show);
     }

@@ -18,7 +18,8 @@ text: string | null,
 start: import('./tables.js').Definition, 
 /**
  * The system without anything that the student found, and the fields, besides the rules, that the student has to
- * find. With them and the student's rules before the others, the system is whole.
+ * find. With them and the student's rules before the others, the system is whole. Its style is that in which the
+ * target is shown.
  */
 fixed: import('./tables.js').Definition, free: (keyof import('./tables.js').Definition)[], };
 
@@ -673,6 +674,10 @@ blocks: number | null,
  */
 aspect: number | null, 
 /**
+ * The azimuth, in degrees, from which a drawing in space is seen best.
+ */
+azimuth: number | null, 
+/**
  * The largest number of iterations within the limits, if the drawing exceeds a limit.
  */
 largest: number | null, 
@@ -709,7 +714,7 @@ lengths: [string, string], };
 /**
  * A script, as the page edits it.
  */
-export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, frames: number, tracks: Array<TrackObject>, };
+export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, fixed: boolean, frames: number, tracks: Array<TrackObject>, };
 
 /**
  * A segment, and the turtle there.

@@ -1,6 +1,6 @@
 /** Controls for drawings in space: the axis gizmo, perspective, fading with distance, and the turntable. */
 
-import { FRONT, axes, turned } from './camera.js';
+import { axes, turned } from './camera.js';
 import { button, byId, reducedMotion, html, input } from './dom.js';
 
 /** @typedef {import('./state.js').State} State */
@@ -17,7 +17,7 @@ const ARM = 21;
 
 /**
  * @param {import('./store.js').Store} store
- * @param {{glideTo: (camera: Camera) => void}} stage
+ * @param {{glideTo: (camera: Camera) => void, camera: () => Camera}} stage
  */
 export function createOrbit(store, stage) {
     const tools = html('space-tools');
@@ -28,7 +28,7 @@ export function createOrbit(store, stage) {
     let turning = 0;
     let last = 0;
 
-    const camera = () => store.state.camera ?? FRONT;
+    const { camera } = stage;
 
     function stop() {
         cancelAnimationFrame(turning);

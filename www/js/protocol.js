@@ -63,7 +63,7 @@ export {};
 // Messages.
 
 /** Starts a worker; with a port (`master`), as a mate of the worker at the port's other end. @typedef {{type: 'init', wasm: WebAssembly.Module, master?: MessagePort}} Init */
-/** A new definition; only the first `upto` segments are shown, or all if null. @typedef {{type: 'define', id: number, definition: Definition, upto: bigint | null}} Define */
+/** A new definition, in the frame of the former drawing if `still`; only the first `upto` segments are shown, or all if null. @typedef {{type: 'define', id: number, definition: Definition & {still?: boolean}, upto: bigint | null}} Define */
 /** A new view; `camera` is for drawings in space. @typedef {{type: 'view', id: number, view: View, camera: Camera | null, upto: bigint | null} & Canvas} ViewMessage */
 /**
  * From the page to a worker. `pong` answers `ping`; `mates` lists the ports of all current mates.

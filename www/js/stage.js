@@ -3,6 +3,7 @@
  * sends a new one.
  */
 
+import { FRONT } from './camera.js';
 import { button, byId, html, setText } from './dom.js';
 import { zoomText } from './numerals.js';
 import { listenToGestures } from './stage/gestures.js';
@@ -52,6 +53,10 @@ export function createStage(
     /** Whether the drawing is in space. */
     let space = false;
     let slow = 0;
+    /** The camera where the reader has named none: chosen for the system as opened, so that edits do not turn the drawing. */
+    let front = FRONT;
+    /** The system for which that camera was chosen. @type {unknown} */
+    let opened = null;
 
     const picture = createPicture(canvas, marks.look);
     /** The drawing's width over its height, if it is known. @type {number | null | undefined} */
@@ -63,6 +68,7 @@ export function createStage(
         picture,
         () => space,
         () => fitted,
+        () => front,
     );
     const { size, measure } = watchSize(frame, () => {
         fit();
@@ -150,6 +156,8 @@ export function createStage(
         /** Turns a drawing in space smoothly. */
         glideTo: moves.glideToCamera,
 
+        camera: moves.camera,
+
         /** Whether the drawing is in space. */
         get space() {
             return space;
@@ -161,7 +169,13 @@ export function createStage(
             if (!report.ok) return;
             if (report.memoised !== null) {
                 aspect = report.aspect;
-                if (fit() && moves.isFitted()) look();
+                const { azimuth } = report;
+                const turns = azimuth !== null && opened !== store.origin;
+                if (turns) {
+                    opened = store.origin;
+                    front = { ...FRONT, azimuth };
+                }
+                if ((fit() && moves.isFitted()) || turns) look();
             }
             if (space === report.space) return;
             space = report.space;
@@ -172,6 +186,8 @@ export function createStage(
 
         /** @param {import('./engine.js').Drawn} drawn */
         drawn(drawn) {
+            // A picture from before the camera was chosen would turn at once.
+            if (space && drawn.camera?.azimuth !== moves.camera().azimuth && !store.state.camera) return;
             picture.paint(drawn, space);
             frame.classList.add('inked');
             setBusy(!drawn.complete);

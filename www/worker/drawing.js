@@ -72,6 +72,7 @@ export function createDrawing({ playground, canvas, inbox }) {
                 if (define) {
                     at.define = define;
                     take(define, () => {
+                        playground.hold(Boolean(define.definition.still));
                         report = playground.define(define.definition);
                         ok = report.ok;
                         if (ok) definition = define.definition;

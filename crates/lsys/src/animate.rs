@@ -9,7 +9,8 @@ use crate::input::{self, InputSystem};
 use lsystem::film::{
     Film, LIMITS, Script, dive, dive_in_space, grow, middle_segment, turntable, turtle, vantage_of_segment,
 };
-use lsystem::{Figure, Limits, Vantage};
+use lsystem::render::opening_camera;
+use lsystem::{Camera, Figure, Limits, Vantage};
 use pool::Pool;
 use std::path::Path;
 
@@ -55,13 +56,17 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
     script.ending = options.ending.map_or(script.ending, |ending| ending.0);
     script.easing = options.easing.map_or(script.easing, |easing| easing.0);
     let is_solid = input.system.is_solid();
-    let vantage = Vantage::default();
+    let draw = || Figure::draw(&input.system, input.iterations, &limits).map_err(|limit| input.limit(&limit));
+    let camera = if is_solid { opening_camera(&draw()?) } else { Camera::default() };
+    let vantage = Vantage { camera, ..Vantage::default() };
     let has_preset = options.turtle || options.turntable || options.dive.is_some();
     let shows_growth = options.film.is_none() && !has_preset && options.track.is_empty();
     let mut tracks = Vec::new();
     if options.growth || shows_growth {
         tracks.push(grow(&script, input.iterations));
+        script.fixed = true;
     }
+    script.fixed &= !options.follow;
     if options.turtle {
         tracks.push(turtle(&script));
     }
@@ -72,7 +77,7 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
         tracks.push(turntable(&script, &vantage.camera));
     }
     if let Some(Dive(number)) = options.dive {
-        let figure = Figure::draw(&input.system, input.iterations, &limits).map_err(|limit| input.limit(&limit))?;
+        let figure = draw()?;
         let segments = figure.segment_count();
         let number = number.unwrap_or(middle_segment(segments) + 1);
         let missing = || words(format!("--dive={number}: the drawing has {segments} segments"));

@@ -372,6 +372,9 @@ pub(crate) struct FilmOptions {
     /// Growth from the axiom to the last generation
     #[arg(long)]
     pub(crate) growth: bool,
+    /// Fit each frame of growth anew; otherwise the plant grows from the ground in the frame of the last generation
+    #[arg(long)]
+    pub(crate) follow: bool,
     /// The turtle's way, segment by segment
     #[arg(long)]
     pub(crate) turtle: bool,

@@ -101,6 +101,18 @@ fn frames_go_to_other_programs() {
 }
 
 #[test]
+fn growth_keeps_the_frame_of_the_end_unless_it_is_followed() {
+    let folder = folder();
+    let path = folder.path();
+    // A track that ends with the film, so that the last frame is the end.
+    let track = " --loop once --track n=0:0,1:4 --growth";
+    let (fixed, follow) = (raw(path, track), raw(path, &format!("{track} --follow")));
+    assert_eq!(fixed[4], follow[4]);
+    assert!((0..4).all(|frame| fixed[frame] != follow[frame]));
+    assert_eq!(fixed, raw(path, " --film 1;once;fixed;n=0:0,1:4"));
+}
+
+#[test]
 fn mistakes_are_told() {
     let folder = folder();
     let path = folder.path();

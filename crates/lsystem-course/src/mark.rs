@@ -10,9 +10,9 @@ use lsystem_base::{Limits, Progress};
 use lsystem_derive::Tally;
 use lsystem_drawing::expand;
 use lsystem_render::mask::Mask;
-use lsystem_render::{Renderer, View, Viewport};
+use lsystem_render::{Renderer, View, Viewport, fit};
 use lsystem_syntax::message::grouped;
-use lsystem_syntax::{Definition, Diagnostic};
+use lsystem_syntax::{Definition, Diagnostic, Style};
 
 /// Pictures whose ink agrees less than this are different: equal ones differ by the rounding of pixels only.
 const SURELY_DIFFERENT: f64 = 0.98;
@@ -21,6 +21,12 @@ const LIMITS: Limits =
     Limits { symbols: 4 << 20, modules: 1 << 20, segments: u32::MAX as u64, work: 16 << 20, memory: 48 << 20 };
 /// The first seeds of both samples.
 const SEEDS: [u32; 2] = [0, 1_000];
+
+/// The usual size of a shown picture, in CSS pixels.
+const SHOWN: f64 = 320.0;
+/// The thinnest and the thickest strokes of shown pictures, in CSS pixels.
+const THINNEST: f64 = 1.25;
+const THICKEST: f64 = 3.0;
 
 /// The mark of an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -181,13 +187,25 @@ impl Marker {
         self.own.compared(&self.target.mask)
     }
 
+    /// The style in which the target and answers are shown: the target's, with strokes of one width in pixels. Widths in
+    /// steps would make a log of an answer that is begun.
+    #[must_use]
+    pub fn shown_style(&self) -> Style {
+        let style = &self.exercise.target.style;
+        let rect = fit(&self.target.seen);
+        let step = SHOWN / rect.width.max(rect.height) * self.exercise.target.step.abs();
+        let width = (style.width * step).clamp(style.min_width.max(THINNEST), THICKEST.max(style.min_width));
+        let min_width = if width.is_finite() { libm::round(4.0 * width) / 4.0 } else { THINNEST };
+        Style { width: 0.0, min_width, ..style.clone() }
+    }
+
     /// The target in its own colours, as pixels: RGBA, from the upper left corner row by row.
     ///
     /// # Errors
     /// As [`Marker::new`].
     pub fn picture(&self, width: u32, height: u32, ratio: f64) -> Result<Vec<u8>, Vec<Diagnostic>> {
-        let target = &self.exercise.target;
-        let sketch = Sketching::with_widths(target)?.finish().map_err(|limit| vec![limit])?;
+        let target = Definition { style: self.shown_style(), ..self.exercise.target.clone() };
+        let sketch = Sketching::with_widths(&target)?.finish().map_err(|limit| vec![limit])?;
         let mut renderer = Renderer::light();
         renderer.load(sketch.seen);
         renderer.begin(&target.style, Viewport { width, height, ratio }, View::default());

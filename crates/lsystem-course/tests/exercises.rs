@@ -298,3 +298,19 @@ fn hints_name_what_is_wrong() {
         assert!(found.to_lowercase().contains(&expected.to_lowercase()), "{expected}: {found}");
     }
 }
+
+/// A target of one segment, whose stroke would be a tenth of it, is shown with a thin stroke; so is every answer.
+#[test]
+fn pictures_are_shown_with_strokes_of_one_width() {
+    let mut target = system("F", "F -> F", 90.0, 1);
+    target.style.width = 0.1;
+    let marker = Marker::new(exercise(&target)).unwrap();
+    let style = marker.shown_style();
+    assert_eq!((style.width, style.min_width), (0.0, 3.0));
+    let pixels = marker.picture(320, 320, 1.0).unwrap();
+    let ink = pixels.chunks(4).filter(|pixel| pixel[..3] != pixels[..3]).count();
+    // A line of 3 x 282 pixels.
+    assert!((700..1500).contains(&ink), "{ink}");
+    let fine = Definition { iterations: 7, rules: "F -> F+F--F+F".into(), ..target };
+    assert!(Marker::new(exercise(&fine)).unwrap().shown_style().min_width < 1.5);
+}

@@ -3,7 +3,7 @@
 use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
 use lsystem_base::{LimitName, Limits, Progress};
 use lsystem_drawing::{Drawer, Drawing, Figure, Outlook, Projection, Solid, System, expand};
-use lsystem_render::{Camera, Vantage, Viewport, fit};
+use lsystem_render::{Camera, Vantage, View, Viewport, fit, opening_camera};
 use lsystem_syntax::{Definition, Diagnostic, Halt, Work, run_steps};
 use std::sync::Arc;
 
@@ -35,9 +35,11 @@ pub struct FileTask<'a> {
 /// The view of a drawing in a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FileView {
-    /// The place from which pictures of pixels see the drawing. Drawings on paper are projected in the direction of its
-    /// camera.
-    pub vantage: Vantage,
+    /// The view of pictures of pixels in the plane.
+    pub view: View,
+    /// The camera of pictures of pixels in space; drawings on paper are projected in its direction. `None` for the
+    /// [`opening_camera`].
+    pub camera: Option<Camera>,
     /// The number of segments that pictures of pixels show; `None` for all.
     pub upto: Option<u128>,
     /// Device pixels in a CSS pixel, for pictures of pixels; `None` for so many that a picture of 1024 pixels has 1.
@@ -91,7 +93,7 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
         Content::Words(write) => write(definition, system, &options, sink),
         Content::Pixels => {
             let figure = task.figure(sink)?;
-            write_png(&figure, style, view.vantage, &task.png(&figure, options), sink).map(none)
+            write_png(&figure, style, view.vantage(&figure), &task.png(&figure, options), sink).map(none)
         }
         Content::Segments { plane, space } => match task.figure(sink)? {
             Figure::Plane(drawing) => plane(&drawing, most, sink).map(none),
@@ -107,6 +109,12 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
             let [most, memory] = limits.mesh;
             write(task.in_space(sink)?, style, &FileOptions { most, memory, ..options }, sink)
         }
+    }
+}
+
+impl FileView {
+    fn vantage(&self, figure: &Figure) -> Vantage {
+        Vantage { view: self.view, camera: self.camera.unwrap_or_else(|| opening_camera(figure)) }
     }
 }
 
@@ -140,11 +148,11 @@ impl FileTask<'_> {
 
     /// The drawing in the plane, or its projection. The drawing in space is dropped, to save memory.
     fn on_paper(&self, figure: Figure, work: &mut dyn Work) -> Result<Arc<Drawing>, Halt> {
+        let Camera { azimuth, elevation, .. } = self.view.vantage(&figure).camera;
         let drawing = match figure {
             Figure::Plane(drawing) => return Ok(drawing),
             Figure::Space(drawing) => drawing,
         };
-        let Camera { azimuth, elevation, .. } = self.view.vantage.camera;
         let mut projection = Projection::new(&drawing, &Outlook { azimuth, elevation }, self.limits.held)?;
         run_steps(work, |units| projection.step(&drawing, units))?;
         Ok(Arc::new(projection.finish(&drawing)))

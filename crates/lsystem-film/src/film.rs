@@ -28,6 +28,9 @@ pub struct Frame {
     pub vantage: Vantage,
     /// The part of the segments that is shown, 0 to 1.
     pub drawn: f64,
+    /// The system whose drawing has the place and the size of the fitted picture, if not the frame's own: the system at
+    /// the end of a film with a fixed camera.
+    pub framed: Option<Definition>,
 }
 
 impl Film {
@@ -80,8 +83,15 @@ impl Film {
     /// The frame at a time in seconds.
     #[must_use]
     pub fn frame_at(&self, time: f64) -> Frame {
+        let Script { seconds, fixed, .. } = self.script;
+        let framed = fixed.then(|| self.fitted_at(seconds).definition);
+        Frame { framed, ..self.fitted_at(time) }
+    }
+
+    /// The frame at a time in seconds, with a camera that follows the drawing.
+    fn fitted_at(&self, time: f64) -> Frame {
         let Self { script, definition, vantage, .. } = self;
-        let mut frame = Frame { definition: definition.clone(), vantage: *vantage, drawn: 1.0 };
+        let mut frame = Frame { definition: definition.clone(), vantage: *vantage, drawn: 1.0, framed: None };
         for track in &script.tracks {
             let value = track.at(time);
             match (&track.subject, &value[..]) {

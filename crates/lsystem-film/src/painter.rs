@@ -3,8 +3,8 @@
 use crate::Frame;
 use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Figure, FigureDrawer, System};
-use lsystem_render::{Detail, FigureRenderer, Painted, PictureOptions, Quality, Viewport};
-use lsystem_syntax::Diagnostic;
+use lsystem_render::{Detail, FigureRenderer, Framing, Painted, PictureOptions, Quality, Viewport};
+use lsystem_syntax::{Definition, Diagnostic};
 
 /// The limits of the drawings of a film: those of the page. They decide which drawings are made, so that they are the
 /// same wherever frames must be.
@@ -13,8 +13,31 @@ pub const LIMITS: Limits = Limits::PAGE;
 /// The length of the longer side, in pixels, at which a stroke's least width is in pixels. Larger pictures scale it.
 const USUAL: f64 = 1024.0;
 
+/// A system that can be drawn, and its number of derivation steps.
+type Subject = (System, u32);
+
+/// Whether two systems have the same drawing.
+fn is_same_drawing((a, steps): &Subject, (b, others): &Subject) -> bool {
+    steps == others && a.seed == b.seed && a.rules == b.rules && a.turtle == b.turtle
+}
+
+/// The system of a definition.
+///
+/// # Errors
+/// The first error of the definition.
+fn subject(definition: &Definition) -> Result<Option<Subject>, Diagnostic> {
+    let (system, diagnostics) = System::new(definition);
+    match (system, diagnostics.into_iter().find(Diagnostic::is_error)) {
+        (Some(system), _) => Ok(Some((system, definition.iterations))),
+        (None, Some(error)) => Err(error),
+        (None, None) => Ok(None),
+    }
+}
+
 /// The present work of the painter.
 enum Task {
+    /// The drawing that frames the film.
+    Framing(FigureDrawer),
     /// The frame's drawing.
     Drawing(FigureDrawer),
     /// The frame's pixels.
@@ -28,8 +51,10 @@ enum Task {
 /// The pixels do not depend on the frames before: each frame is painted by a renderer that remembers nothing.
 pub struct Painter {
     limits: Limits,
-    system: Option<(System, u32)>,
+    system: Option<Subject>,
     figure: Option<Figure>,
+    /// The system that frames the film, and its framing once it is drawn.
+    framed: Option<(Subject, Option<Framing>)>,
     task: Task,
     frame: Option<Frame>,
     viewport: Viewport,
@@ -46,6 +71,7 @@ impl Painter {
             limits,
             system: None,
             figure: None,
+            framed: None,
             task: Task::Done,
             frame: None,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
@@ -70,7 +96,7 @@ impl Painter {
     /// The bytes of a drawing in the making, as [`FigureDrawer::bytes`].
     #[must_use]
     pub fn drawing_bytes(&self) -> u64 {
-        if let Task::Drawing(drawer) = &self.task { drawer.bytes() } else { 0 }
+        if let Task::Framing(drawer) | Task::Drawing(drawer) = &self.task { drawer.bytes() } else { 0 }
     }
 
     /// Starts a frame of `size` pixels. An unfinished frame is given up.
@@ -81,31 +107,38 @@ impl Painter {
         let [width, height] = size;
         self.viewport = Viewport { width, height, ratio: (f64::from(width.max(height)) / USUAL).max(1.0) };
         self.detail = detail;
-        let (system, diagnostics) = System::new(&frame.definition);
         self.frame = Some(frame.clone());
-        let Some(system) = system else {
-            self.task = Task::Done;
-            let error = diagnostics.into_iter().find(Diagnostic::is_error);
-            return error.map_or(Ok(()), Err);
+        self.task = Task::Done;
+        let framed = frame.framed.as_ref().map_or(Ok(None), subject)?;
+        let is_framed = match (&self.framed, &framed) {
+            (Some((former, framing)), Some(framed)) => framing.is_some() && is_same_drawing(former, framed),
+            (_, framed) => framed.is_none(),
         };
-        let n = frame.definition.iterations;
-        let is_shown = self.figure.is_some()
-            && self.system.as_ref().is_some_and(|(former, steps)| {
-                *steps == n
-                    && former.seed == system.seed
-                    && former.rules == system.rules
-                    && former.turtle == system.turtle
-            });
-        if is_shown {
+        let Some(system) = subject(&frame.definition)? else { return Ok(()) };
+        let is_shown = self.figure.is_some() && self.system.as_ref().is_some_and(|old| is_same_drawing(old, &system));
+        self.system = Some(system);
+        if is_shown && is_framed {
             self.start();
-        } else {
-            // The former drawing is dropped first, so that one drawing is in memory at a time.
-            self.figure = None;
-            self.renderer = FigureRenderer::new();
-            self.task = Task::Drawing(Figure::drawer(&system, n, self.limits));
+            return Ok(());
         }
-        self.system = Some((system, n));
+        // The former drawing is dropped first, so that one drawing is in memory at a time.
+        self.figure = None;
+        self.renderer = FigureRenderer::new();
+        match framed {
+            Some(framed) if !is_framed => {
+                self.task = Task::Framing(Figure::drawer(&framed.0, framed.1, self.limits));
+                self.framed = Some((framed, None));
+            }
+            _ => self.draw(),
+        }
         Ok(())
+    }
+
+    /// Starts the frame's drawing.
+    fn draw(&mut self) {
+        if let Some((system, n)) = &self.system {
+            self.task = Task::Drawing(Figure::drawer(system, *n, self.limits));
+        }
     }
 
     /// Goes on with the frame for about `work` units of work.
@@ -114,15 +147,19 @@ impl Painter {
     /// The limit that the frame's drawing exceeds.
     pub fn step(&mut self, work: u64) -> Result<Progress, Diagnostic> {
         match &mut self.task {
-            Task::Drawing(drawer) => {
+            Task::Framing(drawer) | Task::Drawing(drawer) => {
                 let before = drawer.spent();
                 let progress = drawer.step(work);
                 self.spent += drawer.spent() - before;
-                if progress == Progress::Done
-                    && let Task::Drawing(drawer) = core::mem::replace(&mut self.task, Task::Done)
-                {
-                    self.figure = Some(drawer.finish()?);
-                    self.start();
+                if progress == Progress::Done {
+                    match core::mem::replace(&mut self.task, Task::Done) {
+                        Task::Framing(drawer) => self.frame_by(&drawer.finish()?),
+                        Task::Drawing(drawer) => {
+                            self.figure = Some(drawer.finish()?);
+                            self.start();
+                        }
+                        _ => {}
+                    }
                 }
             }
             Task::Pixels => {
@@ -138,14 +175,24 @@ impl Painter {
         Ok(if matches!(self.task, Task::Done) { Progress::Done } else { Progress::More })
     }
 
+    /// Frames the film by a drawing, and starts the frame's own one.
+    fn frame_by(&mut self, figure: &Figure) {
+        if let Some((_, framing)) = &mut self.framed {
+            *framing = Some(Framing::of(figure));
+        }
+        self.draw();
+    }
+
     /// Starts the pixels of the frame.
     fn start(&mut self) {
         let (Some(frame), Some(figure)) = (&self.frame, &self.figure) else { return };
+        let framing = self.framed.as_ref().filter(|_| frame.framed.is_some()).and_then(|(_, framing)| framing.as_ref());
+        let vantage = framing.map_or(frame.vantage, |framing| framing.hold(figure, self.viewport, &frame.vantage));
         self.renderer.load(figure);
         self.renderer.begin(PictureOptions {
             style: frame.definition.style.clone(),
             viewport: self.viewport,
-            vantage: frame.vantage,
+            vantage,
             upto: first_part(figure.segment_count(), frame.drawn),
             quality: if self.detail == Detail::Fine { Quality::FINEST } else { Quality::MOVING },
             band: u32::MAX,
@@ -183,7 +230,6 @@ mod tests {
     use super::*;
     use crate::{Film, Script};
     use lsystem_render::Vantage;
-    use lsystem_syntax::Definition;
 
     const SIZE: [u32; 2] = [160, 120];
 
@@ -208,10 +254,12 @@ mod tests {
         let solid = Definition { rules: "X -> F&[X]/[X]\nF -> FF".into(), iterations: 6, ..bush() };
         let films = [
             film("1;1s;8fps;n=0:0,1:5;angle=0:10,1:40;hue=0:0,1:90", bush()),
+            film("1;1s;8fps;fixed;n=0:1,1:5;angle=0:10,1:40", bush()),
             film("1;1s;8fps;view=0:0/0/1,1:0.1/0.2/50", bush()),
             film("1;1s;8fps;view=0:0/0/3,1:0.1/0.2/3", Definition { iterations: 9, ..bush() }),
             film("1;1s;8fps;drawn=0:0,1:1", bush()),
-            film("1;1s;8fps;camera=0:0,1:360;drawn=0:1,1:0.5", solid),
+            film("1;1s;8fps;camera=0:0,1:360;drawn=0:1,1:0.5", solid.clone()),
+            film("1;1s;8fps;fixed;n=0:2,1:6;camera=0:0,1:360", solid),
         ];
         for film in &films {
             let mut painter = Painter::new(LIMITS);
@@ -251,6 +299,38 @@ mod tests {
                 assert!(near < 0.02, "{generation}: {near}");
             }
             assert!(difference(&whole, &at(time + 0.5)) > 0.005, "{generation}");
+        }
+    }
+
+    /// The rows of a frame that have ink, from the first to the last, and the columns.
+    fn inked(pixels: &[u8]) -> [core::ops::Range<usize>; 2] {
+        let is_ink = |at: usize| pixels[4 * at..4 * at + 3] != pixels[..3];
+        let [width, height] = SIZE.map(|side| side as usize);
+        let range = |mut lines: Vec<usize>| {
+            lines.sort_unstable();
+            lines.first().copied().unwrap_or(0)..lines.last().map_or(0, |last| last + 1)
+        };
+        let places = || (0..width * height).filter(|&at| is_ink(at));
+        [range(places().map(|at| at / width).collect()), range(places().map(|at| at % width).collect())]
+    }
+
+    #[test]
+    fn a_fixed_camera_shows_the_plant_grow_from_the_ground() {
+        let solid = Definition { rules: "X -> F[&X]////[&X]////&X\nF -> FF".into(), ..bush() };
+        for definition in [bush(), solid] {
+            let mut painter = Painter::new(LIMITS);
+            let mut at = |script: &str, number| inked(&paint(&mut painter, &film(script, definition.clone()), number));
+            let [fixed, follow] = ["1;5s;1fps;once;fixed;n=0:1,5:5", "1;5s;1fps;once;n=0:1,5:5"];
+            let last = at(fixed, 4);
+            assert_eq!(last, at(follow, 4), "the last frame is the fitted picture");
+            let heights: Vec<usize> = (0..5).map(|number| at(fixed, number)[0].len()).collect();
+            assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
+            for number in 0..4 {
+                let [rows, columns] = at(fixed, number);
+                assert!(rows.end.abs_diff(last[0].end) <= 2, "{number}: the root moves, {rows:?} of {last:?}");
+                assert!(columns.start >= last[1].start && columns.end <= last[1].end, "{number}: {columns:?}");
+                assert!(at(follow, number)[0].len() > 100, "{number}: a followed drawing fills the frame");
+            }
         }
     }
 

@@ -43,7 +43,8 @@ impl Preset {
 }
 
 impl Script {
-    /// The script with a preset in place of its growth, turtle's way, view and camera. Other tracks stay.
+    /// The script with a preset in place of its growth, turtle's way, view and camera. Other tracks stay. The camera of
+    /// growth is fixed.
     #[must_use]
     pub fn with_preset(mut self, preset: &Preset) -> Self {
         let is_preset = |subject: &Subject| {
@@ -52,6 +53,8 @@ impl Script {
         self.tracks.retain(|track| !is_preset(&track.subject));
         let track = preset.track(&self);
         self.tracks.push(track);
+        // A plant grows from the ground. A fitted one would begin as a stump that fills the frame.
+        self.fixed = matches!(preset, Preset::Growth(_));
         self
     }
 }
@@ -160,6 +163,9 @@ mod tests {
         let script: Script = "1;10s;angle=0:20,10:30;n=0:0,9:7;camera=0:0".parse().unwrap();
         let text = script.with_preset(&Preset::Turtle).to_string();
         assert_eq!(text, "1;10s;25fps;1280x720;repeat;angle=0:20,10:30;drawn=0:0,9:1");
+        let growth = Script::default().with_preset(&Preset::Growth(7));
+        assert_eq!(growth.to_string(), "1;10s;25fps;1280x720;repeat;fixed;n=0:0,9:7");
+        assert!(!growth.with_preset(&Preset::Turtle).fixed);
         assert_eq!([0, 1, 2, 3, 4].map(middle_segment), [0, 0, 0, 1, 1]);
     }
 

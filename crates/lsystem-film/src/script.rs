@@ -66,6 +66,9 @@ pub struct Script {
     pub ending: Ending,
     /// The pace of keys that have none of their own in the text form.
     pub easing: Easing,
+    /// Whether all frames are framed as the drawing at the end of the tracks is. Otherwise each frame's drawing is
+    /// fitted, so that the camera follows a growing drawing.
+    pub fixed: bool,
     /// The tracks, each of another subject.
     pub tracks: Vec<Track>,
 }
@@ -78,6 +81,7 @@ impl Default for Script {
             size: [1280, 720],
             ending: Ending::default(),
             easing: Easing::default(),
+            fixed: false,
             tracks: Vec::new(),
         }
     }

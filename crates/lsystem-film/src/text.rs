@@ -17,6 +17,8 @@ use lsystem_syntax::notes::excerpt;
 
 /// The version of the text form.
 const VERSION: &str = "1";
+/// The part of a film with a fixed camera.
+const FIXED: &str = "fixed";
 /// Longer numbers are not read, in bytes, as in links.
 const LONGEST_NUMBER: usize = 40;
 
@@ -131,6 +133,10 @@ fn read_part(piece: Piece<'_>, script: &mut Script) -> Result<Option<&'static st
         script.ending = ending;
         return Ok(Some("the ending"));
     }
+    if piece.text == FIXED {
+        script.fixed = true;
+        return Ok(Some("the camera"));
+    }
     if let Some(rate) = piece.without("fps") {
         let rate = rate.whole().filter(|rate| (1..=MAX_RATE).contains(rate));
         script.rate = rate.ok_or_else(|| piece.error(ScriptProblem::Rate))?;
@@ -232,10 +238,13 @@ impl Script {
 
 impl fmt::Display for Script {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { seconds, rate, size: [width, height], ending, easing, tracks } = self;
+        let Self { seconds, rate, size: [width, height], ending, easing, fixed, tracks } = self;
         write!(out, "{VERSION};{}s;{rate}fps;{width}x{height};{}", written(*seconds), ending.name())?;
         if *easing != Easing::default() {
             write!(out, ";ease={}", easing.name())?;
+        }
+        if *fixed {
+            write!(out, ";{FIXED}")?;
         }
         for Track { subject, keys } in tracks {
             for (at, key) in keys.iter().enumerate() {
@@ -266,7 +275,7 @@ mod tests {
     fn texts_are_read_and_written() {
         for text in [
             "1;10s;25fps;1280x720;repeat",
-            "1;2.5s;60fps;16x4096;once;ease=smooth;n=0:0,2:7~hold",
+            "1;2.5s;60fps;16x4096;once;ease=smooth;fixed;n=0:0,2:7~hold",
             "1;10s;25fps;640x360;bounce;view=0:0/0/1,9:0.1/-0.2/1e19/1e-18/-2e-18;seed=0:1,1:2;rules.r=0:0.5,10:-1",
             "1;10s;25fps;640x360;repeat;camera=0:25/12,10:385/12;tropism=0:0/-1/0,5:1/0/0;drawn=0:0,9:1",
         ] {
@@ -288,6 +297,7 @@ mod tests {
         check("2;n=0:1", "2", "begins with its version");
         check("1;10", "10", "expected seconds");
         check("1;1s;2s", "2s", "the time stands twice");
+        check("1;fixed;fixed", "fixed", "the camera stands twice");
         check("1;0s", "0s", "0.04 to 3600 seconds");
         check("1;99999s", "99999s", "seconds");
         check("1;61fps", "61fps", "1 to 60 frames");

@@ -1,7 +1,7 @@
 //! Places of a figure, whatever its space.
 
 use crate::plane::{self, Pick, Pointer};
-use crate::{Vantage, Viewport, space};
+use crate::{Camera, Vantage, Viewport, space};
 use core::ops::Range;
 use lsystem_drawing::Figure;
 
@@ -17,6 +17,16 @@ pub fn pick(figure: &Figure, viewport: Viewport, vantage: &Vantage, pointer: &Po
     match figure {
         Figure::Plane(drawing) => plane::pick(drawing, viewport, vantage.view, pointer),
         Figure::Space(drawing) => space::pick(drawing, viewport, &vantage.camera, pointer),
+    }
+}
+
+/// The camera where none is named: the default one, which sees a drawing in space from the azimuth at which it spreads most
+/// in the picture. Of eight azimuths the best is chosen, if it is better than the default by a tenth.
+#[must_use]
+pub fn opening_camera(figure: &Figure) -> Camera {
+    match figure {
+        Figure::Plane(_) => Camera::default(),
+        Figure::Space(drawing) => space::opening_camera(drawing),
     }
 }
 

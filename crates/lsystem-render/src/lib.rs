@@ -31,14 +31,16 @@
 
 mod figure;
 mod figure_renderer;
+mod framing;
 pub mod mask;
 mod page;
 mod plane;
 mod space;
 mod vantage;
 
-pub use figure::{fitted_ends, fitted_outline, fitted_polygon, fitted_scale, pick};
+pub use figure::{fitted_ends, fitted_outline, fitted_polygon, fitted_scale, opening_camera, pick};
 pub use figure_renderer::{BAND_PIXEL, FigureRenderer, Painted, PictureOptions};
+pub use framing::Framing;
 pub use page::{PageCamera, PageView};
 pub use plane::{
     Detail, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target, TilePlace, TileRenderer, Tiles,

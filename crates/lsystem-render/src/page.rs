@@ -36,6 +36,6 @@ pub struct PageCamera {
 
 impl From<PageCamera> for Camera {
     fn from(PageCamera { azimuth, elevation, zoom, x, y, z, perspective, fade }: PageCamera) -> Self {
-        Self { azimuth, elevation, zoom, target: [x, y, z], perspective, fade }
+        Self { azimuth, elevation, zoom, target: [x, y, z], perspective, fade, ..Self::default() }
     }
 }

@@ -210,7 +210,7 @@ impl<S: Surface> Session<S> {
     /// The mark within `tolerance` device pixels of a place on the canvas, in device pixels from the upper left corner.
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Picked {
         let pointer = Pointer { at: [x, y], tolerance, upto: self.upto, visits: VISITS };
-        let Some(figure) = &self.shown else { return Picked::default() };
+        let Some(figure) = self.shown.as_ref().filter(|_| self.framing.is_none()) else { return Picked::default() };
         let Some(found) = pick(figure, self.viewport, &self.vantage, &pointer) else { return Picked::default() };
         let (symbol, picked) = match found.target {
             Target::Segment(number) => {

@@ -29,6 +29,8 @@ pub struct Report {
     pub blocks: Option<usize>,
     /// The width of a drawing in the plane over its height; null for a drawing without a height.
     pub aspect: Option<f64>,
+    /// The azimuth, in degrees, from which a drawing in space is seen best.
+    pub azimuth: Option<f64>,
     /// The largest number of iterations within the limits, if the drawing exceeds a limit.
     pub largest: Option<u32>,
     /// The symbols in use.
@@ -77,8 +79,8 @@ impl Report {
 
     /// Takes over what another report on the same drawing says about the drawing.
     pub(crate) fn keep_drawing(self, former: Self) -> Self {
-        let Self { memoised, symbols, segments, blocks, aspect, largest, description, .. } = former;
-        Self { memoised, symbols, segments, blocks, aspect, largest, description, ..self }
+        let Self { memoised, symbols, segments, blocks, aspect, azimuth, largest, description, .. } = former;
+        Self { memoised, symbols, segments, blocks, aspect, azimuth, largest, description, ..self }
     }
 
     /// Adds what the finished drawing knows.

@@ -8,7 +8,7 @@ use crate::surface::{Clock, Surface};
 use crate::viewer::{Drawn, PictureSettings, Views};
 use lsystem::derive::History;
 use lsystem::drawing::FigureDrawer;
-use lsystem::render::{Pane, fitted_scale};
+use lsystem::render::{Framing, Pane, fitted_scale, opening_camera};
 use lsystem::syntax::{Kind, problems};
 use lsystem::{Camera, Definition, Diagnostic, Figure, Limits, Progress, System, Vantage, View, Viewport};
 use serde::Serialize;
@@ -47,6 +47,11 @@ pub struct Session<S> {
     is_report_new: bool,
     pub(crate) viewport: Viewport,
     pub(crate) vantage: Vantage,
+    /// The camera where the page names none: that of the shown drawing.
+    opening: Camera,
+    is_camera_named: bool,
+    /// The framing of all drawings, if they are not fitted.
+    pub(crate) framing: Option<Framing>,
     /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
     /// Whether the viewer has not yet begun with the present settings.
@@ -77,6 +82,9 @@ impl<S: Surface> Session<S> {
             is_report_new: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             vantage: Vantage::default(),
+            opening: Camera::default(),
+            is_camera_named: false,
+            framing: None,
             upto: None,
             stale: false,
             refused: false,
@@ -118,12 +126,22 @@ impl<S: Surface> Session<S> {
         Cow::Borrowed(&self.report)
     }
 
-    /// Sets the size of the canvas and the place to look from; without a camera, the former one stays. Even an equal place
-    /// gets a new picture.
+    /// Sets the size of the canvas and the place to look from; without a camera, the [`opening_camera`]. Even an equal
+    /// place gets a new picture.
     pub fn look(&mut self, viewport: Viewport, view: View, camera: Option<Camera>) {
         self.viewport = viewport.within_limits();
-        self.vantage = Vantage { view, camera: camera.unwrap_or(self.vantage.camera) };
+        self.is_camera_named = camera.is_some();
+        self.vantage = Vantage { view, camera: camera.unwrap_or(self.opening) };
         self.stale = true;
+    }
+
+    /// Keeps the framing of the shown drawing for the next ones, or fits them again. In a kept framing nothing can be
+    /// picked, because the page's places are those of fitted drawings.
+    pub fn hold(&mut self, is_held: bool) {
+        if is_held != self.framing.is_some() {
+            self.framing = self.shown.as_ref().filter(|_| is_held).map(Framing::of);
+            self.stale = true;
+        }
     }
 
     /// Shows only the first `upto` segments, or all without a number. A new drawing shows all segments.
@@ -193,6 +211,7 @@ impl<S: Surface> Session<S> {
     fn describe(&mut self) {
         let (Some(figure), Some(system)) = (&self.shown, &self.system) else { return };
         self.report.add_drawing(figure);
+        self.report.azimuth = figure.is_solid().then_some(self.opening.azimuth);
         // If the count depends on chance, the drawing is unfolded and has an exact count.
         let counted = self.counts.segments().and_then(|segments| segments.count()).cloned();
         if let Some(segments) = counted.or_else(|| figure.exact_segments()) {
@@ -217,6 +236,10 @@ impl<S: Surface> Session<S> {
             Ok(figure) => {
                 self.refused = false;
                 self.views.load(&figure);
+                self.opening = opening_camera(&figure);
+                if !self.is_camera_named {
+                    self.vantage.camera = self.opening;
+                }
                 self.shown = Some(figure);
                 self.describe();
             }
@@ -247,13 +270,19 @@ impl<S: Surface> Session<S> {
 
     /// The settings of the picture, if there is a drawing.
     pub(crate) fn settings(&self) -> Option<PictureSettings> {
+        let (figure, viewport, vantage) = (self.shown.as_ref()?, self.viewport, self.vantage);
+        let held = self.framing.as_ref();
         Some(PictureSettings {
             style: self.system.as_ref()?.style.clone(),
-            viewport: self.viewport,
-            scale: fitted_scale(self.shown.as_ref()?, self.viewport, &self.vantage),
-            vantage: self.vantage,
+            viewport,
+            scale: held.map_or_else(
+                || fitted_scale(figure, viewport, &vantage),
+                |framing| framing.fitted_scale(viewport, &vantage),
+            ),
+            vantage: held.map_or(vantage, |framing| framing.hold(figure, viewport, &vantage)),
             upto: self.upto,
-            mates: if self.refused { 0 } else { self.mates },
+            // Mates know neither a refused drawing nor the framing.
+            mates: if self.refused || held.is_some() { 0 } else { self.mates },
         })
     }
 }

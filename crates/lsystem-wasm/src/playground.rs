@@ -53,7 +53,7 @@ impl Playground {
     }
 
     /// Sets `{width, height, ratio, view, camera}`: the size of the canvas in device pixels, device pixels per CSS pixel,
-    /// and the page's view and camera; null for the former camera.
+    /// and the page's view and camera; null for the opening camera.
     ///
     /// # Errors
     /// Throws if the argument is something else.
@@ -67,6 +67,11 @@ impl Playground {
         let PageVantage { width, height, ratio, view, camera } = from_js(vantage)?;
         self.0.look(Viewport { width, height, ratio }, view.into(), camera.map(Into::into));
         Ok(())
+    }
+
+    /// As [`Session::hold`].
+    pub fn hold(&mut self, is_held: bool) {
+        self.0.hold(is_held);
     }
 
     /// As [`Session::play`].

@@ -315,7 +315,7 @@ fn camera() -> impl Strategy<Value = Camera> {
             zoom,
             target,
             perspective,
-            fade: 0.0,
+            ..Camera::default()
         },
     )
 }

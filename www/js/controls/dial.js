@@ -1,26 +1,39 @@
 /** A slider and a number field for one number of the state. */
 
-import { input } from '../dom.js';
+import { input, make } from '../dom.js';
 import { plain } from '../numerals.js';
 import { rangeOf } from '../state.js';
 import { FIELDS } from '../tables.js';
 import { numberField } from './number-field.js';
-import { slider } from './slider.js';
+import { even, slider } from './slider.js';
 
 /**
  * @param {import('../store.js').Store} store
  * @param {import('../state.js').FieldName} field
  * @param {string} id of the number field; the slider has the same id with `-slider`
- * @param {readonly number[]} [stops] the slider's values, if not those of the table
  */
-export function dial(store, field, id, stops = stopsOf(field)) {
-    const { expected, unit = '', slider: scale } = FIELDS[field];
+export function dial(store, field, id) {
+    const { expected, label, unit = '', slider: scale } = FIELDS[field];
     const change = (/** @type {number} */ value, held = false) =>
         store.change({ [field]: value }, held ? `drag ${field}` : field);
     const settle = () => store.settle();
     const text = (/** @type {number} */ value) => `${plain(value)} ${unit}`.trim();
-    const slide = slider(input(`${id}-slider`), { stops, text, change, settle });
+    const slide = slider(input(`${id}-slider`), {
+        stops: stopsOf(field),
+        open: Boolean(rangeOf(field).whole),
+        text,
+        change,
+        settle,
+    });
     const write = numberField(input(id), { ...rangeOf(field), expected, step: scale?.arrow ?? 1, change, settle });
+    // A finger is wider than a stop of the slider.
+    for (const sign of '−+') {
+        const step = make('button', { type: 'button', class: 'button step', 'aria-label': `${label} ${sign}` }, sign);
+        const key = sign === '+' ? 'ArrowUp' : 'ArrowDown';
+        step.addEventListener('click', () => input(id).dispatchEvent(new KeyboardEvent('keydown', { key })));
+        input(id).closest('.lead')?.append(step);
+    }
+
     return {
         /** @param {number} value */
         show(value) {
@@ -37,8 +50,7 @@ export function stopsOf(field) {
     if (!scale) return [];
     const stops = [scale.from];
     for (const [to = 0, by = 1] of scale.parts) {
-        const from = /** @type {number} */ (stops.at(-1));
-        for (let at = 1; at <= Math.round((to - from) / by); at++) stops.push(Number((from + at * by).toFixed(6)));
+        stops.push(...even(/** @type {number} */ (stops.at(-1)), to, by).slice(1));
     }
     return stops;
 }

@@ -1,19 +1,13 @@
 /** Sliders and fields for the iterations and the angles of an embedded drawing. */
 
 import { dial } from '../controls/dial.js';
-import { even } from '../controls/slider.js';
 import { html, setText } from '../dom.js';
-
-/** The limits of the iterations slider, which reaches twice the author's value. */
-const MIN_REACH = 10;
-const MAX_REACH = 100;
 
 /**
  * @param {import('../store.js').Store} store
  */
 export function createDials(store) {
-    const most = Math.min(MAX_REACH, Math.max(MIN_REACH, 2 * store.origin.iterations));
-    const steps = dial(store, 'iterations', 'iterations', even(0, most, 1));
+    const steps = dial(store, 'iterations', 'iterations');
     const turns = dial(store, 'angle', 'angle');
     const rights = dial(store, 'rightAngle', 'right');
 

@@ -2,7 +2,7 @@
 
 import { same } from '../state.js';
 
-/** @typedef {import('../protocol.js').Definition} Definition */
+/** @typedef {import('../protocol.js').Define['definition']} Definition */
 /** How the picture is shown; only the first `upto` segments, or all if null. @typedef {{canvas: import('../protocol.js').Canvas, view: import('../protocol.js').View, camera: import('../protocol.js').Camera | null, upto: bigint | null}} Look */
 /** A definition and its look. @typedef {{definition: Definition | null, look: Look | null}} Shown */
 

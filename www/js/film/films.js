@@ -237,7 +237,8 @@ export function createFilms({ store, stage }) {
     return {
         /** @param {string} [next] the film to open */
         async open(next) {
-            const { view, camera } = store.state;
+            const { view } = store.state;
+            const camera = stage.space ? stage.camera() : null;
             film = { ...film, definition: definitionOf(store.state), view: stage.space ? null : view, camera };
             wanted = next ?? '';
             setText(problem, '');

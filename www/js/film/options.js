@@ -37,6 +37,11 @@ export function createOptions({ change }) {
     const ending = choice('film-loop', ENDINGS, 'Loop');
     const pace = choice('film-pace', EASINGS, 'Pace');
 
+    const follow = make('input', { id: 'film-follow', type: 'checkbox' });
+    const following = make('label', { class: 'check' }, follow, 'Follow the drawing');
+    following.title = 'Fit every frame to its drawing, instead of the frame of the end';
+
+    follow.addEventListener('change', () => change({ fixed: !follow.checked }));
     seconds.field.addEventListener('change', () => {
         if (script && seconds.field.valueAsNumber > 0) change(stretched(script, seconds.field.valueAsNumber));
     });
@@ -64,7 +69,17 @@ export function createOptions({ change }) {
     });
 
     return {
-        element: make('div', { class: 'film-fields' }, seconds.row, rate.row, size.row, own, ending.row, pace.row),
+        element: make(
+            'div',
+            { class: 'film-fields' },
+            seconds.row,
+            rate.row,
+            size.row,
+            own,
+            ending.row,
+            pace.row,
+            following,
+        ),
         /** @param {FilmScript} next */
         show(next) {
             script = next;
@@ -79,6 +94,7 @@ export function createOptions({ change }) {
             );
             setChoice(ending.select, next.ending);
             setChoice(pace.select, next.easing);
+            follow.checked = !next.fixed;
         },
     };
 }

@@ -4,8 +4,6 @@ import { make } from '../dom.js';
 
 /** @typedef {import('../protocol.js').FilmPreset} FilmPreset */
 
-/** The camera's first azimuth, in degrees. */
-const AZIMUTH = 25;
 /** Why a drawing has no turntable. */
 const FLAT = 'A turntable needs a drawing in space.';
 /** @type {[FilmPreset['kind'], string][]} */
@@ -18,7 +16,7 @@ const KINDS = [
 
 /**
  * @param {import('../store.js').Store} store
- * @param {{readonly space: boolean}} stage whether the drawing is in space
+ * @param {{readonly space: boolean, camera: () => import('../camera.js').Camera}} stage whether the drawing is in space, and its camera
  * @param {{middle: () => Promise<number[] | null>, use: (preset: FilmPreset) => void}} on `middle` finds the place of the segment in the middle
  */
 export function createPresets(store, stage, { middle, use }) {
@@ -42,7 +40,7 @@ export function createPresets(store, stage, { middle, use }) {
     async function presetOf(kind) {
         if (kind === 'growth') return { kind, n: store.state.iterations };
         if (kind === 'turtle') return { kind };
-        if (kind === 'turntable') return { kind, azimuth: store.state.camera?.azimuth ?? AZIMUTH };
+        if (kind === 'turntable') return { kind, azimuth: stage.camera().azimuth };
         const place = await placeToDive();
         return place && { kind, place, space: stage.space };
     }

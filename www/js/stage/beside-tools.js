@@ -6,7 +6,7 @@ import { FITTED } from '../view.js';
 /** Sides in CSS pixels from the stage's upper left corner. @typedef {{left: number, top: number, right: number, bottom: number}} Box */
 
 /** The empty space around a fitted drawing, as a part of the stage's smaller side: as the renderer has it. */
-const MARGIN = 0.04;
+const MARGIN = 0.06;
 /** The space between a drawing and the tools, in CSS pixels. */
 const GAP = 6;
 /** The drawing is moved in steps of this many CSS pixels, and made smaller in steps of this part, so that it rests while a value changes. */

@@ -3,7 +3,7 @@
  * stage use these moves, at once or smoothly.
  */
 
-import { FRONT, isWhole, midway, orbit, seen as seenInSpace, slide, whole, zoomed, zoomedOn } from '../camera.js';
+import { isWhole, midway, orbit, seen as seenInSpace, slide, whole, zoomed, zoomedOn } from '../camera.js';
 import { reducedMotion } from '../dom.js';
 import { along, between, centredOn, pan, seen, zoomAt } from '../view.js';
 
@@ -21,11 +21,12 @@ const LARGEST = 0.6;
  * @param {{readonly painted: boolean, readonly scale: number}} picture
  * @param {() => boolean} space whether the drawing is in space
  * @param {() => View} fitted the view that shows the whole drawing in the plane
+ * @param {() => Camera} front the camera until the reader moves it
  */
-export function createMoves(store, picture, space, fitted) {
+export function createMoves(store, picture, space, fitted, front) {
     let glide = 0;
     const view = () => store.state.view ?? fitted();
-    const camera = () => store.state.camera ?? FRONT;
+    const camera = () => store.state.camera ?? front();
 
     /** @param {View} next */
     function look(next) {

@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { ADDRESS, DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
+import { ADDRESS, DESKTOP, PHONE, close, stillPicture, until, withPage } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('playwright-core').Frame} Frame */
@@ -72,6 +72,19 @@ for (const [name, options] of /** @type {const} */ ([
             }
         }));
 }
+
+test('an answer that is begun has strokes as thin as the target', () =>
+    withPage({ address: ADDRESS, hash: linkOf('koch') }, async (page) => {
+        for (const id of ['koch', 'dragon', 'weed', 'twigs']) {
+            await page.goto('about:blank');
+            await page.goto(ADDRESS + linkOf(id));
+            await page.waitForSelector('#mark:visible');
+            await page.fill('#rules', id === 'twigs' ? 'X -> F' : 'F -> F');
+            await marked(page, /\S/);
+            const { ink } = await stillPicture(page);
+            assert.ok(ink > 0 && ink < 0.04, `${id}: ${ink} of the picture is ink`);
+        }
+    }));
 
 test('a wrong answer gets a hint, the differences, and a link that keeps it', () =>
     withPage(

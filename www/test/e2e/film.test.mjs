@@ -46,7 +46,7 @@ for (const [name, options] of /** @type {const} */ ([
     test(`a film grows, and its tracks are edited, on ${name}`, () =>
         withPage({ hash: WEED, options: { ...options, reducedMotion: 'no-preference' } }, async (page) => {
             await open(page);
-            assert.equal(await text(page), '1;8s;25fps;1280x720;repeat;n=0:0,7.2:4');
+            assert.equal(await text(page), '1;8s;25fps;1280x720;repeat;fixed;n=0:0,7.2:4');
             await until(
                 async () => Number(await page.getAttribute('#film-picture', 'data-frame')) > 5,
                 'the film plays',
@@ -59,7 +59,9 @@ for (const [name, options] of /** @type {const} */ ([
             };
             const first = await dived();
             await page.click('[data-preset="growth"]');
-            await until(async () => (await text(page)).endsWith('n=0:0,7.2:4'), 'growth');
+            await until(async () => (await text(page)).endsWith('fixed;n=0:0,7.2:4'), 'growth');
+            await page.check('#film-follow');
+            await until(async () => (await text(page)).endsWith('repeat;n=0:0,7.2:4'), 'the camera follows');
             assert.equal(await dived(), first);
             await page.click('#film-play');
             await page.selectOption('#film-add', 'angle');
@@ -137,7 +139,14 @@ test('drawings in space turn', () =>
     withPage({ hash: SPIRE }, async (page) => {
         await open(page);
         await page.click('[data-preset="turntable"]');
-        await until(async () => (await text(page)).endsWith('camera=0:25,8:385'), 'the turn');
+        // The turn begins at the azimuth that was chosen for the drawing.
+        const turn = async () =>
+            /camera=0:(-?[\d.]+),8:([\d.]+)$/
+                .exec(await text(page))
+                ?.slice(1)
+                .map(Number);
+        const [from = NaN, to = NaN] = await until(turn, 'the turn');
+        assert.equal(to - from, 360);
         assert.equal(await page.textContent('#film-problem'), '');
     }));
 

@@ -62,6 +62,48 @@ test('on a phone the dials and the first rule are in sight', () =>
         }
     }));
 
+/** A system whose iterations have no limit below that of the field. */
+const ANY = '#v=1&axiom=F&rules=F-%3EFF&n=5&angle=90';
+
+test('the slider of iterations reaches twice their number, and further when it is let go at its end', () =>
+    withPage({ hash: ANY }, async (page) => {
+        const slider = page.locator('#iterations-slider');
+        const reach = () => slider.getAttribute('max');
+        const { x, y, width, height } = (await slider.boundingBox()) ?? assert.fail('no slider');
+        const to = (/** @type {number} */ part) => page.mouse.move(x + width * part, y + height / 2, { steps: 4 });
+        assert.equal(await reach(), '10');
+        await to(0.5);
+        await page.mouse.down();
+        await to(1);
+        assert.deepEqual([await page.inputValue('#iterations'), await reach()], ['10', '10']);
+        await page.mouse.up();
+        assert.equal(await reach(), '20');
+        await to(0.5);
+        await page.mouse.down();
+        await to(0.1);
+        assert.deepEqual([await page.inputValue('#iterations'), await reach()], ['1', '20']);
+        await page.mouse.up();
+        assert.equal(await reach(), '20', 'the thumb stays where it was let go');
+        await page.fill('#iterations', '30');
+        assert.ok(Number(await reach()) > 30, 'the slider reaches beyond typed numbers');
+        // The last stop of all.
+        for (let times = 0; times < 8; times++) await slider.press('End');
+        assert.equal(await page.inputValue('#iterations'), '1000');
+    }));
+
+test('on a phone iterations and angle are counted up and down by buttons', () =>
+    withPage({ hash: ANY, options: PHONE }, async (page) => {
+        for (const name of ['Iterations −', 'Iterations +', 'Iterations +', 'Angle −'])
+            await page.getByRole('button', { name, exact: true }).tap();
+        assert.deepEqual([await page.inputValue('#iterations'), await page.inputValue('#angle')], ['6', '89']);
+        // A thumb covers three stops at most.
+        const width = await page.evaluate(() => document.getElementById('iterations-slider')?.clientWidth ?? 0);
+        assert.ok((width / 10) * 3 > 30, `${width} px for 10 iterations`);
+    }));
+
+test('where a mouse points, no such button is shown', () =>
+    withPage({ hash: ANY }, async (page) => assert.equal(await page.locator('.step:visible').count(), 0)));
+
 for (const [width, height] of /** @type {[number, number][]} */ ([
     [390, 480],
     [360, 360],

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, nextPicture, onPixels, picture, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -91,6 +91,32 @@ test('nine seeds can be compared', () =>
         assert.notEqual((await nextPicture(page, before)).digest, before.digest);
         await page.click('#undo');
         await until(async () => (await page.inputValue('#seed')) === '7', 'it can be undone');
+    }));
+
+/** The first and the last row with ink. @param {import('playwright-core').Page} page */
+const inkedRange = (page) =>
+    onPixels(page, ({ words, width, height }) => {
+        const rows = Array.from({ length: height }, (_, y) => y).filter((y) =>
+            words.subarray(y * width, (y + 1) * width).some((word) => word !== words[0]),
+        );
+        return { top: rows[0] ?? 0, bottom: rows.at(-1) ?? 0 };
+    });
+
+test('a plant grows from the ground, in the frame of the whole plant', () =>
+    withPage({ hash: '#v=1&axiom=X&rules=X%20-%3E%20F[%2BX][-X]X%0AF%20-%3E%20FF&n=5&angle=30' }, async (page) => {
+        await stillPicture(page);
+        await page.click('#open-playback');
+        await page.click('#grow');
+        await page.fill('#play-slider', '9999');
+        await until(async () => (await page.textContent('#play-total')) === 'generation 5.0 of 5', 'it is grown');
+        const before = await stillPicture(page);
+        const whole = await inkedRange(page);
+        await page.fill('#play-slider', '8000');
+        await nextPicture(page, before);
+        const part = await inkedRange(page);
+        assert.ok(Math.abs(part.bottom - whole.bottom) <= 2, `the root stays: ${part.bottom} of ${whole.bottom}`);
+        const share = (part.bottom - part.top) / (whole.bottom - whole.top);
+        assert.ok(share > 0.4 && share < 0.6, `half as high: ${share}`);
     }));
 
 test('growth ends with the former drawing', () =>

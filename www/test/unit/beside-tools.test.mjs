@@ -9,7 +9,7 @@ const tool = (left, top, width = 100, height = 50) => ({ left, top, right: left 
 
 /** The drawing's box in a view. @param {number} aspect @param {import('../../js/state.js').View} view */
 function boxOf(aspect, { x, y, zoom }) {
-    const wide = Math.min(368, 368 * aspect);
+    const wide = Math.min(352, 352 * aspect);
     const high = wide / aspect;
     const extent = Math.max(wide, high) * zoom;
     const [cx, cy] = [200 - x * extent, 200 + y * extent];

@@ -52,6 +52,7 @@ pub(crate) fn camera(source: &mut Source<'_>) -> Camera {
         },
         target: [0, 1, 2].map(|_| any(source, &[0.0, 0.0, 0.3, -0.5])),
         perspective: source.once_in(2),
+        distance: any(source, &[2.0, 2.0, 0.5, 1e9]),
         fade: any(source, &[0.0, 0.5, 1.0]),
     }
 }

@@ -37,7 +37,7 @@ impl<'a, S: Space> SegmentIter<'a, S> {
     }
 
     /// Skips the next `count` segments, and whole blocks where possible.
-    pub(super) fn pass(&mut self, count: u128) {
+    pub fn pass(&mut self, count: u128) {
         self.strokes.pass(count);
         self.left = self.left.saturating_sub(count);
     }

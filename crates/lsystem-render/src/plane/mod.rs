@@ -97,8 +97,8 @@ pub(crate) use pick::pick;
 pub use pyramid::{Pyramid, Share, TilePlace, TileRenderer, Tiles};
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};
-pub(crate) use view::fitted_scale;
 pub use view::{Detail, View, Viewport, fit};
+pub(crate) use view::{PlaneFraming, fitted_scale};
 
 use density::Density;
 use lsystem_base::{Meter, Progress};

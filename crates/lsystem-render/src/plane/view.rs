@@ -7,6 +7,9 @@ use lsystem_base::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
 use lsystem_drawing::{Block, Drawing, Widths};
 use lsystem_syntax::Style;
 
+/// Empty space around a fitted drawing, as a part of the viewport's shorter side.
+const MARGIN: f64 = 0.06;
+
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
@@ -32,6 +35,13 @@ impl Viewport {
     pub fn within_sides(self) -> Self {
         let [width, height] = [self.width, self.height].map(|side| side.min(MAX_PICTURE_SIDE));
         Self { width, height, ..self }
+    }
+
+    /// The width and the height without the margins, in device pixels.
+    pub(crate) fn usable(self) -> [f64; 2] {
+        let [width, height] = [self.width, self.height].map(f64::from);
+        let margin = 2.0 * MARGIN * width.min(height);
+        [width - margin, height - margin]
     }
 
     /// The least width of strokes, in device pixels.
@@ -97,8 +107,7 @@ pub fn fit(drawing: &Drawing) -> Rect {
 /// moved and magnified as the renderer would.
 #[must_use]
 pub(crate) fn fitted_scale(drawing: &Drawing, viewport: Viewport) -> f64 {
-    let (_, rect) = root_bounds(drawing);
-    ViewTransform::new(drawing, viewport, View::default(), 1.0).scale * rect.longer_side()
+    PlaneFraming::of_root(drawing).fitted_scale(viewport)
 }
 
 /// The bounds of the drawing in units of its root block, never empty, and that unit in model units.
@@ -192,8 +201,67 @@ impl Measure {
     }
 }
 
-/// Empty space around a fitted drawing, as a part of the viewport's shorter side.
-const MARGIN: f64 = 0.04;
+/// The least room for a drawing at zoom 1: the bounds of the axes of its strokes, and around them half the width of the
+/// widest stroke, so that strokes at the ends stay inside the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PlaneFraming {
+    /// The centre.
+    centre: [f64; 2],
+    /// The longer side of the bounds.
+    side: f64,
+    /// The width and the height of the room.
+    room: [f64; 2],
+}
+
+impl PlaneFraming {
+    /// The framing in model units.
+    pub(crate) fn of(drawing: &Drawing) -> Self {
+        let (unit, _) = root_bounds(drawing);
+        let Self { centre, side, room } = Self::of_root(drawing);
+        let [x, y] = drawing.start;
+        let start = [x, y].map(|start| start * unit.signum());
+        let unit = unit.abs();
+        Self {
+            centre: [0, 1].map(|axis| start[axis] + unit * centre[axis]),
+            side: unit * side,
+            room: room.map(|side| unit * side),
+        }
+    }
+
+    /// The framing in units of the root block.
+    fn of_root(drawing: &Drawing) -> Self {
+        let (_, rect) = root_bounds(drawing);
+        let pad = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)).map_or(0.0, |root| {
+            let widest = root.widest.factor * drawing.width + root.widest.offset;
+            libm::scalbn(widest.max(0.0), -root.exponent)
+        });
+        let pad = if pad.is_finite() { pad } else { 0.0 };
+        Self { centre: rect.centre(), side: rect.longer_side(), room: [rect.width + pad, rect.height + pad] }
+    }
+
+    /// Pixels in one unit at zoom 1.
+    fn scale(&self, viewport: Viewport) -> f64 {
+        let [width, height] = viewport.usable();
+        (width / self.room[0]).min(height / self.room[1])
+    }
+
+    /// Pixels in one fitted extent at zoom 1.
+    pub(crate) fn fitted_scale(&self, viewport: Viewport) -> f64 {
+        self.scale(viewport) * self.side
+    }
+
+    /// The view of a drawing with the framing `own` that shows the same part of the plane as `view` of this one.
+    pub(crate) fn hold(&self, own: &Self, viewport: Viewport, view: View) -> View {
+        let ratio = self.side / own.side;
+        let [x, y] = [0, 1].map(|axis| (self.centre[axis] - own.centre[axis]) / own.side);
+        View {
+            x: x + view.x * ratio,
+            y: y + view.y * ratio,
+            zoom: view.zoom * self.scale(viewport) / own.scale(viewport),
+            fine: view.fine.map(|fine| fine * ratio),
+        }
+    }
+}
 
 /// Maps the root block's frame (y up) to the subsample lattice (y down).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -214,18 +282,7 @@ impl ViewTransform {
         let (_, rect) = root_bounds(drawing);
         let exponent = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)).map_or(0, |root| root.exponent);
         let (width, height) = (f64::from(viewport.width), f64::from(viewport.height));
-        // The widest stroke at the ends of a fitted drawing stays inside the picture.
-        let pad = {
-            let widest = drawing.root.map_or(0.0, |id| {
-                let widest = drawing.blocks[id.0 as usize].widest;
-                widest.factor * drawing.width + widest.offset
-            });
-            let pad = libm::scalbn(widest.max(0.0), -exponent);
-            if pad.is_finite() { pad } else { 0.0 }
-        };
-        let margin = 2.0 * MARGIN * width.min(height);
-        let usable = [width - margin, height - margin];
-        let fitted = (usable[0] / (rect.width + pad)).min(usable[1] / (rect.height + pad)) * samples;
+        let fitted = PlaneFraming::of_root(drawing).scale(viewport) * samples;
         let zoom = if view.zoom.is_finite() && view.zoom > 0.0 { view.zoom } else { 1.0 };
         let scale = fitted * zoom;
         let side = rect.longer_side();

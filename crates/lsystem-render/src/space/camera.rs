@@ -17,23 +17,40 @@ pub struct Camera {
     /// The point in the middle of the picture, from the fitted centre, in fitted extents (the diameter of a ball around
     /// the drawing), in the directions of the model.
     pub target: [f64; 3],
-    /// Whether nearer parts look larger. With perspective the eye is two fitted extents from the target; without, it is
-    /// infinitely far away.
+    /// Whether nearer parts look larger. Without perspective the eye is infinitely far away.
     pub perspective: bool,
+    /// The eye's distance from the target with perspective, in fitted extents; more than 0.
+    pub distance: f64,
     /// How much the farthest parts fade into the background: 0 (not at all) to 1.
     pub fade: f64,
 }
 
 impl Default for Camera {
     fn default() -> Self {
-        Self { azimuth: 25.0, elevation: 12.0, zoom: 1.0, target: [0.0; 3], perspective: true, fade: 0.0 }
+        Self {
+            azimuth: 25.0,
+            elevation: 12.0,
+            zoom: 1.0,
+            target: [0.0; 3],
+            perspective: true,
+            distance: DISTANCE,
+            fade: 0.0,
+        }
+    }
+}
+
+impl Camera {
+    /// The eye's distance from the target, in the unit of the radius of the ball around the drawing.
+    fn eye(&self, radius: f64) -> f64 {
+        let distance = if self.distance.is_finite() && self.distance > 0.0 { self.distance } else { DISTANCE };
+        if self.perspective { 2.0 * distance * radius } else { f64::INFINITY }
     }
 }
 
 /// Device pixels in one fitted extent at zoom 1, on the plane through the target that faces the eye.
 #[must_use]
 pub(crate) fn fitted_scale(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera) -> f64 {
-    Lens::new(drawing, viewport, &Camera { zoom: 1.0, ..*camera }, 1.0).extent
+    SpaceFraming::of_root(drawing).fitted_scale(viewport, camera)
 }
 
 /// The directions right and up in the picture and towards the eye, as unit vectors of the model.
@@ -81,10 +98,8 @@ fn ball(drawing: &Drawing<Solid>) -> (Vector, f64) {
     (centre, if radius > 0.0 { radius } else { step })
 }
 
-/// The eye's distance from the target, in radii of the ball around the drawing.
-const DISTANCE: f64 = 4.0;
-/// Empty space around a fitted drawing, as a part of the viewport's shorter side.
-const MARGIN: f64 = 0.04;
+/// The usual distance of the eye from the target, in fitted extents.
+const DISTANCE: f64 = 2.0;
 /// The steps in which half a ring is sampled.
 const RING_STEPS: u32 = 12;
 /// Parts nearer to the eye than this part of the target's distance are not shown.
@@ -127,28 +142,88 @@ fn reach([aside, height]: [f64; 2], [upright, back]: [f64; 2], distance: f64) ->
     reach
 }
 
+/// The least room for a drawing at zoom 1: a ball around it, and circles about its upright axis that contain it in their
+/// convex hull.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SpaceFraming {
+    /// The centre of the ball.
+    centre: Vector,
+    /// The radius of the ball.
+    radius: f64,
+    /// The width of the widest stroke.
+    pad: f64,
+    /// The circles: their radii, and their heights above the centre.
+    rings: Vec<[f64; 2]>,
+}
+
+impl SpaceFraming {
+    /// The framing in model units.
+    pub(crate) fn of(drawing: &Drawing<Solid>) -> Self {
+        let Self { centre, radius, pad, rings } = Self::of_root(drawing);
+        let unit = drawing.unit();
+        let size = unit.abs();
+        Self {
+            centre: [0, 1, 2].map(|axis| drawing.start[axis] + unit * centre[axis]),
+            radius: size * radius,
+            pad: size * pad,
+            rings: rings.iter().map(|ring| ring.map(|part| size * part)).collect(),
+        }
+    }
+
+    /// The framing in units of the root block; heights are upwards in the picture.
+    fn of_root(drawing: &Drawing<Solid>) -> Self {
+        let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
+        let sign = if drawing.step < 0.0 { -1.0 } else { 1.0 };
+        let (centre, radius) = ball(drawing);
+        let pad = root.map_or(0.0, |root| libm::scalbn(root.widest.of(drawing.width).max(0.0), -root.exponent));
+        let girth = drawing.extent().and_then(|extent| extent.girth);
+        let ball = [[radius, 0.0], [0.0, radius], [0.0, -radius]];
+        let rings = girth.as_ref().map_or(&ball[..], |girth| girth);
+        let rings = rings.iter().map(|&[aside, height]| [aside, sign * height]).collect();
+        Self { centre, radius, pad: if pad.is_finite() { pad } else { 0.0 }, rings }
+    }
+
+    /// Pixels in one unit at zoom 1, at the target.
+    fn scale(&self, viewport: Viewport, camera: &Camera) -> f64 {
+        let [_, up, back] = camera_axes(camera);
+        let distance = camera.eye(self.radius);
+        let sides = self.rings.iter().map(|&ring| reach(ring, [up[1], back[1]], distance));
+        let sides = sides.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        let [across, down] = sides.map(|side| (2.0 * side + self.pad).max(1e-3 * self.radius));
+        let [width, height] = viewport.usable();
+        (width / across).min(height / down)
+    }
+
+    /// Pixels in one fitted extent at zoom 1, at the target.
+    pub(crate) fn fitted_scale(&self, viewport: Viewport, camera: &Camera) -> f64 {
+        2.0 * self.radius * self.scale(viewport, camera)
+    }
+
+    /// The camera on a drawing with the framing `own` that shows the same part of space as `camera` on this one.
+    pub(crate) fn hold(&self, own: &Self, viewport: Viewport, camera: &Camera) -> Camera {
+        let ratio = self.radius / own.radius;
+        let centre = [0, 1, 2].map(|axis| (self.centre[axis] - own.centre[axis]) / (2.0 * own.radius));
+        let held = Camera {
+            target: [0, 1, 2].map(|axis| centre[axis] + camera.target[axis] * ratio),
+            distance: camera.distance * ratio,
+            ..*camera
+        };
+        Camera { zoom: camera.zoom * self.scale(viewport, camera) / own.scale(viewport, &held), ..held }
+    }
+}
+
 impl Lens {
     /// The lens of a camera, with `samples` along the side of a pixel.
     pub(super) fn new(drawing: &Drawing<Solid>, viewport: Viewport, camera: &Camera, samples: f64) -> Self {
         let root = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize));
         let exponent = root.map_or(0, |root| root.exponent);
         let sign = if drawing.step < 0.0 { -1.0 } else { 1.0 };
-        let (centre, radius) = ball(drawing);
-        let pad = root.map_or(0.0, |root| libm::scalbn(root.widest.of(drawing.width).max(0.0), -exponent));
-        let pad = if pad.is_finite() { pad } else { 0.0 };
+        let framing = SpaceFraming::of_root(drawing);
+        let SpaceFraming { centre, radius, .. } = framing;
         let (width, height) = (f64::from(viewport.width), f64::from(viewport.height));
-        let margin = 2.0 * MARGIN * width.min(height);
         let zoom = if camera.zoom.is_finite() && camera.zoom > 0.0 { camera.zoom } else { 1.0 };
         let [right, up, back] = camera_axes(camera);
-        let distance = if camera.perspective { DISTANCE * radius } else { f64::INFINITY };
-        let girth = drawing.extent().and_then(|extent| extent.girth);
-        let ball = [[radius, 0.0], [0.0, radius], [0.0, -radius]];
-        let rings = girth.as_ref().map_or(&ball[..], |girth| girth);
-        let sides = rings.iter().map(|&[aside, height]| reach([aside, sign * height], [up[1], back[1]], distance));
-        let sides = sides.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
-        let [across, down] = sides.map(|side| (2.0 * side + pad).max(1e-3 * radius));
-        let fitted = ((width - margin) / across).min((height - margin) / down);
-        let scale = fitted * zoom * samples;
+        let scale = framing.scale(viewport, camera) * zoom * samples;
         let seen = |p: Vector| [dot(right, p), -dot(up, p), -dot(back, p)];
         let axes = [0, 1, 2].map(|i| {
             let mut unit = [0.0; 3];
@@ -163,7 +238,7 @@ impl Lens {
         Self {
             origin: [0, 1, 2].map(|i| centre[i] - middle[i]),
             axes,
-            nearness: if camera.perspective { 1.0 / (DISTANCE * radius * scale) } else { 0.0 },
+            nearness: 1.0 / (camera.eye(radius) * scale),
             middle: [width * samples / 2.0, height * samples / 2.0],
             step: libm::scalbn(scale, -exponent),
             centre,

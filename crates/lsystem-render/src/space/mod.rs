@@ -18,6 +18,7 @@ mod face;
 mod lanes;
 mod light;
 mod open_node;
+mod opening;
 mod painter;
 mod path;
 mod pick;
@@ -37,8 +38,9 @@ mod tile;
 mod tests;
 
 pub use camera::{Camera, camera_axes};
-pub(crate) use camera::{fitted_ends, fitted_polygon, fitted_scale};
+pub(crate) use camera::{SpaceFraming, fitted_ends, fitted_polygon, fitted_scale};
 pub use effort::{Effort, Spent};
+pub(crate) use opening::opening_camera;
 pub(crate) use pick::pick;
 
 use crate::{Pane, RenderStats, Viewport};

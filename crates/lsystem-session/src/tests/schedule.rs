@@ -3,7 +3,7 @@
 use super::{Bench, Refused, VIEWPORT, bush, random, weed};
 use crate::STEP;
 use crate::pace::REFINING;
-use lsystem::render::{Detail, Quality};
+use lsystem::render::{Detail, Quality, opening_camera};
 use lsystem::{Camera, Figure, Limits, Progress, Renderer, SolidRenderer, System, View, Viewport};
 
 /// The finest picture of the fitted view, by a renderer alone.
@@ -19,10 +19,12 @@ fn finest(definition: &lsystem::Definition) -> Vec<u8> {
             while renderer.step(1 << 20) == Progress::More {}
             renderer.pixels().to_vec()
         }
-        Figure::Space(drawing) => {
+        figure @ Figure::Space(_) => {
+            let camera = opening_camera(&figure);
+            let Figure::Space(drawing) = figure else { return vec![] };
             let mut renderer = SolidRenderer::new();
             renderer.load(drawing);
-            renderer.begin(&system.style, VIEWPORT, &Camera::default(), Quality::FINEST);
+            renderer.begin(&system.style, VIEWPORT, &camera, Quality::FINEST);
             while renderer.step(1 << 20) == Progress::More {}
             renderer.pixels().to_vec()
         }
@@ -203,4 +205,33 @@ fn a_canvas_that_refuses_a_picture_can_be_tried_again() {
     bench.screen.0.borrow_mut().refuses = false;
     bench.session.look(VIEWPORT, View::default(), None);
     assert_eq!(complete(&mut bench), [true]);
+}
+
+#[test]
+fn drawings_in_a_held_frame_grow_from_the_ground() {
+    let height = |bench: &Bench| {
+        let pixels = bench.screen.pixels();
+        let rows = pixels.chunks(4 * VIEWPORT.width as usize);
+        let inked = rows.enumerate().filter(|(_, row)| row.chunks(4).any(|pixel| pixel != &pixels[..4]));
+        let inked: Vec<usize> = inked.map(|(at, _)| at).collect();
+        (inked.len(), inked.last().copied())
+    };
+    for (small, large) in [(weed(3), weed(4)), (bush(5), bush(6))] {
+        let mut bench = Bench::with(&large, 0.0);
+        bench.settle();
+        let (whole, ground) = height(&bench);
+        let picture = bench.screen.pixels();
+        bench.session.hold(true);
+        bench.session.define(small);
+        bench.settle();
+        let (part, root) = height(&bench);
+        assert!(part < whole && root.unwrap().abs_diff(ground.unwrap()) <= 2, "{part} of {whole}, {root:?} {ground:?}");
+        assert!(bench.session.pick(80.0, 60.0, 1e3).segment.is_none());
+        bench.session.define(large);
+        bench.settle();
+        assert_eq!(bench.screen.pixels(), picture, "the last frame is the fitted picture");
+        bench.session.hold(false);
+        bench.settle();
+        assert!(bench.session.pick(80.0, 60.0, 1e3).segment.is_some());
+    }
 }

@@ -37,7 +37,8 @@ pub(crate) struct AboutExercise<'a> {
     /// The system with which the student starts.
     start: Definition,
     /// The system without anything that the student found, and the fields, besides the rules, that the student has to
-    /// find. With them and the student's rules before the others, the system is whole.
+    /// find. With them and the student's rules before the others, the system is whole. Its style is that in which the
+    /// target is shown.
     fixed: Definition,
     #[ts(type = "(keyof import('./tables.js').Definition)[]")]
     free: Vec<&'static str>,
@@ -102,7 +103,7 @@ impl OpenExercise {
             tolerance: exercise.tolerance,
             text: self.marker.text(MAX_SYMBOLS),
             start: exercise.start(),
-            fixed: exercise.fixed(),
+            fixed: Definition { style: self.marker.shown_style(), ..exercise.fixed() },
             free: exercise.free_fields(),
         })
     }

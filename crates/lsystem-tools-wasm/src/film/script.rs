@@ -19,6 +19,7 @@ pub(crate) struct ScriptObject {
     height: u32,
     ending: &'static str,
     easing: &'static str,
+    fixed: bool,
     frames: u32,
     tracks: Vec<TrackObject>,
 }
@@ -38,8 +39,8 @@ pub(crate) struct KeyObject {
     easing: &'static str,
 }
 
-/// Reads the text of a film: `{seconds, rate, width, height, ending, easing, frames, tracks: [{subject, keys: [{time,
-/// value, easing}]}]}`.
+/// Reads the text of a film: `{seconds, rate, width, height, ending, easing, fixed, frames, tracks: [{subject, keys:
+/// [{time, value, easing}]}]}`.
 ///
 /// # Errors
 /// Throws the words of the first problem.
@@ -59,6 +60,7 @@ pub fn read_film(text: &str) -> Result<JsValue, JsValue> {
         height: script.size[1],
         ending: script.ending.name(),
         easing: script.easing.name(),
+        fixed: script.fixed,
         frames: script.frames(),
         tracks: tracks.collect(),
     })

@@ -116,7 +116,7 @@ fn small_pictures_have_the_sums_of_all_strokes() {
     for (name, sample, n) in samples().into_iter().filter(|(name, ..)| !["leaves", "star"].contains(name)) {
         let drawing = Arc::new(sample.draw(n));
         renderer.load(drawing.clone());
-        for (width, height) in [(63, 40), (32, 32), (17, 9), (5, 8), (4, 4)] {
+        for (width, height) in [(63, 40), (34, 34), (17, 9), (5, 8), (4, 4)] {
             let viewport = Viewport { width, height, ratio: 1.0 };
             let style = Style { colour_by: ColourBy::Single, ..sample.0.style.clone() };
             picture(&mut renderer, &style, viewport, View::default());
