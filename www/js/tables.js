@@ -42,7 +42,7 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
  * @property {number} width the stroke width, in steps
  * @property {number} widthFactor what every branch multiplies the width by
  * @property {number} minWidth the width of the thinnest line, in pixels
- * @property {'solid' | 'density'} ink blending of overlapping strokes: opaque (`solid`) or additive (`density`)
+ * @property {'auto' | 'solid' | 'density'} ink blending of overlapping strokes: opaque (`solid`), additive (`density`), or opaque but additive where strokes are finer than pixels (`auto`)
  * @property {number} hue by how many degrees the palette's hues are turned
  * @property {number} exposure brightness of additive blending, in stops: each doubles it
  * @property {string} name a short name, unique within its folder
@@ -100,7 +100,7 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
     width: { link: 'width', kind: 'number', low: 0, high: 1000000000, default: 0, label: 'Stroke width (steps)', expected: 'a number from 0 to 1,000,000,000', unit: 'steps', slider: { from: 0, parts: [[1, 0.05], [3, 0.1], [10, 0.25], [20, 0.5]], arrow: 0.1 }, affects: 'look' },
     widthFactor: { link: 'thinner', kind: 'number', low: 0, high: 10, default: 1, label: 'Width per branch level ×', expected: 'a number from 0 to 10', unit: 'times', slider: { from: 0, parts: [[2, 0.05]], arrow: 0.05 }, affects: 'look' },
     minWidth: { link: 'thin', kind: 'number', low: 0, high: 10000, default: 1, label: 'Thinnest line', expected: 'a number from 0 to 10,000', unit: 'pixels', slider: { from: 0, parts: [[8, 0.25]], arrow: 0.5 }, affects: 'look' },
-    ink: { link: 'ink', kind: 'word', words: ['solid', 'density'], default: 'solid', label: 'Blending', expected: 'one of `solid`, `density`', affects: 'look' },
+    ink: { link: 'ink', kind: 'word', words: ['auto', 'solid', 'density'], default: 'auto', label: 'Blending', expected: 'one of `auto`, `solid`, `density`', affects: 'look' },
     hue: { link: 'hue', kind: 'number', low: -360, high: 360, default: 0, label: 'Hue', expected: 'a number from -360 to 360', unit: 'degrees', slider: { from: 0, parts: [[360, 5]], arrow: 5 }, affects: 'look' },
     exposure: { link: 'exposure', kind: 'number', low: -10, high: 10, default: 0, label: 'Exposure (stops)', expected: 'a number from -10 to 10', unit: 'stops', slider: { from: -4, parts: [[4, 0.25]], arrow: 0.25 }, affects: 'look' },
     name: { link: 'name', kind: 'text', maxLength: 200, default: '', label: 'Name', expected: 'a text of at most 200 characters', affects: 'caption' },

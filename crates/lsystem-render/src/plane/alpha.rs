@@ -1,4 +1,4 @@
-//! Pixels without the background, for ink that adds up.
+//! Pixels without the background, for ink that adds up, and mixtures of pixels.
 
 /// The least opaque pixel that shows `colour` over `paper`, to a level of each channel. Ink that adds up takes another part
 /// of each channel's light, and a pixel has one opacity: so the pixel is exact over this paper only.
@@ -20,6 +20,21 @@ pub(super) fn least_opaque(colour: [u8; 3], paper: [u8; 3]) -> [u8; 4] {
         (paper + (change + half) / opacity).clamp(0, 255) as u8
     });
     [r, g, b, opacity as u8]
+}
+
+/// The mixture of two pixels with `part` (0 to 1) of the second. Transparent pixels count by their opacity.
+pub(super) fn mixed(first: [u8; 4], second: [u8; 4], part: f32) -> [u8; 4] {
+    let between = |a: f32, b: f32| a + part * (b - a);
+    let [first_opacity, second_opacity] = [first[3], second[3]].map(f32::from);
+    let opacity = between(first_opacity, second_opacity);
+    let level = |channel: usize| {
+        let [first, second] = [first[channel], second[channel]].map(f32::from);
+        if first_opacity == second_opacity {
+            return (between(first, second) + 0.5) as u8;
+        }
+        (between(first * first_opacity, second * second_opacity) / opacity.max(f32::MIN_POSITIVE) + 0.5) as u8
+    };
+    [level(0), level(1), level(2), (opacity + 0.5) as u8]
 }
 
 #[cfg(test)]

@@ -17,12 +17,14 @@ impl Renderer {
     /// drawings fill the share of the tiles and parts.
     #[must_use]
     pub fn most_bytes(drawing: &Drawing, style: &Style, viewport: Viewport, detail: Detail) -> u64 {
+        let pixels = 4 * u64::from(viewport.width) * u64::from(viewport.height);
         let facts = (drawing.block_count() * size_of::<Shape>()) as u64;
         let own = match style.ink {
             Ink::Solid => facts + opaque(style, viewport, detail),
             Ink::Density => 2 * facts + density(style, viewport, detail),
+            Ink::Auto => 3 * facts + opaque(style, viewport, detail) + density(style, viewport, detail) + pixels,
         };
-        own + LISTS + 4 * u64::from(viewport.width) * u64::from(viewport.height)
+        own + LISTS + pixels
     }
 }
 

@@ -5,15 +5,18 @@
 
 use super::pigment::light;
 use super::sheet::{Pigment, Sheet};
-use crate::plane::Pass;
-use crate::plane::alpha::least_opaque;
+use crate::plane::alpha::{least_opaque, mixed};
+use crate::plane::fineness::Shares;
 use crate::plane::picture::Plan;
+use crate::plane::{Pass, smooth};
 use lsystem_base::{Meter, Progress};
 use lsystem_syntax::ColourBy;
 
-/// The number of keys. A key is the exponent of an `f32` and the first 6 bits of its fraction, so sums with the same
-/// key differ by at most a 64th.
-const KEYS: usize = 1 << 14;
+/// The number of keys. A key is the exponent of an `f32` and the first 8 bits of its fraction, so sums with the same
+/// key differ by at most a 256th.
+const KEYS: usize = 1 << 16;
+/// The keys between a sum and its double.
+const KEYS_OF_TWO: f64 = (KEYS >> 8) as f64;
 /// The bits of an `f32` below its key.
 const SHIFT: u32 = 31 - KEYS.trailing_zeros();
 
@@ -23,12 +26,22 @@ const DARKS: [f64; 2] = [0.1, 0.4];
 /// The quantiles between which the lights lie. Their mean logarithm is exposed fully.
 const LIGHTS: [f64; 2] = [0.97, 1.0];
 /// The least and the most powers of two between the darks and the lights.
-const RANGE: [f64; 2] = [3.0, 16.0];
+const RANGE: [f64; 2] = [0.25, 16.0];
+/// The powers of two that a smaller range is stretched to, so that the part of a drawing in view has contrast.
+const STRETCHED: f64 = 3.0;
 /// The share of the lights' exposure that the first layer of ink gets, so that a single stroke beside 10^20 strokes
 /// shows.
 const FIRST_LAYER: f64 = 0.15;
-/// The number of layers of ink that the lights show as.
-const LAYERS: f64 = 1.5;
+/// The number of layers of ink that the lights show as: in a picture without contrast, and in one with much.
+const LAYERS: [f64; 2] = [1.0, 1.6];
+
+/// The mean difference of neighbouring sums, in powers of two, to which a small range is stretched at most: a picture
+/// without larger shapes would show its rounding.
+const ROUGHEST: f64 = 0.1;
+/// Neighbours are compared inside groups of so many sums, which are the same in panes as in the whole picture.
+const GROUP: usize = 16;
+/// The layers of ink, as powers of two, between which strokes begin to pile up.
+const PILED: [f64; 2] = [1.0, 4.0];
 
 /// Steps of the tables over pigment: fine enough for the 256 levels of a channel.
 const STEPS: usize = 4096;
@@ -46,13 +59,19 @@ pub(super) struct Tone {
     /// Whether the background is left out.
     is_transparent: bool,
     exposure: f64,
+    /// The part that the picture has over an opaque one.
+    pub shares: Shares,
     /// The background and the palette, if colours follow the density.
     ramp: Option<Vec<[u8; 3]>>,
     pixels: Vec<u8>,
     /// By key: the number of sums.
     counts: Vec<u32>,
+    /// The number of neighbours with ink, and the sum of their keys' differences.
+    neighbours: [u64; 2],
     /// By key: the number of layers that a sum shows as.
     layers: Vec<f32>,
+    /// By key: the part over an opaque picture.
+    parts: Vec<f32>,
     /// By key: the pixel, in a picture of one ink.
     shades: Vec<[u8; 4]>,
     /// By channel, then by pigment: the level of the channel, 0 to 255.
@@ -114,6 +133,7 @@ impl Tone {
         if matches!(pass, Pass::Only | Pass::Survey) {
             self.counts.clear();
             self.counts.resize(KEYS, 0);
+            self.neighbours = [0; 2];
         }
         self.next = 0;
         self.pass = pass;
@@ -129,8 +149,8 @@ impl Tone {
         &self.pixels
     }
 
-    /// Goes on towards the pixels; `pigment` is used in a picture of one ink.
-    pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, meter: &mut Meter) -> Progress {
+    /// Goes on towards the pixels; `pigment` is used in a picture of one ink, and `below` is an opaque picture, or empty.
+    pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, below: &[u8], meter: &mut Meter) -> Progress {
         while !meter.is_spent() {
             match self.stage {
                 Stage::Counting if self.next < sums.height => {
@@ -149,7 +169,7 @@ impl Tone {
                     (self.stage, self.next) = (Stage::Showing, 0);
                 }
                 Stage::Showing if self.next < self.height => {
-                    self.show(sums, self.next);
+                    self.show(sums, self.next, below);
                     self.next += 1;
                     // A coarse picture interpolates four sums for each pixel.
                     meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
@@ -164,8 +184,15 @@ impl Tone {
         let reach = &sums.reach[row];
         let at = row * sums.width;
         let values = &sums.values[(at + reach.start as usize) * sums.planes..(at + reach.end as usize) * sums.planes];
-        for &value in values.iter().step_by(sums.planes) {
-            self.counts[key(value)] += 1;
+        let mut last = 0;
+        for (&value, column) in values.iter().step_by(sums.planes).zip(reach.start as usize..) {
+            let key = key(value);
+            self.counts[key] += 1;
+            if key > 0 && last > 0 && !column.is_multiple_of(GROUP) {
+                self.neighbours[0] += 1;
+                self.neighbours[1] += key.abs_diff(last) as u64;
+            }
+            last = key;
         }
     }
 
@@ -189,13 +216,24 @@ impl Tone {
     /// Makes the tables of layers and shades; a sum of 1 is `unit` layers of ink.
     fn expose(&mut self, planes: usize, pigment: Pigment, unit: f64) {
         let lights = self.level(LIGHTS, f64::NEG_INFINITY);
-        let darks = libm::exp2(self.level(DARKS, lights - RANGE[1]).min(lights - RANGE[0]));
-        let lights = libm::exp2(lights);
-        let full = libm::log2(1.0 + lights / darks);
+        let darks = self.level(DARKS, lights - RANGE[1]);
+        // An even picture has the middle of the tones.
+        let missing = (RANGE[0] - (lights - darks)).max(0.0) / 2.0;
+        let (lights, darks) = (lights + missing, darks - missing);
+        let [neighbours, differences] = self.neighbours.map(|sum| sum as f64);
+        let most = ROUGHEST * KEYS_OF_TWO * neighbours / differences.max(1.0);
+        let stretch = (STRETCHED / (lights - darks)).min(most).max(1.0);
+        let contrast = (stretch * (lights - darks) / STRETCHED).min(1.0);
+        let most_layers = LAYERS[0] + (LAYERS[1] - LAYERS[0]) * contrast;
+        let over_darks = |log: f64| libm::log2(1.0 + libm::exp2(stretch * (log - darks)));
+        let full = over_darks(lights);
         self.layers.clear();
         self.layers.resize(KEYS, 0.0);
         self.shades.clear();
         self.shades.resize(KEYS, self.pixel(self.paper));
+        let Shares { piled, single } = self.shares;
+        self.parts.clear();
+        self.parts.resize(KEYS, single as f32);
         let first = self.counts.iter().skip(1).position(|&count| count > 0).map_or(KEYS, |key| key + 1);
         let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
         // If places are larger than pixels, interpolation makes sums below the least.
@@ -203,10 +241,11 @@ impl Tone {
         for key in first..=last {
             let sum = sum(key);
             let first = (sum * unit).min(1.0);
-            let shown =
-                self.exposure * (FIRST_LAYER * first + (1.0 - FIRST_LAYER) * libm::log2(1.0 + sum / darks) / full);
-            let layers = LAYERS * shown;
+            let log = libm::log2(sum);
+            let shown = self.exposure * (FIRST_LAYER * first + (1.0 - FIRST_LAYER) * over_darks(log) / full);
+            let layers = most_layers * shown;
             self.layers[key] = layers as f32;
+            self.parts[key] = (single + (piled - single) * smooth(PILED, log + libm::log2(unit))) as f32;
             if planes > 1 {
                 continue;
             }
@@ -231,9 +270,10 @@ impl Tone {
         self.lights[channel][(step as usize).min(STEPS - 1)]
     }
 
-    fn show(&mut self, sums: &Sheet, y: usize) {
+    fn show(&mut self, sums: &Sheet, y: usize, below: &[u8]) {
         let mut pixels = core::mem::take(&mut self.pixels);
         let (out, _) = pixels[y * self.width * 4..(y + 1) * self.width * 4].as_chunks_mut::<4>();
+        let (below, _) = below.get(y * self.width * 4..(y + 1) * self.width * 4).unwrap_or_default().as_chunks::<4>();
         let blank = self.pixel(self.paper);
         if self.side == 1 {
             let reach = sums.reach[y].start as usize..sums.reach[y].end as usize;
@@ -241,14 +281,32 @@ impl Tone {
             out[reach.end..].fill(blank);
             let at = y * sums.width;
             let values = &sums.values[(at + reach.start) * sums.planes..(at + reach.end) * sums.planes];
-            self.colour(values, sums.planes, &mut out[reach]);
+            self.colour(values, sums.planes, &mut out[reach.clone()]);
+            if !below.is_empty() {
+                let blank = core::iter::repeat(&0.0);
+                let values = blank.clone().take(reach.start).chain(values.iter().step_by(sums.planes)).chain(blank);
+                self.mix(below, values, out);
+            }
         } else {
             let mut row = core::mem::take(&mut self.row);
             self.interpolate(sums, y, &mut row);
             self.colour(&row, sums.planes, out);
+            if !below.is_empty() {
+                self.mix(below, row.iter().step_by(sums.planes), out);
+            }
             self.row = row;
         }
         self.pixels = pixels;
+    }
+
+    /// Mixes a row of pixels, which have these sums, with those of an opaque picture.
+    fn mix<'a>(&self, below: &[[u8; 4]], sums: impl Iterator<Item = &'a f32>, out: &mut [[u8; 4]]) {
+        for ((pixel, below), &sum) in out.iter_mut().zip(below).zip(sums) {
+            let part = self.parts[key(sum)];
+            if part < 1.0 && pixel != below {
+                *pixel = mixed(*below, *pixel, part);
+            }
+        }
     }
 
     fn colour(&self, values: &[f32], planes: usize, out: &mut [[u8; 4]]) {
