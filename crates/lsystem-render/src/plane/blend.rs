@@ -1,11 +1,11 @@
-//! Opaque ink, additive ink, and the blend of both.
+//! Pictures in the style's ink: opaque, additive, or opaque and shaded by the amount of ink.
 //!
-//! In a blend the opaque picture is made first, then the additive one over it. The opaque one shows where strokes do not
-//! pile up, and everywhere if strokes are long. The shares of both change continuously with the magnification, so that
-//! there is no seam while the view or n changes.
+//! A shaded picture has the colours of the opaque one. Where strokes pile up, a colour becomes paler or deeper with the
+//! amount of ink there. The shading fades out continuously where strokes become larger and where they do not pile up, so
+//! that there is no seam while the view or n changes.
 
 use super::density::Density;
-use super::fineness::{Fineness, Shares};
+use super::fineness::{Fineness, Shading};
 use super::opaque::Opaque;
 use super::picture::Plan;
 use super::shape::Shapes;
@@ -22,12 +22,19 @@ pub(super) struct Blend {
     pub opaque: Box<Opaque>,
     /// Made with the first picture that has additive ink.
     pub density: Option<Box<Density>>,
-    /// The plan until the shares are known, and then until there is room for the pixels.
+    /// The plan until the parts of the picture are known, and then until there is room for the pixels.
     plan: Option<Plan>,
-    /// The shares of the picture in the making.
-    shares: Option<Shares>,
-    /// Whether the pass makes or surveys an opaque picture.
+    /// The parts of the picture in the making, once they are known.
+    parts: Option<Parts>,
+}
+
+/// The pictures that a picture is made from.
+#[derive(Clone, Copy, Default)]
+struct Parts {
     has_opaque: bool,
+    has_density: bool,
+    /// Whether the pixels are those of the opaque picture.
+    is_opaque: bool,
 }
 
 impl Blend {
@@ -56,7 +63,7 @@ impl Blend {
             Ink::Solid => self.density = None,
             Ink::Density => self.opaque.free(),
         }
-        (self.plan, self.shares) = (Some(plan), None);
+        (self.plan, self.parts) = (Some(plan), None);
     }
 
     /// Goes on with the picture of a drawing, or with a blank one.
@@ -66,33 +73,31 @@ impl Blend {
             return Progress::More;
         }
         let shapes = &self.shapes.list;
-        if self.shares.is_none()
+        if self.parts.is_none()
             && let Some(plan) = &self.plan
         {
-            let shares = match plan.style.ink {
-                Ink::Solid => Shares::OPAQUE,
-                Ink::Density => Shares::ADDITIVE,
-                Ink::Auto => {
-                    if self.fineness.step(drawing, shapes, meter) == Progress::More {
-                        return Progress::More;
-                    }
-                    self.fineness.shares(drawing, plan)
-                }
+            let shading = match plan.style.ink {
+                Ink::Auto if self.fineness.step(drawing, shapes, meter) == Progress::More => return Progress::More,
+                Ink::Auto => self.fineness.shading(drawing, plan),
+                Ink::Solid | Ink::Density => Shading::default(),
             };
-            self.shares = Some(shares);
+            let is_opaque = plan.style.ink != Ink::Density;
             // A light renderer has one way only to make an opaque picture, which needs no survey.
             let is_idle = plan.pass == Pass::Count || plan.pass == Pass::Survey && self.opaque.picture.is_light;
-            self.has_opaque = shares.single < 1.0 && !is_idle;
-            if self.has_opaque {
+            let parts =
+                Parts { has_opaque: is_opaque && !is_idle, has_density: !is_opaque || shading.piled > 0.0, is_opaque };
+            if parts.has_opaque {
                 self.opaque.begin(drawing, plan);
             }
-            if shares.piled > 0.0 {
-                self.density.get_or_insert_default().begin(drawing, plan, shares);
+            if parts.has_density {
+                self.density.get_or_insert_default().begin(drawing, plan, is_opaque.then_some(shading));
             }
+            self.parts = Some(parts);
         }
-        let mut density = self.density.as_mut().filter(|_| self.shares.is_some_and(|shares| shares.piled > 0.0));
+        let Parts { has_opaque, has_density, .. } = self.parts.unwrap_or_default();
         let opaque = &mut self.opaque;
-        if self.has_opaque && opaque.prepare(drawing, shapes, meter) == Progress::More {
+        let mut density = self.density.as_mut().filter(|_| has_density);
+        if has_opaque && opaque.prepare(drawing, shapes, meter) == Progress::More {
             return Progress::More;
         }
         if let Some(density) = &mut density
@@ -104,14 +109,14 @@ impl Blend {
             return Progress::More;
         }
         if let Some(plan) = self.plan.take() {
-            if self.has_opaque {
+            if has_opaque {
                 meter.charge(opaque.open(&plan));
             }
             if let Some(density) = &mut density {
                 meter.charge(density.open(&plan));
             }
         }
-        if self.has_opaque
+        if has_opaque
             && (opaque.paint(drawing, shapes, meter) == Progress::More || opaque.resolve(meter) == Progress::More)
         {
             return Progress::More;
@@ -120,12 +125,12 @@ impl Blend {
         if density.paint(drawing, shapes, meter) == Progress::More {
             return Progress::More;
         }
-        density.resolve(if self.has_opaque { opaque.pixels() } else { &[] }, meter)
+        density.resolve(has_opaque.then(|| opaque.pixels_mut()), meter)
     }
 
     /// Goes on with a picture without a drawing.
     fn blank(&mut self, meter: &mut Meter) -> Progress {
-        self.shares = Some(Shares::OPAQUE);
+        self.parts = Some(Parts { is_opaque: true, ..Parts::default() });
         if let Some(plan) = self.plan.take() {
             meter.charge(self.opaque.open(&plan));
         }
@@ -133,22 +138,19 @@ impl Blend {
     }
 
     pub(super) fn pixels(&self) -> &[u8] {
-        match &self.density {
-            Some(density) if self.is_additive() => density.pixels(),
+        match (&self.density, self.parts) {
+            (Some(density), Some(Parts { is_opaque: false, .. })) => density.pixels(),
             _ => self.opaque.pixels(),
         }
     }
 
-    /// The work of both pictures.
+    /// The work of all parts.
     pub(super) fn stats(&self) -> RenderStats {
-        let opaque = if self.has_opaque { self.opaque.stats() } else { RenderStats::default() };
+        let Parts { has_opaque, has_density, .. } = self.parts.unwrap_or_default();
+        let opaque = if has_opaque { self.opaque.stats() } else { RenderStats::default() };
         match &self.density {
-            Some(density) if self.is_additive() => opaque.plus(density.stats()),
+            Some(density) if has_density => opaque.plus(density.stats()),
             _ => opaque,
         }
-    }
-
-    fn is_additive(&self) -> bool {
-        self.shares.is_some_and(|shares| shares.piled > 0.0)
     }
 }

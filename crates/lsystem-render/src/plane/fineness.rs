@@ -9,11 +9,10 @@ use super::{Amount, smooth};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, Drawing, Item};
 
-/// The sizes of typical strokes, as powers of two of a hairline's width, between which additive ink fades out.
-const TYPICAL: [f64; 2] = [0.0, 3.0];
-/// The lengths of the longest stroke, as powers of two of a hairline's width, between which opaque ink fades in where
-/// strokes do not pile up.
-const LONGEST: [f64; 2] = [-1.0, 1.0];
+/// The sizes of typical strokes, as powers of two of a hairline's width, between which the shading fades out.
+const FINE: [f64; 2] = [0.0, 3.0];
+/// The lengths of the longest stroke, as powers of two of a hairline's width, between which single strokes show.
+const LONG: [f64; 2] = [-1.0, 1.0];
 
 /// The strokes of a block, in its own units. Strokes that make one straight line count as that line.
 #[derive(Clone, Copy, Debug, Default)]
@@ -57,23 +56,16 @@ pub(super) struct Fineness {
     sweep: Sweep,
     block: Strokes,
     /// The length that was met last, and its strokes: many neighbours have the same length.
-    last: Strokes,
+    last: (f64, Strokes),
 }
 
-/// The parts of the two kinds of ink in a picture.
+/// The parts, 0 to 1, to which the amount of ink shades a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Shares {
-    /// The part of additive ink where strokes pile up.
+pub(super) struct Shading {
+    /// Where strokes pile up.
     pub piled: f64,
-    /// The part of additive ink where single strokes lie.
+    /// Where single strokes lie. Without long strokes these places are the edges of piles.
     pub single: f64,
-}
-
-impl Shares {
-    /// A picture in opaque ink alone.
-    pub(super) const OPAQUE: Self = Self { piled: 0.0, single: 0.0 };
-    /// A picture in additive ink alone.
-    pub(super) const ADDITIVE: Self = Self { piled: 1.0, single: 1.0 };
 }
 
 impl Fineness {
@@ -90,19 +82,18 @@ impl Fineness {
         progress
     }
 
-    /// The shares of a picture. They depend on the magnification alone, so that neighbouring views and all panes agree.
-    pub(super) fn shares(&self, drawing: &Drawing, plan: &Plan) -> Shares {
-        let Some(strokes) = drawing.root.and_then(|root| self.list.get(root.0 as usize)) else { return Shares::OPAQUE };
-        if strokes.length.is_zero() {
-            return Shares::OPAQUE;
-        }
+    /// The shading of a picture. It depends on the magnification alone, so that all panes agree, and changes
+    /// continuously.
+    pub(super) fn shading(&self, drawing: &Drawing, plan: &Plan) -> Shading {
+        let root = drawing.root.and_then(|root| self.list.get(root.0 as usize));
+        let Some(strokes) = root.filter(|strokes| !strokes.length.is_zero()) else { return Shading::default() };
         let transform = ViewTransform::new(drawing, plan.viewport, plan.view, 1.0);
         let hairline = plan.viewport.least_width(&plan.style);
         let width = (strokes.width[0] * drawing.width + strokes.width[1]).abs() * transform.step;
-        let log = |size: f64| libm::log2(size / hairline);
-        let fading = 1.0 - smooth(TYPICAL, log(transform.scale) + strokes.log);
-        let piled = fading.min(1.0 - smooth(TYPICAL, log(width)));
-        Shares { piled, single: piled * (1.0 - smooth(LONGEST, log(transform.scale * strokes.longest))) }
+        let length = libm::log2(transform.scale / hairline) + strokes.log;
+        let piled = 1.0 - smooth(FINE, length.max(libm::log2(width / hairline)));
+        let longest = libm::log2(transform.scale * strokes.longest / hairline);
+        Shading { piled, single: piled * (1.0 - smooth(LONG, longest)) }
     }
 }
 
@@ -147,10 +138,10 @@ impl BlockVisitor for Visitor<'_> {
                 return 1;
             }
         };
-        if last.longest != length {
-            *last = Strokes::one(length, [0.0; 2]);
+        if last.0 != length {
+            *last = (length, Strokes::one(length, [0.0; 2]));
         }
-        *block = block.with(Strokes { width: width(style), ..*last });
+        *block = block.with(Strokes { width: width(style), ..last.1 });
         work
     }
 

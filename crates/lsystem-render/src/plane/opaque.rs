@@ -61,6 +61,10 @@ impl Opaque {
         self.output.pixels()
     }
 
+    pub(super) fn pixels_mut(&mut self) -> &mut [u8] {
+        self.output.pixels_mut()
+    }
+
     pub(super) fn stats(&self) -> RenderStats {
         self.picture.stats()
     }

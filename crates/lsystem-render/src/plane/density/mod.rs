@@ -21,7 +21,7 @@ mod tone;
 #[cfg(test)]
 mod tests;
 
-use super::fineness::Shares;
+use super::fineness::Shading;
 use super::picture::Plan;
 use super::shape::Shape;
 use super::{Detail, RenderStats};
@@ -29,6 +29,7 @@ use deposit::Deposits;
 use facts::Facts;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
+use lsystem_syntax::ColourBy;
 use picture::Picture;
 pub(super) use tile::TILE_BYTES as DENSITY_TILE_BYTES;
 use tone::Tone;
@@ -57,9 +58,16 @@ impl Density {
     }
 
     /// Starts a picture. An unfinished picture is given up.
-    pub(super) fn begin(&mut self, drawing: &Drawing, plan: &Plan, shares: Shares) {
-        self.tone.shares = shares;
-        self.picture.begin(drawing, plan.clone(), 1.0 / side(plan.detail) as f64);
+    /// With `shading`, the sums shade an opaque picture.
+    pub(super) fn begin(&mut self, drawing: &Drawing, plan: &Plan, shading: Option<Shading>) {
+        self.tone.shading = shading;
+        let mut plan = plan.clone();
+        if shading.is_some() {
+            // The opaque picture has the colours.
+            plan.style.colour_by = ColourBy::Single;
+        }
+        let samples = 1.0 / side(plan.detail) as f64;
+        self.picture.begin(drawing, plan, samples);
     }
 
     /// Collects the facts that the picture needs.
@@ -81,8 +89,8 @@ impl Density {
         self.picture.step(drawing, facts, meter)
     }
 
-    /// Turns the sums into pixels, over those of an opaque picture if there is one.
-    pub(super) fn resolve(&mut self, below: &[u8], meter: &mut Meter) -> Progress {
+    /// Turns the sums into pixels, or shades those of an opaque picture.
+    pub(super) fn resolve(&mut self, below: Option<&mut [u8]>, meter: &mut Meter) -> Progress {
         self.tone.step(self.picture.sums(), self.picture.only_pigment(), below, meter)
     }
 

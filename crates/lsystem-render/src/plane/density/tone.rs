@@ -3,14 +3,14 @@
 //! The sums range over many powers of two, so a pixel shows the logarithm of its sum, relative to the other sums of the
 //! picture. The exposure depends on ratios alone, so a small change of the view changes the exposure a little.
 
-use super::pigment::light;
+use super::pigment::{light, pigment};
 use super::sheet::{Pigment, Sheet};
 use crate::plane::alpha::{least_opaque, mixed};
-use crate::plane::fineness::Shares;
+use crate::plane::fineness::Shading;
 use crate::plane::picture::Plan;
 use crate::plane::{Pass, smooth};
 use lsystem_base::{Meter, Progress};
-use lsystem_syntax::ColourBy;
+use lsystem_syntax::{Colour, ColourBy};
 
 /// The number of keys. A key is the exponent of an `f32` and the first 8 bits of its fraction, so sums with the same
 /// key differ by at most a 256th.
@@ -43,6 +43,9 @@ const GROUP: usize = 16;
 /// The layers of ink, as powers of two, between which strokes begin to pile up.
 const PILED: [f64; 2] = [1.0, 4.0];
 
+/// Colours with more pigment than this, as the mean of all channels, become less deep where strokes pile up.
+const DEEP: f32 = 0.6;
+
 /// Steps of the tables over pigment: fine enough for the 256 levels of a channel.
 const STEPS: usize = 4096;
 /// The most pigment of the tables: it leaves less than a 256th of the light.
@@ -59,8 +62,8 @@ pub(super) struct Tone {
     /// Whether the background is left out.
     is_transparent: bool,
     exposure: f64,
-    /// The part that the picture has over an opaque one.
-    pub shares: Shares,
+    /// The parts to which the sums shade an opaque picture, instead of making one of their own.
+    pub shading: Option<Shading>,
     /// The background and the palette, if colours follow the density.
     ramp: Option<Vec<[u8; 3]>>,
     pixels: Vec<u8>,
@@ -70,12 +73,14 @@ pub(super) struct Tone {
     neighbours: [u64; 2],
     /// By key: the number of layers that a sum shows as.
     layers: Vec<f32>,
-    /// By key: the part over an opaque picture.
+    /// By key: the part to which a sum shades.
     parts: Vec<f32>,
     /// By key: the pixel, in a picture of one ink.
     shades: Vec<[u8; 4]>,
     /// By channel, then by pigment: the level of the channel, 0 to 255.
     lights: [Vec<u8>; 3],
+    /// By channel, then by level: the pigment of one layer that makes the level.
+    pigments: [Vec<f32>; 3],
     /// The interpolated sums of a row of pixels.
     row: Vec<f32>,
     next: usize,
@@ -113,7 +118,10 @@ impl Tone {
         if (self.width, self.height) != size {
             (self.width, self.height) = size;
             self.pixels.clear();
-            self.pixels.resize(self.width * self.height * 4, u8::MAX);
+        }
+        let bytes = if self.shading.is_some() { 0 } else { self.width * self.height * 4 };
+        if self.pixels.len() != bytes {
+            self.pixels.resize(bytes, u8::MAX);
             work += self.pixels.len() as u64 / 1024;
         }
         self.side = side;
@@ -125,6 +133,10 @@ impl Tone {
         if paper != self.paper || self.lights[0].is_empty() {
             self.paper = paper;
             work += 3 * STEPS as u64;
+            self.pigments = [0, 1, 2].map(|channel| {
+                let of = |level| pigment(Colour { rgb: [level; 3] }, style.background)[channel];
+                (0..=u8::MAX).map(of).collect()
+            });
             self.lights = paper.map(|paper| {
                 let pigment = |step: usize| (step as f64 / (STEPS - 1) as f64 * 2.0 - 1.0) * DARKEST;
                 (0..STEPS).map(|step| libm::round(255.0 * light(paper, pigment(step))) as u8).collect()
@@ -149,8 +161,14 @@ impl Tone {
         &self.pixels
     }
 
-    /// Goes on towards the pixels; `pigment` is used in a picture of one ink, and `below` is an opaque picture, or empty.
-    pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, below: &[u8], meter: &mut Meter) -> Progress {
+    /// Goes on towards the pixels, or shades those of an opaque picture; `pigment` is used in a picture of one ink.
+    pub(super) fn step(
+        &mut self,
+        sums: &Sheet,
+        pigment: Pigment,
+        mut below: Option<&mut [u8]>,
+        meter: &mut Meter,
+    ) -> Progress {
         while !meter.is_spent() {
             match self.stage {
                 Stage::Counting if self.next < sums.height => {
@@ -169,7 +187,10 @@ impl Tone {
                     (self.stage, self.next) = (Stage::Showing, 0);
                 }
                 Stage::Showing if self.next < self.height => {
-                    self.show(sums, self.next, below);
+                    match &mut below {
+                        Some(pixels) => self.shade(sums, self.next, pixels),
+                        None => self.show(sums, self.next),
+                    }
                     self.next += 1;
                     // A coarse picture interpolates four sums for each pixel.
                     meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
@@ -231,9 +252,9 @@ impl Tone {
         self.layers.resize(KEYS, 0.0);
         self.shades.clear();
         self.shades.resize(KEYS, self.pixel(self.paper));
-        let Shares { piled, single } = self.shares;
         self.parts.clear();
-        self.parts.resize(KEYS, single as f32);
+        self.parts.resize(KEYS, 0.0);
+        let Shading { piled, single } = self.shading.unwrap_or_default();
         let first = self.counts.iter().skip(1).position(|&count| count > 0).map_or(KEYS, |key| key + 1);
         let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
         // If places are larger than pixels, interpolation makes sums below the least.
@@ -270,10 +291,9 @@ impl Tone {
         self.lights[channel][(step as usize).min(STEPS - 1)]
     }
 
-    fn show(&mut self, sums: &Sheet, y: usize, below: &[u8]) {
+    fn show(&mut self, sums: &Sheet, y: usize) {
         let mut pixels = core::mem::take(&mut self.pixels);
         let (out, _) = pixels[y * self.width * 4..(y + 1) * self.width * 4].as_chunks_mut::<4>();
-        let (below, _) = below.get(y * self.width * 4..(y + 1) * self.width * 4).unwrap_or_default().as_chunks::<4>();
         let blank = self.pixel(self.paper);
         if self.side == 1 {
             let reach = sums.reach[y].start as usize..sums.reach[y].end as usize;
@@ -281,32 +301,62 @@ impl Tone {
             out[reach.end..].fill(blank);
             let at = y * sums.width;
             let values = &sums.values[(at + reach.start) * sums.planes..(at + reach.end) * sums.planes];
-            self.colour(values, sums.planes, &mut out[reach.clone()]);
-            if !below.is_empty() {
-                let blank = core::iter::repeat(&0.0);
-                let values = blank.clone().take(reach.start).chain(values.iter().step_by(sums.planes)).chain(blank);
-                self.mix(below, values, out);
-            }
+            self.colour(values, sums.planes, &mut out[reach]);
         } else {
             let mut row = core::mem::take(&mut self.row);
             self.interpolate(sums, y, &mut row);
             self.colour(&row, sums.planes, out);
-            if !below.is_empty() {
-                self.mix(below, row.iter().step_by(sums.planes), out);
-            }
             self.row = row;
         }
         self.pixels = pixels;
     }
 
-    /// Mixes a row of pixels, which have these sums, with those of an opaque picture.
-    fn mix<'a>(&self, below: &[[u8; 4]], sums: impl Iterator<Item = &'a f32>, out: &mut [[u8; 4]]) {
-        for ((pixel, below), &sum) in out.iter_mut().zip(below).zip(sums) {
-            let part = self.parts[key(sum)];
-            if part < 1.0 && pixel != below {
-                *pixel = mixed(*below, *pixel, part);
-            }
+    /// Shades a row of an opaque picture. Pixels of the background stay.
+    fn shade(&mut self, sums: &Sheet, y: usize, pixels: &mut [u8]) {
+        let row = pixels.get_mut(y * self.width * 4..(y + 1) * self.width * 4).unwrap_or_default();
+        let (row, _) = row.as_chunks_mut::<4>();
+        if self.side == 1 {
+            let reach = sums.reach[y].start as usize..sums.reach[y].end as usize;
+            let values = &sums.values[y * sums.width..(y + 1) * sums.width];
+            self.shade_by(&values[reach.clone()], row.get_mut(reach).unwrap_or_default());
+        } else {
+            let mut values = core::mem::take(&mut self.row);
+            self.interpolate(sums, y, &mut values);
+            self.shade_by(&values, row);
+            self.row = values;
         }
+    }
+
+    fn shade_by(&self, values: &[f32], row: &mut [[u8; 4]]) {
+        let [r, g, b] = self.paper;
+        let background = if self.is_transparent { [0; 4] } else { [r, g, b, u8::MAX] };
+        let mut last = (background, usize::MAX, background);
+        for (pixel, &value) in row.iter_mut().zip(values) {
+            let key = key(value);
+            let part = self.parts[key];
+            if part == 0.0 || *pixel == background {
+                continue;
+            }
+            if (last.0, last.1) != (*pixel, key) {
+                last = (*pixel, key, self.shaded(*pixel, key, part));
+            }
+            *pixel = last.2;
+        }
+    }
+
+    /// The pixel of an opaque picture, shaded by `part`.
+    fn shaded(&self, pixel: [u8; 4], key: usize, part: f32) -> [u8; 4] {
+        if self.ramp.is_some() {
+            return mixed(pixel, self.shades[key], part);
+        }
+        let pigment = [0, 1, 2].map(|channel| self.pigments[channel][usize::from(pixel[channel])]);
+        let mut more = self.layers[key] - 1.0;
+        if more > 0.0 {
+            let mean = pigment.iter().map(|pigment| pigment.abs()).sum::<f32>() / 3.0;
+            more *= (DEEP / mean).min(1.0);
+        }
+        let [r, g, b] = [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * (1.0 + part * more)));
+        [r, g, b, pixel[3]]
     }
 
     fn colour(&self, values: &[f32], planes: usize, out: &mut [[u8; 4]]) {
