@@ -99,6 +99,7 @@ fn streamed_is_whole() {
         (plant(Ink::Solid, ColourBy::Single), 5),
         (plant(Ink::Solid, ColourBy::Level), 5),
         (plant(Ink::Density, ColourBy::Single), 5),
+        (plant(Ink::Auto, ColourBy::Level), 7),
         (crowd(), 20),
     ] {
         let drawing = drawing(&definition, n);
@@ -128,6 +129,9 @@ fn transparent_over_the_background_is_opaque() {
         (Ink::Density, ColourBy::Single),
         (Ink::Density, ColourBy::Level),
         (Ink::Density, ColourBy::Density),
+        (Ink::Auto, ColourBy::Single),
+        (Ink::Auto, ColourBy::Level),
+        (Ink::Auto, ColourBy::Density),
     ] {
         let definition = plant(ink, colour_by);
         let drawing = drawing(&definition, 6);

@@ -154,3 +154,96 @@ impl Blend {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::plane::sample::Sample;
+    use crate::plane::tests::{close_up, difference, picture};
+    use crate::plane::{Renderer, View, Viewport};
+    use lsystem_drawing::Drawing;
+    use lsystem_syntax::{Ink, Style};
+    use std::sync::Arc;
+
+    const VIEWPORT: Viewport = Viewport { width: 160, height: 160, ratio: 1.0 };
+
+    fn light(frame: &[u8]) -> f64 {
+        frame.iter().map(|&level| f64::from(level)).sum::<f64>() / frame.len() as f64
+    }
+
+    /// By pair of neighbouring frames: the mean change of a pixel, and the change of the mean light, in levels.
+    fn changes(frames: &[Vec<u8>]) -> Vec<[f64; 2]> {
+        let change = |a: &[u8], b: &[u8]| [difference(a, b, 160).0, (light(a) - light(b)).abs()];
+        frames.windows(2).map(|pair| change(&pair[0], &pair[1])).collect()
+    }
+
+    /// The changes of a film in the default ink, beyond those of the same film in opaque ink.
+    fn excess(ink: Ink, frames: impl Iterator<Item = (Arc<Drawing>, View)> + Clone) -> Vec<[f64; 2]> {
+        let mut renderer = Renderer::new();
+        let [own, opaque] = [ink, Ink::Solid].map(|ink| {
+            let style = Style { ink, ..Style::default() };
+            let film = frames.clone().map(|(drawing, view)| {
+                renderer.load(drawing);
+                picture(&mut renderer, &style, VIEWPORT, view);
+                renderer.pixels().to_vec()
+            });
+            changes(&film.collect::<Vec<_>>())
+        });
+        own.iter().zip(opaque).map(|(own, opaque)| [0, 1].map(|i| own[i] - opaque[i])).collect()
+    }
+
+    #[test]
+    fn films_have_no_seam() {
+        for (name, sample, n) in [
+            ("plant", Sample::abop("F", &[('F', "F[+F]F[-F][F]")], 22.0), 11),
+            ("dragon", Sample::abop("F", &[('F', "F+G"), ('G', "F-G")], 90.0), 20),
+            ("bush", Sample::abop("F", &[('F', "FF-[-F+F+F]+[+F-F-F]")], 22.5), 8),
+        ] {
+            // From silhouettes to single strokes. What is shaded changes more than what is flat, but evenly: a seam would
+            // be one frame that changes more than those around it.
+            let drawing = Arc::new(sample.draw(n));
+            let at = close_up(&drawing, 1024.0);
+            let zooms = (0..160).map(|frame| libm::exp2(f64::from(frame) / 16.0));
+            let zooming = excess(Ink::Auto, zooms.map(|zoom| (drawing.clone(), View { zoom, ..at })));
+            for (frame, pair) in zooming.windows(2).enumerate() {
+                let jump = (pair[1][0] - pair[0][0]).abs();
+                assert!(jump < 2.2 && pair[1][1] < 1.2, "{name} from zoom step {frame}: {jump} {pair:?}");
+            }
+            let drawings = (1..=2 * n).map(|n| (Arc::new(sample.draw(n)), View::default()));
+            for (n, [pixels, light]) in (1..).zip(excess(Ink::Auto, drawings)) {
+                assert!(pixels < 1.5 && light < 1.2, "{name} from n = {n}: {pixels} {light}");
+            }
+        }
+    }
+
+    /// The exposure follows the part in view, without flicker.
+    #[test]
+    fn parts_of_a_crowd_have_contrast() {
+        let sample = Sample::abop("F", &[('F', "FF-[-F+F+F]+[+F-F-F]")], 22.5);
+        let drawing = Arc::new(sample.draw(40));
+        let at = close_up(&drawing, 64.0);
+        let mut renderer = Renderer::new();
+        renderer.load(drawing);
+        for ink in [Ink::Auto, Ink::Density] {
+            let style = Style { ink, ..Style::default() };
+            let mut film = |views: &mut dyn Iterator<Item = View>| -> Vec<_> {
+                let mut frame = |view| {
+                    picture(&mut renderer, &style, VIEWPORT, view);
+                    renderer.pixels().to_vec()
+                };
+                views.map(&mut frame).collect()
+            };
+            let zooming = film(&mut (0..25).map(|frame| View { zoom: 4.0 * libm::exp2(f64::from(frame) / 6.0), ..at }));
+            let panning = film(&mut (0..10).map(|frame| View { zoom: 16.0, x: at.x + f64::from(frame) * 5e-4, ..at }));
+            for (name, film) in [("zooming", zooming), ("panning", panning)] {
+                for (frame, pixels) in film.iter().enumerate() {
+                    let levels = || pixels.iter().step_by(4);
+                    let range = levels().max().unwrap() - levels().min().unwrap();
+                    assert!(range > 60, "{ink:?} {name} {frame}: {range}");
+                }
+                for (frame, [_, light]) in changes(&film).into_iter().enumerate() {
+                    assert!(light < 2.0, "{ink:?} {name} from {frame}: {light}");
+                }
+            }
+        }
+    }
+}

@@ -37,6 +37,9 @@
 //! `strategy` chooses: every picture is begun top-down, and judged after a probe of fixed work. The panes of a large
 //! picture follow the strategy of a survey of the whole picture, so that the panes fit together.
 //!
+//! The default ink (`blend`) is opaque, and its colours become paler or deeper with the sums of ink where many strokes are
+//! finer than a hairline (`fineness`).
+//!
 //! # Cost
 //!
 //! A step visits one item: a block, a stroke or a tile. A top-down picture takes at most 1,000,000 steps in full
@@ -179,7 +182,7 @@ impl Renderer {
 
     /// The renderer of pictures without the background. Opaque ink has the mean colour of a pixel's covered subsamples,
     /// and their share as its opacity. Ink that adds up has the least opacity with which it looks the same over the
-    /// style's background: over another background it looks different.
+    /// style's background: over another background it looks different. So does the default ink where it shades.
     #[must_use]
     pub fn transparent(self) -> Self {
         Self { is_transparent: true, ..self }

@@ -5,7 +5,7 @@
 
 use super::pigment::{light, pigment};
 use super::sheet::{Pigment, Sheet};
-use crate::plane::alpha::{least_opaque, mixed};
+use crate::plane::alpha::least_opaque;
 use crate::plane::fineness::Shading;
 use crate::plane::picture::Plan;
 use crate::plane::{Pass, smooth};
@@ -16,7 +16,7 @@ use lsystem_syntax::{Colour, ColourBy};
 /// key differ by at most a 256th.
 const KEYS: usize = 1 << 16;
 /// The keys between a sum and its double.
-const KEYS_OF_TWO: f64 = (KEYS >> 8) as f64;
+const KEYS_OF_TWO: usize = KEYS >> 8;
 /// The bits of an `f32` below its key.
 const SHIFT: u32 = 31 - KEYS.trailing_zeros();
 
@@ -182,8 +182,8 @@ impl Tone {
                 Stage::Exposing => {
                     // A stroke as wide as a pixel covers only a part of a place larger than a pixel.
                     let unit = self.side as f64 / sums.layer();
-                    self.expose(sums.planes, pigment, unit);
-                    meter.charge(2 * KEYS as u64);
+                    let keys = self.expose(sums.planes, pigment, unit);
+                    meter.charge((KEYS / 8 + keys) as u64);
                     (self.stage, self.next) = (Stage::Showing, 0);
                 }
                 Stage::Showing if self.next < self.height => {
@@ -234,15 +234,15 @@ impl Tone {
         mean
     }
 
-    /// Makes the tables of layers and shades; a sum of 1 is `unit` layers of ink.
-    fn expose(&mut self, planes: usize, pigment: Pigment, unit: f64) {
+    /// Makes the tables of layers and shades; a sum of 1 is `unit` layers of ink. Returns the number of keys.
+    fn expose(&mut self, planes: usize, pigment: Pigment, unit: f64) -> usize {
         let lights = self.level(LIGHTS, f64::NEG_INFINITY);
         let darks = self.level(DARKS, lights - RANGE[1]);
         // An even picture has the middle of the tones.
         let missing = (RANGE[0] - (lights - darks)).max(0.0) / 2.0;
         let (lights, darks) = (lights + missing, darks - missing);
         let [neighbours, differences] = self.neighbours.map(|sum| sum as f64);
-        let most = ROUGHEST * KEYS_OF_TWO * neighbours / differences.max(1.0);
+        let most = ROUGHEST * KEYS_OF_TWO as f64 * neighbours / differences.max(1.0);
         let stretch = (STRETCHED / (lights - darks)).min(most).max(1.0);
         let contrast = (stretch * (lights - darks) / STRETCHED).min(1.0);
         let most_layers = LAYERS[0] + (LAYERS[1] - LAYERS[0]) * contrast;
@@ -257,8 +257,8 @@ impl Tone {
         let Shading { piled, single } = self.shading.unwrap_or_default();
         let first = self.counts.iter().skip(1).position(|&count| count > 0).map_or(KEYS, |key| key + 1);
         let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
-        // If places are larger than pixels, interpolation makes sums below the least.
-        let first = if self.side > 1 { 1 } else { first };
+        // If places are larger than pixels, interpolation makes sums down to a ninth of the least.
+        let first = if self.side > 1 { first.saturating_sub(4 * KEYS_OF_TWO).max(1) } else { first };
         for key in first..=last {
             let sum = sum(key);
             let first = (sum * unit).min(1.0);
@@ -274,15 +274,17 @@ impl Tone {
                 Some(ramp) => ramp_colour(ramp, shown),
                 None => [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * layers as f32)),
             };
-            self.shades[key] = self.pixel(colour);
+            let [r, g, b] = colour;
+            self.shades[key] = if self.shading.is_some() { [r, g, b, u8::MAX] } else { self.pixel(colour) };
         }
+        (last + 1).saturating_sub(first)
     }
 
     /// The pixel that shows this colour.
     #[inline]
     fn pixel(&self, colour: [u8; 3]) -> [u8; 4] {
         let [r, g, b] = colour;
-        if self.is_transparent { least_opaque(colour, self.paper) } else { [r, g, b, u8::MAX] }
+        if self.is_transparent { least_opaque(colour, self.paper, 0) } else { [r, g, b, u8::MAX] }
     }
 
     #[inline]
@@ -346,17 +348,25 @@ impl Tone {
 
     /// The pixel of an opaque picture, shaded by `part`.
     fn shaded(&self, pixel: [u8; 4], key: usize, part: f32) -> [u8; 4] {
-        if self.ramp.is_some() {
-            return mixed(pixel, self.shades[key], part);
-        }
-        let pigment = [0, 1, 2].map(|channel| self.pigments[channel][usize::from(pixel[channel])]);
-        let mut more = self.layers[key] - 1.0;
-        if more > 0.0 {
-            let mean = pigment.iter().map(|pigment| pigment.abs()).sum::<f32>() / 3.0;
-            more *= (DEEP / mean).min(1.0);
-        }
-        let [r, g, b] = [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * (1.0 + part * more)));
-        [r, g, b, pixel[3]]
+        let between = |from: u8, to: u8, part: f32| {
+            let [from, to] = [from, to].map(f32::from);
+            (from + part * (to - from) + 0.5) as u8
+        };
+        let opacity = f32::from(pixel[3]) / 255.0;
+        let colour = [0, 1, 2].map(|channel| between(self.paper[channel], pixel[channel], opacity));
+        let shaded = if self.ramp.is_some() {
+            [0, 1, 2].map(|channel| between(colour[channel], self.shades[key][channel], part))
+        } else {
+            let pigment = [0, 1, 2].map(|channel| self.pigments[channel][usize::from(colour[channel])]);
+            let mut more = self.layers[key] - 1.0;
+            if more > 0.0 {
+                let mean = pigment.iter().map(|pigment| pigment.abs()).sum::<f32>() / 3.0;
+                more *= (DEEP / mean).min(1.0);
+            }
+            [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * (1.0 + part * more)))
+        };
+        let [r, g, b] = shaded;
+        if self.is_transparent { least_opaque(shaded, self.paper, pixel[3]) } else { [r, g, b, u8::MAX] }
     }
 
     fn colour(&self, values: &[f32], planes: usize, out: &mut [[u8; 4]]) {
