@@ -177,9 +177,9 @@ mod tests {
     }
 
     /// The changes of a film in the default ink, beyond those of the same film in opaque ink.
-    fn excess(ink: Ink, frames: impl Iterator<Item = (Arc<Drawing>, View)> + Clone) -> Vec<[f64; 2]> {
+    fn excess(frames: &(impl Iterator<Item = (Arc<Drawing>, View)> + Clone)) -> Vec<[f64; 2]> {
         let mut renderer = Renderer::new();
-        let [own, opaque] = [ink, Ink::Solid].map(|ink| {
+        let [own, opaque] = [Ink::Auto, Ink::Solid].map(|ink| {
             let style = Style { ink, ..Style::default() };
             let film = frames.clone().map(|(drawing, view)| {
                 renderer.load(drawing);
@@ -203,13 +203,13 @@ mod tests {
             let drawing = Arc::new(sample.draw(n));
             let at = close_up(&drawing, 1024.0);
             let zooms = (0..160).map(|frame| libm::exp2(f64::from(frame) / 16.0));
-            let zooming = excess(Ink::Auto, zooms.map(|zoom| (drawing.clone(), View { zoom, ..at })));
+            let zooming = excess(&zooms.map(|zoom| (drawing.clone(), View { zoom, ..at })));
             for (frame, pair) in zooming.windows(2).enumerate() {
                 let jump = (pair[1][0] - pair[0][0]).abs();
                 assert!(jump < 2.2 && pair[1][1] < 1.2, "{name} from zoom step {frame}: {jump} {pair:?}");
             }
             let drawings = (1..=2 * n).map(|n| (Arc::new(sample.draw(n)), View::default()));
-            for (n, [pixels, light]) in (1..).zip(excess(Ink::Auto, drawings)) {
+            for (n, [pixels, light]) in (1..).zip(excess(&drawings)) {
                 assert!(pixels < 1.5 && light < 1.2, "{name} from n = {n}: {pixels} {light}");
             }
         }
