@@ -100,7 +100,7 @@ fn streamed_is_whole() {
         (plant(Ink::Solid, ColourBy::Single), 5),
         (plant(Ink::Solid, ColourBy::Level), 5),
         (plant(Ink::Density, ColourBy::Single), 5),
-        (plant(Ink::Auto, ColourBy::Level), 7),
+        (plant(Ink::Auto, ColourBy::Single), 7),
         (crowd(), 20),
     ] {
         let drawing = drawing(&definition, n);
