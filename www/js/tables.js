@@ -44,7 +44,7 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
  * @property {boolean} tapers whether each line runs from its own width to the width with which its branch goes on
  * @property {number} minWidth the width of the thinnest line, in pixels
  * @property {number} maxWidth the width of the thickest line, in percent of the picture's longer side; 0 for no limit
- * @property {'solid' | 'density'} ink blending of overlapping strokes: opaque (`solid`) or additive (`density`)
+ * @property {'auto' | 'solid' | 'density'} ink blending of overlapping strokes: opaque (`solid`), additive (`density`), or opaque but additive where strokes are finer than pixels (`auto`)
  * @property {number} hue by how many degrees the palette's hues are turned
  * @property {number} exposure brightness of additive blending, in stops: each doubles it
  * @property {string} name a short name, unique within its folder
@@ -104,7 +104,7 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
     tapers: { link: 'taper', kind: 'flag', default: true, label: 'Tapered lines', expected: 'true or false', affects: 'look' },
     minWidth: { link: 'thin', kind: 'number', low: 0, high: 10000, default: 1, label: 'Thinnest line', expected: 'a number from 0 to 10,000', unit: 'pixels', slider: { from: 0, parts: [[8, 0.25]], arrow: 0.5 }, affects: 'look' },
     maxWidth: { link: 'thick', kind: 'number', low: 0, high: 100, default: 2, label: 'Thickest line (%)', expected: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[4, 0.25], [20, 1]], arrow: 0.5 }, affects: 'look' },
-    ink: { link: 'ink', kind: 'word', words: ['solid', 'density'], default: 'solid', label: 'Blending', expected: 'one of `solid`, `density`', affects: 'look' },
+    ink: { link: 'ink', kind: 'word', words: ['auto', 'solid', 'density'], default: 'auto', label: 'Blending', expected: 'one of `auto`, `solid`, `density`', affects: 'look' },
     hue: { link: 'hue', kind: 'number', low: -360, high: 360, default: 0, label: 'Hue', expected: 'a number from -360 to 360', unit: 'degrees', slider: { from: 0, parts: [[360, 5]], arrow: 5 }, affects: 'look' },
     exposure: { link: 'exposure', kind: 'number', low: -10, high: 10, default: 0, label: 'Exposure (stops)', expected: 'a number from -10 to 10', unit: 'stops', slider: { from: -4, parts: [[4, 0.25]], arrow: 0.25 }, affects: 'look' },
     name: { link: 'name', kind: 'text', maxLength: 200, default: '', label: 'Name', expected: 'a text of at most 200 characters', affects: 'caption' },

@@ -80,7 +80,7 @@ mod tests {
         for [width, height] in SCREENS {
             let viewport = Viewport { width, height, ratio: 1.0 };
             for bytes in [drawing.bytes(), LIMITS.memory] {
-                for ink in [Ink::Solid, Ink::Density] {
+                for ink in Ink::ALL {
                     for colours in [1, 2, 16, 256] {
                         let palette = vec![lsystem::syntax::Colour { rgb: [0; 3] }; colours];
                         let style = Style { palette, ink, ..Style::default() };

@@ -28,8 +28,8 @@ pub enum ColourBy {
     Generation,
     /// The place along the path: the palette as a gradient from the first segment to the last.
     Path,
-    /// The amount of ink at a pixel, with additive ink ([`Ink::Density`]): the palette as a gradient from the least ink
-    /// to the most. With opaque ink, the first of the palette.
+    /// The amount of ink at a pixel, where ink adds up: the palette as a gradient from the least ink to the most. With
+    /// opaque ink, the first of the palette.
     Density,
 }
 
@@ -51,8 +51,11 @@ impl ColourBy {
 /// The blending of overlapping strokes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ink {
-    /// Opaque: later strokes cover earlier ones.
+    /// Opaque where strokes are as large as pixels. Where finer strokes pile up, the picture shows their amount. Vector
+    /// files and pictures of drawings in space are opaque.
     #[default]
+    Auto,
+    /// Opaque: later strokes cover earlier ones.
     Solid,
     /// Additive: ink adds up, and the picture shows its amount. Vector files and pictures of drawings in space do not
     /// support this.
@@ -61,10 +64,10 @@ pub enum Ink {
 
 impl Ink {
     /// All values, in the order of the page's list.
-    pub const ALL: [Self; 2] = [Self::Solid, Self::Density];
+    pub const ALL: [Self; 3] = [Self::Auto, Self::Solid, Self::Density];
 
     /// The names in files, in the order of [`Ink::ALL`].
-    pub const NAMES: [&str; 2] = ["solid", "density"];
+    pub const NAMES: [&str; 3] = ["auto", "solid", "density"];
 
     /// Its name in files.
     #[must_use]
@@ -141,7 +144,7 @@ impl Default for Style {
             min_width: 1.0,
             max_width: 2.0,
             tapers: true,
-            ink: Ink::Solid,
+            ink: Ink::Auto,
             hue: 0.0,
             exposure: 0.0,
         }
@@ -159,6 +162,7 @@ impl Style {
             min_width: 0.0,
             max_width: 0.0,
             tapers: false,
+            ink: Ink::Solid,
             ..Self::default()
         }
     }

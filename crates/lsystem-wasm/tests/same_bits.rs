@@ -112,8 +112,10 @@ fn density() -> String {
         let mut renderer = Renderer::new();
         renderer.load(Arc::new(draw::<Plane>(&system, definition.iterations, &Limits::default()).unwrap()));
         let mut pixels = Digest::new();
-        let style = Style { ink: Ink::Density, ..system.style.clone() };
-        for detail in [Detail::Coarse, Detail::Fine] {
+        for (ink, detail) in
+            [Ink::Density, Ink::Auto].into_iter().flat_map(|ink| [(ink, Detail::Coarse), (ink, Detail::Fine)])
+        {
+            let style = Style { ink, ..system.style.clone() };
             let view = View { x: 0.01, y: -0.02, zoom, ..View::default() };
             let viewport = Viewport { width: 240, height: 180, ratio: 1.0 };
             renderer.begin_with(&style, viewport, view, detail, None);

@@ -18,7 +18,8 @@ fn plant(ink: Ink, colour_by: ColourBy) -> Definition {
 /// A drawing in which most strokes cover each other.
 fn crowd() -> Definition {
     let rules = "F -> FF-[-F+F+F]+[+F-F-F]".into();
-    Definition { axiom: "F".into(), rules, angle: 25.7, ..Definition::default() }
+    let style = Style { ink: Ink::Solid, ..Style::default() };
+    Definition { axiom: "F".into(), rules, angle: 25.7, style, ..Definition::default() }
 }
 
 fn drawing(definition: &Definition, n: u32) -> Arc<Drawing> {
@@ -99,6 +100,7 @@ fn streamed_is_whole() {
         (plant(Ink::Solid, ColourBy::Single), 5),
         (plant(Ink::Solid, ColourBy::Level), 5),
         (plant(Ink::Density, ColourBy::Single), 5),
+        (plant(Ink::Auto, ColourBy::Single), 7),
         (crowd(), 20),
     ] {
         let drawing = drawing(&definition, n);
@@ -128,6 +130,9 @@ fn transparent_over_the_background_is_opaque() {
         (Ink::Density, ColourBy::Single),
         (Ink::Density, ColourBy::Level),
         (Ink::Density, ColourBy::Density),
+        (Ink::Auto, ColourBy::Single),
+        (Ink::Auto, ColourBy::Level),
+        (Ink::Auto, ColourBy::Density),
     ] {
         let definition = plant(ink, colour_by);
         let drawing = drawing(&definition, 6);
@@ -139,8 +144,9 @@ fn transparent_over_the_background_is_opaque() {
         assert_eq!((pixels[3], pixels[0]), (0, 0), "the corner is empty");
         assert!(pixels.as_chunks::<4>().0.iter().any(|pixel| (1..255).contains(&pixel[3])));
         let difference = most_difference(&over(&pixels, definition.style.background.rgb), &opaque);
-        // Half a level of the opacity, and half a level of the colour.
-        assert!(difference <= 1, "{ink:?} {colour_by:?}: {difference}");
+        // Half a level of the opacity, and half a level of the colour; so much again, and deepened, in a shaded pixel.
+        let allowed = if ink == Ink::Auto { 3 } else { 1 };
+        assert!(difference <= allowed, "{ink:?} {colour_by:?}: {difference}");
     }
 }
 

@@ -12,7 +12,7 @@ const NOTES = {
     generation: 'Colour by the iteration that made a symbol. A symbol that a rule copies keeps its generation.',
     path: 'A gradient of all colours, from the first segment to the last.',
     turn: 'First colour at the start, other colours after turns. Each branch restores the colour before it.',
-    density: 'With additive blending: a gradient of all colours, from the least ink to the most.',
+    density: 'Where ink adds up: a gradient of all colours, from the least ink to the most.',
     single: '',
 };
 
@@ -47,7 +47,7 @@ export function lookPanel(store) {
     let space = false;
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
-        const adds = state.ink === 'density' && !space;
+        const adds = state.ink !== 'solid' && !space;
         setChoice(inkKind, space ? 'solid' : state.ink);
         inkKind.disabled = space;
         html('exposure-row').hidden = !adds;
@@ -55,9 +55,11 @@ export function lookPanel(store) {
             html('ink-note'),
             space
                 ? 'Drawings in space are opaque.'
-                : adds
+                : state.ink === 'density'
                   ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.'
-                  : '',
+                  : adds
+                    ? 'Opaque, but strokes finer than a pixel add up. SVG files are opaque.'
+                    : '',
         );
         for (const option of colourBy.options)
             if (option.value === 'density') option.disabled = !adds && state.colourBy !== 'density';

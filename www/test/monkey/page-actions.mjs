@@ -41,7 +41,7 @@ const BUTTONS = [
 const CHOICES = /** @type {const} */ ([
     ['#dialect', ['abop', 'every-letter', 'practical', 'lowercase', 'axes']],
     ['#colour-by', ['symbol', 'level', 'generation', 'path', 'turn', 'density', 'single']],
-    ['#ink', ['solid', 'density']],
+    ['#ink', ['auto', 'solid', 'density']],
     ['#background', ['#ffffff', '#000000', '#336699']],
     ['#wells input', ['#ff0000', '#00ff00']],
 ]);

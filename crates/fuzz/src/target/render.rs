@@ -159,9 +159,10 @@ pub(super) fn differing(own: &[u8], whole: &[u8], pane: Pane, width: u32) -> usi
     apart
 }
 
-/// Pictures in additive ink.
+/// Pictures in additive ink, or shaded by the amount of ink.
 pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
-    let Some((drawing, settings)) = random_picture(source, Ink::Density, gauge) else { return };
+    let ink = source.pick(&[Ink::Density, Ink::Auto]);
+    let Some((drawing, settings)) = random_picture(source, ink, gauge) else { return };
     let mut renderer = Renderer::new();
     gauge.call("load", || renderer.load(drawing.clone()));
     let detail = if source.once_in(3) { Detail::Coarse } else { Detail::Fine };
@@ -176,16 +177,17 @@ pub(super) fn density(source: &mut Source<'_>, gauge: &mut Gauge) {
         while other.step(work) == Progress::More {}
         assert!(other.pixels() == renderer.pixels(), "the picture depends on the size of steps");
     }
-    let RenderStats { blocks, strokes, stamps, tiles, outlines, .. } = renderer.stats();
+    let RenderStats { blocks, strokes, stamps, tiles, outlines, parts } = renderer.stats();
     // With more work than this, larger blocks become dots, in the whole picture sooner than in its panes.
-    let is_exact = settings.view.zoom.abs() < MOST_EXACT && tiles + outlines == 0 && blocks + strokes + stamps < 40_000;
+    let is_exact =
+        settings.view.zoom.abs() < MOST_EXACT && tiles + outlines + parts == 0 && blocks + strokes + stamps < 40_000;
     if is_exact && detail == Detail::Fine && source.once_in(2) {
         let PictureSettings { style, viewport, view, upto } = &settings;
         let size = [source.pick(&[64, 16, 144]), source.pick(&[16, 48, 64])];
         let mut other = Renderer::new();
         other.load(drawing);
         let (mut apart, mut rough) = (0, false);
-        let all = Pass::all(Ink::Density, *viewport, size);
+        let all = Pass::all(ink, *viewport, size);
         if all.len() > 128 {
             return;
         }

@@ -89,11 +89,11 @@ pub(crate) struct ItemWriter<'a, S: Space> {
 
 impl<S: Space> ItemWriter<'_, S> {
     /// Tells the items that wait for the widths at their ends, if strokes taper.
-    fn taper(&mut self, note: impl FnOnce(&mut Taper, usize, TaperItems<'_, S>)) {
+    fn taper(&mut self, note: impl FnOnce(&mut Taper, usize, &mut TaperItems<'_, S>)) {
         let ItemBuffer { items, taper, .. } = &mut *self.buffer;
         if let Some(taper) = taper {
             let index = items.len();
-            note(taper, index, TaperItems { buffer: items, made: self.made, styles: self.styles });
+            note(taper, index, &mut TaperItems { buffer: items, made: self.made, styles: self.styles });
         }
     }
 

@@ -85,24 +85,30 @@ impl Taper {
     }
 
     /// Ends a branch: nothing follows its last stroke.
-    pub(super) fn close<S: Space>(&mut self, items: TaperItems<'_, S>) {
+    pub(super) fn close<S: Space>(&mut self, items: &mut TaperItems<'_, S>) {
         self.settle(None, items);
         self.depth = self.depth.saturating_sub(1);
     }
 
     /// A stroke of the branch, at this place of the buffer.
-    pub(super) fn stroke<S: Space>(&mut self, width: WidthChange, index: usize, items: TaperItems<'_, S>) {
+    pub(super) fn stroke<S: Space>(&mut self, width: WidthChange, index: usize, items: &mut TaperItems<'_, S>) {
         self.meet(Lead::Stroke(width), items);
         self.wait(width, index);
     }
 
     /// A move: what follows does not touch the last stroke.
-    pub(super) fn gap<S: Space>(&mut self, items: TaperItems<'_, S>) {
+    pub(super) fn gap<S: Space>(&mut self, items: &mut TaperItems<'_, S>) {
         self.meet(Lead::Gap, items);
     }
 
     /// A piece that is entered with the width change `entry`; `index`: the place of its block in the buffer.
-    pub(super) fn piece<S: Space>(&mut self, flow: &Flow, entry: WidthChange, index: usize, items: TaperItems<'_, S>) {
+    pub(super) fn piece<S: Space>(
+        &mut self,
+        flow: &Flow,
+        entry: WidthChange,
+        index: usize,
+        items: &mut TaperItems<'_, S>,
+    ) {
         match flow.lead {
             Lead::Nothing => return,
             Lead::Gap => self.meet(Lead::Gap, items),
@@ -114,11 +120,10 @@ impl Taper {
     }
 
     /// Ends all branches: nothing follows.
-    pub(super) fn end<S: Space>(&mut self, items: TaperItems<'_, S>) {
-        let TaperItems { buffer, made, styles } = items;
+    pub(super) fn end<S: Space>(&mut self, items: &mut TaperItems<'_, S>) {
         while let Some(waiting) = self.waiting.last() {
             self.depth = waiting.depth;
-            self.settle(None, TaperItems { buffer: &mut *buffer, made: &mut *made, styles: &mut *styles });
+            self.settle(None, items);
         }
     }
 
@@ -150,7 +155,7 @@ impl Taper {
     }
 
     /// Notes the next thing on the innermost branch.
-    fn meet<S: Space>(&mut self, lead: Lead, items: TaperItems<'_, S>) {
+    fn meet<S: Space>(&mut self, lead: Lead, items: &mut TaperItems<'_, S>) {
         if self.depth == 0 && self.lead == Lead::Nothing {
             self.lead = lead;
         }
@@ -163,7 +168,7 @@ impl Taper {
     }
 
     /// Gives the item that waits on the innermost branch the width of what follows, or its own.
-    fn settle<S: Space>(&mut self, next: Option<WidthChange>, items: TaperItems<'_, S>) {
+    fn settle<S: Space>(&mut self, next: Option<WidthChange>, items: &mut TaperItems<'_, S>) {
         let Some(Waiting { place, width, .. }) = self.waiting.pop_if(|waiting| waiting.depth == self.depth) else {
             return;
         };

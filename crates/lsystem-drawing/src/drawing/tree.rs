@@ -90,7 +90,7 @@ impl<S: Space> Tree<S> {
         let ItemBuffer { items, taper, .. } = &mut self.buffer;
         let Some(taper) = taper else { return Flow::default() };
         if whole {
-            taper.end(TaperItems { buffer: items, made: &mut builder.items, styles: &mut builder.styles });
+            taper.end(&mut TaperItems { buffer: items, made: &mut builder.items, styles: &mut builder.styles });
         }
         taper.flow()
     }

@@ -71,7 +71,7 @@ pub(super) fn warning(instances: u128, ink: Ink) -> Option<Diagnostic> {
     let kind = match ink {
         _ if instances > MANY => Kind::Instances { count: instances },
         Ink::Density => Kind::CoveringInk,
-        Ink::Solid => return None,
+        Ink::Solid | Ink::Auto => return None,
     };
     Some(Diagnostic { kind, field: Field::Numbers, span: 0..0 })
 }

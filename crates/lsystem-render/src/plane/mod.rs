@@ -37,6 +37,9 @@
 //! `strategy` chooses: every picture is begun top-down, and judged after a probe of fixed work. The panes of a large
 //! picture follow the strategy of a survey of the whole picture, so that the panes fit together.
 //!
+//! The default ink (`blend`) is opaque, and its colours become paler or deeper with the sums of ink where many strokes are
+//! finer than a hairline (`fineness`).
+//!
 //! # Cost
 //!
 //! A step visits one item: a block, a stroke or a tile. A top-down picture takes at most 1,000,000 steps in full
@@ -58,13 +61,14 @@
 
 mod alpha;
 mod amount;
+mod blend;
 mod bottom_up;
 mod canvas;
 mod density;
 mod descent;
 mod exact;
+mod fineness;
 mod inks;
-mod method;
 mod mixer;
 mod opaque;
 mod painter;
@@ -100,12 +104,10 @@ pub use search::{Pick, Pointer, Target};
 pub use view::{Detail, View, Viewport, fit};
 pub(crate) use view::{PlaneFraming, fitted_scale};
 
-use density::Density;
+use blend::Blend;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Ink, Style};
-use method::Method;
-use opaque::Opaque;
+use lsystem_syntax::Style;
 use picture::Plan;
 use std::sync::Arc;
 
@@ -129,6 +131,17 @@ pub struct RenderStats {
 }
 
 impl RenderStats {
+    fn plus(self, other: Self) -> Self {
+        Self {
+            blocks: self.blocks + other.blocks,
+            strokes: self.strokes + other.strokes,
+            stamps: self.stamps + other.stamps,
+            tiles: self.tiles + other.tiles,
+            outlines: self.outlines + other.outlines,
+            parts: self.parts + other.parts,
+        }
+    }
+
     /// Whether some strokes are missing or off their places.
     #[must_use]
     pub fn is_rough(&self) -> bool {
@@ -136,50 +149,20 @@ impl RenderStats {
     }
 }
 
+/// A smooth step from 0 below the first number to 1 above the second.
+fn smooth([from, to]: [f64; 2], at: f64) -> f64 {
+    let part = ((at - from) / (to - from)).clamp(0.0, 1.0);
+    part * part * (3.0 - 2.0 * part)
+}
+
 /// Makes pictures of a drawing in the plane, one after the other, in the same memory.
 #[derive(Default)]
 pub struct Renderer {
     drawing: Option<Arc<Drawing>>,
-    method: InkMethod,
-    /// The picture that was asked for, until the drawing is prepared.
-    plan: Option<Plan>,
-    /// Whether pictures are never made bottom-up.
-    is_light: bool,
+    blend: Blend,
     /// Whether the background is left out.
     is_transparent: bool,
     spent: u64,
-}
-
-/// The method that makes pictures in the style's ink.
-enum InkMethod {
-    Opaque(Box<Opaque>),
-    Density(Box<Density>),
-}
-
-impl Default for InkMethod {
-    fn default() -> Self {
-        Self::Opaque(Box::default())
-    }
-}
-
-impl InkMethod {
-    fn is_for(&self, ink: Ink) -> bool {
-        matches!((self, ink), (Self::Opaque(_), Ink::Solid) | (Self::Density(_), Ink::Density))
-    }
-
-    fn get(&self) -> &dyn Method {
-        match self {
-            Self::Opaque(opaque) => &**opaque,
-            Self::Density(density) => &**density,
-        }
-    }
-
-    fn get_mut(&mut self) -> &mut dyn Method {
-        match self {
-            Self::Opaque(opaque) => &mut **opaque,
-            Self::Density(density) => &mut **density,
-        }
-    }
 }
 
 impl Renderer {
@@ -192,12 +175,14 @@ impl Renderer {
     /// A renderer for small pictures, without the memory that bottom-up pictures take.
     #[must_use]
     pub fn light() -> Self {
-        Self { is_light: true, ..Self::default() }
+        let mut renderer = Self::default();
+        renderer.blend.opaque.picture.is_light = true;
+        renderer
     }
 
     /// The renderer of pictures without the background. Opaque ink has the mean colour of a pixel's covered subsamples,
     /// and their share as its opacity. Ink that adds up has the least opacity with which it looks the same over the
-    /// style's background: over another background it looks different.
+    /// style's background: over another background it looks different. So does the default ink where it shades.
     #[must_use]
     pub fn transparent(self) -> Self {
         Self { is_transparent: true, ..self }
@@ -206,12 +191,12 @@ impl Renderer {
     /// Forgets what pictures have left for later pictures of the same drawing, which are then the same whatever was
     /// drawn before.
     pub fn forget(&mut self) {
-        self.method.get_mut().forget();
+        self.blend.forget();
     }
 
     /// Takes the drawing of the next pictures. The steps of the first picture prepare the drawing.
     pub fn load(&mut self, drawing: Arc<Drawing>) {
-        self.method.get_mut().clear();
+        self.blend.clear();
         self.drawing = Some(drawing);
     }
 
@@ -249,63 +234,29 @@ impl Renderer {
     fn start(&mut self, plan: Plan) {
         let viewport = plan.viewport.within_sides();
         let pane = if plan.pass == Pass::Survey { plan.pane } else { plan.pane.within(viewport).within_limits() };
-        let plan = Plan { viewport, pane, ..plan };
-        if !self.method.is_for(plan.style.ink) {
-            self.method = match plan.style.ink {
-                Ink::Solid => InkMethod::default(),
-                Ink::Density => InkMethod::Density(Box::default()),
-            };
-        }
-        if let InkMethod::Opaque(opaque) = &mut self.method {
-            opaque.picture.is_light = self.is_light;
-        }
-        if let Some(drawing) = &self.drawing {
-            self.method.get_mut().begin(drawing, &plan);
-        }
-        self.plan = Some(plan);
+        self.blend.begin(Plan { viewport, pane, ..plan });
     }
 
     /// Goes on with the picture for about `work` units, as [`Meter`] counts them, and for at most [`Meter::PIECE`]
     /// more.
     pub fn step(&mut self, work: usize) -> Progress {
         let mut meter = Meter::new(work as u64);
-        let progress = self.go_on(&mut meter);
+        let progress = self.blend.step(self.drawing.as_deref(), &mut meter);
         self.spent += meter.spent();
         progress
-    }
-
-    fn go_on(&mut self, meter: &mut Meter) -> Progress {
-        let method = self.method.get_mut();
-        if let Some(drawing) = &self.drawing
-            && method.prepare(drawing, meter) == Progress::More
-        {
-            return Progress::More;
-        }
-        if meter.is_spent() {
-            return Progress::More;
-        }
-        if let Some(plan) = self.plan.take() {
-            meter.charge(method.open(&plan, self.drawing.is_none()));
-        }
-        if let Some(drawing) = &self.drawing
-            && method.paint(drawing, meter) == Progress::More
-        {
-            return Progress::More;
-        }
-        method.resolve(meter)
     }
 
     /// The picture so far: RGBA, 8 bits each, opaque unless [`transparent`](Self::transparent), from the upper left
     /// corner row by row. The size is that of the picture once a step has prepared the drawing.
     #[must_use]
     pub fn pixels(&self) -> &[u8] {
-        self.method.get().pixels()
+        self.blend.pixels()
     }
 
     /// The work and the memory of the picture so far.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
-        self.method.get().stats()
+        self.blend.stats()
     }
 
     /// The units of work of all steps so far.

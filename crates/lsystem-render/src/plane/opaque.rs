@@ -2,58 +2,70 @@
 
 use super::RenderStats;
 use super::canvas::resolve::Output;
-use super::method::Method;
 use super::picture::{Picture, Plan};
-use super::shape::Shapes;
+use super::shape::Shape;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 
 /// Makes pictures in which strokes cover each other ([`Ink::Solid`](lsystem_syntax::Ink)).
 #[derive(Default)]
 pub(super) struct Opaque {
-    shapes: Shapes,
     pub picture: Picture,
     output: Output,
 }
 
-impl Method for Opaque {
-    fn clear(&mut self) {
-        self.shapes.clear();
+impl Opaque {
+    /// Forgets the drawing.
+    pub(super) fn clear(&mut self) {
         self.picture.clear();
     }
 
-    fn forget(&mut self) {
+    /// Frees the memory of pictures.
+    pub(super) fn free(&mut self) {
+        let mut picture = Picture::default();
+        (picture.opening, picture.is_light) = (self.picture.opening, self.picture.is_light);
+        *self = Self { picture, output: Output::default() };
+    }
+
+    /// Forgets what pictures have left for later pictures.
+    pub(super) fn forget(&mut self) {
         self.picture.top_down.tiling.clear();
     }
 
-    fn begin(&mut self, drawing: &Drawing, plan: &Plan) {
+    /// Starts a picture. An unfinished picture is given up.
+    pub(super) fn begin(&mut self, drawing: &Drawing, plan: &Plan) {
         self.picture.begin(drawing, plan.clone());
     }
 
-    fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        match self.shapes.step(drawing, meter) {
-            Progress::Done => self.picture.prepare(drawing, &self.shapes.list, meter),
-            progress => progress,
-        }
+    /// Collects the facts that the picture needs.
+    pub(super) fn prepare(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
+        self.picture.prepare(drawing, shapes, meter)
     }
 
-    fn open(&mut self, plan: &Plan, _: bool) -> u64 {
+    /// Makes room for the pixels. Returns the units of work.
+    pub(super) fn open(&mut self, plan: &Plan) -> u64 {
         self.output.begin(plan, self.picture.inks())
     }
 
-    fn paint(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        self.picture.step(drawing, &self.shapes.list, meter)
+    /// Paints the drawing.
+    pub(super) fn paint(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
+        self.picture.step(drawing, shapes, meter)
     }
 
-    fn resolve(&mut self, meter: &mut Meter) -> Progress {
+    /// Turns the painting into pixels.
+    pub(super) fn resolve(&mut self, meter: &mut Meter) -> Progress {
         self.output.step(self.picture.frame(), meter)
     }
 
-    fn pixels(&self) -> &[u8] {
+    pub(super) fn pixels(&self) -> &[u8] {
         self.output.pixels()
     }
 
-    fn stats(&self) -> RenderStats {
+    pub(super) fn pixels_mut(&mut self) -> &mut [u8] {
+        self.output.pixels_mut()
+    }
+
+    pub(super) fn stats(&self) -> RenderStats {
         self.picture.stats()
     }
 }

@@ -74,7 +74,7 @@ impl Pass {
         if panes.len() < 2 {
             return panes.into_iter().map(|pane| (pane, Self::Only)).collect();
         }
-        let passes: &[Self] = if ink == Ink::Density { &[Self::Count, Self::Show] } else { &[Self::Show] };
+        let passes: &[Self] = if ink != Ink::Solid { &[Self::Count, Self::Show] } else { &[Self::Show] };
         let each = passes.iter().flat_map(|&pass| panes.iter().map(move |&pane| (pane, pass)));
         [(Pane::whole(viewport), Self::Survey)].into_iter().chain(each).collect()
     }

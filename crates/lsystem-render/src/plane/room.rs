@@ -11,18 +11,22 @@ use lsystem_syntax::{ColourBy, Ink, Style};
 
 /// The bytes of all lists without a limit of their own: the stack of nodes, the polygon being filled.
 const LISTS: u64 = 2 << 20;
+/// The bytes of the tables of tones.
+const TONE_BYTES: u64 = 2 << 20;
 
 impl Renderer {
     /// The most bytes that a renderer takes for pictures of this size in this detail, without the drawing. Only rich
     /// drawings fill the share of the tiles and parts.
     #[must_use]
     pub fn most_bytes(drawing: &Drawing, style: &Style, viewport: Viewport, detail: Detail) -> u64 {
+        let pixels = 4 * u64::from(viewport.width) * u64::from(viewport.height);
         let facts = (drawing.block_count() * size_of::<Shape>()) as u64;
         let own = match style.ink {
             Ink::Solid => facts + opaque(style, viewport, detail),
-            Ink::Density => 2 * facts + density(style, viewport, detail),
+            Ink::Density => 2 * facts + density(colours(style), viewport, detail),
+            Ink::Auto => 3 * facts + opaque(style, viewport, detail) + density(1, viewport, detail),
         };
-        own + LISTS + 4 * u64::from(viewport.width) * u64::from(viewport.height)
+        own + LISTS + pixels
     }
 }
 
@@ -39,11 +43,11 @@ fn opaque(style: &Style, viewport: Viewport, detail: Detail) -> u64 {
     frame + TILE_BYTES + parts + SEEN_BYTES
 }
 
-fn density(style: &Style, viewport: Viewport, detail: Detail) -> u64 {
+fn density(colours: usize, viewport: Viewport, detail: Detail) -> u64 {
     let side = if detail == Detail::Coarse { super::density::COARSE_SIDE as u64 } else { 1 };
     let sums = u64::from(viewport.width).div_ceil(side) * u64::from(viewport.height).div_ceil(side);
-    let numbers = if colours(style) > 1 { 4 } else { 1 };
-    4 * numbers * sums + DENSITY_TILE_BYTES
+    let numbers = if colours > 1 { 4 } else { 1 };
+    4 * numbers * sums + DENSITY_TILE_BYTES + TONE_BYTES
 }
 
 /// The number of colours in use.

@@ -4,7 +4,7 @@ use super::view::ViewTransform;
 use super::{View, Viewport};
 use lsystem_base::Limits;
 use lsystem_drawing::{BlockId, Drawing, Item, StyleChange, System, Widths, draw};
-use lsystem_syntax::{Colour, Definition, Dialect, Style, Tint};
+use lsystem_syntax::{Colour, Definition, Dialect, Ink, Style, Tint};
 
 /// Subsamples along one side of a pixel.
 const SAMPLES: f64 = 4.0;
@@ -16,7 +16,8 @@ pub(super) struct Sample(pub Definition);
 impl Sample {
     pub(super) fn abop(axiom: &str, rules: &[(char, &str)], angle: f64) -> Self {
         let rules: Vec<String> = rules.iter().map(|(predecessor, word)| format!("{predecessor} -> {word}")).collect();
-        Self(Definition { axiom: axiom.into(), rules: rules.join("\n"), angle, ..Definition::default() })
+        let style = Style { ink: Ink::Solid, ..Style::default() };
+        Self(Definition { axiom: axiom.into(), rules: rules.join("\n"), angle, style, ..Definition::default() })
     }
 
     pub(super) fn lowercase(axiom: &str, rules: &[(char, &str)], angle: f64) -> Self {

@@ -2,7 +2,7 @@ use super::sample::{Sample, brute_force, brute_force_until};
 use super::wide::Wide;
 use super::*;
 use lsystem_drawing::Item;
-use lsystem_syntax::ColourBy;
+use lsystem_syntax::{ColourBy, Ink};
 
 /// The most steps of 100,000 units of work for one picture.
 const MOST_STEPS: usize = 5_000;
@@ -27,10 +27,7 @@ pub(super) fn difference(a: &[u8], b: &[u8], width: usize) -> (f64, f64) {
 
 /// The opaque picture in the making.
 fn opaque(renderer: &mut Renderer) -> &mut picture::Picture {
-    match &mut renderer.method {
-        InkMethod::Opaque(opaque) => &mut opaque.picture,
-        InkMethod::Density(_) => unreachable!("the renderer has made no picture of sums"),
-    }
+    &mut renderer.blend.opaque.picture
 }
 
 pub(super) fn samples() -> Vec<(&'static str, Sample, u32)> {
@@ -183,7 +180,7 @@ fn panes_cover_the_picture_once() {
 #[test]
 fn a_turtle_on_its_way_has_drawn_the_first_segments() {
     let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
-    let (style, view) = (Style::default(), View::default());
+    let (style, view) = (Style { ink: Ink::Solid, ..Style::default() }, View::default());
     let mut renderer = Renderer::new();
     for (name, sample, n) in samples() {
         let drawing = Arc::new(sample.draw(n));
@@ -573,7 +570,7 @@ fn work_in_small_steps_gives_the_same_picture() {
 #[test]
 fn a_segment_fills_the_picture_at_any_depth() {
     let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
-    let style = Style { colour_by: ColourBy::Single, ..Style::default() };
+    let style = Style { colour_by: ColourBy::Single, ink: Ink::Solid, ..Style::default() };
     for (sample, n) in [
         (Sample::abop("F", &[('F', "F+F-F-F+F")], 90.0), 40),
         (Sample::abop("F", &[('F', "F+F--F+F")], 60.0), 40),

@@ -449,7 +449,7 @@ pub static FIELDS: [FieldSpec; 40] = [
         expected: Expected::Word(&Ink::NAMES),
         affects: Affects::Look,
         label: "Blending",
-        help: "blending of overlapping strokes: opaque (`solid`) or additive (`density`)",
+        help: "blending of overlapping strokes: opaque (`solid`), additive (`density`), or opaque but additive where strokes are finer than pixels (`auto`)",
         access: Some(at!(style.ink)),
         ..FIELD
     },

@@ -56,9 +56,10 @@ fn look_at(renderer: &mut Renderer, entry: &'static str, name: &str, most: &mut 
 }
 
 fn check_plane(drawing: &Arc<Drawing>, name: &str, viewport: Viewport, view: View, most: &mut Most) {
-    let (mut covering, mut adding) = (Renderer::new(), Renderer::new());
-    covering.load(drawing.clone());
-    adding.load(drawing.clone());
+    let [mut covering, mut adding, mut shading] = [(); 3].map(|()| Renderer::new());
+    for renderer in [&mut covering, &mut adding, &mut shading] {
+        renderer.load(drawing.clone());
+    }
     for (detail, upto) in [(Detail::Coarse, None), (Detail::Fine, Some(drawing.segment_count() / 2))] {
         let style = Style { ink: Ink::Solid, ..Style::default() };
         covering.begin_with(&style, viewport, view, detail, upto);
@@ -66,6 +67,8 @@ fn check_plane(drawing: &Arc<Drawing>, name: &str, viewport: Viewport, view: Vie
         let style = Style { ink: Ink::Density, ..Style::default() };
         adding.begin_with(&style, viewport, view, detail, upto);
         look_at(&mut adding, "Renderer::step, density", name, most);
+        shading.begin_with(&Style::default(), viewport, view, detail, upto);
+        look_at(&mut shading, "Renderer::step, shaded", name, most);
     }
     let at = [f64::from(viewport.width) / 2.0, f64::from(viewport.height) / 2.0];
     let pointer = Pointer { at, tolerance: 8.0, upto: None, visits: 20_000 };

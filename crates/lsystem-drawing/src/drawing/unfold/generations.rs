@@ -28,13 +28,7 @@ pub(crate) struct Generations<S: Space> {
 enum Stage<S: Space> {
     Derive,
     Measure(GenerationSize),
-    Draw {
-        pen: Pen<S>,
-        saved: Vec<Pen<S>>,
-        tree: Tree<S>,
-        /// The factor from the score's lengths to units of the tree.
-        scale: f64,
-    },
+    Draw(Box<Draft<S>>),
     /// After a limit was exceeded: find the last generation before `before` that is within all limits.
     Recount {
         passed: LimitName,
@@ -45,6 +39,16 @@ enum Stage<S: Space> {
         fits: Option<u32>,
         measure: GenerationSize,
     },
+}
+
+/// The last generation as far as it is drawn.
+#[derive(Clone, Debug)]
+struct Draft<S: Space> {
+    pen: Pen<S>,
+    saved: Vec<Pen<S>>,
+    tree: Tree<S>,
+    /// The factor from the score's lengths to units of the tree.
+    scale: f64,
 }
 
 impl<S: Space> Generations<S> {
@@ -67,7 +71,7 @@ impl<S: Space> Generations<S> {
     /// The bytes that the work occupies, without the builder.
     pub(super) fn bytes(&self) -> u64 {
         let drawn = match &self.stage {
-            Stage::Draw { saved, tree, .. } => bytes_of(saved) + tree.bytes(),
+            Stage::Draw(draft) => bytes_of(&draft.saved) + draft.tree.bytes(),
             _ => 0,
         };
         self.rewriter.bytes() + drawn
@@ -88,7 +92,7 @@ impl<S: Space> Generations<S> {
                 Outcome::Paused
             }
             Stage::Measure(_) => self.measure(task, meter),
-            Stage::Draw { .. } => self.draw(task, builder, meter),
+            Stage::Draw(_) => self.draw(task, builder, meter),
             Stage::Recount { .. } => self.try_less(task, builder, meter),
         }
     }
@@ -123,12 +127,12 @@ impl<S: Space> Generations<S> {
             (None, Ok(true)) => {
                 let shift = unit_of(measure.longest);
                 *reader = TurtleOpReader::default();
-                *stage = Stage::Draw {
+                *stage = Stage::Draw(Box::new(Draft {
                     pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
                     saved: Vec::new(),
                     tree: Tree::new(score.exponent.saturating_add(shift), score.tapers),
                     scale: libm::scalbn(1.0, -shift),
-                };
+                }));
             }
         }
         Outcome::Paused
@@ -137,7 +141,8 @@ impl<S: Space> Generations<S> {
     fn draw(&mut self, task: &Task<S>, builder: &mut Builder<S>, meter: &mut Meter) -> Outcome<Option<BlockId>> {
         let Self { rewriter, reader, stage } = self;
         let limits = &task.limits;
-        let Stage::Draw { pen, saved, tree, scale } = stage else { return Outcome::Paused };
+        let Stage::Draw(draft) = stage else { return Outcome::Paused };
+        let Draft { pen, saved, tree, scale } = &mut **draft;
         let derived = rewriter.bytes();
         let mut act = |place: usize, ops: &[TurtleOp<S>]| {
             tree.draw(builder, place as u64, |paper, directions| pen.act(ops, saved, *scale, directions, paper));

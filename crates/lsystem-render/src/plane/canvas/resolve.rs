@@ -80,6 +80,11 @@ impl Output {
         &self.pixels
     }
 
+    /// The pixels, to be shaded. Those of the background must stay: only cells with strokes are made anew.
+    pub(in crate::plane) fn pixels_mut(&mut self) -> &mut [u8] {
+        &mut self.pixels
+    }
+
     /// Turns subsamples into pixels, cell by cell from side to side. From top to bottom each row of pixels would be in
     /// another page of memory, and the processor keeps the addresses of few pages: that takes several times as long.
     pub(in crate::plane) fn step(&mut self, frame: &Canvas, meter: &mut Meter) -> Progress {

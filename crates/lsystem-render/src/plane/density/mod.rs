@@ -21,12 +21,15 @@ mod tone;
 #[cfg(test)]
 mod tests;
 
-use super::method::Method;
+use super::fineness::Shading;
 use super::picture::Plan;
+use super::shape::Shape;
 use super::{Detail, RenderStats};
+use deposit::Deposits;
 use facts::Facts;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
+use lsystem_syntax::ColourBy;
 use picture::Picture;
 pub(super) use tile::TILE_BYTES as DENSITY_TILE_BYTES;
 use tone::Tone;
@@ -37,52 +40,65 @@ pub(super) const COARSE_SIDE: usize = 3;
 /// Makes pictures in which ink adds up ([`Ink::Density`](lsystem_syntax::Ink)).
 #[derive(Default)]
 pub(super) struct Density {
-    facts: Facts,
+    deposits: Deposits,
     picture: Picture,
     tone: Tone,
 }
 
-impl Method for Density {
-    fn clear(&mut self) {
-        self.facts = Facts::default();
+impl Density {
+    /// Forgets the drawing.
+    pub(super) fn clear(&mut self) {
+        self.deposits = Deposits::default();
         self.picture.clear();
     }
 
-    fn forget(&mut self) {
+    /// Forgets the tiles of the pictures before.
+    pub(super) fn forget(&mut self) {
         self.picture.forget();
     }
 
-    fn begin(&mut self, drawing: &Drawing, plan: &Plan) {
-        self.picture.begin(drawing, plan.clone(), 1.0 / side(plan.detail) as f64);
+    /// Starts a picture. An unfinished picture is given up.
+    /// With `shading`, the sums shade an opaque picture.
+    pub(super) fn begin(&mut self, drawing: &Drawing, plan: &Plan, shading: Option<Shading>) {
+        self.tone.shading = shading;
+        let mut plan = plan.clone();
+        if shading.is_some() {
+            // The opaque picture has the colours.
+            plan.style.colour_by = ColourBy::Single;
+        }
+        let samples = 1.0 / side(plan.detail) as f64;
+        self.picture.begin(drawing, plan, samples);
     }
 
-    fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        match self.facts.step(drawing, meter) {
+    /// Collects the facts that the picture needs.
+    pub(super) fn prepare(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
+        match self.deposits.step(drawing, shapes, meter) {
             Progress::Done => self.picture.prepare(drawing, meter),
             progress => progress,
         }
     }
 
-    fn open(&mut self, plan: &Plan, is_blank: bool) -> u64 {
-        if is_blank {
-            self.picture.blank(plan.pane);
-        }
-        self.tone.begin(plan, if is_blank { 1 } else { side(plan.detail) })
+    /// Makes room for the pixels. Returns the units of work.
+    pub(super) fn open(&mut self, plan: &Plan) -> u64 {
+        self.tone.begin(plan, side(plan.detail))
     }
 
-    fn paint(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        self.picture.step(drawing, &self.facts, meter)
+    /// Adds up the ink.
+    pub(super) fn paint(&mut self, drawing: &Drawing, shapes: &[Shape], meter: &mut Meter) -> Progress {
+        let facts = Facts { shapes, deposits: &self.deposits.list };
+        self.picture.step(drawing, facts, meter)
     }
 
-    fn resolve(&mut self, meter: &mut Meter) -> Progress {
-        self.tone.step(self.picture.sums(), self.picture.only_pigment(), meter)
+    /// Turns the sums into pixels, or shades those of an opaque picture.
+    pub(super) fn resolve(&mut self, below: Option<&mut [u8]>, meter: &mut Meter) -> Progress {
+        self.tone.step(self.picture.sums(), self.picture.only_pigment(), below, meter)
     }
 
-    fn pixels(&self) -> &[u8] {
+    pub(super) fn pixels(&self) -> &[u8] {
         self.tone.pixels()
     }
 
-    fn stats(&self) -> RenderStats {
+    pub(super) fn stats(&self) -> RenderStats {
         self.picture.stats
     }
 }

@@ -13,7 +13,7 @@ use crate::plane::inks::{InkTable, Inks, Shade};
 use crate::plane::pen::Pen;
 use crate::plane::picture::Plan;
 use crate::plane::view::{Measure, ViewTransform};
-use crate::plane::{Amount, Pane, Pass, RenderStats};
+use crate::plane::{Amount, Pass, RenderStats};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Item};
 
@@ -193,12 +193,6 @@ impl Picture {
         if grain > 0.0 { self.haze.reset(&self.sheets[0], self.apron) } else { 0 }
     }
 
-    /// Makes an empty picture.
-    pub(super) fn blank(&mut self, pane: Pane) {
-        self.stop();
-        self.sheets[0].reset([pane.width, pane.height].map(|side| side as usize), 1, 0);
-    }
-
     pub(super) fn sums(&self) -> &Sheet {
         &self.sheets[0]
     }
@@ -210,7 +204,7 @@ impl Picture {
     }
 
     /// Goes on with the picture.
-    pub(super) fn step(&mut self, drawing: &Drawing, facts: &Facts, meter: &mut Meter) -> Progress {
+    pub(super) fn step(&mut self, drawing: &Drawing, facts: Facts<'_>, meter: &mut Meter) -> Progress {
         while !meter.is_spent() {
             match self.stage {
                 Stage::Cut => {
@@ -230,7 +224,7 @@ impl Picture {
                     self.dots.work += meter.spent() - before;
                 }
                 Stage::Draw { .. } if self.pigments.is_asked() => {
-                    let source = MeanSource { drawing, table: &self.table, deposits: &facts.deposits.list };
+                    let source = MeanSource { drawing, table: &self.table, deposits: facts.deposits };
                     self.pigments.step(source, meter);
                 }
                 Stage::Draw { grain } => meter.charge(match self.waiting.take() {
@@ -251,7 +245,7 @@ impl Picture {
     }
 
     /// Visits the next item of a survey. Returns the units of work.
-    fn visit(&mut self, drawing: &Drawing, facts: &Facts, mut survey: Survey) -> u64 {
+    fn visit(&mut self, drawing: &Drawing, facts: Facts<'_>, mut survey: Survey) -> u64 {
         let met = self.descent.next(drawing, self.table.choice, &mut self.stack, 0).filter(|_| !survey.is_over());
         match met {
             None => match survey.next() {
@@ -279,7 +273,7 @@ impl Picture {
     }
 
     /// Draws the next item. Returns the units of work.
-    fn item(&mut self, drawing: &Drawing, facts: &Facts, grain: f64) -> u64 {
+    fn item(&mut self, drawing: &Drawing, facts: Facts<'_>, grain: f64) -> u64 {
         match self.descent.next(drawing, self.table.choice, &mut self.stack, self.tiling.floor()) {
             None => {
                 let Some(work) = self.tiling.finish(&mut self.sheets) else {
@@ -307,7 +301,7 @@ impl Picture {
     }
 
     /// The footprint of a block on its sheet; `None` if the block is outside or empty.
-    fn footprint(&self, drawing: &Drawing, facts: &Facts, node: &Node) -> Option<Footprint> {
+    fn footprint(&self, drawing: &Drawing, facts: Facts<'_>, node: &Node) -> Option<Footprint> {
         let shape = facts.shape(node);
         let place = &node.place;
         let width = self.measure.width(node.pen.widths.widest(drawing.blocks[node.block.0 as usize].widest));
@@ -363,7 +357,7 @@ impl Picture {
     }
 
     /// Draws a block, or puts its node on the stack. Returns the units of work.
-    fn block(&mut self, drawing: &Drawing, facts: &Facts, mut node: Node, grain: f64) -> u64 {
+    fn block(&mut self, drawing: &Drawing, facts: Facts<'_>, mut node: Node, grain: f64) -> u64 {
         let Some(footprint) = self.footprint(drawing, facts, &node) else { return 0 };
         let (shape, deposit) = (facts.shape(&node), facts.deposit(&node));
         // Colours along the path allow a stroke or a tile only if the block's part of the path has one colour.

@@ -3,16 +3,13 @@ use super::*;
 use crate::fit;
 use crate::plane::tests::{check_odd_views, check_small_steps, close_up, difference, hard, put, samples};
 use crate::plane::view::root_bounds;
-use crate::plane::{InkMethod, Pass, Renderer, View, Viewport};
+use crate::plane::{Pass, Renderer, View, Viewport};
 use lsystem_syntax::{ColourBy, Ink, Style};
 use std::sync::Arc;
 
 /// The picture of sums made last.
 fn density(renderer: &Renderer) -> &Density {
-    match &renderer.method {
-        InkMethod::Density(density) => density,
-        InkMethod::Opaque(_) => unreachable!("the picture is opaque"),
-    }
+    renderer.blend.density.as_deref().expect("a picture of sums")
 }
 
 /// Makes a picture of sums.
@@ -157,7 +154,7 @@ fn a_drawing_has_the_ink_of_its_strokes_at_any_depth() {
             renderer.load(drawing.clone());
             let style = Style { colour_by: ColourBy::Single, ..Style::default() };
             picture(&mut renderer, &style, viewport, View::default());
-            let ink = density(&renderer).facts.deposits.list[drawing.root.unwrap().0 as usize].length;
+            let ink = density(&renderer).deposits.list[drawing.root.unwrap().0 as usize].length;
             let (_, rect) = root_bounds(&drawing);
             let scale = fitted_scale(&drawing, viewport) / rect.width.max(rect.height);
             let sums = density(&renderer).picture.sums();
@@ -179,7 +176,7 @@ fn small_drawings_of_wide_strokes_have_their_ink() {
         let style = Style { colour_by: ColourBy::Single, min_width: 50.0, ..Style::default() };
         let zoom = 1e-3;
         picture(&mut renderer, &style, viewport, View { zoom, ..View::default() });
-        let ink = density(&renderer).facts.deposits.list[drawing.root.unwrap().0 as usize].length;
+        let ink = density(&renderer).deposits.list[drawing.root.unwrap().0 as usize].length;
         let (_, rect) = root_bounds(&drawing);
         let scale = zoom * fitted_scale(&drawing, viewport) / rect.width.max(rect.height);
         let sums = density(&renderer).picture.sums();

@@ -3,17 +3,20 @@
 //! The sums range over many powers of two, so a pixel shows the logarithm of its sum, relative to the other sums of the
 //! picture. The exposure depends on ratios alone, so a small change of the view changes the exposure a little.
 
-use super::pigment::light;
+use super::pigment::{light, pigment};
 use super::sheet::{Pigment, Sheet};
-use crate::plane::Pass;
 use crate::plane::alpha::least_opaque;
+use crate::plane::fineness::Shading;
 use crate::plane::picture::Plan;
+use crate::plane::{Pass, smooth};
 use lsystem_base::{Meter, Progress};
-use lsystem_syntax::ColourBy;
+use lsystem_syntax::{Colour, ColourBy};
 
-/// The number of keys. A key is the exponent of an `f32` and the first 6 bits of its fraction, so sums with the same
-/// key differ by at most a 64th.
-const KEYS: usize = 1 << 14;
+/// The number of keys. A key is the exponent of an `f32` and the first 8 bits of its fraction, so sums with the same
+/// key differ by at most a 256th.
+const KEYS: usize = 1 << 16;
+/// The keys between a sum and its double.
+const KEYS_OF_TWO: usize = KEYS >> 8;
 /// The bits of an `f32` below its key.
 const SHIFT: u32 = 31 - KEYS.trailing_zeros();
 
@@ -23,12 +26,25 @@ const DARKS: [f64; 2] = [0.1, 0.4];
 /// The quantiles between which the lights lie. Their mean logarithm is exposed fully.
 const LIGHTS: [f64; 2] = [0.97, 1.0];
 /// The least and the most powers of two between the darks and the lights.
-const RANGE: [f64; 2] = [3.0, 16.0];
+const RANGE: [f64; 2] = [0.25, 16.0];
+/// The powers of two that a smaller range is stretched to, so that the part of a drawing in view has contrast.
+const STRETCHED: f64 = 3.0;
 /// The share of the lights' exposure that the first layer of ink gets, so that a single stroke beside 10^20 strokes
 /// shows.
 const FIRST_LAYER: f64 = 0.15;
-/// The number of layers of ink that the lights show as.
-const LAYERS: f64 = 1.5;
+/// The number of layers of ink that the lights show as: in a picture without contrast, and in one with much.
+const LAYERS: [f64; 2] = [1.0, 1.6];
+
+/// The mean difference of neighbouring sums, in powers of two, to which a small range is stretched at most: a picture
+/// without larger shapes would show its rounding.
+const ROUGHEST: f64 = 0.1;
+/// Neighbours are compared inside groups of so many sums, which are the same in panes as in the whole picture.
+const GROUP: usize = 16;
+/// The layers of ink, as powers of two, between which strokes begin to pile up.
+const PILED: [f64; 2] = [1.0, 4.0];
+
+/// Colours with more pigment than this, as the mean of all channels, become less deep where strokes pile up.
+const DEEP: f32 = 0.6;
 
 /// Steps of the tables over pigment: fine enough for the 256 levels of a channel.
 const STEPS: usize = 4096;
@@ -46,17 +62,25 @@ pub(super) struct Tone {
     /// Whether the background is left out.
     is_transparent: bool,
     exposure: f64,
+    /// The parts to which the sums shade an opaque picture, instead of making one of their own.
+    pub shading: Option<Shading>,
     /// The background and the palette, if colours follow the density.
     ramp: Option<Vec<[u8; 3]>>,
     pixels: Vec<u8>,
     /// By key: the number of sums.
     counts: Vec<u32>,
+    /// The number of neighbours with ink, and the sum of their keys' differences.
+    neighbours: [u64; 2],
     /// By key: the number of layers that a sum shows as.
     layers: Vec<f32>,
+    /// By key: the part to which a sum shades.
+    parts: Vec<f32>,
     /// By key: the pixel, in a picture of one ink.
     shades: Vec<[u8; 4]>,
     /// By channel, then by pigment: the level of the channel, 0 to 255.
     lights: [Vec<u8>; 3],
+    /// By channel, then by level: the pigment of one layer that makes the level.
+    pigments: [Vec<f32>; 3],
     /// The interpolated sums of a row of pixels.
     row: Vec<f32>,
     next: usize,
@@ -94,7 +118,10 @@ impl Tone {
         if (self.width, self.height) != size {
             (self.width, self.height) = size;
             self.pixels.clear();
-            self.pixels.resize(self.width * self.height * 4, u8::MAX);
+        }
+        let bytes = if self.shading.is_some() { 0 } else { self.width * self.height * 4 };
+        if self.pixels.len() != bytes {
+            self.pixels.resize(bytes, u8::MAX);
             work += self.pixels.len() as u64 / 1024;
         }
         self.side = side;
@@ -106,6 +133,10 @@ impl Tone {
         if paper != self.paper || self.lights[0].is_empty() {
             self.paper = paper;
             work += 3 * STEPS as u64;
+            self.pigments = [0, 1, 2].map(|channel| {
+                let of = |level| pigment(Colour { rgb: [level; 3] }, style.background)[channel];
+                (0..=u8::MAX).map(of).collect()
+            });
             self.lights = paper.map(|paper| {
                 let pigment = |step: usize| (step as f64 / (STEPS - 1) as f64 * 2.0 - 1.0) * DARKEST;
                 (0..STEPS).map(|step| libm::round(255.0 * light(paper, pigment(step))) as u8).collect()
@@ -114,6 +145,7 @@ impl Tone {
         if matches!(pass, Pass::Only | Pass::Survey) {
             self.counts.clear();
             self.counts.resize(KEYS, 0);
+            self.neighbours = [0; 2];
         }
         self.next = 0;
         self.pass = pass;
@@ -129,8 +161,14 @@ impl Tone {
         &self.pixels
     }
 
-    /// Goes on towards the pixels; `pigment` is used in a picture of one ink.
-    pub(super) fn step(&mut self, sums: &Sheet, pigment: Pigment, meter: &mut Meter) -> Progress {
+    /// Goes on towards the pixels, or shades those of an opaque picture; `pigment` is used in a picture of one ink.
+    pub(super) fn step(
+        &mut self,
+        sums: &Sheet,
+        pigment: Pigment,
+        mut below: Option<&mut [u8]>,
+        meter: &mut Meter,
+    ) -> Progress {
         while !meter.is_spent() {
             match self.stage {
                 Stage::Counting if self.next < sums.height => {
@@ -144,12 +182,15 @@ impl Tone {
                 Stage::Exposing => {
                     // A stroke as wide as a pixel covers only a part of a place larger than a pixel.
                     let unit = self.side as f64 / sums.layer();
-                    self.expose(sums.planes, pigment, unit);
-                    meter.charge(2 * KEYS as u64);
+                    let keys = self.expose(sums.planes, pigment, unit);
+                    meter.charge((KEYS / 8 + keys) as u64);
                     (self.stage, self.next) = (Stage::Showing, 0);
                 }
                 Stage::Showing if self.next < self.height => {
-                    self.show(sums, self.next);
+                    match &mut below {
+                        Some(pixels) => self.shade(sums, self.next, pixels),
+                        None => self.show(sums, self.next),
+                    }
                     self.next += 1;
                     // A coarse picture interpolates four sums for each pixel.
                     meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
@@ -164,8 +205,15 @@ impl Tone {
         let reach = &sums.reach[row];
         let at = row * sums.width;
         let values = &sums.values[(at + reach.start as usize) * sums.planes..(at + reach.end as usize) * sums.planes];
-        for &value in values.iter().step_by(sums.planes) {
-            self.counts[key(value)] += 1;
+        let mut last = 0;
+        for (&value, column) in values.iter().step_by(sums.planes).zip(reach.start as usize..) {
+            let key = key(value);
+            self.counts[key] += 1;
+            if key > 0 && last > 0 && !column.is_multiple_of(GROUP) {
+                self.neighbours[0] += 1;
+                self.neighbours[1] += key.abs_diff(last) as u64;
+            }
+            last = key;
         }
     }
 
@@ -186,27 +234,39 @@ impl Tone {
         mean
     }
 
-    /// Makes the tables of layers and shades; a sum of 1 is `unit` layers of ink.
-    fn expose(&mut self, planes: usize, pigment: Pigment, unit: f64) {
+    /// Makes the tables of layers and shades; a sum of 1 is `unit` layers of ink. Returns the number of keys.
+    fn expose(&mut self, planes: usize, pigment: Pigment, unit: f64) -> usize {
         let lights = self.level(LIGHTS, f64::NEG_INFINITY);
-        let darks = libm::exp2(self.level(DARKS, lights - RANGE[1]).min(lights - RANGE[0]));
-        let lights = libm::exp2(lights);
-        let full = libm::log2(1.0 + lights / darks);
+        let darks = self.level(DARKS, lights - RANGE[1]);
+        // An even picture has the middle of the tones.
+        let missing = (RANGE[0] - (lights - darks)).max(0.0) / 2.0;
+        let (lights, darks) = (lights + missing, darks - missing);
+        let [neighbours, differences] = self.neighbours.map(|sum| sum as f64);
+        let most = ROUGHEST * KEYS_OF_TWO as f64 * neighbours / differences.max(1.0);
+        let stretch = (STRETCHED / (lights - darks)).min(most).max(1.0);
+        let contrast = (stretch * (lights - darks) / STRETCHED).min(1.0);
+        let most_layers = LAYERS[0] + (LAYERS[1] - LAYERS[0]) * contrast;
+        let over_darks = |log: f64| libm::log2(1.0 + libm::exp2(stretch * (log - darks)));
+        let full = over_darks(lights);
         self.layers.clear();
         self.layers.resize(KEYS, 0.0);
         self.shades.clear();
         self.shades.resize(KEYS, self.pixel(self.paper));
+        self.parts.clear();
+        self.parts.resize(KEYS, 0.0);
+        let Shading { piled, single } = self.shading.unwrap_or_default();
         let first = self.counts.iter().skip(1).position(|&count| count > 0).map_or(KEYS, |key| key + 1);
         let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
-        // If places are larger than pixels, interpolation makes sums below the least.
-        let first = if self.side > 1 { 1 } else { first };
+        // If places are larger than pixels, interpolation makes sums down to a ninth of the least.
+        let first = if self.side > 1 { first.saturating_sub(4 * KEYS_OF_TWO).max(1) } else { first };
         for key in first..=last {
             let sum = sum(key);
             let first = (sum * unit).min(1.0);
-            let shown =
-                self.exposure * (FIRST_LAYER * first + (1.0 - FIRST_LAYER) * libm::log2(1.0 + sum / darks) / full);
-            let layers = LAYERS * shown;
+            let log = libm::log2(sum);
+            let shown = self.exposure * (FIRST_LAYER * first + (1.0 - FIRST_LAYER) * over_darks(log) / full);
+            let layers = most_layers * shown;
             self.layers[key] = layers as f32;
+            self.parts[key] = (single + (piled - single) * smooth(PILED, log + libm::log2(unit))) as f32;
             if planes > 1 {
                 continue;
             }
@@ -214,15 +274,17 @@ impl Tone {
                 Some(ramp) => ramp_colour(ramp, shown),
                 None => [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * layers as f32)),
             };
-            self.shades[key] = self.pixel(colour);
+            let [r, g, b] = colour;
+            self.shades[key] = if self.shading.is_some() { [r, g, b, u8::MAX] } else { self.pixel(colour) };
         }
+        (last + 1).saturating_sub(first)
     }
 
     /// The pixel that shows this colour.
     #[inline]
     fn pixel(&self, colour: [u8; 3]) -> [u8; 4] {
         let [r, g, b] = colour;
-        if self.is_transparent { least_opaque(colour, self.paper) } else { [r, g, b, u8::MAX] }
+        if self.is_transparent { least_opaque(colour, self.paper, 0) } else { [r, g, b, u8::MAX] }
     }
 
     #[inline]
@@ -249,6 +311,62 @@ impl Tone {
             self.row = row;
         }
         self.pixels = pixels;
+    }
+
+    /// Shades a row of an opaque picture. Pixels of the background stay.
+    fn shade(&mut self, sums: &Sheet, y: usize, pixels: &mut [u8]) {
+        let row = pixels.get_mut(y * self.width * 4..(y + 1) * self.width * 4).unwrap_or_default();
+        let (row, _) = row.as_chunks_mut::<4>();
+        if self.side == 1 {
+            let reach = sums.reach[y].start as usize..sums.reach[y].end as usize;
+            let values = &sums.values[y * sums.width..(y + 1) * sums.width];
+            self.shade_by(&values[reach.clone()], row.get_mut(reach).unwrap_or_default());
+        } else {
+            let mut values = core::mem::take(&mut self.row);
+            self.interpolate(sums, y, &mut values);
+            self.shade_by(&values, row);
+            self.row = values;
+        }
+    }
+
+    fn shade_by(&self, values: &[f32], row: &mut [[u8; 4]]) {
+        let [r, g, b] = self.paper;
+        let background = if self.is_transparent { [0; 4] } else { [r, g, b, u8::MAX] };
+        let mut last = (background, usize::MAX, background);
+        for (pixel, &value) in row.iter_mut().zip(values) {
+            let key = key(value);
+            let part = self.parts[key];
+            if part == 0.0 || *pixel == background {
+                continue;
+            }
+            if (last.0, last.1) != (*pixel, key) {
+                last = (*pixel, key, self.shaded(*pixel, key, part));
+            }
+            *pixel = last.2;
+        }
+    }
+
+    /// The pixel of an opaque picture, shaded by `part`.
+    fn shaded(&self, pixel: [u8; 4], key: usize, part: f32) -> [u8; 4] {
+        let between = |from: u8, to: u8, part: f32| {
+            let [from, to] = [from, to].map(f32::from);
+            (from + part * (to - from) + 0.5) as u8
+        };
+        let opacity = f32::from(pixel[3]) / 255.0;
+        let colour = [0, 1, 2].map(|channel| between(self.paper[channel], pixel[channel], opacity));
+        let shaded = if self.ramp.is_some() {
+            [0, 1, 2].map(|channel| between(colour[channel], self.shades[key][channel], part))
+        } else {
+            let pigment = [0, 1, 2].map(|channel| self.pigments[channel][usize::from(colour[channel])]);
+            let mut more = self.layers[key] - 1.0;
+            if more > 0.0 {
+                let mean = pigment.iter().map(|pigment| pigment.abs()).sum::<f32>() / 3.0;
+                more *= (DEEP / mean).min(1.0);
+            }
+            [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * (1.0 + part * more)))
+        };
+        let [r, g, b] = shaded;
+        if self.is_transparent { least_opaque(shaded, self.paper, pixel[3]) } else { [r, g, b, u8::MAX] }
     }
 
     fn colour(&self, values: &[f32], planes: usize, out: &mut [[u8; 4]]) {

@@ -79,7 +79,7 @@ fn tiles_make_the_picture_of_their_level() {
 #[test]
 fn tiles_do_not_depend_on_each_other() {
     for (name, sample) in hard() {
-        for ink in [Ink::Solid, Ink::Density] {
+        for ink in Ink::ALL {
             let pyramid = pyramid(&sample, 12, ink);
             let tiles: Vec<_> = all(2).chain(all(1)).collect();
             let mut one = TileRenderer::new(pyramid.clone(), false);

@@ -56,7 +56,7 @@ impl TileRenderer {
 
     fn start(&mut self, level: Level, sample: impl FnOnce() -> Vec<View>, (view, viewport): (View, Viewport)) {
         self.passes.clear();
-        if self.pyramid.style.ink == Ink::Density {
+        if self.pyramid.style.ink != Ink::Solid {
             if self.toned != Some(level) {
                 self.passes.push_back((View::default(), viewport, Pass::Survey));
                 self.passes.extend(sample().into_iter().map(|view| (view, viewport, Pass::Count)));
