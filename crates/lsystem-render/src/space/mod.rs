@@ -15,8 +15,11 @@
 mod camera;
 mod effort;
 mod face;
+mod ground;
 mod lanes;
 mod light;
+mod lighting;
+mod occlusion;
 mod open_node;
 mod painter;
 mod path;
@@ -30,6 +33,7 @@ mod shares;
 mod size;
 mod stand_in;
 mod stroke;
+mod sun;
 mod surface;
 mod tile;
 
@@ -42,6 +46,7 @@ pub use effort::{Effort, Spent};
 pub(crate) use pick::pick;
 
 use crate::{Pane, RenderStats, Viewport};
+use lighting::Lighting;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Solid};
 use lsystem_syntax::Style;
@@ -70,14 +75,19 @@ impl Quality {
     }
 
     /// Samples along the side of a pixel.
-    fn samples(self) -> usize {
-        if self >= Self::FINEST {
+    const fn samples(self) -> usize {
+        if self.0 >= Self::FINEST.0 {
             4
-        } else if self > Self::MOVING {
+        } else if self.0 > Self::MOVING.0 {
             2
         } else {
             1
         }
+    }
+
+    /// Whether a picture has shadows. Moving pictures have none, because shadows take another picture of the drawing.
+    fn has_shadows(self, style: &Style) -> bool {
+        self >= Self::FINEST && style.shadows
     }
 
     /// The extent in samples below which blocks are dots.
@@ -142,6 +152,7 @@ pub struct SolidRenderer {
     /// Two pictures, whose sizes alternate between moving and rest, so that the memory of both is kept. The third is
     /// for panes.
     pictures: [Picture; 3],
+    lighting: Lighting,
     /// The index of the present picture.
     at: usize,
     /// The picture that was asked for, until the scene is ready.
@@ -178,6 +189,7 @@ impl SolidRenderer {
     /// Takes the drawing of the next pictures. The steps of the first picture prepare the drawing.
     pub fn load(&mut self, drawing: Arc<Drawing<Solid>>) {
         self.stop();
+        self.lighting.forget();
         self.scene = Scene::new(&drawing);
         self.upto = None;
         self.drawing = Some(drawing);
@@ -188,6 +200,7 @@ impl SolidRenderer {
     pub fn play(&mut self, upto: Option<u128>) {
         if upto != self.upto {
             self.stop();
+            self.lighting.forget();
             self.scene.show(upto);
             self.upto = upto;
         }
@@ -252,10 +265,16 @@ impl SolidRenderer {
             {
                 return Progress::More;
             }
+            if plan.quality.has_shadows(&plan.style) {
+                self.lighting.begin(drawing, plan);
+                if self.lighting.step(&self.scene, meter) == Progress::More {
+                    return Progress::More;
+                }
+            }
             meter.charge(self.pictures[self.at].begin(drawing, plan, self.is_transparent));
             self.plan = None;
         }
-        self.pictures[self.at].step(&self.scene, meter)
+        self.pictures[self.at].step(&self.scene, &self.lighting, meter)
     }
 
     /// Makes the rest of the picture with `part` (0 to 1) of its budget.
