@@ -45,12 +45,17 @@ export function lookPanel(store) {
         store.change({ ink: /** @type {import('../state.js').Ink} */ (inkKind.value) }, '');
     });
     let space = false;
+    const shadows = input('shadows');
+    shadows.addEventListener('change', () => store.change({ shadows: shadows.checked }, ''));
+
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
         const adds = state.ink === 'density' && !space;
         setChoice(inkKind, space ? 'solid' : state.ink);
         inkKind.disabled = space;
         html('exposure-row').hidden = !adds;
+        html('shadows-row').hidden = !space;
+        shadows.checked = state.shadows;
         setText(
             html('ink-note'),
             space

@@ -28,6 +28,7 @@ const BUTTONS = [
     '#remove-colour',
     '#inks button',
     '#palette-holds',
+    '#shadows',
     '#copy-link',
     '#add-favourite',
     'summary',

@@ -33,9 +33,13 @@ const MOST_SIDE: f64 = 2048.0;
 /// Surfaces of a pixel that are farther from each other than this, in samples, are lit apart.
 const APART: f32 = 8.0;
 /// The part of the sunlight that shadows take, by channel: shade is cool.
-const SHADOW: [f32; 3] = [0.92, 0.88, 0.8];
+const SHADOW: [f32; 3] = [0.88, 0.86, 0.8];
 /// The part of all light that occlusion takes, by channel.
-const DARK: [f32; 3] = [0.8, 0.76, 0.7];
+const DARK: [f32; 3] = [0.74, 0.72, 0.68];
+/// How much more saturated dark places are: light between leaves has their colour.
+const VIVID: f32 = 0.45;
+/// The weights of red, green and blue in brightness.
+const LUMA: [f32; 3] = [0.3, 0.59, 0.11];
 /// Full light is brighter than in a moving picture, so that pictures at rest are not darker on the whole.
 const EXPOSURE: f32 = 1.07;
 /// The colour of full shade on the ground.
@@ -254,9 +258,13 @@ impl Lighting {
             seen[usize::from(seen[0].depth < f32::INFINITY)] = new;
             new
         });
+        let lit = [0, 1, 2].map(|i| {
+            EXPOSURE * (surface.colour[i] - surface.sunlight[i] * hidden * SHADOW[i]) * (1.0 - dark * DARK[i])
+        });
+        let luma = lit[0] * LUMA[0] + lit[1] * LUMA[1] + lit[2] * LUMA[2];
+        let vivid = 1.0 + VIVID * dark.max(0.5 * hidden);
         [0, 1, 2].map(|i| {
-            let lit = (surface.colour[i] - surface.sunlight[i] * hidden * SHADOW[i]) * (1.0 - dark * DARK[i]);
-            let lit = (EXPOSURE * lit).min(255.0 * surface.count);
+            let lit = (luma + (lit[i] - luma) * vivid).clamp(0.0, 255.0 * surface.count);
             lit + (surface.count * light.background[i] - lit) * haze
         })
     }

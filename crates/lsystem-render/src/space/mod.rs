@@ -11,6 +11,9 @@
 //! small to look into shows some of its strokes: those that stand out and those that face the viewer. So every picture
 //! ends, and each stroke shown is part of the drawing. The budget depends on the work that the picture took with a
 //! smaller budget or, while the camera moves, on the time of the picture before.
+//!
+//! A picture at rest has more light: ambient occlusion, soft shadows, a shade on the ground. All of it follows from two
+//! depth pictures of the whole drawing, from the eye and from the sun, which come before the picture.
 
 mod camera;
 mod effort;
