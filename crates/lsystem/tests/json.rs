@@ -24,7 +24,8 @@ fn style() -> impl Strategy<Value = Style> {
     )
         .prop_map(|(palette, colour_by, background, width, min_width, more)| {
             let mut style = Style { palette, colour_by, background, width, min_width, ..Style::default() };
-            ([style.palette_holds, style.shadows], style.turn_colours, style.width_factor, style.ink, style.exposure) = more;
+            ([style.palette_holds, style.shadows], style.turn_colours, style.width_factor, style.ink, style.exposure) =
+                more;
             style
         });
     prop_oneof![2 => Just(Style::course()), 1 => Just(Style::default()), 1 => any_style]

@@ -401,7 +401,9 @@ fn strange_cameras_and_drawings_do_no_harm() {
                 Camera { target: [value, 0.0, value], ..Camera::default() },
                 Camera { target: [0.0, 0.0, 0.7], zoom: 9.0, fade: value, ..Camera::default() },
             ] {
-                picture(drawing, &Style::default(), SIZE, &camera, Quality(2), 1 << 20);
+                for quality in [Quality(2), Quality::FINEST] {
+                    picture(drawing, &Style::default(), SIZE, &camera, quality, 1 << 20);
+                }
             }
         }
         let none = Viewport { width: 0, height: 0, ratio: f64::NAN };
