@@ -178,7 +178,7 @@ impl Lens {
     /// The lens of a picture without perspective from another side, around the place `focus` of this lens. `turned` has
     /// the new directions right, down and away as this lens sees them, times the scale, and `size` is the width and the
     /// height of the picture in samples.
-    pub(super) fn from_aside(&self, turned: [Vector; 3], focus: Vector, size: f64) -> Self {
+    pub(super) fn seen_aside(&self, turned: [Vector; 3], focus: Vector, size: f64) -> Self {
         let see = |p: Vector| turned.map(|direction| dot(direction, p));
         let scale = norm(turned[0]);
         Self {

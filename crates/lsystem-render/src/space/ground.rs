@@ -140,7 +140,7 @@ impl Ground {
             let t = (self.height - dot(self.up, corner)) / dot(self.up, away);
             let [x, y, z] = [0, 1, 2].map(|i| corner[i] + t * away[i]);
             let nearer = 1.0 + z * self.nearness;
-            if !(nearer > NEAR) {
+            if nearer.is_nan() || nearer <= NEAR {
                 return all;
             }
             let [x, y] = [self.middle[0] + x / nearer, self.middle[1] + y / nearer];

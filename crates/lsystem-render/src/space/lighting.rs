@@ -239,11 +239,12 @@ impl Lighting {
     #[inline]
     fn lit_pixel(&self, samples: &Samples, at: [usize; 2], light: &Light, seen: &mut [Seen; 2]) -> (f32, [f32; 3]) {
         let split = samples.split();
+        if split == f32::INFINITY {
+            let only = samples.of_one_colour().unwrap_or_else(|| samples.between(f32::NEG_INFINITY, split));
+            return (only.count, self.lit(&only, at, light, seen));
+        }
         let near = samples.between(f32::NEG_INFINITY, split);
         let sum = self.lit(&near, at, light, seen);
-        if split == f32::INFINITY {
-            return (near.count, sum);
-        }
         let far = samples.between(split, f32::INFINITY);
         let behind = self.lit(&far, at, light, seen);
         (near.count + far.count, [0, 1, 2].map(|i| sum[i] + behind[i]))
@@ -381,6 +382,25 @@ impl Samples {
         let near = near.0.iter().fold(f32::INFINITY, |a, b| a.min(*b));
         let far = far.0.iter().fold(f32::NEG_INFINITY, |a, b| a.max(*b));
         if far - near > APART { 0.5 * (near + far) } else { f32::INFINITY }
+    }
+
+    /// All samples, if all are painted in one colour, as inside a leaf.
+    #[inline]
+    fn of_one_colour(&self) -> Option<Surface> {
+        let first = self.0[0].1[0];
+        let mut differs = [0; LANES];
+        let mut depth = Lanes::all(0.0);
+        for (depths, colours) in &self.0 {
+            differs.iter_mut().zip(colours).for_each(|(differs, colour)| *differs |= colour ^ first);
+            depth = depth + Lanes(*depths);
+        }
+        let depth: f32 = depth.0.iter().sum();
+        if differs != [0; LANES] || depth == f32::INFINITY {
+            return None;
+        }
+        let [r, g, b, sun] = first.to_le_bytes().map(f32::from);
+        let colour = [r, g, b].map(|c| ALL * c);
+        Some(Surface { count: ALL, depth, colour, sunlight: colour.map(|c| c * sun * (1.0 / 255.0)) })
     }
 
     /// The samples between two depths, the first included.

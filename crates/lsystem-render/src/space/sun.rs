@@ -65,7 +65,7 @@ impl Sun {
         let [x, y, z] = self.turned.map(|row| -dot(row, self.focus));
         let half = self.side as f64 / 2.0;
         self.base = [x + half, y + half, z].map(|c| c as f32);
-        eye.from_aside(self.turned, self.focus, self.side as f64)
+        eye.seen_aside(self.turned, self.focus, self.side as f64)
     }
 
     /// Takes the finished depth picture.
