@@ -1,5 +1,8 @@
 //! Shadows: the drawing as a depth picture from the sun, whose nearest surfaces are in the light.
 //!
+//! The sun is the light of moving pictures, at the viewer's upper left: a drawing on a turntable turns under a fixed
+//! lamp, and a picture that comes to rest keeps its lit sides.
+//!
 //! A place is compared with several depths around its own in that picture. The mean is the part of the sun that the
 //! place sees, so that shadows have soft edges.
 
