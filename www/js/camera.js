@@ -16,7 +16,7 @@ export const FRONT = Object.freeze({
     y: 0,
     z: 0,
     perspective: true,
-    fade: 0,
+    fade: 0.2,
 });
 
 /** Degrees per CSS pixel of dragging. */

@@ -106,6 +106,8 @@ pub struct Style {
     pub hue: f64,
     /// The exposure of additive ink, in stops: each stop doubles the ink's strength.
     pub exposure: f64,
+    /// Whether a drawing in space has soft shadows, also on the ground, and is darker inside, in pictures at rest.
+    pub shadows: bool,
 }
 
 impl Colour {
@@ -147,6 +149,7 @@ impl Default for Style {
             ink: Ink::Auto,
             hue: 0.0,
             exposure: 0.0,
+            shadows: true,
         }
     }
 }

@@ -15,7 +15,7 @@ fn style() -> impl Strategy<Value = Style> {
         0.0..1e9,
         0.0..1e4,
         (
-            any::<bool>(),
+            prop::array::uniform2(any::<bool>()),
             prop::array::uniform2(0..i32::MAX),
             0.0..10.0,
             prop::sample::select(Ink::ALL.to_vec()),
@@ -24,7 +24,8 @@ fn style() -> impl Strategy<Value = Style> {
     )
         .prop_map(|(palette, colour_by, background, width, min_width, more)| {
             let mut style = Style { palette, colour_by, background, width, min_width, ..Style::default() };
-            (style.palette_holds, style.turn_colours, style.width_factor, style.ink, style.exposure) = more;
+            ([style.palette_holds, style.shadows], style.turn_colours, style.width_factor, style.ink, style.exposure) =
+                more;
             style
         });
     prop_oneof![2 => Just(Style::course()), 1 => Just(Style::default()), 1 => any_style]

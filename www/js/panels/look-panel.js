@@ -45,12 +45,14 @@ export function lookPanel(store) {
         store.change({ ink: /** @type {import('../state.js').Ink} */ (inkKind.value) }, '');
     });
     let space = false;
+
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
         const adds = state.ink !== 'solid' && !space;
         setChoice(inkKind, space ? 'solid' : state.ink);
         inkKind.disabled = space;
         html('exposure-row').hidden = !adds;
+        html('shadows-row').hidden = !space;
         setText(
             html('ink-note'),
             space
@@ -69,9 +71,10 @@ export function lookPanel(store) {
     colourBy.addEventListener('change', () => {
         store.change({ colourBy: /** @type {import('../state.js').ColourBy} */ (colourBy.value) }, '');
     });
-    const flags = /** @type {[HTMLInputElement, 'paletteHolds' | 'tapers'][]} */ ([
+    const flags = /** @type {[HTMLInputElement, 'paletteHolds' | 'tapers' | 'shadows'][]} */ ([
         [input('palette-holds'), 'paletteHolds'],
         [input('tapers'), 'tapers'],
+        [input('shadows'), 'shadows'],
     ]);
     for (const [box, name] of flags) box.addEventListener('change', () => store.change({ [name]: box.checked }, ''));
     const turnFields = ['left-colour', 'right-colour'].map((id, side) =>

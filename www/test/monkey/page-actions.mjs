@@ -29,6 +29,7 @@ const BUTTONS = [
     '#inks button',
     '#palette-holds',
     '#tapers',
+    '#shadows',
     '#copy-link',
     '#add-favourite',
     'summary',

@@ -156,6 +156,13 @@ impl Extent {
         let [low, high] = self.sides;
         [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]))
     }
+
+    /// The length of the box along the y axis.
+    #[must_use]
+    pub fn height(&self) -> f64 {
+        let [low, high] = self.sides;
+        high[1] - low[1]
+    }
 }
 
 /// A search, with bounded effort, for the smallest box around a drawing and for its girth.

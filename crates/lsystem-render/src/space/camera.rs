@@ -1,7 +1,7 @@
 //! The camera: the view of a drawing in space.
 
 use crate::Viewport;
-use lsystem_drawing::rotation::{Vector, dot};
+use lsystem_drawing::rotation::{Vector, dot, minus, norm};
 use lsystem_drawing::{Drawing, Solid};
 
 /// A view of a drawing in space: the eye on a sphere about a target, upright, so that +y of the model is up in the
@@ -34,7 +34,7 @@ impl Default for Camera {
             target: [0.0; 3],
             perspective: true,
             distance: DISTANCE,
-            fade: 0.0,
+            fade: 0.2,
         }
     }
 }
@@ -126,6 +126,8 @@ pub(super) struct Lens {
     pub radius: f64,
     /// Samples in one fitted extent at this zoom.
     pub extent: f64,
+    /// The unit vector up in the model, before perspective.
+    pub up: Vector,
 }
 
 /// How far a ring about the upright axis reaches to the side, and up or down, in the picture. `aside` is the radius of
@@ -244,6 +246,26 @@ impl Lens {
             centre,
             radius: radius * scale,
             extent: 2.0 * radius * scale,
+            up: seen([0.0, 1.0, 0.0]),
+        }
+    }
+
+    /// The lens of a picture without perspective from another side, around the place `focus` of this lens. `turned` has
+    /// the new directions right, down and away as this lens sees them, times the scale, and `size` is the width and the
+    /// height of the picture in samples.
+    pub(super) fn seen_aside(&self, turned: [Vector; 3], focus: Vector, size: f64) -> Self {
+        let see = |p: Vector| turned.map(|direction| dot(direction, p));
+        let scale = norm(turned[0]);
+        Self {
+            origin: see(minus(self.origin, focus)),
+            axes: self.axes.map(see),
+            nearness: 0.0,
+            middle: [size / 2.0; 2],
+            step: self.step * scale,
+            centre: see(minus(self.centre, focus)),
+            radius: self.radius * scale,
+            extent: self.extent * scale,
+            up: see(self.up).map(|c| c / scale),
         }
     }
 

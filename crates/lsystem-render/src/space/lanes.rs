@@ -37,6 +37,18 @@ impl Lanes {
         Self(from_fn(|i| if self.0[i] < most { self.0[i] } else { most }))
     }
 
+    /// The greater of both numbers in each lane.
+    #[inline(always)]
+    pub(super) fn at_least_of(self, other: Self) -> Self {
+        Self(from_fn(|i| if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] }))
+    }
+
+    /// The smaller of both numbers in each lane.
+    #[inline(always)]
+    pub(super) fn at_most_of(self, other: Self) -> Self {
+        Self(from_fn(|i| if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] }))
+    }
+
     /// The square roots; 0 for negative numbers.
     #[inline(always)]
     pub(super) fn root(self) -> Self {
@@ -79,6 +91,12 @@ impl Mask {
     #[inline(always)]
     pub(super) fn with(self, other: Self) -> Self {
         Self(from_fn(|i| self.0[i] | other.0[i]))
+    }
+
+    /// The lanes of this mask that are not in the other.
+    #[inline(always)]
+    pub(super) fn without(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] & !other.0[i]))
     }
 
     #[inline(always)]

@@ -6,6 +6,9 @@
 //!
 //! The light is a polynomial of the normal. So the mean light on many sticks, in a block too small to see, follows from
 //! the mean of their directions.
+//!
+//! In a picture with shadows the colour of a sample is that in full light, and its highest byte is the part that comes
+//! from the sun. Shadows and haze are added when the samples become pixels.
 
 use super::camera::Lens;
 use super::lanes::{LANES, Lanes};
@@ -28,6 +31,12 @@ const SHADE: f32 = 0.25;
 const EDGE_DARK: f32 = -0.3;
 /// The change of brightness at edges on a dark background.
 const EDGE_LIGHT: f32 = 0.42;
+/// How much brighter the sky makes a surface that faces up, in full light; a surface that faces down is as much darker.
+const SKY: f32 = 0.16;
+/// The brightness of sunlight that comes through a leaf.
+const THROUGH: f32 = 0.8;
+/// The tint of sunlight that comes through a leaf: warm and lighter.
+const THROUGH_TINT: [f32; 3] = [1.3, 1.22, 0.75];
 /// The mean height of a unit half circle, and the mean of its square.
 const HEIGHT: f32 = core::f32::consts::FRAC_PI_4;
 const HEIGHT_2: f32 = 2.0 / 3.0;
@@ -35,12 +44,16 @@ const HEIGHT_2: f32 = 2.0 / 3.0;
 /// The light of a picture.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Light {
-    background: [f32; 3],
+    pub(super) background: [f32; 3],
     edge: f32,
     fade: f32,
     /// 1 / the radius of the ball around the drawing, in samples.
     inverse: f64,
     centre: Vector,
+    /// Whether samples keep the part of their light that comes from the sun, for shadows.
+    pub(super) is_full: bool,
+    /// The unit vector up in the model, as the lens sees it.
+    pub(super) up: Vector,
 }
 
 /// The light at a place in the drawing.
@@ -62,7 +75,7 @@ pub(super) struct Bundle {
 }
 
 impl Light {
-    pub(super) fn new(style: &Style, lens: &Lens, fade: f64) -> Self {
+    pub(super) fn new(style: &Style, lens: &Lens, fade: f64, is_full: bool) -> Self {
         let [r, g, b] = style.background.rgb.map(f32::from);
         let dark = 0.3 * r + 0.59 * g + 0.11 * b < 110.0;
         Self {
@@ -71,6 +84,8 @@ impl Light {
             fade: if fade.is_finite() { fade.clamp(0.0, 1.0) as f32 } else { 0.0 },
             inverse: 1.0 / lens.radius,
             centre: lens.centre,
+            is_full,
+            up: lens.up,
         }
     }
 
@@ -80,12 +95,24 @@ impl Light {
         let [x, y, z] = [0, 1, 2].map(|i| ((at[i] - self.centre[i]) * self.inverse) as f32);
         let out = (x * x + y * y + z * z).min(1.0);
         let facing = -(x * 0.48 + y * 0.64 + z * 0.6);
-        let depth = (0.5 + 0.5 * z).clamp(0.0, 1.0);
         LocalLight {
             facing: facing.clamp(-1.0, 1.0) * (1.0 - OWN),
             open: 1.0 - SHADE * (1.0 - out),
-            haze: self.fade * depth * (0.55 + 0.4 * depth),
+            haze: self.haze(z),
         }
+    }
+
+    /// The part of the background in a colour at the distance `z` behind the centre of the drawing, in radii.
+    #[inline]
+    fn haze(&self, z: f32) -> f32 {
+        let depth = (0.5 + 0.5 * z).clamp(0.0, 1.0);
+        self.fade * depth * (0.55 + 0.4 * depth)
+    }
+
+    /// As [`Light::haze`], at a distance behind the target in samples.
+    #[inline]
+    pub(super) fn haze_at(&self, z: f32) -> f32 {
+        self.haze((z - self.centre[2] as f32) * self.inverse as f32)
     }
 
     /// The colour of a surface; `light` and `view` are the scalar products of its normal with the directions towards
@@ -97,6 +124,44 @@ impl Light {
         let fourth = square * square;
         let edge = (1.0 - view) * (1.0 - view);
         self.colour(ink, spot, square, fourth * fourth, edge)
+    }
+
+    /// The colour of a flat surface, such as a leaf, in full light. The unit vector `normal` points to the viewer.
+    pub(super) fn leaf(&self, ink: [f32; 3], spot: &LocalLight, normal: Vector) -> u32 {
+        let [light, up] = [LIGHT, self.up].map(|direction| dot(normal, direction) as f32);
+        let wrap = 0.5 + 0.5 * (OWN * light.abs() + spot.facing);
+        let sun = if light < 0.0 { THROUGH } else { 1.0 } * DIFFUSE * wrap * wrap * spot.open;
+        let sky = AMBIENT * (1.0 + SKY * up) * spot.open;
+        let tint = if light < 0.0 { THROUGH_TINT } else { [1.0; 3] };
+        let lit = [0, 1, 2].map(|i| ink[i] * (sky + sun * tint[i]));
+        pack(lit, sun / (sun + sky))
+    }
+
+    /// As [`Light::surfaces`], in full light; `up` is the scalar product of the normal with the direction up.
+    #[inline(always)]
+    pub(super) fn full_surfaces(
+        &self,
+        ink: [f32; 3],
+        [from, to]: &[LocalLight; 2],
+        t: Lanes,
+        [light, view, up]: [Lanes; 3],
+    ) -> [u32; LANES] {
+        let mix = |a: f32, b: f32| t * (b - a) + a;
+        let (facing, open) = (mix(from.facing, to.facing), mix(from.open, to.open));
+        let wrap = (light * OWN + facing) * 0.5 + 0.5;
+        let square = wrap * wrap;
+        let fourth = square * square;
+        let away = Lanes::all(1.0) - view;
+        let (sun, sky) = (square * DIFFUSE, up * (AMBIENT * SKY) + AMBIENT);
+        let strength = (sun + sky) * open * (away * away * self.edge + 1.0);
+        let shine = fourth * fourth * (255.0 * GLOSS) * open;
+        let part = sun * (sun + sky).inverse();
+        let mut packed = (part * 255.0).bytes().map(|part| part << 24);
+        for (i, ink) in ink.iter().enumerate() {
+            let bytes = (strength * *ink + shine).at_least(0.0).at_most(255.0).bytes();
+            packed.iter_mut().zip(bytes).for_each(|(packed, byte)| *packed |= byte << (8 * i));
+        }
+        packed
     }
 
     /// As [`Light::surface`], for several samples of a stroke at `t`, from 0 at its first end to 1 at the other.
@@ -161,6 +226,9 @@ impl Light {
     fn colour(&self, ink: [f32; 3], spot: &LocalLight, diffuse: f32, gloss: f32, edge: f32) -> u32 {
         let strength = (AMBIENT + DIFFUSE * diffuse) * spot.open * (1.0 + self.edge * edge);
         let shine = 255.0 * GLOSS * gloss * spot.open;
+        if self.is_full {
+            return pack(ink.map(|ink| ink * strength + shine), DIFFUSE * diffuse / (AMBIENT + DIFFUSE * diffuse));
+        }
         let mut packed = 0xff00_0000;
         for (i, (ink, background)) in ink.iter().zip(self.background).enumerate() {
             let lit = ink * strength + shine;
@@ -169,6 +237,13 @@ impl Light {
         }
         packed
     }
+}
+
+/// A colour in full light, 0 to 255, and the part of it that comes from the sun.
+#[inline]
+fn pack(lit: [f32; 3], sun: f32) -> u32 {
+    let [r, g, b] = lit.map(|c| u32::from((c + 0.5) as u8));
+    r | g << 8 | b << 16 | u32::from((sun * 255.0 + 0.5) as u8) << 24
 }
 
 impl LocalLight {

@@ -11,12 +11,18 @@
 //! small to look into shows some of its strokes: those that stand out and those that face the viewer. So every picture
 //! ends, and each stroke shown is part of the drawing. The budget depends on the work that the picture took with a
 //! smaller budget or, while the camera moves, on the time of the picture before.
+//!
+//! A picture at rest has more light: ambient occlusion, soft shadows, a shade on the ground. All of it follows from two
+//! depth pictures of the whole drawing, from the eye and from the sun, which come before the picture.
 
 mod camera;
 mod effort;
 mod face;
+mod ground;
 mod lanes;
 mod light;
+mod lighting;
+mod occlusion;
 mod open_node;
 mod opening;
 mod painter;
@@ -31,6 +37,7 @@ mod shares;
 mod size;
 mod stand_in;
 mod stroke;
+mod sun;
 mod surface;
 mod tile;
 
@@ -44,6 +51,7 @@ pub(crate) use opening::opening_camera;
 pub(crate) use pick::pick;
 
 use crate::{Pane, RenderStats, Viewport};
+use lighting::Lighting;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Solid};
 use lsystem_syntax::Style;
@@ -72,14 +80,19 @@ impl Quality {
     }
 
     /// Samples along the side of a pixel.
-    fn samples(self) -> usize {
-        if self >= Self::FINEST {
+    const fn samples(self) -> usize {
+        if self.0 >= Self::FINEST.0 {
             4
-        } else if self > Self::MOVING {
+        } else if self.0 > Self::MOVING.0 {
             2
         } else {
             1
         }
+    }
+
+    /// Whether a picture has shadows. Moving pictures have none, because shadows take another picture of the drawing.
+    fn has_shadows(self, style: &Style) -> bool {
+        self >= Self::FINEST && style.shadows
     }
 
     /// The extent in samples below which blocks are dots.
@@ -144,6 +157,7 @@ pub struct SolidRenderer {
     /// Two pictures, whose sizes alternate between moving and rest, so that the memory of both is kept. The third is
     /// for panes.
     pictures: [Picture; 3],
+    lighting: Lighting,
     /// The index of the present picture.
     at: usize,
     /// The picture that was asked for, until the scene is ready.
@@ -180,6 +194,7 @@ impl SolidRenderer {
     /// Takes the drawing of the next pictures. The steps of the first picture prepare the drawing.
     pub fn load(&mut self, drawing: Arc<Drawing<Solid>>) {
         self.stop();
+        self.lighting.forget();
         self.scene = Scene::new(&drawing);
         self.upto = None;
         self.drawing = Some(drawing);
@@ -190,6 +205,7 @@ impl SolidRenderer {
     pub fn play(&mut self, upto: Option<u128>) {
         if upto != self.upto {
             self.stop();
+            self.lighting.forget();
             self.scene.show(upto);
             self.upto = upto;
         }
@@ -254,10 +270,16 @@ impl SolidRenderer {
             {
                 return Progress::More;
             }
+            if plan.quality.has_shadows(&plan.style) {
+                self.lighting.begin(drawing, plan);
+                if self.lighting.step(&self.scene, meter) == Progress::More {
+                    return Progress::More;
+                }
+            }
             meter.charge(self.pictures[self.at].begin(drawing, plan, self.is_transparent));
             self.plan = None;
         }
-        self.pictures[self.at].step(&self.scene, meter)
+        self.pictures[self.at].step(&self.scene, &self.lighting, meter)
     }
 
     /// Makes the rest of the picture with `part` (0 to 1) of its budget.

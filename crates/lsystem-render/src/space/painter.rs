@@ -73,7 +73,11 @@ impl TilePainter {
         let sign = if normal[2] > 0.0 { -1.0 } else { 1.0 };
         let normal = normal.map(|n| sign * n / size);
         let spot = setup.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
-        let colour = setup.light.surface(ink, &spot, dot(normal, LIGHT) as f32, -normal[2] as f32);
+        let colour = if setup.light.is_full {
+            setup.light.leaf(ink, &spot, normal)
+        } else {
+            setup.light.surface(ink, &spot, dot(normal, LIGHT) as f32, -normal[2] as f32)
+        };
         let face = Face { corners: corners.map(|corner| lens.project(corner)), colour };
         self.primitive(setup, Primitive::Face(face))
     }

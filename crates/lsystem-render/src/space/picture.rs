@@ -2,6 +2,7 @@
 
 use super::Plan;
 use super::effort::Spent;
+use super::lighting::Lighting;
 use super::open_node::{Entry, OpenNode};
 use super::painter::{LINE_WORK, TilePainter};
 use super::pixels::Pixels;
@@ -28,6 +29,8 @@ const MOST_LAYERS: f64 = 16.0;
 const NODE_WORK: i64 = 8;
 /// Samples of a tile that are emptied, or turned into pixels, in a unit of work.
 const TILE_WORK: u64 = 64;
+/// Samples of a tile that are lit and turned into pixels in a unit of work.
+const LIT_WORK: u64 = 16;
 
 /// A picture in space in the making.
 #[derive(Default)]
@@ -72,6 +75,32 @@ impl Picture {
         1 + size as u64 / 1024
     }
 
+    /// Starts a depth picture.
+    pub(super) fn begin_depths(&mut self, setup: Setup) {
+        self.stop();
+        (self.work, self.before, self.lacks_budget) = (0, 0, false);
+        self.painting = false;
+        self.setup = Some(setup);
+    }
+
+    /// Goes on with a depth picture.
+    pub(super) fn step_depths(&mut self, scene: &Scene, meter: &mut Meter) -> Progress {
+        let Some(setup) = self.setup else { return Progress::Done };
+        if !self.painting {
+            self.painting = true;
+            let size = setup.size.map(|count| count as usize);
+            self.painter.begin(&setup, setup.corner, size);
+            meter.charge((setup.side[0] * setup.side[1]) as u64 / TILE_WORK);
+            self.enter(scene, &setup);
+        }
+        self.paint(scene, &setup, meter)
+    }
+
+    /// The first depths of a row of a depth picture.
+    pub(super) fn depths(&mut self, row: usize, count: usize) -> &[f32] {
+        self.painter.tile.row(row, [0, count - 1]).0
+    }
+
     /// The work of the picture, or of the pane, so far with its present budget.
     pub(super) fn spent(&self) -> Spent {
         Spent { work: self.work as f64, poor: self.lacks_budget }
@@ -106,7 +135,8 @@ impl Picture {
         true
     }
 
-    pub(super) fn step(&mut self, scene: &Scene, meter: &mut Meter) -> Progress {
+    /// Goes on with the picture, in a light that is ready if the picture has shadows.
+    pub(super) fn step(&mut self, scene: &Scene, lighting: &Lighting, meter: &mut Meter) -> Progress {
         let Some(setup) = self.setup else { return Progress::Done };
         // Pixels along the sides of a tile.
         let side = setup.side.map(|side| side / setup.samples);
@@ -135,8 +165,14 @@ impl Picture {
                 return Progress::More;
             }
             self.painting = false;
-            self.pixels.put(&self.painter.tile, at, side, setup.samples);
-            meter.charge((size[0] * size[1]) as u64 / TILE_WORK);
+            if setup.light.is_full {
+                let corner = setup.corner.map(|c| c as usize / setup.samples);
+                self.pixels.put_lit(&self.painter.tile, (at, side), corner, &setup.light, lighting);
+                meter.charge((size[0] * size[1]) as u64 / LIT_WORK);
+            } else {
+                self.pixels.put(&self.painter.tile, at, side, setup.samples);
+                meter.charge((size[0] * size[1]) as u64 / TILE_WORK);
+            }
             self.next += 1;
         }
         Progress::More

@@ -1,5 +1,7 @@
 //! The pixels of a picture in space. Finished tiles are copied into them.
 
+use super::light::Light;
+use super::lighting::{Lighting, SeenRow};
 use super::tile::ScreenTile;
 use crate::{Pane, Viewport};
 use lsystem_base::{Meter, Progress};
@@ -75,12 +77,37 @@ impl Pixels {
             if from < to {
                 let first = row * self.width + x;
                 tile.pixels(row - y, from, samples, &mut self.bytes[(first + from) * 4..(first + to) * 4]);
-                let painted = &mut self.painted[row];
-                *painted = match *painted {
-                    [a, b] if a == b => [x + from, x + to],
-                    [a, b] => [a.min(x + from), b.max(x + to)],
-                };
+                self.note(row, [x + from, x + to]);
             }
         }
+    }
+
+    /// As [`Pixels::put`], in the light of a picture at rest. `corner` is the place of these pixels in the whole picture.
+    pub(super) fn put_lit(
+        &mut self,
+        tile: &ScreenTile,
+        (at, side): ([usize; 2], [usize; 2]),
+        corner: [usize; 2],
+        light: &Light,
+        lighting: &Lighting,
+    ) {
+        let [x, y] = [0, 1].map(|i| at[i] * side[i]);
+        let right = (x + side[0]).min(self.width);
+        let place = [corner[0] + x, corner[1] + y];
+        let mut seen = SeenRow::default();
+        for row in y..(y + side[1]).min(self.height) {
+            let first = row * self.width;
+            let (out, _) = self.bytes[(first + x) * 4..(first + right) * 4].as_chunks_mut::<4>();
+            let [from, to] = lighting.pixels((tile, light), row - y, place, (self.paper, out), &mut seen);
+            if from < to {
+                self.note(row, [x + from, x + to]);
+            }
+        }
+    }
+
+    /// Notes that pixels of a row have been painted.
+    fn note(&mut self, row: usize, [from, to]: [usize; 2]) {
+        let painted = &mut self.painted[row];
+        *painted = if painted[0] == painted[1] { [from, to] } else { [painted[0].min(from), painted[1].max(to)] };
     }
 }

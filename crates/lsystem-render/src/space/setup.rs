@@ -53,7 +53,7 @@ impl Setup {
         let effort = Effort::new(quality, viewport);
         Self {
             lens,
-            light: Light::new(style, &lens, camera.fade),
+            light: Light::new(style, &lens, camera.fade, quality.has_shadows(style)),
             background,
             samples,
             size,
@@ -64,6 +64,32 @@ impl Setup {
             pane: budget.is_some(),
             corner: [pane.x, pane.y].map(|pixels| f64::from(pixels) * samples as f64),
             hairline: viewport.least_width(style) * samples as f64 / 2.0,
+            widths: Widths::new(drawing.width),
+        }
+    }
+    /// The settings of a depth picture of `size` samples, through a lens; `scale` is the number of these samples along
+    /// the side of a pixel. There is `room` for other depth pictures.
+    pub(super) fn depths(
+        drawing: &Drawing<Solid>,
+        style: &Style,
+        viewport: Viewport,
+        (lens, size, scale): (Lens, [usize; 2], f64),
+        room: [usize; 2],
+    ) -> Self {
+        let quality = Quality::MOVING;
+        Self {
+            lens,
+            light: Light::new(style, &lens, 0.0, false),
+            background: [0; 4],
+            samples: 1,
+            size: size.map(|count| count as f64),
+            side: room,
+            single: true,
+            detail: quality.detail() as f32,
+            effort: Effort::new(quality, viewport),
+            pane: true,
+            corner: [0.0; 2],
+            hairline: (viewport.least_width(style) * scale / 2.0).max(0.5),
             widths: Widths::new(drawing.width),
         }
     }

@@ -1,6 +1,7 @@
 //! The memory that a picture in space takes, computed before the picture is made.
 
 use super::SolidRenderer;
+use super::lighting::Lighting;
 use super::scene::{Link, SampleStroke, SceneLine, SceneNode};
 use crate::Viewport;
 use lsystem_drawing::{Drawing, SceneSize, Solid};
@@ -8,6 +9,9 @@ use lsystem_drawing::{Drawing, SceneSize, Solid};
 // The sizes with which a drawing counts the memory of its scene are large enough.
 const _: () = assert!(size_of::<SceneNode>() <= SceneSize::NODE && size_of::<SampleStroke>() <= SceneSize::SAMPLE);
 const _: () = assert!(size_of::<Link>() <= SceneSize::LINK && size_of::<SceneLine>() <= SceneSize::LINE);
+
+/// The bytes of a sample: a depth and a colour.
+pub(super) const SAMPLE_BYTES: u64 = 8;
 
 impl SolidRenderer {
     /// The bytes of the scene made from the drawing, which are [counted with it](lsystem_drawing::Drawing::bytes). A
@@ -23,13 +27,11 @@ impl SolidRenderer {
     pub fn most_bytes(viewport: Viewport) -> u64 {
         /// The bytes of a pixel.
         const PIXEL: u64 = 4;
-        /// The bytes of a sample: a depth and a colour.
-        const SAMPLE: u64 = 8;
-        let tile = |samples: u64| SAMPLE * samples + samples / 8;
+        let tile = |samples: u64| SAMPLE_BYTES * samples + samples / 8;
         let pixels = u64::from(viewport.width) * u64::from(viewport.height);
         // A tile has at most 1024 samples each way at rest, and 2048 while the camera moves.
         let (rest, moving) = (tile(1 << 20), |pixels: u64| tile(pixels.clamp(1 << 20, 1 << 22)));
         let walk = |pixels: u64| PIXEL * pixels + moving(pixels);
-        walk(pixels) + walk(pixels / 4) + PIXEL * pixels + rest
+        walk(pixels) + walk(pixels / 4) + PIXEL * pixels + rest + Lighting::most_bytes(viewport)
     }
 }

@@ -51,7 +51,13 @@ impl Stick {
             tile.touch(across, down);
             return Painted { looked: ball.fill(tile, across, down, light), rest };
         }
-        Painted { looked: stick.fill(tile, across, down, [flat, length], light), rest }
+        let way = [flat, length];
+        let looked = if light.is_full {
+            stick.fill::<true>(tile, across, down, way, light)
+        } else {
+            stick.fill::<false>(tile, across, down, way, light)
+        };
+        Painted { looked, rest }
     }
 
     /// The stick relative to a tile's corner, cut to the part near the tile; `None` if nothing is left.
@@ -88,7 +94,7 @@ impl Stick {
     }
 
     /// Paints a stick of this `length` that is `flat` long in the picture. Returns the number of samples looked at.
-    fn fill(
+    fn fill<const FULL: bool>(
         &self,
         tile: &mut ScreenTile,
         across: [usize; 2],
@@ -98,7 +104,7 @@ impl Stick {
     ) -> usize {
         let [x0, y0] = [0, 1].map(|i| self.ends[0][i] as f32);
         let widest = self.radii[0].max(self.radii[1]) as f32;
-        let surface = Surface::new(self, [flat, length]);
+        let surface = Surface::new(self, [flat, length], light.up);
         let narrow = across[1] - across[0] <= NARROW;
         let crossings = Crossings::new(&surface, widest, tile.slack() as f32);
         // The columns that may cross the stick in some rows; none if the second is less than the first.
@@ -127,7 +133,7 @@ impl Stick {
             let last = Lanes::all(right as f32 + 1.0 - x0);
             for (i, samples) in depths.iter_mut().zip(colours).enumerate() {
                 let x = Lanes::from(ahead + (i * LANES) as f32);
-                surface.paint((x, last), y, samples, light);
+                surface.paint::<FULL>((x, last), y, samples, light);
             }
         }
         looked

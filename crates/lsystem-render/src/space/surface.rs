@@ -3,6 +3,7 @@
 use super::lanes::{LANES, Lanes};
 use super::light::{LIGHT, Light, LocalLight};
 use super::stroke::Stick;
+use lsystem_drawing::rotation::Vector;
 
 /// The surface of a stick on a tile. Places are relative to the middle of its first end.
 pub(super) struct Surface<'a> {
@@ -32,20 +33,23 @@ pub(super) struct Surface<'a> {
     up_light: f32,
     ahead_light: f32,
     view_light: f32,
+    /// The products of the direction up with these parts.
+    up: [f32; 4],
 }
 
 impl<'a> Surface<'a> {
     /// The surface of a stick of this `length`, whose axis is `flat` long in the picture.
     #[inline(always)]
-    pub(super) fn new(stick: &'a Stick, [flat, length]: [f64; 2]) -> Self {
+    pub(super) fn new(stick: &'a Stick, [flat, length]: [f64; 2], up: Vector) -> Self {
         let [[x0, y0, d0], [x1, y1, d1]] = stick.ends;
         let [ex, ey] = [(x1 - x0) / flat, (y1 - y0) / flat];
         let [rise, level] = [(d1 - d0) / length, flat / length];
         // The normal of the side is `u` sideways and `h` upwards; of the round ends also `w` ahead.
-        let side_light = (LIGHT[1] * ex - LIGHT[0] * ey) as f32;
-        let up_light = ((ex * LIGHT[0] + ey * LIGHT[1]) * rise - level * LIGHT[2]) as f32;
-        let ahead_light = (LIGHT[0] * ex + LIGHT[1] * ey) as f32;
-        let view_light = -LIGHT[2] as f32;
+        let products = |[x, y, z]: Vector| {
+            let ahead = x * ex + y * ey;
+            [y * ex - x * ey, ahead * rise - level * z, ahead, -z].map(|product| product as f32)
+        };
+        let [side_light, up_light, ahead_light, view_light] = products(LIGHT);
         let [d0, d1, ex, ey] = [d0, d1, ex, ey].map(|c| c as f32);
         let [flat, rise, level] = [flat, rise, level].map(|c| c as f32);
         let [r0, r1] = stick.radii.map(|r| r as f32);
@@ -70,6 +74,7 @@ impl<'a> Surface<'a> {
             up_light,
             ahead_light,
             view_light,
+            up: products(up),
         }
     }
 
@@ -88,7 +93,7 @@ impl<'a> Surface<'a> {
     /// Paints the samples at `x` of a row at `y`, as far as they are before `last` and the surface is nearer than their
     /// depths.
     #[inline(always)]
-    pub(super) fn paint(
+    pub(super) fn paint<const FULL: bool>(
         &self,
         (x, last): (Lanes, Lanes),
         y: f32,
@@ -113,6 +118,8 @@ impl<'a> Surface<'a> {
         let mut t = met * per;
         let mut to_light = u * self.side_light + h * self.up_light;
         let mut to_view = h * self.level;
+        let [side_up, up_up, ahead_up, view_up] = self.up;
+        let mut to_sky = if FULL { u * side_up + h * up_up } else { Lanes::all(0.0) };
         if before.any() || beyond.any() {
             // The line of sight meets the ball at an end.
             let end = before.with(beyond);
@@ -126,13 +133,20 @@ impl<'a> Surface<'a> {
             t = (start * per).or(end, t);
             to_light = (w * self.ahead_light + u * self.side_light + top * self.view_light).or(end, to_light);
             to_view = top.or(end, to_view);
+            if FULL {
+                to_sky = (w * ahead_up + u * side_up + top * view_up).or(end, to_sky);
+            }
         }
         shown = shown.and(surface.below(depth));
         if !shown.any() {
             return;
         }
         *depths = surface.or(shown, depth).0;
-        let colour = light.surfaces(self.ink, self.spots, t, to_light, to_view);
+        let colour = if FULL {
+            light.full_surfaces(self.ink, self.spots, t, [to_light, to_view, to_sky])
+        } else {
+            light.surfaces(self.ink, self.spots, t, to_light, to_view)
+        };
         for ((old, new), shown) in colours.iter_mut().zip(colour).zip(shown.0) {
             *old = (new & shown) | (*old & !shown);
         }

@@ -18,11 +18,11 @@ pub(super) struct ScreenTile {
     /// Samples across and down that there is room for.
     room: [usize; 2],
     /// The samples from one row to the next in memory.
-    stride: usize,
+    pub(super) stride: usize,
     /// By sample: the depth behind the target; infinite if nothing is painted.
-    depth: Vec<f32>,
+    pub(super) depth: Vec<f32>,
     /// By sample: RGBA with red in the lowest byte.
-    colour: Vec<u32>,
+    pub(super) colour: Vec<u32>,
     /// By cell: an upper bound of its depths.
     far: Vec<f32>,
     /// By cell: the number of changes since `far` was looked up.

@@ -66,7 +66,7 @@ const CAMERA: &[(&str, Expected)] = &[
 ];
 
 /// All fields, in the order of links.
-pub static FIELDS: [FieldSpec; 40] = [
+pub static FIELDS: [FieldSpec; 41] = [
     FieldSpec {
         name: "title",
         link: "title",
@@ -477,6 +477,17 @@ pub static FIELDS: [FieldSpec; 40] = [
         label: "Exposure (stops)",
         help: "brightness of additive blending, in stops: each doubles it",
         access: Some(at!(style.exposure)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "shadows",
+        link: "shadows",
+        file: Some((Section::Style, "shadows")),
+        expected: Expected::Boolean,
+        affects: Affects::Look,
+        label: "Shadows",
+        help: "whether a drawing in space has soft shadows",
+        access: Some(at!(style.shadows)),
         ..FIELD
     },
     FieldSpec {
