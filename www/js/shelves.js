@@ -76,6 +76,7 @@ export const SHELVES = {
     },
     'In space': {
         'abop/1.25': 'Flowers and leaves',
+        'garden/summer-lime': 'Trees',
         'abop/2.8b': 'Trees',
         'abop/1.19': 'Curves',
         'abop/2.6c': 'Trees',
