@@ -14,6 +14,9 @@ use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::Ink;
 
+/// The least shading: with less, no channel changes by more than one of its 256 levels.
+const LEAST_SHADING: f64 = 1.0 / 256.0;
+
 /// Makes pictures in the style's ink.
 #[derive(Default)]
 pub(super) struct Blend {
@@ -84,8 +87,11 @@ impl Blend {
             let is_opaque = plan.style.ink != Ink::Density;
             // A light renderer has one way only to make an opaque picture, which needs no survey.
             let is_idle = plan.pass == Pass::Count || plan.pass == Pass::Survey && self.opaque.picture.is_light;
-            let parts =
-                Parts { has_opaque: is_opaque && !is_idle, has_density: !is_opaque || shading.piled > 0.0, is_opaque };
+            let parts = Parts {
+                has_opaque: is_opaque && !is_idle,
+                has_density: !is_opaque || shading.piled > LEAST_SHADING,
+                is_opaque,
+            };
             if parts.has_opaque {
                 self.opaque.begin(drawing, plan);
             }

@@ -21,18 +21,20 @@ pub(in crate::plane) struct Grid {
     pub margin: u32,
     /// The largest extent of a dot at first, in places.
     pub dot: f64,
+    /// Points of a line for each place along it. Between more points, ink varies less.
+    pub points: f64,
 }
 
 impl Grid {
     pub(in crate::plane) fn new(ink: Ink, viewport: Viewport, detail: Detail) -> Self {
         let coarse = if detail == Detail::Coarse { COARSE_SIDE } else { 1 };
         if ink != Ink::Auto {
-            return Self { side: coarse, margin: 0, dot: 1.0 };
+            return Self { side: coarse, margin: 0, dot: 1.0, points: 2.0 };
         }
         let pixels = f64::from(viewport.width) * f64::from(viewport.height);
         let least = (pixels / MOST_SHADING_SUMS).sqrt().ceil() as u32;
         let side = coarse.max(least);
-        Self { side, margin: 1, dot: (SHADING_DOT / f64::from(side)).max(1.0) }
+        Self { side, margin: 1, dot: (SHADING_DOT / f64::from(side)).max(1.0), points: 1.0 }
     }
 
     /// The number of sums along the side of a pixel.

@@ -51,8 +51,6 @@ enum Stage {
 struct Dots {
     /// The largest extent of a dot, in pixels. A dot is a block whose ink is all added at its centre of gravity.
     extent: f64,
-    /// That extent at first.
-    first_extent: f64,
     /// The number of steps at which that extent doubles next.
     next_growth: u64,
     /// The units of work that strokes and areas took.
@@ -70,6 +68,7 @@ pub(super) struct Picture {
     table: InkTable,
     pigments: Pigments,
     measure: Measure,
+    grid: Grid,
     sheets: Sheets,
     /// The sheet on which a polygon is being filled.
     filled: usize,
@@ -130,7 +129,7 @@ impl Picture {
         let changed = self.table.choose(drawing, &plan.style);
         // Tiles that hold dots of another size would spoil this picture.
         let other_dots = core::mem::replace(&mut self.dots.extent, grid.dot) != grid.dot;
-        self.dots.first_extent = grid.dot;
+        self.grid = grid;
         if self.pigments.prepare(&plan.style, self.table.choice.colours) | changed | other_dots
             || measure != self.measure
         {
@@ -323,7 +322,7 @@ impl Picture {
         let (width, pigment) = (self.measure.width(width), self.pigments.of(shade));
         self.filled = node.canvas;
         let sheet = &mut self.sheets[node.canvas];
-        let work = sheet.stroke(ends, width, sheet.layer(), pigment);
+        let work = sheet.stroke(ends, width, self.grid.points, pigment);
         self.dots.work += work;
         work
     }
@@ -412,13 +411,13 @@ impl Picture {
     fn dot(&mut self, node: &Node, deposit: &Deposit, width: f64) -> u64 {
         let Some(pigment) = self.pigment(node) else { return 1 };
         self.stats.strokes += 1;
-        self.stats.outlines += u64::from(self.dots.extent > self.dots.first_extent);
+        self.stats.outlines += u64::from(self.dots.extent > self.grid.dot);
         let amount = deposit.amount(&self.measure, node);
         let sheet = &mut self.sheets[node.canvas];
         if width <= 2.0 * BROAD || deposit.length.is_zero() {
             let amount = amount.units(sheet.exponent).max(LEAST_INK) as f32;
             let centre = node.place.point(deposit.centre);
-            if self.dots.first_extent > 1.0 {
+            if self.grid.dot > 1.0 {
                 // A dot larger than a place blinks while the view changes, unless its ink is spread.
                 for off in deposit.spots(node) {
                     sheet.dot([0, 1].map(|axis| centre[axis] + off[axis]), amount / 4.0, pigment);

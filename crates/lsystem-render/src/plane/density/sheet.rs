@@ -16,8 +16,6 @@ const BROAD: f64 = 4.0;
 /// The least ink that is added, in units of the sheet: less counts as this much, so a trunk shows beside 10^100 twigs.
 /// Sums stay below about 2^100 units.
 pub(super) const LEAST_INK: f64 = 1.0 / (1_u128 << 110) as f64;
-/// Points of a line for each pixel of its length.
-const POINTS_PER_PIXEL: f64 = 2.0;
 /// Numbers that are cleared in a unit of work.
 const NUMBERS_PER_UNIT: usize = 256;
 /// Rows that are emptied between two looks at the meter.
@@ -184,9 +182,10 @@ impl Sheet {
         }
     }
 
-    /// Adds a stroke with flat ends, `width` pixels wide, that adds `layer` units of ink to each pixel. A width below 1
-    /// adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of work.
-    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], width: f64, layer: f64, pigment: Pigment) -> u64 {
+    /// Adds a layer of a stroke with flat ends, `width` pixels wide, as lines of at least `points` points a pixel. A
+    /// width below 1 adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of work.
+    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], width: f64, points: f64, pigment: Pigment) -> u64 {
+        let layer = self.layer();
         let Some([from, to]) = self.clipped(ends, width) else { return 1 };
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = (dx * dx + dy * dy).sqrt();
@@ -200,7 +199,7 @@ impl Sheet {
             return self.fill(corners.into_iter(), layer, pigment);
         }
         let lines = width.ceil().max(1.0);
-        let points = (length * POINTS_PER_PIXEL).ceil().max(1.0);
+        let points = (length * points).ceil().max(1.0);
         let weight = (layer * width * length / (lines * points)) as f32;
         let step = [dx / points, dy / points];
         for line in 0..lines as usize {

@@ -53,23 +53,23 @@ impl Tone {
             }
             let Some([left, right]) = self.row.get(before as usize..).and_then(<[_]>::first_chunk) else { continue };
             let key = key(left + across * (right - left));
-            let part = self.parts[key];
-            if part == 0.0 {
-                continue;
-            }
             // Pixels of one colour have places of their own for all keys in use, as those are neighbours.
             let colour = u32::from_le_bytes(*pixel).wrapping_mul(0x9e37_79b9) >> 19;
             let memory = &mut memories[(key + colour as usize) % MEMORIES];
             if (memory.0, memory.1) != (*pixel, key as u32) {
-                *memory = (*pixel, key as u32, self.shaded(*pixel, key, part));
+                *memory = (*pixel, key as u32, self.shaded(*pixel, key));
             }
             *pixel = memory.2;
         }
         self.memories = memories;
     }
 
-    /// The pixel of an opaque picture, shaded by `part`.
-    fn shaded(&self, pixel: [u8; 4], key: usize, part: f32) -> [u8; 4] {
+    /// The pixel of an opaque picture, shaded.
+    fn shaded(&self, pixel: [u8; 4], key: usize) -> [u8; 4] {
+        let part = self.parts[key];
+        if part == 0.0 {
+            return pixel;
+        }
         let between = |from: u8, to: u8, part: f32| {
             let [from, to] = [from, to].map(f32::from);
             (from + part * (to - from) + 0.5) as u8
