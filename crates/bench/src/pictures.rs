@@ -1,6 +1,6 @@
 //! Pictures that a script in the browser times: each system at several depths and magnifications.
 
-use lsystem::syntax::Ink;
+use lsystem::syntax::{Ink, Style};
 use lsystem::{Definition, Drawing, Limits, Plane, Progress, Renderer, System, View, Viewport, draw, fit, read_json};
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -61,7 +61,7 @@ impl Pictures {
             definitions.extend(text.as_str().and_then(|text| read_json(text).0).map(|d| (name.clone(), d)));
         }
         let systems = definitions.into_iter().filter_map(|(name, mut definition)| {
-            definition.style.ink = Ink::Solid;
+            definition.style.ink = Ink::Auto;
             let system = System::new(&definition).0?;
             let drawing = draw::<Plane>(&system, 2, &Limits::default());
             let memoises = !system.is_solid() && drawing.is_ok_and(|drawing| drawing.is_memoised());
@@ -90,9 +90,9 @@ impl Pictures {
     }
 
     /// Makes a whole picture: fitted at `zoom` 1, otherwise around a segment in the middle of the drawing, moved by
-    /// `shift` thousandths of the extent at `zoom`. Stops after `limit` milliseconds. Returns whether the picture is
-    /// complete.
-    pub fn picture(&mut self, zoom: f64, shift: f64, limit: f64) -> bool {
+    /// `shift` thousandths of the extent at `zoom`. In opaque ink, or shaded in the default ink. Stops after `limit`
+    /// milliseconds. Returns whether the picture is complete.
+    pub fn picture(&mut self, zoom: f64, shift: f64, limit: f64, shaded: bool) -> bool {
         let Some(drawing) = &self.drawing else { return true };
         let rect = fit(drawing);
         let side = rect.width.max(rect.height);
@@ -104,7 +104,9 @@ impl Pictures {
             _ => [0.0; 2],
         };
         let view = View { x: x + shift / (1000.0 * zoom), y, zoom, ..View::default() };
-        self.renderer.begin(&self.systems[self.current].2.style, VIEWPORT, view);
+        let ink = if shaded { Ink::Auto } else { Ink::Solid };
+        let style = Style { ink, ..self.systems[self.current].2.style.clone() };
+        self.renderer.begin(&style, VIEWPORT, view);
         let end = now() + limit;
         while self.renderer.step(WORK) == Progress::More {
             if now() > end {

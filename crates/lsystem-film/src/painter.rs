@@ -327,7 +327,8 @@ mod tests {
             assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
             for number in 0..4 {
                 let [rows, columns] = at(fixed, number);
-                assert!(rows.end.abs_diff(last[0].end) <= 2, "{number}: the root moves, {rows:?} of {last:?}");
+                // A thicker trunk has a larger round end.
+                assert!(rows.end.abs_diff(last[0].end) <= 4, "{number}: the root moves, {rows:?} of {last:?}");
                 assert!(columns.start >= last[1].start && columns.end <= last[1].end, "{number}: {columns:?}");
                 assert!(at(follow, number)[0].len() > 100, "{number}: a followed drawing fills the frame");
             }

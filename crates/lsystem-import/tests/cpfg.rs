@@ -27,7 +27,8 @@ fn system(definition: &Definition) -> System {
 /// The segments of a text after its iterations: the lengths along x, y and z, and the width.
 #[track_caller]
 fn segments(text: &str) -> Vec<([f64; 3], f64)> {
-    let definition = read(text);
+    let mut definition = read(text);
+    definition.style.max_width = 0.0;
     let drawing = Figure::draw(&system(&definition), definition.iterations, &Limits::default()).unwrap();
     let segments = drawing.segments_from(0);
     segments.map(|s| (core::array::from_fn(|axis| s.to[axis] - s.from[axis]), s.width)).collect()

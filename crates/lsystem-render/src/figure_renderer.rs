@@ -247,13 +247,13 @@ mod tests {
     fn a_pixel_takes_no_more_than_its_share() {
         let definition = Definition { axiom: "F".into(), rules: "F -> F+F".into(), ..Definition::default() };
         let drawing = draw(&System::new(&definition).0.unwrap(), 5, &Limits::default()).unwrap();
-        let [small, large] = [[4096, 64], [4096, 1088]].map(|[width, height]| Viewport { width, height, ratio: 1.0 });
+        let [small, large] = [[2048, 64], [2048, 1088]].map(|[width, height]| Viewport { width, height, ratio: 1.0 });
         let each = Ink::ALL.map(|ink| {
             let palette = vec![Colour { rgb: [0; 3] }; MAX_PALETTE];
             let style = Style { palette, ink, ..Style::default() };
             let [small, large] =
                 [small, large].map(|viewport| Renderer::most_bytes(&drawing, &style, viewport, Detail::Fine));
-            (large - small).div_ceil(4096 * 1024)
+            (large - small).div_ceil(2048 * 1024)
         });
         assert!(each.iter().all(|each| (BAND_PIXEL - 8..=BAND_PIXEL).contains(each)), "{each:?}");
         assert!(each.contains(&(BAND_PIXEL - 1)), "{each:?}");

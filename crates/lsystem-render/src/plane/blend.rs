@@ -14,6 +14,9 @@ use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::Ink;
 
+/// The least shading: with less, no channel changes by more than one of its 256 levels.
+const LEAST_SHADING: f64 = 1.0 / 256.0;
+
 /// Makes pictures in the style's ink.
 #[derive(Default)]
 pub(super) struct Blend {
@@ -84,8 +87,11 @@ impl Blend {
             let is_opaque = plan.style.ink != Ink::Density;
             // A light renderer has one way only to make an opaque picture, which needs no survey.
             let is_idle = plan.pass == Pass::Count || plan.pass == Pass::Survey && self.opaque.picture.is_light;
-            let parts =
-                Parts { has_opaque: is_opaque && !is_idle, has_density: !is_opaque || shading.piled > 0.0, is_opaque };
+            let parts = Parts {
+                has_opaque: is_opaque && !is_idle,
+                has_density: !is_opaque || shading.piled > LEAST_SHADING,
+                is_opaque,
+            };
             if parts.has_opaque {
                 self.opaque.begin(drawing, plan);
             }
@@ -158,8 +164,9 @@ impl Blend {
 #[cfg(test)]
 mod tests {
     use crate::plane::sample::Sample;
-    use crate::plane::tests::{close_up, difference, picture};
-    use crate::plane::{Renderer, View, Viewport};
+    use crate::plane::tests::{close_up, difference, hard, picture, put};
+    use crate::plane::{Pass, Renderer, View, Viewport};
+    use lsystem_base::Progress;
     use lsystem_drawing::Drawing;
     use lsystem_syntax::{Ink, Style};
     use std::sync::Arc;
@@ -189,6 +196,40 @@ mod tests {
             changes(&film.collect::<Vec<_>>())
         });
         own.iter().zip(opaque).map(|(own, opaque)| [0, 1].map(|i| own[i] - opaque[i])).collect()
+    }
+
+    /// Wherever the opaque panes are pieces of the opaque picture.
+    #[test]
+    fn panes_have_the_shades_of_the_whole() {
+        let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+        for (name, sample) in hard() {
+            let drawing = Arc::new(sample.draw(24));
+            let [mut whole, mut renderer] = [Renderer::new(), Renderer::new()];
+            whole.load(drawing.clone());
+            renderer.load(drawing.clone());
+            for (zoom, size) in [(1.0, [320, 48]), (7.0, [133, 71])] {
+                let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
+                let [own, opaque] = [Ink::Auto, Ink::Solid].map(|ink| {
+                    let style = Style { ink, ..sample.0.style.clone() };
+                    picture(&mut whole, &style, viewport, view);
+                    let mut pixels = vec![0; whole.pixels().len()];
+                    for (pane, pass) in Pass::all(ink, viewport, size) {
+                        renderer.begin_pane(&style, viewport, view, None, (pane, pass));
+                        while renderer.step(10_000) == Progress::More {}
+                        if pass.shows() {
+                            put(&mut pixels, 320, pane, renderer.pixels());
+                        }
+                    }
+                    [pixels, whole.pixels().to_vec()]
+                });
+                let pixels = own.iter().map(|pixels| pixels.as_chunks::<4>().0).collect::<Vec<_>>();
+                let flat = opaque.iter().map(|pixels| pixels.as_chunks::<4>().0).collect::<Vec<_>>();
+                let alike = || (0..320 * 200).filter(|&at| flat[0][at] == flat[1][at]);
+                let shaded = alike().filter(|&at| pixels[1][at] != flat[1][at]).count();
+                assert!(shaded > 500, "{name} {zoom}: {shaded}");
+                assert_eq!(alike().filter(|&at| pixels[0][at] != pixels[1][at]).count(), 0, "{name} {zoom}");
+            }
+        }
     }
 
     #[test]

@@ -61,6 +61,7 @@ pub enum Pass {
     /// Finds out how the whole picture can be made. Makes no pixels.
     Survey,
     /// For ink that adds up: counts how many of the pane's pixels have how much ink. The tone depends on all panes.
+    /// The pane is the whole picture if the ink only shades.
     Count,
     /// Makes the pixels of the pane.
     Show,
@@ -74,9 +75,14 @@ impl Pass {
         if panes.len() < 2 {
             return panes.into_iter().map(|pane| (pane, Self::Only)).collect();
         }
-        let passes: &[Self] = if ink != Ink::Solid { &[Self::Count, Self::Show] } else { &[Self::Show] };
-        let each = passes.iter().flat_map(|&pass| panes.iter().map(move |&pane| (pane, pass)));
-        [(Pane::whole(viewport), Self::Survey)].into_iter().chain(each).collect()
+        let whole = [Pane::whole(viewport)];
+        let counted: &[Pane] = match ink {
+            Ink::Solid => &[],
+            Ink::Density => &panes,
+            Ink::Auto => &whole,
+        };
+        let round = |panes: &[Pane], pass| panes.iter().map(|&pane| (pane, pass)).collect::<Vec<_>>();
+        [round(&whole, Self::Survey), round(counted, Self::Count), round(&panes, Self::Show)].concat()
     }
 
     /// Whether the pass makes pixels.

@@ -1,7 +1,7 @@
 //! The memory that a picture takes, computed before the picture is made.
 
 use super::bottom_up::PART_WORDS;
-use super::density::DENSITY_TILE_BYTES;
+use super::density::{DENSITY_TILE_BYTES, Grid};
 use super::seen::SEEN_BYTES;
 use super::shape::Shape;
 use super::top_down::tile::TILE_BYTES;
@@ -23,8 +23,8 @@ impl Renderer {
         let facts = (drawing.block_count() * size_of::<Shape>()) as u64;
         let own = match style.ink {
             Ink::Solid => facts + opaque(style, viewport, detail),
-            Ink::Density => 2 * facts + density(colours(style), viewport, detail),
-            Ink::Auto => 3 * facts + opaque(style, viewport, detail) + density(1, viewport, detail),
+            Ink::Density => 2 * facts + density(Ink::Density, colours(style), viewport, detail),
+            Ink::Auto => 3 * facts + opaque(style, viewport, detail) + density(Ink::Auto, 1, viewport, detail),
         };
         own + LISTS + pixels
     }
@@ -43,9 +43,9 @@ fn opaque(style: &Style, viewport: Viewport, detail: Detail) -> u64 {
     frame + TILE_BYTES + parts + SEEN_BYTES
 }
 
-fn density(colours: usize, viewport: Viewport, detail: Detail) -> u64 {
-    let side = if detail == Detail::Coarse { super::density::COARSE_SIDE as u64 } else { 1 };
-    let sums = u64::from(viewport.width).div_ceil(side) * u64::from(viewport.height).div_ceil(side);
+fn density(ink: Ink, colours: usize, viewport: Viewport, detail: Detail) -> u64 {
+    let [width, height] = Grid::new(ink, viewport, detail).size([viewport.width, viewport.height]);
+    let sums = width as u64 * height as u64;
     let numbers = if colours > 1 { 4 } else { 1 };
     4 * numbers * sums + DENSITY_TILE_BYTES + TONE_BYTES
 }

@@ -51,7 +51,7 @@ pub(super) fn samples() -> Vec<(&'static str, Sample, u32)> {
         ("star", Sample::abop("{F+F+F+F+F}", &[], 144.0).wide(0.02), 1),
         ("narrowing", narrowing(Sample::abop("X", &[('X', "F[+X][-X]'FX")], 25.7).wide(0.4)), 6),
         ("tapering", Sample::abop("X", &[('X', "F!!![+X]F[-X]!!+X"), ('F', "FF")], 25.7).wide(3.0), 5),
-        ("tapering leaves", Sample::abop("X", &[('X', "F![+F!!X]!!+F#[-X]!F{-f+f+f}")], 40.0).wide(1.5), 5),
+        ("tapering leaves", Sample::abop("X", &[('X', "F![+F!!X]!!F[-X]!F{-f+f+f}"), ('F', "FF")], 40.0).wide(1.5), 4),
         ("step colours", Sample::abop("X", &[('X', "F[+'X]F[-''X]+X"), ('F', "FF")], 25.7).wide(0.3), 6),
     ]
 }

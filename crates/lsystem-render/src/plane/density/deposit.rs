@@ -45,6 +45,17 @@ impl Deposit {
         [0, 1, 2].map(|i| along[i] + width * width / 12.0 * across[i])
     }
 
+    /// Four points about the centre, in pixels, y down, with the same spread as a block's ink.
+    #[inline]
+    pub(super) fn spots(&self, node: &Node) -> [[f64; 2]; 4] {
+        let [xx, xy, yy] = turned(self.spread, [node.place.cos, node.place.sin]).map(|square| 2.0 * square);
+        // The columns of the spread's Cholesky factor, as matrices of second moments have.
+        let x = xx.max(0.0).sqrt();
+        let y = if x > 0.0 { xy / x } else { 0.0 };
+        let rest = (yy - y * y).max(0.0).sqrt();
+        [[x, -y], [-x, y], [0.0, rest], [0.0, -rest]]
+    }
+
     /// The share of the deposit in the ink of `whole`: by length, or by area if `whole` has no strokes.
     pub(super) fn share_of(&self, whole: &Self) -> f64 {
         if whole.length.is_zero() { self.area.of(whole.area) } else { self.length.of(whole.length) }

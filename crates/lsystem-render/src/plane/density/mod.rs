@@ -9,6 +9,7 @@
 mod bands;
 mod deposit;
 mod facts;
+mod grid;
 mod haze;
 mod picture;
 mod pigment;
@@ -24,18 +25,16 @@ mod tests;
 use super::fineness::Shading;
 use super::picture::Plan;
 use super::shape::Shape;
-use super::{Detail, RenderStats};
+use super::{Pane, Pass, RenderStats};
 use deposit::Deposits;
 use facts::Facts;
+pub(super) use grid::Grid;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::ColourBy;
 use picture::Picture;
 pub(super) use tile::TILE_BYTES as DENSITY_TILE_BYTES;
 use tone::Tone;
-
-/// Pixels along the side of a sum's place in a coarse picture: a ninth of the sums of a fine picture.
-pub(super) const COARSE_SIDE: usize = 3;
 
 /// Makes pictures in which ink adds up ([`Ink::Density`](lsystem_syntax::Ink)).
 #[derive(Default)]
@@ -58,16 +57,22 @@ impl Density {
     }
 
     /// Starts a picture. An unfinished picture is given up.
-    /// With `shading`, the sums shade an opaque picture.
+    /// With `shading`, the sums shade an opaque picture: those of the whole picture, so that panes have the same shades.
     pub(super) fn begin(&mut self, drawing: &Drawing, plan: &Plan, shading: Option<Shading>) {
         self.tone.shading = shading;
         let mut plan = plan.clone();
+        let grid = grid(&plan);
         if shading.is_some() {
+            let whole = Pane::whole(plan.viewport);
+            if plan.pass == Pass::Show && plan.pane != whole {
+                // The count of the whole picture has left its sums.
+                return;
+            }
+            plan.pane = whole;
             // The opaque picture has the colours.
             plan.style.colour_by = ColourBy::Single;
         }
-        let samples = 1.0 / side(plan.detail) as f64;
-        self.picture.begin(drawing, plan, samples);
+        self.picture.begin(drawing, plan, grid);
     }
 
     /// Collects the facts that the picture needs.
@@ -80,7 +85,7 @@ impl Density {
 
     /// Makes room for the pixels. Returns the units of work.
     pub(super) fn open(&mut self, plan: &Plan) -> u64 {
-        self.tone.begin(plan, side(plan.detail))
+        self.tone.begin(plan, grid(plan))
     }
 
     /// Adds up the ink.
@@ -103,7 +108,6 @@ impl Density {
     }
 }
 
-/// Pixels along the side of a sum's place.
-fn side(detail: Detail) -> usize {
-    if detail == Detail::Coarse { COARSE_SIDE } else { 1 }
+fn grid(plan: &Plan) -> Grid {
+    Grid::new(plan.style.ink, plan.viewport, plan.detail)
 }

@@ -3,6 +3,7 @@
 use super::bands::bands;
 use super::deposit::Deposit;
 use super::facts::Facts;
+use super::grid::Grid;
 use super::haze::Haze;
 use super::pigment::{MeanSource, Pigments};
 use super::sheet::{LEAST_INK, Pigment, Sheet};
@@ -17,8 +18,6 @@ use crate::plane::{Amount, Pass, RenderStats};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Item};
 
-/// The largest extent of a dot at first, in pixels. A dot is a block whose ink is all added at its centre of gravity.
-const TINY: f64 = 1.0;
 /// A straight block longer than this, in pixels, is taken apart, so that rounding stays far below a pixel.
 const LONGEST_LINE: f64 = 1e6;
 /// Strokes with a larger radius than this, in pixels, are not drawn into tiles, and their blocks are bands, not dots.
@@ -51,7 +50,7 @@ enum Stage {
 /// The size of dots.
 #[derive(Clone, Copy, Debug, Default)]
 struct Dots {
-    /// The largest extent of a dot, in pixels.
+    /// The largest extent of a dot, in pixels. A dot is a block whose ink is all added at its centre of gravity.
     extent: f64,
     /// The number of steps at which that extent doubles next.
     next_growth: u64,
@@ -62,14 +61,15 @@ struct Dots {
 /// A picture of sums in the making.
 #[derive(Default)]
 pub(super) struct Picture {
-    /// The plan until the drawing is prepared, and the sums along the side of a pixel.
-    plan: Option<(Plan, f64)>,
+    /// The plan until the drawing is prepared, and the places of the sums.
+    plan: Option<(Plan, Grid)>,
     /// The state of leaving out the last segments, until that is done.
     cut: Option<Cut>,
     descent: Descent,
     table: InkTable,
     pigments: Pigments,
     measure: Measure,
+    grid: Grid,
     sheets: Sheets,
     /// The sheet on which a polygon is being filled.
     filled: usize,
@@ -117,9 +117,10 @@ impl Picture {
         self.stage = Stage::Done;
     }
 
-    /// Starts the sums of a pane, with `samples` sums along the side of a pixel.
-    pub(super) fn begin(&mut self, drawing: &Drawing, plan: Plan, samples: f64) {
+    /// Starts the sums of a pane.
+    pub(super) fn begin(&mut self, drawing: &Drawing, plan: Plan, grid: Grid) {
         self.stop();
+        let samples = grid.samples();
         self.apron = 0;
         self.stats = RenderStats::default();
         self.repeats = drawing.memoised;
@@ -127,35 +128,39 @@ impl Picture {
         let hairline = plan.viewport.least_width(&plan.style) * samples;
         let measure = Measure { hairline, step: transform.step, scale: transform.scale };
         let changed = self.table.choose(drawing, &plan.style);
-        // Tiles that hold large dots would spoil this picture.
-        let rough = core::mem::replace(&mut self.dots.extent, TINY) > TINY;
-        if self.pigments.prepare(&plan.style, self.table.choice.colours) | changed | rough || measure != self.measure {
+        // Tiles that hold dots of another size would spoil this picture.
+        let other_dots = core::mem::replace(&mut self.dots.extent, grid.dot) != grid.dot;
+        self.grid = grid;
+        if self.pigments.prepare(&plan.style, self.table.choice.colours) | changed | other_dots
+            || measure != self.measure
+        {
             self.measure = measure;
             self.tiling.clear();
         }
-        self.plan = Some((plan, samples));
+        self.plan = Some((plan, grid));
     }
 
     /// Collects the facts that the picture needs, and empties the sheet.
     pub(super) fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
-        let Some((plan, samples)) = self.plan.take() else { return Progress::Done };
+        let Some((plan, grid)) = self.plan.take() else { return Progress::Done };
         if self.table.prepare(drawing, meter) == Progress::More
             || self.descent.path.prepare(drawing, &plan.style, meter) == Progress::More
         {
-            self.plan = Some((plan, samples));
+            self.plan = Some((plan, grid));
             return Progress::More;
         }
-        let size = [plan.pane.width, plan.pane.height].map(|side| (f64::from(side) * samples).ceil() as usize);
+        let size = grid.size([plan.pane.width, plan.pane.height]);
         let planes = if self.table.used().len() > 1 { 4 } else { 1 };
         if plan.pass == Pass::Survey {
             self.sheets[0].outline(size, planes);
         } else if self.sheets[0].empty(size, planes, meter) == Progress::More {
-            self.plan = Some((plan, samples));
+            self.plan = Some((plan, grid));
             return Progress::More;
         }
         self.dots.next_growth = STEPS + STEPS_PER_SUM * (size[0] * size[1]) as u64;
         self.dots.work = 0;
-        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, samples).of_pane(plan.pane, samples);
+        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, grid.samples());
+        let transform = grid.transform(transform, plan.pane);
         self.start.extend(self.descent.root(drawing, transform));
         self.cut = plan.upto.map(Cut::new);
         (self.stage, self.pass) = (Stage::Cut, plan.pass);
@@ -319,7 +324,7 @@ impl Picture {
         let (widths, pigment) = (pen.widths.ends().map(|width| self.measure.width(width)), self.pigments.of(pen.shade));
         self.filled = node.canvas;
         let sheet = &mut self.sheets[node.canvas];
-        let work = sheet.stroke(ends, widths, sheet.layer(), pigment);
+        let work = sheet.stroke(ends, widths, self.grid.points, pigment);
         self.dots.work += work;
         work
     }
@@ -411,12 +416,20 @@ impl Picture {
     fn dot(&mut self, node: &Node, deposit: &Deposit, width: f64) -> u64 {
         let Some(pigment) = self.pigment(node) else { return 1 };
         self.stats.strokes += 1;
-        self.stats.outlines += u64::from(self.dots.extent > TINY);
+        self.stats.outlines += u64::from(self.dots.extent > self.grid.dot);
         let amount = deposit.amount(&self.measure, node);
         let sheet = &mut self.sheets[node.canvas];
         if width <= 2.0 * BROAD || deposit.length.is_zero() {
             let amount = amount.units(sheet.exponent).max(LEAST_INK) as f32;
-            sheet.dot(node.place.point(deposit.centre), amount, pigment);
+            let centre = node.place.point(deposit.centre);
+            if self.grid.dot > 1.0 {
+                // A dot larger than a place blinks while the view changes, unless its ink is spread.
+                for off in deposit.spots(node) {
+                    sheet.dot([0, 1].map(|axis| centre[axis] + off[axis]), amount / 4.0, pigment);
+                }
+            } else {
+                sheet.dot(centre, amount, pigment);
+            }
             return 1;
         }
         let (corners, area) = bands(&self.measure, deposit, node);

@@ -16,8 +16,6 @@ const BROAD: f64 = 4.0;
 /// The least ink that is added, in units of the sheet: less counts as this much, so a trunk shows beside 10^100 twigs.
 /// Sums stay below about 2^100 units.
 pub(super) const LEAST_INK: f64 = 1.0 / (1_u128 << 110) as f64;
-/// Points of a line for each pixel of its length.
-const POINTS_PER_PIXEL: f64 = 2.0;
 /// Numbers that are cleared in a unit of work.
 const NUMBERS_PER_UNIT: usize = 256;
 /// Rows that are emptied between two looks at the meter.
@@ -184,9 +182,10 @@ impl Sheet {
         }
     }
 
-    /// Adds a stroke with flat ends that adds `layer` units of ink to each pixel. Its widths at the ends are in pixels; a
-    /// width below 1 adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of work.
-    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], widths: [f64; 2], layer: f64, pigment: Pigment) -> u64 {
+    /// Adds a layer of a stroke with flat ends, as lines of at least `points` points a pixel. Its widths at the ends are in
+    /// pixels; a width below 1 adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of work.
+    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], widths: [f64; 2], points: f64, pigment: Pigment) -> u64 {
+        let layer = self.layer();
         let broadest = widths[0].max(widths[1]);
         let Some([(from, first), (to, last)]) = self.clipped(ends, broadest) else { return 1 };
         let width_at = |place: f64| widths[0] + place * (widths[1] - widths[0]);
@@ -204,7 +203,7 @@ impl Sheet {
             return self.fill(corners.into_iter(), layer, pigment);
         }
         let lines = broadest.ceil().max(1.0);
-        let points = (length * POINTS_PER_PIXEL).ceil().max(1.0);
+        let points = (length * points).ceil().max(1.0);
         let step = [dx / points, dy / points];
         let wider = (widths[1] - widths[0]) / points;
         for line in 0..lines as usize {

@@ -3,6 +3,9 @@
 //! The sums range over many powers of two, so a pixel shows the logarithm of its sum, relative to the other sums of the
 //! picture. The exposure depends on ratios alone, so a small change of the view changes the exposure a little.
 
+mod shade;
+
+use super::grid::Grid;
 use super::pigment::{light, pigment};
 use super::sheet::{Pigment, Sheet};
 use crate::plane::alpha::least_opaque;
@@ -11,6 +14,7 @@ use crate::plane::picture::Plan;
 use crate::plane::{Pass, smooth};
 use lsystem_base::{Meter, Progress};
 use lsystem_syntax::{Colour, ColourBy};
+use shade::Memory;
 
 /// The number of keys. A key is the exponent of an `f32` and the first 8 bits of its fraction, so sums with the same
 /// key differ by at most a 256th.
@@ -40,6 +44,8 @@ const LAYERS: [f64; 2] = [1.0, 1.6];
 const ROUGHEST: f64 = 0.1;
 /// Neighbours are compared inside groups of so many sums, which are the same in panes as in the whole picture.
 const GROUP: usize = 16;
+/// If sums only shade, one in this many rows is counted.
+const SAMPLED: usize = 2;
 /// The layers of ink, as powers of two, between which strokes begin to pile up.
 const PILED: [f64; 2] = [1.0, 4.0];
 
@@ -56,8 +62,9 @@ const DARKEST: f64 = 8.0;
 pub(super) struct Tone {
     width: usize,
     height: usize,
-    /// Pixels along the side of a sum's place.
-    side: usize,
+    grid: Grid,
+    /// The first row of the pane in the picture.
+    top: u32,
     paper: [u8; 3],
     /// Whether the background is left out.
     is_transparent: bool,
@@ -81,8 +88,12 @@ pub(super) struct Tone {
     lights: [Vec<u8>; 3],
     /// By channel, then by level: the pigment of one layer that makes the level.
     pigments: [Vec<f32>; 3],
-    /// The interpolated sums of a row of pixels.
+    /// The interpolated sums of a row.
     row: Vec<f32>,
+    /// In a picture that is shaded: by column, the place before and the part of the way to the next.
+    columns: Vec<(u32, f32)>,
+    /// Shades, by colour and key: many pixels have the same.
+    memories: Vec<Memory>,
     next: usize,
     stage: Stage,
     pass: Pass,
@@ -109,8 +120,8 @@ fn sum(key: usize) -> f64 {
 }
 
 impl Tone {
-    /// Starts a pane with `side` pixels along the side of a sum's place. Returns the units of work.
-    pub(super) fn begin(&mut self, plan: &Plan, side: usize) -> u64 {
+    /// Starts a pane. Returns the units of work.
+    pub(super) fn begin(&mut self, plan: &Plan, grid: Grid) -> u64 {
         let (style, pane, pass) = (&plan.style, plan.pane, plan.pass);
         self.is_transparent = plan.is_transparent;
         let mut work = 1;
@@ -124,7 +135,11 @@ impl Tone {
             self.pixels.resize(bytes, u8::MAX);
             work += self.pixels.len() as u64 / 1024;
         }
-        self.side = side;
+        (self.grid, self.top) = (grid, pane.y);
+        self.columns.clear();
+        if self.shading.is_some() {
+            self.columns.extend((pane.x..pane.x + self.width as u32).map(|column| grid.before(column)));
+        }
         self.exposure = libm::exp2(style.exposure.clamp(-10.0, 10.0));
         let entries = || (0..style.palette.len()).map(|index| style.entry(index));
         self.ramp = (style.colour_by == ColourBy::Density)
@@ -174,14 +189,15 @@ impl Tone {
                 Stage::Counting if self.next < sums.height => {
                     self.count(sums, self.next);
                     meter.charge(1 + sums.reach.get(self.next).map_or(0, |reach| reach.len() as u64 / 16));
-                    self.next += 1;
+                    // For shades a sample is enough.
+                    self.next += if self.shading.is_some() { SAMPLED } else { 1 };
                 }
                 Stage::Counting => {
                     self.stage = if self.pass == Pass::Count { Stage::Done } else { Stage::Exposing };
                 }
                 Stage::Exposing => {
                     // A stroke as wide as a pixel covers only a part of a place larger than a pixel.
-                    let unit = self.side as f64 / sums.layer();
+                    let unit = f64::from(self.grid.side) / sums.layer();
                     let keys = self.expose(sums.planes, pigment, unit);
                     meter.charge((KEYS / 8 + keys) as u64);
                     (self.stage, self.next) = (Stage::Showing, 0);
@@ -193,7 +209,8 @@ impl Tone {
                     }
                     self.next += 1;
                     // A coarse picture interpolates four sums for each pixel.
-                    meter.charge(1 + (self.width * sums.planes * if self.side > 1 { 4 } else { 1 }) as u64 / 16);
+                    let is_coarse = self.grid.side > 1 && self.shading.is_none();
+                    meter.charge(1 + (self.width * sums.planes * if is_coarse { 4 } else { 1 }) as u64 / 16);
                 }
                 Stage::Showing | Stage::Done => return Progress::Done,
             }
@@ -252,13 +269,14 @@ impl Tone {
         self.layers.resize(KEYS, 0.0);
         self.shades.clear();
         self.shades.resize(KEYS, self.pixel(self.paper));
+        self.forget_shades();
         self.parts.clear();
         self.parts.resize(KEYS, 0.0);
         let Shading { piled, single } = self.shading.unwrap_or_default();
         let first = self.counts.iter().skip(1).position(|&count| count > 0).map_or(KEYS, |key| key + 1);
         let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
         // If places are larger than pixels, interpolation makes sums down to a ninth of the least.
-        let first = if self.side > 1 { first.saturating_sub(4 * KEYS_OF_TWO).max(1) } else { first };
+        let first = if self.grid.side > 1 { first.saturating_sub(4 * KEYS_OF_TWO).max(1) } else { first };
         for key in first..=last {
             let sum = sum(key);
             let first = (sum * unit).min(1.0);
@@ -297,7 +315,7 @@ impl Tone {
         let mut pixels = core::mem::take(&mut self.pixels);
         let (out, _) = pixels[y * self.width * 4..(y + 1) * self.width * 4].as_chunks_mut::<4>();
         let blank = self.pixel(self.paper);
-        if self.side == 1 {
+        if self.grid.side == 1 {
             let reach = sums.reach[y].start as usize..sums.reach[y].end as usize;
             out[..reach.start].fill(blank);
             out[reach.end..].fill(blank);
@@ -311,62 +329,6 @@ impl Tone {
             self.row = row;
         }
         self.pixels = pixels;
-    }
-
-    /// Shades a row of an opaque picture. Pixels of the background stay.
-    fn shade(&mut self, sums: &Sheet, y: usize, pixels: &mut [u8]) {
-        let row = pixels.get_mut(y * self.width * 4..(y + 1) * self.width * 4).unwrap_or_default();
-        let (row, _) = row.as_chunks_mut::<4>();
-        if self.side == 1 {
-            let reach = sums.reach[y].start as usize..sums.reach[y].end as usize;
-            let values = &sums.values[y * sums.width..(y + 1) * sums.width];
-            self.shade_by(&values[reach.clone()], row.get_mut(reach).unwrap_or_default());
-        } else {
-            let mut values = core::mem::take(&mut self.row);
-            self.interpolate(sums, y, &mut values);
-            self.shade_by(&values, row);
-            self.row = values;
-        }
-    }
-
-    fn shade_by(&self, values: &[f32], row: &mut [[u8; 4]]) {
-        let [r, g, b] = self.paper;
-        let background = if self.is_transparent { [0; 4] } else { [r, g, b, u8::MAX] };
-        let mut last = (background, usize::MAX, background);
-        for (pixel, &value) in row.iter_mut().zip(values) {
-            let key = key(value);
-            let part = self.parts[key];
-            if part == 0.0 || *pixel == background {
-                continue;
-            }
-            if (last.0, last.1) != (*pixel, key) {
-                last = (*pixel, key, self.shaded(*pixel, key, part));
-            }
-            *pixel = last.2;
-        }
-    }
-
-    /// The pixel of an opaque picture, shaded by `part`.
-    fn shaded(&self, pixel: [u8; 4], key: usize, part: f32) -> [u8; 4] {
-        let between = |from: u8, to: u8, part: f32| {
-            let [from, to] = [from, to].map(f32::from);
-            (from + part * (to - from) + 0.5) as u8
-        };
-        let opacity = f32::from(pixel[3]) / 255.0;
-        let colour = [0, 1, 2].map(|channel| between(self.paper[channel], pixel[channel], opacity));
-        let shaded = if self.ramp.is_some() {
-            [0, 1, 2].map(|channel| between(colour[channel], self.shades[key][channel], part))
-        } else {
-            let pigment = [0, 1, 2].map(|channel| self.pigments[channel][usize::from(colour[channel])]);
-            let mut more = self.layers[key] - 1.0;
-            if more > 0.0 {
-                let mean = pigment.iter().map(|pigment| pigment.abs()).sum::<f32>() / 3.0;
-                more *= (DEEP / mean).min(1.0);
-            }
-            [0, 1, 2].map(|channel| self.light(channel, pigment[channel] * (1.0 + part * more)))
-        };
-        let [r, g, b] = shaded;
-        if self.is_transparent { least_opaque(shaded, self.paper, pixel[3]) } else { [r, g, b, u8::MAX] }
     }
 
     fn colour(&self, values: &[f32], planes: usize, out: &mut [[u8; 4]]) {
@@ -387,7 +349,7 @@ impl Tone {
     fn interpolate(&self, sums: &Sheet, y: usize, out: &mut Vec<f32>) {
         out.clear();
         let near = |pixel: usize, end: usize| {
-            let at = (pixel as f32 + 0.5) / self.side as f32 - 0.5;
+            let at = (pixel as f32 + 0.5) / self.grid.side as f32 - 0.5;
             let first = at.max(0.0) as usize;
             (first.min(end - 1), (first + 1).min(end - 1), (at - first as f32).clamp(0.0, 1.0))
         };

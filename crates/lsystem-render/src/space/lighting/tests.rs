@@ -46,7 +46,7 @@ fn shadows_fall_where_sticks_hide_the_sun() {
     let mut counts = [0; 2];
     for (system, n, width) in [(tree(), 2, 0.4), (bush(), 3, 0.3), (bush(), 4, 0.5)] {
         let mut system = system;
-        system.turtle.width = width;
+        (system.turtle.width, system.turtle.max_width) = (width, 0.0);
         let drawing = drawing(&system, n);
         for (azimuth, elevation) in [(25.0, 12.0), (160.0, 70.0), (-80.0, -40.0)] {
             let camera = Camera { azimuth, elevation, ..Camera::default() };

@@ -1,0 +1,62 @@
+//! The places of sums in a picture.
+
+use crate::plane::view::ViewTransform;
+use crate::plane::{Detail, Pane, Viewport};
+use lsystem_syntax::Ink;
+
+/// Pixels along the side of a place in a coarse picture: a ninth of the sums of a fine picture.
+const COARSE_SIDE: u32 = 3;
+/// The most sums that shade a picture. A larger picture has larger places.
+const MOST_SHADING_SUMS: f64 = (1 << 22) as f64;
+/// The largest extent of a dot that shades, in pixels: a block whose ink is all added at its centre of gravity. Larger
+/// dots would blur shades.
+const SHADING_DOT: f64 = 2.0;
+
+/// The size of the places of sums.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::plane) struct Grid {
+    /// Pixels along the side of a place.
+    pub side: u32,
+    /// Places on each side of the picture that have sums as well, so that pixels at its edge lie between places.
+    pub margin: u32,
+    /// The largest extent of a dot at first, in places.
+    pub dot: f64,
+    /// Points of a line for each place along it. Between more points, ink varies less.
+    pub points: f64,
+}
+
+impl Grid {
+    pub(in crate::plane) fn new(ink: Ink, viewport: Viewport, detail: Detail) -> Self {
+        let coarse = if detail == Detail::Coarse { COARSE_SIDE } else { 1 };
+        if ink != Ink::Auto {
+            return Self { side: coarse, margin: 0, dot: 1.0, points: 2.0 };
+        }
+        let pixels = f64::from(viewport.width) * f64::from(viewport.height);
+        let least = (pixels / MOST_SHADING_SUMS).sqrt().ceil() as u32;
+        let side = coarse.max(least);
+        Self { side, margin: 1, dot: (SHADING_DOT / f64::from(side)).max(1.0), points: 1.0 }
+    }
+
+    /// The number of sums along the side of a pixel.
+    pub(super) fn samples(self) -> f64 {
+        1.0 / f64::from(self.side)
+    }
+
+    /// The number of places across and down.
+    pub(in crate::plane) fn size(self, [width, height]: [u32; 2]) -> [usize; 2] {
+        [width, height].map(|pixels| (pixels.div_ceil(self.side) + 2 * self.margin) as usize)
+    }
+
+    /// The transform with the origin in the upper left corner of a pane's first place.
+    pub(super) fn transform(self, transform: ViewTransform, pane: Pane) -> ViewTransform {
+        let transform = transform.of_pane(pane, self.samples());
+        ViewTransform { middle: transform.middle.map(|middle| middle + f64::from(self.margin)), ..transform }
+    }
+
+    /// The last place whose centre is not beyond the centre of a pixel, and the part of the way to the next one.
+    /// Without a margin, pixels at the edge have no such place.
+    pub(super) fn before(self, pixel: u32) -> (u32, f32) {
+        let (halves, at) = (2 * self.side, 2 * pixel + 1 + self.side * (2 * self.margin).saturating_sub(1));
+        (at / halves, (at % halves) as f32 / halves as f32)
+    }
+}
