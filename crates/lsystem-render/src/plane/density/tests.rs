@@ -1,6 +1,7 @@
 use super::super::fitted_scale;
 use super::*;
 use crate::fit;
+use crate::plane::sample::Sample;
 use crate::plane::tests::{check_odd_views, check_small_steps, close_up, difference, hard, put, samples};
 use crate::plane::view::root_bounds;
 use crate::plane::{Pass, Renderer, View, Viewport};
