@@ -146,7 +146,7 @@ fn polygons_add_their_area() {
     let viewport = Viewport { width: 300, height: 300, ratio: 1.0 };
     let mut renderer = Renderer::new();
     for (axiom, part) in [("{-F+F+F+F}", 1.0), ("[{-F+F+F+F}]{-F+F+F+F}", 2.0)] {
-        let mut sample = crate::plane::sample::Sample::abop(axiom, &[], 90.0);
+        let mut sample = Sample::abop(axiom, &[], 90.0);
         sample.0.overrides = "F: move, vertex".into();
         let drawing = Arc::new(sample.draw(0));
         renderer.load(drawing.clone());
@@ -292,7 +292,7 @@ fn inks_mix_by_how_much_there_is_of_each() {
     let palette = ["red", "blue"].map(|name| name.parse().unwrap()).to_vec();
     let style = Style { palette, background: "white".parse().unwrap(), ..Style::default() };
     // Strokes far below a pixel, two of the first ink for each of the second.
-    let sample = crate::plane::sample::Sample::abop("X", &[('X', "F[+X]F['-F]X")], 90.0);
+    let sample = Sample::abop("X", &[('X', "F[+X]F['-F]X")], 90.0);
     let mut renderer = Renderer::new();
     renderer.load(Arc::new(sample.draw(30)));
     picture(&mut renderer, &style, viewport, View::default());
@@ -312,7 +312,7 @@ fn inks_mix_by_how_much_there_is_of_each() {
 #[test]
 fn means_of_long_blocks_are_found_in_steps() {
     for (times, n) in [(2000, 8), (12_000, 20)] {
-        let sample = crate::plane::sample::Sample::abop("F", &[('F', &"!F'F".repeat(times))], 0.0);
+        let sample = Sample::abop("F", &[('F', &"!F'F".repeat(times))], 0.0);
         let style = Style { ink: Ink::Density, ..sample.0.style.clone() };
         let mut renderer = Renderer::new();
         renderer.load(Arc::new(sample.draw(n)));
