@@ -23,7 +23,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Units of work between two steps of a tile.
 const WORK: usize = 1_000_000;
 /// The bytes of a renderer beside its pixels.
-const RENDERER_BYTES: u64 = 8 << 20;
+const RENDERER_BYTES: u64 = 20 << 20;
 
 /// Makes the tiles that are missing.
 pub(crate) fn tiles(file: &Path, to: &Path, options: &TileOptions, changes: &Changes) -> Result<(), CommandFailure> {

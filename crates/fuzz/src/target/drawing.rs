@@ -87,7 +87,7 @@ pub(super) fn plane(source: &mut Source<'_>, gauge: &mut Gauge) {
     let _ = gauge.call("write_segments", || drawing.write_segments(5_000, &mut arrays));
     read(&drawing, gauge);
     if is_comparable(&definition, &system, n) {
-        let naive = gauge.call("naive", || naive::segments(&system, n));
+        let naive = gauge.call("naive", || naive::limited_segments(&system, n, drawing.bounds()));
         gauge.reach("compared");
         compare(&drawing, &naive);
     }

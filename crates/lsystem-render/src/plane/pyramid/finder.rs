@@ -7,7 +7,7 @@ use crate::plane::view::{Detail, Measure, ViewTransform};
 use lsystem_drawing::Item;
 
 /// The most items that a search visits. In a tile with ink, a search ends after about as many items as the graph is deep.
-const MOST_ITEMS: usize = 1 << 14;
+const MOST_ITEMS: usize = 1 << 13;
 /// The part of a coordinate that may be rounding.
 const ROUNDING: f64 = 1e-12;
 
