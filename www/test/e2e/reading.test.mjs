@@ -240,7 +240,12 @@ for (const [title, own] of /** @type {const} */ ([
             await page.fill('#search', title);
             // The cards come later than the dialog.
             await page.locator('.card:visible', { hasText: title }).first().click();
-            await nextPicture(page, before);
+            const shaded = await nextPicture(page, before);
+            // Leaves in one colour.
+            await page.click('#tab-look');
+            if (own === 'L') await page.selectOption('#ink', 'solid');
+            else await page.uncheck('#shadows');
+            await nextPicture(page, shaded);
             await page.click('#open-reader');
             await until(async () => (await symbols(page)).length > 100, 'the string');
             await stillPicture(page);

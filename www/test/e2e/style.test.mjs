@@ -31,7 +31,7 @@ test('colours follow the choice of Colour by', () =>
     }));
 
 test('additive ink adds up and follows the exposure', () =>
-    withPage({ hash: PLANT.replace('n=5', 'n=30') }, async (page) => {
+    withPage({ hash: `${PLANT.replace('n=5', 'n=30')}&ink=solid` }, async (page) => {
         const solid = await stillPicture(page);
         await tab(page, 'look');
         assert.ok(!(await page.isVisible('#exposure-row')));
