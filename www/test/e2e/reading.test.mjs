@@ -59,7 +59,7 @@ async function goTo(page, place) {
 /** A point inside a filled polygon: the middle of an area in one colour that is not the background's, in CSS pixels. @param {Page} page @returns {Promise<[number, number]>} */
 const flatPlace = (page) =>
     onPixels(page, ({ words, width, height }) => {
-        const size = 5;
+        const size = 4;
         // Not under the tools at the edges.
         for (let top = Math.floor(height / 4); top < height * 0.75; top++) {
             for (let left = Math.floor(width / 4); left < width * 0.75; left++) {
@@ -241,11 +241,12 @@ for (const [title, own] of /** @type {const} */ ([
             // The cards come later than the dialog.
             await page.locator('.card:visible', { hasText: title }).first().click();
             const shaded = await nextPicture(page, before);
-            // Leaves in one colour.
-            await page.click('#tab-look');
-            if (own === 'L') await page.selectOption('#ink', 'solid');
-            else await page.uncheck('#shadows');
-            await nextPicture(page, shaded);
+            if (own === '{') {
+                // Leaves in one colour.
+                await page.click('#tab-look');
+                await page.uncheck('#shadows');
+                await nextPicture(page, shaded);
+            }
             await page.click('#open-reader');
             await until(async () => (await symbols(page)).length > 100, 'the string');
             await stillPicture(page);
