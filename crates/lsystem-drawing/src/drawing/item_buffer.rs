@@ -88,7 +88,7 @@ pub(crate) struct ItemWriter<'a, S: Space> {
 }
 
 impl<S: Space> ItemWriter<'_, S> {
-    /// Tells the items that wait for the widths at their ends, if strokes taper.
+    /// Hands the items that wait for the widths at their ends to `note`, if strokes taper.
     fn taper(&mut self, note: impl FnOnce(&mut Taper, usize, &mut TaperItems<'_, S>)) {
         let ItemBuffer { items, taper, .. } = &mut *self.buffer;
         if let Some(taper) = taper {
