@@ -38,6 +38,10 @@ pub(crate) enum Command {
     Check { file: PathBuf, output: PathBuf, changes: Changes },
     /// Find the rules of a string.
     Find { text: String, known: Known, json: bool },
+    /// Print a new system.
+    Surprise { seed: Option<u32> },
+    /// Write children of one or two systems.
+    Breed { files: Vec<PathBuf>, to: PathBuf, seed: Option<u32>, count: u32 },
     /// Mark answers to an exercise.
     Mark { exercise: String, answers: Vec<String>, csv: bool, html: Option<PathBuf> },
     /// Print facts.
@@ -114,6 +118,8 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         Verb::Find { text, axiom, iterations: n, constants, angle, heading, draws, seconds, json } => {
             Ok(Command::Find { text, known: Known { axiom, n, constants, angle, heading, draws, seconds }, json })
         }
+        Verb::Surprise { seed } => Ok(Command::Surprise { seed }),
+        Verb::Breed { files, to, seed, count } => Ok(Command::Breed { files, to, seed, count }),
         Verb::Mark { exercise, answers, csv, html } => Ok(Command::Mark { exercise, answers, csv, html }),
         Verb::Completions { shell } => {
             let mut script = Vec::new();

@@ -194,6 +194,30 @@ pub(crate) enum Verb {
         #[arg(long)]
         json: bool,
     },
+    /// Print a new system that is worth looking at, as JSON
+    ///
+    /// Systems of several families are made by chance and judged by their drawings. The same SEED always
+    /// makes the same system. Example: lsys surprise --seed 7 | lsys draw - picture
+    #[command(verbatim_doc_comment)]
+    Surprise {
+        /// 0 to 4294967295 [default: another one each time; the system's name tells it]
+        #[arg(long, value_parser = |text: &str| whole(text, u32::MAX))]
+        seed: Option<u32>,
+    },
+    /// Write children of one system, or of two: rules, angles and colours changed a little, or crossed
+    Breed {
+        #[arg(help = FILE, value_name = "FILE", value_hint = ValueHint::FilePath, required = true, num_args = 1..=2)]
+        files: Vec<PathBuf>,
+        /// Folder for the children; made if it is missing
+        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, allow_hyphen_values = true)]
+        to: PathBuf,
+        /// 0 to 4294967295; the same seed makes the same children [default: another one each time]
+        #[arg(long, value_parser = |text: &str| whole(text, u32::MAX))]
+        seed: Option<u32>,
+        /// How many children, 1 to 100
+        #[arg(long, value_name = "N", default_value = "9", value_parser = |text: &str| whole(text, 100))]
+        count: u32,
+    },
     /// Mark answers to an exercise
     ///
     /// EXERCISE is the link of an exercise, or a file with the link. Each of ANSWERS is the link of an

@@ -118,7 +118,8 @@ fn entries_of(bytes: &[u8]) -> Result<Vec<Entry>, String> {
     }
 }
 
-fn write(definition: &Definition, path: &Path) -> Result<(), String> {
+/// Writes a system as JSON. An error has the path.
+pub(crate) fn write(definition: &Definition, path: &Path) -> Result<(), String> {
     let text = write_json(definition);
     let pending = Pending::write(path, |out| out.write_all(text.as_bytes()));
     pending.and_then(Pending::commit).map_err(|error| format!("{}: {error}", path.display()))

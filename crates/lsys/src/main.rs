@@ -16,6 +16,7 @@ mod growth;
 mod import;
 mod info;
 mod input;
+mod invent;
 mod mark;
 mod memory;
 mod output;
@@ -103,6 +104,8 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Export { file, notation, changes } => export::export(&file, notation, &changes),
         Command::Check { file, output, changes } => check::check(&file, &output, &changes),
         Command::Find { text, known, json } => find::find(&text, &known, json),
+        Command::Surprise { seed } => invent::print_surprise(seed),
+        Command::Breed { files, to, seed, count } => invent::breed_into(&files, seed, count, &to),
         Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
         Command::Info { files, growth: Some(format), changes, .. } => growth::print_growth(&files, format, &changes),
         Command::Info { files, json, growth: None, changes } => info::info(&files, json, &changes),

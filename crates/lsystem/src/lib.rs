@@ -46,6 +46,7 @@ pub use lsystem_files as files;
 pub use lsystem_film as film;
 pub use lsystem_find as find;
 pub use lsystem_import as import;
+pub use lsystem_invent as invent;
 pub use lsystem_plot as plot;
 pub use lsystem_render as render;
 pub use lsystem_syntax as syntax;
