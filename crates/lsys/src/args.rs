@@ -119,7 +119,10 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             Ok(Command::Find { text, known: Known { axiom, n, constants, angle, heading, draws, seconds }, json })
         }
         Verb::Surprise { seed } => Ok(Command::Surprise { seed }),
-        Verb::Breed { files, to, seed, count } => Ok(Command::Breed { files, to, seed, count }),
+        Verb::Breed { files, to, seed, count } => match files.iter().filter(|file| file.as_os_str() == "-").count() {
+            0 | 1 => Ok(Command::Breed { files, to, seed, count }),
+            _ => Err(explain("breed", "standard input (-) can be read only once".to_owned())),
+        },
         Verb::Mark { exercise, answers, csv, html } => Ok(Command::Mark { exercise, answers, csv, html }),
         Verb::Completions { shell } => {
             let mut script = Vec::new();
@@ -286,6 +289,7 @@ mod tests {
             Ok(Command::Mark { exercise, answers, csv, html }) => {
                 format!("mark {exercise} {answers:?} csv {csv} {html:?}")
             }
+            Ok(command @ (Command::Surprise { .. } | Command::Breed { .. })) => format!("{command:?}"),
             Err(error) => error.split("\n\n").next().unwrap_or_default().to_owned(),
         };
         expected.assert_eq(&text);
@@ -293,6 +297,12 @@ mod tests {
 
     #[test]
     fn commands() {
+        check("surprise --seed 7", &expect![["Surprise { seed: Some(7) }"]]);
+        check(
+            "breed a.json - --to out --count 4",
+            &expect![[r#"Breed { files: ["a.json", "-"], to: "out", seed: None, count: 4 }"#]],
+        );
+        check("breed - - --to out", &expect![["error: standard input (-) can be read only once"]]);
         check("expand a.json -n 3", &expect![[r#"expand "a.json" n Some(3) seed None"#]]);
         check(
             "animate --dive a.json --to a.gif --track angle=0:-20,5:30",
