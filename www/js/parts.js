@@ -18,10 +18,12 @@ import { createSeeds } from './seeds.js';
 import { createShare } from './share.js';
 import { createShortcuts } from './shortcuts.js';
 import { createStepsDialog } from './steps/dialog.js';
+import { createSurprise } from './surprise.js';
 
 export const PARTS = {
     gallery: createGallery,
     seeds: createSeeds,
+    surprise: createSurprise,
     steps: createStepsDialog,
     mathematics: createMathematics,
     save: createSave,

@@ -5,6 +5,7 @@ import { calls as files } from './calls/export.js';
 import { calls as films } from './calls/film.js';
 import { calls as find } from './calls/find.js';
 import { calls as notations } from './calls/import.js';
+import { calls as inventions } from './calls/invent.js';
 import { serve } from './tool.js';
 
-serve({ ...course, ...files, ...films, ...find, ...notations });
+serve({ ...course, ...files, ...films, ...find, ...inventions, ...notations });

@@ -11,6 +11,8 @@ mod film;
 mod find;
 #[cfg(feature = "import")]
 mod import;
+#[cfg(feature = "invent")]
+mod invent;
 #[cfg(test)]
 mod tables;
 
@@ -24,6 +26,8 @@ pub use film::{FilmPlayer, read_film, subjects, with_preset};
 pub use find::{DrawnSvg, RuleFinder};
 #[cfg(feature = "import")]
 pub use import::{import_systems, write_system};
+#[cfg(feature = "invent")]
+pub use invent::surprise;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

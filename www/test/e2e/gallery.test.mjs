@@ -189,3 +189,19 @@ test('the foot of the gallery takes no room, and lies over the cards while a sys
         assert.ok(await page.isVisible('#gallery-about'));
         assert.equal(await height(), before);
     }));
+
+test('a surprise opens a new system, and undo goes back', () =>
+    withPage({}, async (page) => {
+        const rules = () => page.inputValue('#rules');
+        const first = await rules();
+        await page.click('#surprise');
+        await until(async () => (await rules()) !== first, 'a new system');
+        const second = await rules();
+        await page.click('#surprise');
+        await until(async () => (await rules()) !== second, 'another one');
+        await page.waitForSelector('#refusal', { state: 'hidden' });
+        await page.click('#undo');
+        assert.equal(await rules(), second);
+        await page.click('#undo');
+        assert.equal(await rules(), first);
+    }));

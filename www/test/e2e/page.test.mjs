@@ -742,7 +742,7 @@ test('on a phone in landscape the middle of the drawing is free, and the panel f
         const middle = (await right('#stage')) / 2;
         for (const tools of ['.tools-view', '.tools-read']) assert.ok((await left(tools)) > middle + 60, tools);
         assert.ok(!(await page.isVisible('#undo')));
-        assert.ok(Math.abs((await right('#open-gallery')) - (await right('#axiom'))) <= 1);
+        assert.ok(Math.abs((await right('#surprise')) - (await right('#axiom'))) <= 1);
     }));
 
 test('on a phone everything is within reach', () =>

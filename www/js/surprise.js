@@ -1,0 +1,25 @@
+/** Opens a new system, made by chance. */
+
+import { toast } from './announce.js';
+import { createTool } from './tool.js';
+
+/** @param {import('./dialogs.js').Page} page */
+export function createSurprise({ store, engine }) {
+    /** @type {ReturnType<typeof createTool<import('./protocol.js').InventCalls>>} */
+    const tool = createTool('invent');
+    /** The number of the last call; a system that comes late is dropped. */
+    let last = 0;
+
+    return {
+        async open() {
+            const own = ++last;
+            try {
+                const seed = await engine.seed();
+                const made = await tool.call('surprise', { seed });
+                if (own === last) store.open(made);
+            } catch (error) {
+                toast(`No new system: ${error instanceof Error ? error.message : error}`);
+            }
+        },
+    };
+}
