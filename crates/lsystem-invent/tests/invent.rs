@@ -70,7 +70,7 @@ fn poor_systems_are_refused() {
         ("F", "F -> F+F+F", 120.0, Family::Curve, Refusal::Overlap),
         ("F", "F -> F+F--F+F", 60.0, Family::Curve, Refusal::Known),
         ("X", "X -> F[+X]F+X\nF -> FF", 25.0, Family::Plant, Refusal::Balance),
-        ("(", "F -> F", 60.0, Family::Curve, Refusal::Fails),
+        ("F", "F -> F(1", 60.0, Family::Curve, Refusal::Fails),
     ] {
         assert_eq!(judge(&mut plain(axiom, rules, angle), family).err(), Some(refusal), "{axiom} {rules}");
     }
@@ -90,7 +90,7 @@ fn children_differ_from_each_other_and_from_their_parents() {
             assert!(!children[..at].contains(child) && !parents.contains(child));
         }
     }
-    let broken = Definition { axiom: "(".into(), ..Definition::default() };
+    let broken = Definition { axiom: "F".into(), rules: "F -> F(1".into(), ..Definition::default() };
     assert!(breed(&[broken], 1, 9).is_empty());
     assert!(breed(&[], 1, 9).is_empty());
 }

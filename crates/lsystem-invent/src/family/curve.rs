@@ -33,6 +33,7 @@ pub(super) fn make(dice: &mut Dice, is_island: bool) -> Definition {
             break way;
         }
     };
+    let twist = if way.seconds.contains(&true) { twist } else { Twist::None };
     let letter = |second: bool| {
         if twist == Twist::None {
             'F'
