@@ -29,6 +29,7 @@ test('shelves say what one sees, the simple systems first', () =>
             'Flowers and leaves',
             'Curves',
             'Tilings',
+            'Stars',
             'In space',
             'By chance',
             'Signals',
