@@ -30,6 +30,7 @@ mod space;
 mod style;
 mod turtle;
 
+mod look;
 mod system;
 
 mod drawn;
@@ -50,6 +51,7 @@ pub use drawing::{
 };
 pub use drawn::drawn_by_letter;
 pub use figure::{Figure, FigureDrawer};
+pub use look::Look;
 pub use mesh::{Material, Mesh, MeshForm, MeshOptions, MeshParts};
 pub use opening::symbol_of_polygon;
 pub use plane::{Directions, Plane};

@@ -1,15 +1,14 @@
 //! A system ready for derivation and drawing.
 
 use crate::space::Tropism;
-use crate::{Colouring, Turtle};
+use crate::{Look, Turtle};
 use lsystem_base::sorted::{set, sort};
 use lsystem_base::{LimitName, MAX_LETTERS};
 use lsystem_derive::{Letter, Rules};
 use lsystem_syntax::lint::warnings;
 use lsystem_syntax::notation;
 use lsystem_syntax::{
-    Action, ColourBy, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, Production, Style,
-    parse_overrides,
+    Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, Production, Style, parse_overrides,
 };
 use std::sync::Arc;
 
@@ -69,8 +68,7 @@ impl System {
             |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
         let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
         let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
-        let style = &definition.style;
-        let turtle = Turtle {
+        let mut turtle = Turtle {
             actions: rules
                 .letters
                 .iter()
@@ -88,23 +86,40 @@ impl System {
             heading: Heading::from_degrees(definition.heading),
             start: definition.start,
             step: definition.step,
-            width: style.width,
-            max_width: style.max_width / 100.0,
-            tapers: style.tapers,
-            width_factor: style.width_factor,
             length_factor: definition.length_factor,
-            colouring: match style.colour_by {
-                ColourBy::Turn => Colouring::Turns(style.turn_colours),
-                ColourBy::Generation => Colouring::Generations,
-                _ => Colouring::Symbols,
-            },
             angle_variation: definition.angle_variation / 100.0,
             length_variation: definition.length_variation / 100.0,
             growth: definition.growth,
+            ..Turtle::default()
         };
+        turtle.take_style(&definition.style);
         let grammar = reading.grammar;
-        let system = Self { grammar, rules, turtle, style: definition.style.clone(), seed: definition.seed };
+        let mut system = Self { grammar, rules, turtle, style: definition.style.clone(), seed: definition.seed };
+        if system.style.auto {
+            system.style = system.look().applied(&system.style, system.acting());
+            system.turtle.take_style(&system.style);
+        }
         (Some(system), diagnostics)
+    }
+
+    /// The look that the system would choose by itself.
+    #[must_use]
+    pub fn look(&self) -> Look {
+        Look::of(self.acting(), self.is_solid())
+    }
+
+    /// The actions of all symbols that may occur; those that modules give a number, with a number.
+    fn acting(&self) -> impl Iterator<Item = Action> + Clone {
+        // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.
+        let reachable = self.rules.reachable().into_iter().map(|reached| reached || !self.rules.is_plain());
+        let reached =
+            self.rules.letters.iter().zip(&self.turtle.actions).zip(reachable).filter(|(_, reached)| *reached);
+        reached.flat_map(|((letter, actions), _)| {
+            let numbered = |(at, action): (usize, &Action)| {
+                if at == 0 && letter.arity > 0 { action.with(1.0) } else { *action }
+            };
+            actions.iter().enumerate().map(numbered)
+        })
     }
 
     /// Whether the drawing leaves the plane: a symbol that may occur pitches or rolls, or the tropism has a z
@@ -112,11 +127,8 @@ impl System {
     /// rotations out of it.
     #[must_use]
     pub fn is_solid(&self) -> bool {
-        // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.
-        let reachable = self.rules.reachable().into_iter().map(|reached| reached || !self.rules.is_plain());
-        let leads_out = |actions: &[Action]| actions.iter().any(|action| action.is_solid());
         self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0)
-            || self.turtle.actions.iter().zip(reachable).any(|(actions, reached)| reached && leads_out(actions))
+            || self.acting().any(|action| action.is_solid())
     }
 
     /// Whether the drawing depends on the seed.

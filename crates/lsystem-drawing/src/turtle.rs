@@ -6,7 +6,7 @@ use crate::rotation::Axis;
 use crate::space::{Geometry, Tropism, exponent_of, finite, unit_of};
 use crate::style::{ColourChange, StyleChange, WidthChange};
 use lsystem_derive::{Fate, LetterId, Rule, Rules, Varied};
-use lsystem_syntax::{Action, CIRCLE_SIDES, Heading, Outline};
+use lsystem_syntax::{Action, CIRCLE_SIDES, ColourBy, Heading, Outline, Style};
 
 /// The actions of all letters and the settings of the turtle.
 #[derive(Clone, Debug, PartialEq)]
@@ -171,6 +171,17 @@ impl Default for Turtle {
 }
 
 impl Turtle {
+    /// Takes widths and the rule for colours from a style.
+    pub(crate) fn take_style(&mut self, style: &Style) {
+        (self.width, self.max_width, self.width_factor) = (style.width, style.max_width / 100.0, style.width_factor);
+        self.tapers = style.tapers;
+        self.colouring = match style.colour_by {
+            ColourBy::Turn => Colouring::Turns(style.turn_colours),
+            ColourBy::Generation => Colouring::Generations,
+            _ => Colouring::Symbols,
+        };
+    }
+
     /// The orientation at the start.
     pub(crate) fn start_turn<S: Geometry>(&self) -> S::Turn {
         S::turn(Axis::Up, self.heading)

@@ -185,12 +185,12 @@ impl Painter {
 
     /// Starts the pixels of the frame.
     fn start(&mut self) {
-        let (Some(frame), Some(figure)) = (&self.frame, &self.figure) else { return };
+        let (Some(frame), Some(figure), Some((system, _))) = (&self.frame, &self.figure, &self.system) else { return };
         let framing = self.framed.as_ref().filter(|_| frame.framed.is_some()).and_then(|(_, framing)| framing.as_ref());
         let vantage = framing.map_or(frame.vantage, |framing| framing.hold(figure, self.viewport, &frame.vantage));
         self.renderer.load(figure);
         self.renderer.begin(PictureOptions {
-            style: frame.definition.style.clone(),
+            style: system.style.clone(),
             viewport: self.viewport,
             vantage,
             upto: first_part(figure.segment_count(), frame.drawn),

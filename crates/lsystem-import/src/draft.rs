@@ -11,7 +11,8 @@ use lsystem_base::{MAX_ITERATIONS, decimal};
 use lsystem_drawing::System;
 use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::{
-    Action, Definition, Grammar, Module, Production, look_alike, parse, parse_overrides, print_axiom, print_rules,
+    Action, Definition, Grammar, Module, Production, Style, look_alike, parse, parse_overrides, print_axiom,
+    print_rules,
 };
 use std::collections::{HashMap, HashSet};
 
@@ -29,8 +30,8 @@ pub(super) struct Draft<'a> {
     pub(super) others: Option<&'static str>,
     /// Whether the text gives the number of iterations.
     pub(super) has_iterations: bool,
-    /// Whether the custom symbols are complete in the definition.
-    pub(super) keeps_overrides: bool,
+    /// Whether the text is in our own notation: its custom symbols are complete, and its look is meant.
+    pub(super) is_ours: bool,
     /// The first line of the system in the text, from 1.
     pub(super) line: usize,
     remarks: Vec<Remark>,
@@ -62,7 +63,7 @@ impl<'a> Draft<'a> {
             meanings: Vec::new(),
             others: None,
             has_iterations: false,
-            keeps_overrides: false,
+            is_ours: false,
             line,
             remarks: Vec::new(),
             marks: Vec::new(),
@@ -157,7 +158,7 @@ impl<'a> Draft<'a> {
             self.remark(line, span.clone(), &text, message, refused);
         }
         (self.definition, self.meanings, self.others) = (inner.definition, inner.meanings, inner.others);
-        (self.has_iterations, self.keeps_overrides) = (inner.has_iterations, inner.keeps_overrides);
+        (self.has_iterations, self.is_ours) = (inner.has_iterations, inner.is_ours);
     }
 
     /// The symbols of a part of the text without white space. Typographic look-alikes, as on web pages, are read as what
@@ -207,7 +208,9 @@ impl<'a> Draft<'a> {
         if !self.is_refused() {
             self.check();
         }
-        let Self { definition, remarks, marks, .. } = self;
+        let Self { mut definition, remarks, marks, is_ours, .. } = self;
+        // A text that says nothing about colours and widths gets a look that suits the drawing.
+        definition.style.auto = !is_ours && definition.style == Style::default();
         let refused = remarks.iter().any(|remark| remark.refused);
         (Entry { name: definition.name.clone(), definition: (!refused).then_some(definition), remarks }, marks)
     }
@@ -246,7 +249,7 @@ impl<'a> Draft<'a> {
             return self.refuse(self.line, "", wrong.message());
         }
         let (grammar, _) = parse(&self.definition.axiom, &self.definition.rules);
-        if !self.keeps_overrides {
+        if !self.is_ours {
             self.custom_symbols(&grammar);
         }
         if !self.has_iterations {

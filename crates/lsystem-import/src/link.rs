@@ -100,7 +100,7 @@ fn link<'a>(source: Source<'a>, word: &'a str, compressed: &mut usize) -> Option
         own.into_iter().for_each(|own| draft.note_at(draft.place(value), own.message));
     }
     draft.definition = link.definition;
-    (draft.has_iterations, draft.keeps_overrides) = (true, true);
+    (draft.has_iterations, draft.is_ours) = (true, true);
     // The rest is about the compressed part, or about the link as a whole.
     let packed = fields_of(hash).filter(|(key, _)| *key == "z").last().map(|(_, value)| value);
     for problem in problems {

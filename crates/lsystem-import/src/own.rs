@@ -23,7 +23,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let mut draft = Draft::new(source, "", source.line_of(from));
     draft.covers(draft.place(all));
     draft.read(draft.place(all), "the system");
-    (draft.has_iterations, draft.keeps_overrides) = (true, true);
+    (draft.has_iterations, draft.is_ours) = (true, true);
     for diagnostic in diagnostics {
         let hint = diagnostic.hint().map_or(String::new(), |hint| format!(". {hint}"));
         let message = format!("{}{hint}", diagnostic.message());

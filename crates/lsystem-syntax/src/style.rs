@@ -108,6 +108,9 @@ pub struct Style {
     pub exposure: f64,
     /// Whether a drawing in space has soft shadows, also on the ground, and is darker inside, in pictures at rest.
     pub shadows: bool,
+    /// Whether widths and the property that decides colours follow from the system (`Look` of `lsystem-drawing`) in place
+    /// of `colour_by`, `palette_holds`, `width`, `width_factor`, `min_width` and `max_width`.
+    pub auto: bool,
 }
 
 impl Colour {
@@ -150,6 +153,7 @@ impl Default for Style {
             hue: 0.0,
             exposure: 0.0,
             shadows: true,
+            auto: false,
         }
     }
 }

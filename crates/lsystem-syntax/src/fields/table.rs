@@ -66,7 +66,7 @@ const CAMERA: &[(&str, Expected)] = &[
 ];
 
 /// All fields, in the order of links.
-pub static FIELDS: [FieldSpec; 41] = [
+pub static FIELDS: [FieldSpec; 42] = [
     FieldSpec {
         name: "title",
         link: "title",
@@ -488,6 +488,17 @@ pub static FIELDS: [FieldSpec; 41] = [
         label: "Shadows",
         help: "whether a drawing in space has soft shadows",
         access: Some(at!(style.shadows)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "auto",
+        link: "auto",
+        file: Some((Section::Style, "auto")),
+        expected: Expected::Boolean,
+        affects: Affects::Look,
+        label: "Automatic look",
+        help: "whether widths, and what the colour follows, are chosen after the system in place of the values given",
+        access: Some(at!(style.auto)),
         ..FIELD
     },
     FieldSpec {
