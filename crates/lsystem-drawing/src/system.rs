@@ -1,6 +1,7 @@
 //! A system ready for derivation and drawing.
 
 use crate::space::Tropism;
+use crate::sway::Sway;
 use crate::{Colouring, Turtle};
 use lsystem_base::sorted::{set, sort};
 use lsystem_base::{LimitName, MAX_LETTERS};
@@ -70,14 +71,13 @@ impl System {
         let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
         let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
         let style = &definition.style;
+        let actions: Vec<Vec<Action>> = (rules.letters.iter())
+            .map(|letter| actions.drawn(letter.symbol, image_of(grammar, &images, letter.symbol), !rules.is_plain()))
+            .collect();
         let turtle = Turtle {
-            actions: rules
-                .letters
-                .iter()
-                .map(|letter| {
-                    actions.drawn(letter.symbol, image_of(grammar, &images, letter.symbol), !rules.is_plain())
-                })
-                .collect(),
+            // A drawing without branches stands still.
+            sway: Sway::new(definition.sway).filter(|_| branch(&actions)),
+            actions,
             left: Heading::from_degrees(definition.angle),
             right: angle([right_angle, None]),
             pitch_down: angle([pitch_down, None]),
@@ -119,6 +119,12 @@ impl System {
             || self.turtle.actions.iter().zip(reachable).any(|(actions, reached)| reached && leads_out(actions))
     }
 
+    /// Whether a symbol opens a branch, so that the drawing can sway.
+    #[must_use]
+    pub fn has_branches(&self) -> bool {
+        branch(&self.turtle.actions)
+    }
+
     /// Whether the drawing depends on the seed.
     #[must_use]
     pub fn is_stochastic(&self) -> bool {
@@ -131,6 +137,11 @@ impl System {
         // In plain rules, stochastic productions of unreachable letters do not count.
         if self.rules.is_plain() { !self.rules.is_deterministic() } else { self.rules.is_random() }
     }
+}
+
+/// Whether an action opens a branch.
+fn branch(actions: &[Vec<Action>]) -> bool {
+    actions.iter().flatten().any(|action| *action == Action::Push)
 }
 
 /// The index of the first image of each symbol, sorted by symbol.
