@@ -28,6 +28,7 @@ export function turtlePanel(store) {
     ];
     const showElasticity = plainField('elasticity', 'elasticity', 0.01);
     const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
+    const showSway = listFields('sway', ['sway-strength', 'sway-phase'], 1);
     /** Whether the drawing is in space, and whether tropism bends it. */
     let space = false;
     let bent = false;
@@ -54,7 +55,7 @@ export function turtlePanel(store) {
         });
     }
 
-    /** Fields for the numbers of a list. @param {'start' | 'tropism'} field @param {string[]} ids @param {number} step */
+    /** Fields for the numbers of a list. @param {'start' | 'tropism' | 'sway'} field @param {string[]} ids @param {number} step */
     function listFields(field, ids, step) {
         const { expected = '', ...range } = rangeOf(field);
         const show = ids.map((id, at) =>
@@ -118,6 +119,7 @@ export function turtlePanel(store) {
             showSpace(state);
             showElasticity(state.elasticity);
             showPull(state.tropism);
+            showSway(state.sway);
             // Open the tropism fields when bending begins; the reader may close them.
             if (state.elasticity !== 0 && !bent) bends.setAttribute('open', '');
             bent = state.elasticity !== 0;
