@@ -19,7 +19,7 @@ export function turtlePanel(store) {
     const showStep = plainField('step', 'step', 1);
     const showStart = listFields('start', ['start-x', 'start-y'], 1);
 
-    const bends = html('bends');
+    const [showBends, showSways] = [opener('bends'), opener('sways')];
     const [showDown, showUp, showLeft, showRight] = [
         optionalAngle('pitchDown', 'pitch-down'),
         optionalAngle('pitchUp', 'pitch-up'),
@@ -29,9 +29,8 @@ export function turtlePanel(store) {
     const showElasticity = plainField('elasticity', 'elasticity', 0.01);
     const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
     const showSway = listFields('sway', ['sway-strength', 'sway-phase'], 1);
-    /** Whether the drawing is in space, and whether tropism bends it. */
+    /** Whether the drawing is in space. */
     let space = false;
-    let bent = false;
 
     /** A field for a number. @param {FieldName} field @param {string} id @param {number} step */
     function plainField(field, id, step) {
@@ -120,9 +119,8 @@ export function turtlePanel(store) {
             showElasticity(state.elasticity);
             showPull(state.tropism);
             showSway(state.sway);
-            // Open the tropism fields when bending begins; the reader may close them.
-            if (state.elasticity !== 0 && !bent) bends.setAttribute('open', '');
-            bent = state.elasticity !== 0;
+            showBends(state.elasticity !== 0);
+            showSways(state.sway[0] !== 0);
         },
         read: symbols.read,
         /** @param {Report} report */
@@ -135,6 +133,15 @@ export function turtlePanel(store) {
             showLegend(legend);
             showHint(legend);
         },
+    };
+}
+
+/** Opens fields when their effect begins; the reader may close them. @param {string} id */
+function opener(id) {
+    let begun = false;
+    return (/** @type {boolean} */ acts) => {
+        if (acts && !begun) html(id).setAttribute('open', '');
+        begun = acts;
     };
 }
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, nextPicture, picture, stillPicture, until, withPage } from './browser.mjs';
+import { close, nextPicture, onPixels, picture, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -10,6 +10,14 @@ const PLANT = `#v=1&axiom=X&rules=${encodeURIComponent('X -> F[+X][-X]FX\nF -> F
 const hash = (page) => page.evaluate(() => location.hash);
 /** @param {import('playwright-core').Page} page */
 const pressed = (page) => page.getAttribute('#wind', 'aria-pressed');
+
+/** The lowest row with ink, and its first column: the root of the plant. @param {import('playwright-core').Page} page */
+const root = (page) =>
+    onPixels(page, ({ words, width }) => {
+        const last = words.findLastIndex((word) => word !== words[0]);
+        const row = words.subarray(last - (last % width), last + 1);
+        return [Math.floor(last / width), row.findIndex((word) => word !== words[0])];
+    });
 
 /** Opens the bar and lets the wind blow. Returns the picture before. @param {import('playwright-core').Page} page */
 async function blow(page) {
@@ -39,6 +47,10 @@ test('wind moves the drawing, and leaves the state as it was', () =>
 
 test('the wind pauses at a phase, and keeps the frame of the still plant', () =>
     withPage({ hash: PLANT }, async (page) => {
+        await page.click('#open-playback');
+        await stillPicture(page);
+        const place = await root(page);
+        await page.click('#close-playback');
         const before = await blow(page);
         await until(async () => (await picture(page)).digest !== before.digest, 'it sways');
         // The wind has risen by then.
@@ -47,6 +59,11 @@ test('the wind pauses at a phase, and keeps the frame of the still plant', () =>
         const left = await stillPicture(page);
         await page.fill('#play-slider', '7500');
         const right = await nextPicture(page, left);
+        const moved = await root(page);
+        assert.ok(
+            moved.every((at, axis) => Math.abs(at - (place[axis] ?? 0)) <= 3),
+            `the root stays: ${moved} of ${place}`,
+        );
         // The same phase has the same picture, whatever came between.
         await page.fill('#play-slider', '2500');
         assert.equal((await nextPicture(page, right)).digest, left.digest);
