@@ -11,7 +11,7 @@ import { createLate } from './late.js';
  * @property {import('./storage.js').SafeStorage} storage
  * @property {ReturnType<typeof import('./session.js').createSession>} session
  * @property {ReturnType<typeof import('./favourites/stored.js').createStored>} favourites
- * @property {{readonly space: boolean, camera: () => import('./camera.js').Camera, resolution: () => import('./protocol.js').Canvas}} stage
+ * @property {{readonly space: boolean, readonly branches: boolean, camera: () => import('./camera.js').Camera, resolution: () => import('./protocol.js').Canvas}} stage
  * @property {(index: bigint) => void} readAt opens the string at a symbol
  * @property {() => string} theme its name
  * @property {(definition: Definition) => Definition} restyle gives a system with default colours the theme's colours

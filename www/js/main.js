@@ -44,6 +44,7 @@ import { createStorage } from './storage.js';
 import { QUESTION, createTrouble } from './trouble.js';
 import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
+import { createWind } from './wind.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
@@ -67,7 +68,8 @@ const marks = createMarks();
 const stage = createStage(store, engine, marks, { isBesideTools: true });
 const orbit = createOrbit(store, stage);
 const playback = createPlayback(engine, { turtle: marks.turtle });
-const growing = createGrowing(store, engine, { begins: () => playback.forget(), present: playback.present });
+const growing = createGrowing(store, engine, { begins: () => begins(wind), present: playback.present });
+const wind = createWind(store, engine, { begins: () => begins(growing), present: playback.present });
 const legend = createLegend();
 const reader = createReader(engine, { mark: marks.part('string'), legend, opened: () => hover.forget() });
 const hover = createHover(engine, {
@@ -95,7 +97,7 @@ const report = createReporter({
     untitled: 'untitled system',
     stage,
     drawn: [reader, playback, stage, orbit],
-    edited: [rules, legend, growth, look, turtle, refusal],
+    edited: [rules, legend, growth, look, turtle, refusal, wind],
     mistaken({ message }, { length }) {
         showLast();
         return `${message}${length > 1 ? `, and ${length - 1} more` : ''}. Showing the last valid drawing.`;
@@ -165,6 +167,7 @@ store.subscribe((state, before) => {
         if (notDrawn) trouble.hide();
         notDrawn = false;
         engine.define(definitionOf(state));
+        wind.edited();
     }
     show(state, before);
 });
@@ -216,10 +219,16 @@ function showNames(state) {
     if (document.title !== heading) document.title = heading;
 }
 
+/** Growth or wind takes the place of the other. @param {{stop: () => void}} other */
+function begins(other) {
+    other.stop();
+    playback.forget();
+}
+
 /** @param {Report} next @param {boolean} past whether the report is about the last good state */
 function reported(next, past) {
-    // Do not report the intermediate states of growth.
-    if (!growing.running) report(next, past);
+    // Do not report the intermediate states of growth and wind.
+    if (!growing.running && !wind.blowing) report(next, past);
 }
 
 /** @param {import('./engine.js').Drawn} picture */
@@ -227,6 +236,7 @@ function drawn(picture) {
     stage.drawn(picture);
     if (picture.complete) html('rough').hidden = !picture.rough;
     growing.drawn();
+    wind.drawn();
     playback.drawn(picture);
     hover.drawn();
 }
@@ -240,6 +250,7 @@ function busy(under) {
 function troubled({ how, question }) {
     if (question) return toast(QUESTION);
     growing.forget();
+    wind.forget();
     stage.setBusy(false);
     if (engine.good.definition) showLast();
     trouble.show(how, engine.good.definition !== null);

@@ -594,7 +594,7 @@ level: number, };
 /**
  * A preset, as the page asks for it.
  */
-export type PresetObject = { "kind": "growth", n: number, } | { "kind": "turtle" } | { "kind": "turntable", azimuth: number, } | { "kind": "dive", place: Array<number>, space: boolean, };
+export type PresetObject = { "kind": "growth", n: number, } | { "kind": "turtle" } | { "kind": "turntable", azimuth: number, } | { "kind": "sway", strength: number, } | { "kind": "dive", place: Array<number>, space: boolean, };
 
 /**
  * A diagnostic in words, with its place in UTF-16 units.
@@ -653,6 +653,10 @@ stochastic: boolean,
  * Whether the drawing leaves the plane.
  */
 space: boolean, 
+/**
+ * Whether the drawing has branches, which can sway.
+ */
+branches: boolean, 
 /**
  * Whether the drawing shares its blocks.
  */

@@ -52,6 +52,8 @@ export function createStage(
     const canvas = byId('drawing', HTMLCanvasElement);
     /** Whether the drawing is in space. */
     let space = false;
+    /** Whether the drawing has branches. */
+    let branches = false;
     let slow = 0;
     /** The camera where the reader has named none: chosen for the system as opened, so that edits do not turn the drawing. */
     let front = FRONT;
@@ -163,10 +165,16 @@ export function createStage(
             return space;
         },
 
+        /** Whether the drawing has branches. */
+        get branches() {
+            return branches;
+        },
+
         /** Notes whether the drawing is in space. @param {import('./protocol.js').Report} report */
         report(report) {
             hold.forget();
             if (!report.ok) return;
+            ({ branches } = report);
             if (report.memoised !== null) {
                 aspect = report.aspect;
                 const { azimuth } = report;

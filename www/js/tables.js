@@ -29,6 +29,7 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
  * @property {[number, number]} start where the turtle starts, in model units, x right and y up
  * @property {[number, number, number]} tropism the direction that branches bend towards: x, y, and z towards the viewer
  * @property {number} elasticity how easily branches bend, 0 for not at all
+ * @property {[number, number]} sway the sway of branches in the wind: its strength, and its phase from 0 to 360, in degrees
  * @property {number} lengthFactor what every branch multiplies lengths by
  * @property {number} angleVariation how much angles differ at random, at most, in percent
  * @property {number} lengthVariation how much lengths differ at random, at most, in percent
@@ -90,6 +91,7 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
     start: { link: 'start', kind: 'list', count: 2, each: { kind: 'number', low: -1000000000, high: 1000000000, expected: 'a number from -1,000,000,000 to 1,000,000,000' }, default: [0, 0], label: 'Start of the turtle', expected: 'a list of 2 values, each a number from -1,000,000,000 to 1,000,000,000', affects: 'drawing' },
     tropism: { link: 'tropism', kind: 'list', count: 3, each: { kind: 'number', low: -1000, high: 1000, expected: 'a number from -1,000 to 1,000' }, default: [0, -1, 0], label: 'Tropism', expected: 'a list of 3 values, each a number from -1,000 to 1,000', affects: 'drawing' },
     elasticity: { link: 'elasticity', kind: 'number', low: -1000, high: 1000, default: 0, label: 'Elasticity', expected: 'a number from -1,000 to 1,000', affects: 'drawing' },
+    sway: { link: 'sway', kind: 'list', count: 2, each: { kind: 'number', low: -3600, high: 3600, expected: 'a number from -3,600 to 3,600' }, default: [0, 0], label: 'Sway', expected: 'a list of 2 values, each a number from -3,600 to 3,600', affects: 'drawing' },
     lengthFactor: { link: 'shorter', kind: 'number', low: 0, high: 10, default: 1, label: 'Branch length ×', expected: 'a number from 0 to 10', unit: 'times', slider: { from: 0, parts: [[2, 0.05]], arrow: 0.05 }, affects: 'drawing' },
     angleVariation: { link: 'vary', kind: 'number', low: 0, high: 100, default: 0, label: 'Angle variation', expected: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[30, 1], [100, 5]], arrow: 1 }, affects: 'drawing' },
     lengthVariation: { link: 'varylength', kind: 'number', low: 0, high: 100, default: 0, label: 'Length variation', expected: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[30, 1], [100, 5]], arrow: 1 }, affects: 'drawing' },
@@ -117,4 +119,4 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
 });
 
 /** Attributes of the element and the keys in links that they stand for. */
-export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', taper: 'taper', thin: 'thin', thick: 'thick', ink: 'ink', hue: 'hue', exposure: 'exposure', shadows: 'shadows', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };
+export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', sway: 'sway', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', taper: 'taper', thin: 'thin', thick: 'thick', ink: 'ink', hue: 'hue', exposure: 'exposure', shadows: 'shadows', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };

@@ -7,7 +7,8 @@ use crate::CommandFailure;
 use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
 use crate::input::{self, InputSystem};
 use lsystem::film::{
-    Film, LIMITS, Script, dive, dive_in_space, grow, middle_segment, turntable, turtle, vantage_of_segment,
+    Film, LIMITS, Script, dive, dive_in_space, grow, middle_segment, sway, sway_strength, turntable, turtle,
+    vantage_of_segment,
 };
 use lsystem::render::opening_camera;
 use lsystem::{Camera, Figure, Limits, Vantage};
@@ -59,7 +60,7 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
     let draw = || Figure::draw(&input.system, input.iterations, &limits).map_err(|limit| input.limit(&limit));
     let camera = if is_solid { opening_camera(&draw()?) } else { Camera::default() };
     let vantage = Vantage { camera, ..Vantage::default() };
-    let has_preset = options.turtle || options.turntable || options.dive.is_some();
+    let has_preset = options.turtle || options.turntable || options.sway || options.dive.is_some();
     let shows_growth = options.film.is_none() && !has_preset && options.track.is_empty();
     let mut tracks = Vec::new();
     if options.growth || shows_growth {
@@ -75,6 +76,12 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
             return Err(words("--turntable is for drawings in space, and this drawing is in the plane"));
         }
         tracks.push(turntable(&script, &vantage.camera));
+    }
+    if options.sway {
+        if !input.system.has_branches() {
+            return Err(words("--sway is for drawings with branches, and this drawing has none"));
+        }
+        tracks.push(sway(&script, sway_strength(&input.definition)));
     }
     if let Some(Dive(number)) = options.dive {
         let figure = draw()?;

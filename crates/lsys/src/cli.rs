@@ -405,6 +405,9 @@ pub(crate) struct FilmOptions {
     /// One turn of the camera about a drawing in space
     #[arg(long)]
     pub(crate) turntable: bool,
+    /// Branches that sway in the wind, as a loop: by the system's `sway`, or else by 3 degrees
+    #[arg(long)]
+    pub(crate) sway: bool,
     /// A dive from the whole drawing to a segment, by its number from 1 [default: the one in the middle]
     #[arg(long, value_name = "SEGMENT", num_args = 0..=1, require_equals = true, default_missing_value = "")]
     pub(crate) dive: Option<Dive>,

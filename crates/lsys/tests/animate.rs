@@ -113,11 +113,24 @@ fn growth_keeps_the_frame_of_the_end_unless_it_is_followed() {
 }
 
 #[test]
+fn wind_is_a_loop_around_the_still_plant() {
+    let folder = folder();
+    let path = folder.path();
+    let wind = raw(path, " --sway");
+    assert!(wind.windows(2).all(|pair| pair[0] != pair[1]));
+    assert_eq!(wind, raw(path, " --film 1;sway=0:3/0,1:3/360"));
+    // The system's own strength.
+    assert_eq!(raw(path, " --sway --set sway=[8,90]"), raw(path, " --track sway=0:8/0,1:8/360"));
+    assert_eq!(raw(path, " --track sway=0:0/0,1:0/360")[0], raw(path, " --track hue=0:0")[0]);
+}
+
+#[test]
 fn mistakes_are_told() {
     let folder = folder();
     let path = folder.path();
     let told = |options: &str| refused(path, &format!("animate bush.json --to out.gif --size 64x48 {options}"));
     assert!(told("--turntable").contains("in the plane"));
+    assert!(told("--sway --set rules=X->F").contains("this drawing has none"));
     assert!(told("--film 1;moon=0:1").contains("film, `moon`: a track is"));
     assert!(told("--track rules.r=0:1").contains("the rules have no constant `r`"));
     assert!(told("--dive=999999").contains("the drawing has"));

@@ -167,13 +167,14 @@ impl Exercise {
         pack(&veiled(serde_json::to_vec(self).unwrap_or_default()))
     }
 
-    /// The exercise with texts cut and numbers moved into their ranges.
+    /// The exercise with texts cut, numbers moved into their ranges, and without wind: what sways is the same plant.
     #[must_use]
     pub fn within_limits(mut self) -> Self {
         cut(&mut self.title, MAX_TITLE);
         cut(&mut self.task, MAX_WORDS);
         self.hints.truncate(MAX_HINTS);
         self.hints.iter_mut().for_each(|hint| cut(hint, MAX_WORDS));
+        self.target.sway = [0.0; 2];
         self.tolerance = self.tolerance.filter(|least| (0.0..1.0).contains(least));
         self
     }
@@ -268,7 +269,7 @@ const ANGLES: [&str; 6] = ["angle", "rightAngle", "pitchDown", "pitchUp", "rollL
 /// The fields of the turtle that a student may have to find.
 const SYMBOLS: [&str; 3] = ["dialect", "overrides", "heading"];
 /// All fields of the turtle.
-const TURTLE: [&str; 10] = [
+const TURTLE: [&str; 11] = [
     "dialect",
     "overrides",
     "heading",
@@ -277,6 +278,7 @@ const TURTLE: [&str; 10] = [
     "lengthFactor",
     "tropism",
     "elasticity",
+    "sway",
     "angleVariation",
     "lengthVariation",
 ];

@@ -40,6 +40,8 @@ pub struct Fate {
     /// The derivation step that made the module, or the oldest ancestor in an unbroken line of the same letter; 0 for
     /// the axiom.
     pub since: u32,
+    /// The derivation step that made the module; 0 for the axiom.
+    pub step: u32,
     /// Whether the module is new in the last generation and therefore still grows.
     pub grows: bool,
 }
@@ -110,7 +112,7 @@ impl Walk {
         mut continues: impl FnMut(LetterId, &[LetterId]) -> Option<usize>,
     ) -> Fate {
         let generation = self.open.len().saturating_sub(1) as u32;
-        let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, grows: false } };
+        let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, step: 0, grows: false } };
         let index = word.next.saturating_sub(1);
         let grows = match word.source {
             WordSource::Successor(former, _) if generation == self.n => {
@@ -118,7 +120,8 @@ impl Walk {
             }
             _ => false,
         };
-        Fate { key: word.key(generation, index as u64), since: word.since(generation, symbol), grows }
+        let (key, since) = (word.key(generation, index as u64), word.since(generation, symbol));
+        Fate { key, since, step: generation, grows }
     }
 }
 

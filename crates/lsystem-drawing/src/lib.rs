@@ -28,6 +28,7 @@ pub mod rotation;
 mod solid;
 mod space;
 mod style;
+mod sway;
 mod turtle;
 
 mod look;
@@ -59,5 +60,6 @@ pub use solid::Solid;
 pub use space::{Geometry, exponent_of, finite, times};
 pub use strings::{count_segments, count_symbols, expand, expand_counted, expand_into, expand_once, expand_symbol};
 pub use style::{ColourChange, StyleChange, StyleId, WidthChange, Widths};
+pub use sway::Sway;
 pub use system::System;
 pub use turtle::{Colouring, Turtle};

@@ -1,6 +1,7 @@
 //! A system ready for derivation and drawing.
 
 use crate::space::Tropism;
+use crate::sway::Sway;
 use crate::{Look, Turtle};
 use lsystem_base::sorted::{set, sort};
 use lsystem_base::{LimitName, MAX_LETTERS};
@@ -68,14 +69,13 @@ impl System {
             |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
         let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
         let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
+        let actions: Vec<Vec<Action>> = (rules.letters.iter())
+            .map(|letter| actions.drawn(letter.symbol, image_of(grammar, &images, letter.symbol), !rules.is_plain()))
+            .collect();
         let mut turtle = Turtle {
-            actions: rules
-                .letters
-                .iter()
-                .map(|letter| {
-                    actions.drawn(letter.symbol, image_of(grammar, &images, letter.symbol), !rules.is_plain())
-                })
-                .collect(),
+            // A drawing without branches stands still.
+            sway: Sway::new(definition.sway).filter(|_| branch(&actions)),
+            actions,
             left: Heading::from_degrees(definition.angle),
             right: angle([right_angle, None]),
             pitch_down: angle([pitch_down, None]),
@@ -131,6 +131,12 @@ impl System {
             || self.acting().any(|action| action.is_solid())
     }
 
+    /// Whether a symbol opens a branch, so that the drawing can sway.
+    #[must_use]
+    pub fn has_branches(&self) -> bool {
+        branch(&self.turtle.actions)
+    }
+
     /// Whether the drawing depends on the seed.
     #[must_use]
     pub fn is_stochastic(&self) -> bool {
@@ -143,6 +149,11 @@ impl System {
         // In plain rules, stochastic productions of unreachable letters do not count.
         if self.rules.is_plain() { !self.rules.is_deterministic() } else { self.rules.is_random() }
     }
+}
+
+/// Whether an action opens a branch.
+fn branch(actions: &[Vec<Action>]) -> bool {
+    actions.iter().flatten().any(|action| *action == Action::Push)
 }
 
 /// The index of the first image of each symbol, sorted by symbol.

@@ -5,6 +5,7 @@ use crate::room::{bytes_of, reserve};
 use crate::rotation::Axis;
 use crate::space::{Geometry, Tropism, exponent_of, finite, unit_of};
 use crate::style::{ColourChange, StyleChange, WidthChange};
+use crate::sway::{Sway, WAVE};
 use lsystem_derive::{Fate, LetterId, Rule, Rules, Varied};
 use lsystem_syntax::{Action, CIRCLE_SIDES, ColourBy, Heading, Outline, Style};
 
@@ -27,6 +28,8 @@ pub struct Turtle {
     pub roll_right: Heading,
     /// The tropism that bends the heading after each segment.
     pub tropism: Option<Tropism>,
+    /// The sway of branches.
+    pub sway: Option<Sway>,
     /// The heading at the start.
     pub heading: Heading,
     /// The position at the start, in model units.
@@ -90,6 +93,9 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     /// Turn the heading by a tropism.
     Bend(Tropism),
     Push(BranchFactors),
+    /// Turn the heading of a new branch by a sway. In a [`Score`] the turn is open: it depends on the step that made
+    /// the module ([`Score::changed`]).
+    Sway(S::Turn),
     Pop,
     Style(StyleChange),
     /// Set the colour index after a turn: to the first number, or to the second while turns are exchanged.
@@ -140,6 +146,8 @@ pub(crate) struct Score<S: Geometry = Plane> {
     variations: [f64; 2],
     /// Whether the colour index is the derivation step that made the module.
     pub(crate) colours_by_generation: bool,
+    /// By derivation step, modulo [`WAVE`]: the turn of a branch that the step made. `None` without a sway.
+    sways: Option<[S::Turn; WAVE]>,
 }
 
 impl Default for Turtle {
@@ -154,6 +162,7 @@ impl Default for Turtle {
             roll_left: Heading::EAST,
             roll_right: Heading::EAST,
             tropism: None,
+            sway: None,
             heading: Heading::UP,
             start: [0.0; 2],
             step: 1.0,
@@ -182,9 +191,13 @@ impl Turtle {
         };
     }
 
-    /// The orientation at the start.
-    pub(crate) fn start_turn<S: Geometry>(&self) -> S::Turn {
-        S::turn(Axis::Up, self.heading)
+    /// The orientation at the start, and the vertical.
+    pub(crate) fn start<S: Geometry>(&self) -> (S::Turn, S::Point) {
+        let mut pen = Pen::<S>::new(S::turn(Axis::Up, self.heading), StyleChange::NONE);
+        if let Some(sway) = self.sway {
+            pen.sway(sway.at_root::<S>(), &mut S::directions());
+        }
+        (pen.heading, pen.vertical)
     }
 
     /// The compiled actions of the `reachable` letters.
@@ -206,6 +219,7 @@ impl Turtle {
             growth: finite(self.growth).clamp(0.0, 1.0),
             variations: [self.angle_variation, self.length_variation].map(|part| finite(part).clamp(0.0, 1.0)),
             colours_by_generation: self.colouring == Colouring::Generations,
+            sways: self.sway.map(|sway| core::array::from_fn(|step| sway.after::<S>(step))),
         }
     }
 
@@ -239,6 +253,7 @@ impl Turtle {
             ops.extend(marks.then_some(TurtleOp::FirstVertex));
             ops.push(self.op(action));
             ops.extend(marks.then_some(TurtleOp::Vertex));
+            ops.extend((self.sway.is_some() && action == Action::Push).then_some(TurtleOp::Sway(S::AHEAD)));
             if let Some(tropism) = self.tropism.filter(|_| action.draws()) {
                 ops.push(TurtleOp::Bend(tropism));
             }
@@ -358,9 +373,20 @@ impl<S: Geometry> Score<S> {
         self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::SwapTurns))
     }
 
-    /// Whether modules of the same letter may do different things: by variation, colour or growth.
+    /// Whether modules of the same letter may do different things: by variation, colour, growth
+    /// or sway.
     pub(crate) fn differs_by_module(&self) -> bool {
-        self.varies() || self.colours_by_generation || self.growth < 1.0
+        self.varies() || self.differs_by_age()
+    }
+
+    /// Whether modules of the same letter may do different things by their age.
+    pub(crate) fn differs_by_age(&self) -> bool {
+        self.colours_by_generation || self.growth < 1.0 || self.sways()
+    }
+
+    /// Whether branches sway.
+    pub(crate) fn sways(&self) -> bool {
+        self.sways.is_some()
     }
 
     /// Replaces `own` by the operations of one module. `ops` are the operations of its letter.
@@ -380,18 +406,32 @@ impl<S: Geometry> Score<S> {
         if self.colours_by_generation {
             own.push(TurtleOp::Style(ColourChange::Set(fate.since.cast_signed()).into()));
         }
-        own.extend(ops.iter().map(|op| match *op {
+        own.extend(ops.iter().map(|&op| match op {
             TurtleOp::Turn(turning) => {
                 // A half turn leads straight back and does not vary.
                 let most = if turning.by == Heading::HALF { 0.0 } else { angles };
                 TurtleOp::Turn(turning.part(varied(most, Varied::Angle)))
             }
+            TurtleOp::Sway(_) => self.swaying(op, fate.step),
             other => other.map_length(|length| length * varied(lengths, Varied::Length)),
         }));
     }
 
+    /// The operation `op` of a module that derivation step `step` made and that may still grow.
+    pub(crate) fn changed(&self, op: TurtleOp<S>, grows: bool, step: u32) -> TurtleOp<S> {
+        if grows { self.growing(self.swaying(op, step)) } else { self.swaying(op, step) }
+    }
+
+    /// The operation `op` of a module that derivation step `step` made.
+    fn swaying(&self, op: TurtleOp<S>, step: u32) -> TurtleOp<S> {
+        match (op, &self.sways) {
+            (TurtleOp::Sway(_), Some(turns)) => TurtleOp::Sway(turns[step as usize % WAVE]),
+            _ => op,
+        }
+    }
+
     /// The operation `op` of a module that still grows.
-    pub(crate) fn growing(&self, op: TurtleOp<S>) -> TurtleOp<S> {
+    fn growing(&self, op: TurtleOp<S>) -> TurtleOp<S> {
         match op {
             TurtleOp::Turn(turning) => TurtleOp::Turn(turning.part(self.growth)),
             other => other.map_length(|length| length * self.growth),
@@ -537,7 +577,7 @@ pub(crate) struct Pen<S: Geometry = Plane> {
     pub scale: f64,
     /// Whether left and right turns are exchanged.
     pub swapped: bool,
-    /// The upward direction of the model, in the pen's frame.
+    /// The upward direction of the model, in the pen's frame. A sway turns it with the branch.
     pub vertical: S::Point,
 }
 
@@ -564,6 +604,12 @@ pub(crate) trait Paper<S: Geometry> {
 }
 
 impl<S: Geometry> Pen<S> {
+    /// A pen at the start of a drawing.
+    pub(crate) fn start(turtle: &Turtle, score: &Score<S>) -> Self {
+        let (heading, vertical) = turtle.start::<S>();
+        Self { vertical, ..Self::new(heading, StyleChange::start(score.width)) }
+    }
+
     /// A pen at the origin.
     pub(crate) fn new(heading: S::Turn, style: StyleChange) -> Self {
         Self { at: S::Point::default(), heading, style, scale: 1.0, swapped: false, vertical: S::UPWARDS }
@@ -591,6 +637,7 @@ impl<S: Geometry> Pen<S> {
                     paper.gap();
                 }
                 TurtleOp::Turn(by) => self.heading = S::then(self.heading, by.turn(self.swapped)),
+                TurtleOp::Sway(turn) => self.sway(turn, directions),
                 TurtleOp::SwapTurns => self.swapped = !self.swapped,
                 TurtleOp::ScaleLength(factor) => self.scale_by(factor),
                 TurtleOp::Circle(diameter) => {
@@ -634,6 +681,16 @@ impl<S: Geometry> Pen<S> {
                 TurtleOp::Vertex => paper.vertex(self.at),
                 TurtleOp::ClosePolygon => paper.close(),
             }
+        }
+    }
+
+    /// Turns the heading by a sway. The vertical turns too: all of a branch moves as one, and pieces with `$` stay equal.
+    fn sway(&mut self, turn: S::Turn, directions: &mut S::Directions) {
+        let still = self.heading;
+        self.heading = S::then(still, turn);
+        if !S::LEVEL {
+            let axes = S::axes(directions, self.heading);
+            self.vertical = S::transform(&axes, S::Point::default(), S::seen(still, self.vertical));
         }
     }
 

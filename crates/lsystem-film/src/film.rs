@@ -29,7 +29,7 @@ pub struct Frame {
     /// The part of the segments that is shown, 0 to 1.
     pub drawn: f64,
     /// The system whose drawing has the place and the size of the fitted picture, if not the frame's own: the system at
-    /// the end of a film with a fixed camera.
+    /// the end of a film with a fixed camera, and the system without its sway in a film with wind.
     pub framed: Option<Definition>,
 }
 
@@ -84,8 +84,18 @@ impl Film {
     #[must_use]
     pub fn frame_at(&self, time: f64) -> Frame {
         let Script { seconds, fixed, .. } = self.script;
-        let framed = fixed.then(|| self.fitted_at(seconds).definition);
-        Frame { framed, ..self.fitted_at(time) }
+        let frame = self.fitted_at(time);
+        let sways = self.script.tracks.iter().any(|track| track.subject.is_sway());
+        let mut framed = match (fixed, sways) {
+            (true, _) => Some(self.fitted_at(seconds).definition),
+            (false, true) => Some(frame.definition.clone()),
+            (false, false) => None,
+        };
+        // The picture must not move with the bounds of a plant in the wind.
+        if let Some(framed) = framed.as_mut().filter(|_| sways) {
+            framed.sway = [0.0; 2];
+        }
+        Frame { framed, ..frame }
     }
 
     /// The frame at a time in seconds, with a camera that follows the drawing.
@@ -156,6 +166,15 @@ mod tests {
             (iterations, growth)
         };
         assert_eq!([0.0, 1.0, 2.0, 3.0, 4.0].map(at), [(0, 1.0), (1, 0.25), (1, 1.0), (3, 0.5), (7, 1.0)]);
+    }
+
+    #[test]
+    fn wind_has_the_frame_of_the_still_plant() {
+        let still = Definition { angle: 20.0, ..Definition::default() };
+        let film = film("1;4s;1fps;angle=0:20,4:24;sway=0:3/0,4:3/360", still);
+        let Frame { definition, framed, .. } = film.frame_at(1.0);
+        assert_eq!((definition.angle, definition.sway), (21.0, [3.0, 90.0]));
+        assert_eq!(framed, Some(Definition { sway: [0.0; 2], ..definition }));
     }
 
     #[test]

@@ -49,7 +49,9 @@ pub use film::{Film, Frame};
 pub use gif::GifWriter;
 pub use painter::{LIMITS, Painter};
 pub use palette::{IndexedFrame, Palette, PaletteMaker, palette_samples};
-pub use preset::{Preset, dive, dive_in_space, grow, middle_segment, turntable, turtle, vantage_of_segment};
+pub use preset::{
+    Preset, dive, dive_in_space, grow, middle_segment, sway, sway_strength, turntable, turtle, vantage_of_segment,
+};
 pub use script::{Ending, Script};
 pub use subject::Subject;
 pub use track::{Keyframe, Track};

@@ -259,6 +259,8 @@ mod tests {
             film("1;1s;8fps;view=0:0/0/3,1:0.1/0.2/3", Definition { iterations: 9, ..bush() }),
             film("1;1s;8fps;drawn=0:0,1:1", bush()),
             film("1;1s;8fps;camera=0:0,1:360;drawn=0:1,1:0.5", solid.clone()),
+            film("1;1s;8fps;sway=0:5/0,1:5/360", bush()),
+            film("1;1s;8fps;sway=0:5/0,1:5/360", solid.clone()),
             film("1;1s;8fps;fixed;n=0:2,1:6;camera=0:0,1:360", solid),
         ];
         for film in &films {
@@ -333,6 +335,21 @@ mod tests {
                 assert!(at(follow, number)[0].len() > 100, "{number}: a followed drawing fills the frame");
             }
         }
+    }
+
+    #[test]
+    fn wind_moves_the_tips_and_not_the_root() {
+        let mut painter = Painter::new(LIMITS);
+        let film = film("1;4s;1fps;sway=0:6/0,4:6/360", bush());
+        let frames: Vec<Vec<u8>> = (0..4).map(|number| paint(&mut painter, &film, number)).collect();
+        // The turns of the trunk, of the boughs and of the twigs are half a wave apart, and so are the tips.
+        assert!(difference(&frames[1], &frames[3]) > 0.01);
+        let rows: Vec<_> = frames.iter().map(|frame| inked(frame)[0].clone()).collect();
+        assert!(rows.iter().all(|row| row.end.abs_diff(rows[0].end) <= 1), "{rows:?}");
+        // A film over one wave is a loop.
+        painter.begin(&film.frame_at(4.0), SIZE, Detail::Fine).unwrap();
+        while painter.step(100_000).unwrap() == Progress::More {}
+        assert_eq!(painter.pixels(), frames[0]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::{Easing, Keyframe, Script, Subject, Track};
 use lsystem_drawing::Figure;
 use lsystem_render::{Camera, Vantage, View, fitted_ends};
+use lsystem_syntax::Definition;
 
 /// The part of the time after which growth, the turtle's way and a dive are over, so that the end can be seen.
 const END: f64 = 0.9;
@@ -12,6 +13,9 @@ const REST: f64 = 0.05;
 const SHARE: f64 = 0.25;
 /// The largest zoom of a view in the plane, and in space, as in links.
 const MAX_ZOOM: [f64; 2] = [1e25, 1e4];
+/// The strength of a sway where the definition has none, in degrees: a light wind. The page's wind has the same
+/// (`www/js/wind.js`).
+const LIGHT_WIND: f64 = 3.0;
 
 /// A usual film. Each takes the place of the others, so that each shows what it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +26,8 @@ pub enum Preset {
     Turtle,
     /// [`turntable`] from this camera.
     Turntable(Camera),
+    /// [`sway`] with this strength, in degrees.
+    Sway(f64),
     /// [`dive`] to this view.
     Dive(View),
     /// [`dive_in_space`] to this camera.
@@ -36,6 +42,7 @@ impl Preset {
             Self::Growth(n) => grow(script, *n),
             Self::Turtle => turtle(script),
             Self::Turntable(camera) => turntable(script, camera),
+            Self::Sway(strength) => sway(script, *strength),
             Self::Dive(view) => dive(script, *view),
             Self::DiveInSpace(camera) => dive_in_space(script, camera),
         }
@@ -43,12 +50,13 @@ impl Preset {
 }
 
 impl Script {
-    /// The script with a preset in place of its growth, turtle's way, view and camera. Other tracks stay. The camera of
+    /// The script with a preset in place of its growth, turtle's way, view, camera and sway. Other tracks stay. The camera of
     /// growth is fixed.
     #[must_use]
     pub fn with_preset(mut self, preset: &Preset) -> Self {
         let is_preset = |subject: &Subject| {
             matches!(subject, Subject::Generation | Subject::Drawn | Subject::View | Subject::Camera)
+                || subject.is_sway()
         };
         self.tracks.retain(|track| !is_preset(&track.subject));
         let track = preset.track(&self);
@@ -77,6 +85,20 @@ pub fn turtle(script: &Script) -> Track {
 pub fn turntable(script: &Script, camera: &Camera) -> Track {
     let keys = [(0.0, vec![camera.azimuth]), (1.0, vec![camera.azimuth + 360.0])];
     track(script, Subject::Camera, &keys, script.easing)
+}
+
+/// The sway of branches in the wind: one wave, so that the film is a loop.
+#[must_use]
+pub fn sway(script: &Script, strength: f64) -> Track {
+    let keys = [(0.0, vec![strength, 0.0]), (1.0, vec![strength, 360.0])];
+    track(script, Subject::sway(), &keys, script.easing)
+}
+
+/// The strength of a sway, in degrees: that of the definition, or of a light wind.
+#[must_use]
+pub fn sway_strength(definition: &Definition) -> f64 {
+    let [own, _] = definition.sway;
+    if own == 0.0 { LIGHT_WIND } else { own }
 }
 
 /// A dive from the whole drawing in the plane to a view.
@@ -144,7 +166,6 @@ mod tests {
     use super::*;
     use lsystem_base::Limits;
     use lsystem_drawing::System;
-    use lsystem_syntax::Definition;
 
     #[test]
     fn presets_are_scripts() {
@@ -161,8 +182,11 @@ mod tests {
     #[test]
     fn a_preset_takes_the_place_of_the_others() {
         let script: Script = "1;10s;angle=0:20,10:30;n=0:0,9:7;camera=0:0".parse().unwrap();
-        let text = script.with_preset(&Preset::Turtle).to_string();
+        let text = script.clone().with_preset(&Preset::Turtle).to_string();
         assert_eq!(text, "1;10s;25fps;1280x720;repeat;angle=0:20,10:30;drawn=0:0,9:1");
+        let windy = script.clone().with_preset(&Preset::Sway(3.0)).to_string();
+        assert_eq!(windy, "1;10s;25fps;1280x720;repeat;angle=0:20,10:30;sway=0:3/0,10:3/360");
+        assert_eq!(windy.parse::<Script>().unwrap().with_preset(&Preset::Turtle).to_string(), text);
         let growth = Script::default().with_preset(&Preset::Growth(7));
         assert_eq!(growth.to_string(), "1;10s;25fps;1280x720;repeat;fixed;n=0:0,9:7");
         assert!(!growth.with_preset(&Preset::Turtle).fixed);

@@ -25,6 +25,8 @@ pub enum Subject {
 
 /// The longest name of a constant, in bytes.
 const LONGEST_NAME: usize = 100;
+/// The name of the field of a sway.
+const SWAY: &str = "sway";
 /// The prefix of constants in scripts.
 const CONSTANT: &str = "rules.";
 /// The most degrees of an azimuth: 100 turns.
@@ -68,6 +70,16 @@ impl Subject {
             return is_name.then(|| Self::Constant(constant.to_owned()));
         }
         FIELDS.iter().find(|spec| spec.link == name && is_numeric(spec)).map(Self::Field)
+    }
+
+    /// The strength and the phase of a sway.
+    pub(crate) fn sway() -> Self {
+        FIELDS.iter().find(|spec| spec.name == SWAY).map_or(Self::Drawn, Self::Field)
+    }
+
+    /// Whether this is the sway.
+    pub(crate) fn is_sway(&self) -> bool {
+        matches!(self, Self::Field(spec) if spec.name == SWAY)
     }
 
     /// The names of all subjects but constants, in the order of the page's list.

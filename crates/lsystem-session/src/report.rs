@@ -19,6 +19,8 @@ pub struct Report {
     pub stochastic: bool,
     /// Whether the drawing leaves the plane.
     pub space: bool,
+    /// Whether the drawing has branches, which can sway.
+    pub branches: bool,
     /// Whether the drawing shares its blocks.
     pub memoised: Option<bool>,
     /// The number of symbols of the generation.
@@ -71,6 +73,7 @@ impl Report {
             kind: kind(system),
             stochastic: system.is_stochastic(),
             space: system.is_solid(),
+            branches: system.has_branches(),
             legend: legend.collect(),
             empty: why_empty(system, n),
             ..Self::default()

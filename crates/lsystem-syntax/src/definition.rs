@@ -45,6 +45,8 @@ pub struct Definition {
     pub tropism: [f64; 3],
     /// The bending of branches, in radians per segment for a `tropism` of length 1 across the heading; 0 for none.
     pub elasticity: f64,
+    /// The sway of branches in the wind: its strength and its phase, in degrees (`Sway`).
+    pub sway: [f64; 2],
     /// The table of the symbols' actions.
     pub dialect: Dialect,
     /// Custom symbols, one on each line: `G: move`, `B: turn left 90, draw 10`. They replace the dialect's actions.
@@ -171,6 +173,7 @@ impl Default for Definition {
             start: [0.0, 0.0],
             tropism: [0.0, -1.0, 0.0],
             elasticity: 0.0,
+            sway: [0.0, 0.0],
             dialect: Dialect::default(),
             overrides: String::new(),
             length_factor: 1.0,

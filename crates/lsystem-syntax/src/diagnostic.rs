@@ -40,7 +40,7 @@ pub enum TikzObstacle {
     Colours,
     /// Widths or lengths that depend on the branch level.
     Levels,
-    /// A tropism.
+    /// A tropism, or a sway in the wind.
     Tropism,
     /// A last derivation step that is partly grown.
     Growth,

@@ -31,7 +31,7 @@ fn missing_in_tikz(obstacle: TikzObstacle) -> String {
         TikzObstacle::Nesting => "room for so many branches in branches".into(),
         TikzObstacle::Colours => "colours within one drawing".into(),
         TikzObstacle::Levels => "widths or lengths by branch level".into(),
-        TikzObstacle::Tropism => "tropism".into(),
+        TikzObstacle::Tropism => "tropism and sway".into(),
         TikzObstacle::Growth => "partly grown steps".into(),
     }
 }

@@ -27,5 +27,6 @@ mod reopen;
 mod seed;
 mod solid;
 mod styling;
+mod sway;
 mod tables;
 mod unusual;

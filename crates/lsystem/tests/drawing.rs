@@ -1,10 +1,10 @@
 //! Drawings in the plane, compared with the naive reference.
 
 use crate::naive;
-use crate::naive::systems::Features;
+use crate::naive::systems::{Features, sway};
 use lsystem::base::LimitName;
 use lsystem::derive::Rules;
-use lsystem::drawing::{Segment, Turtle};
+use lsystem::drawing::{Segment, Sway, Turtle};
 use lsystem::render::{Pick, Pointer, Target, fitted_ends, fitted_outline, fitted_scale};
 use lsystem::syntax::{Action, Grammar, Heading, Kind, Module, Production};
 use lsystem::{
@@ -416,6 +416,12 @@ fn a_system_without_a_step_length() {
     check(&system, 4).unwrap();
 }
 
+/// The system with a sway.
+fn swaying(mut system: System, sway: [f64; 2]) -> System {
+    system.turtle.sway = Sway::new(sway);
+    system
+}
+
 /// A word with balanced branches.
 fn balanced() -> impl Strategy<Value = String> {
     let letter = "[FGXYLPMZfg+|!#',;-]{0,4}";
@@ -445,26 +451,26 @@ proptest! {
 
     #[test]
     fn balanced_systems_memoise(axiom in balanced(), rules in prop::collection::vec((r"[FGXYLMZ+]", balanced()), 0..4),
-                                angle in angle(), n in 0_u32..9) {
+                                angle in angle(), sway in sway(), n in 0_u32..9) {
         let rules: Vec<_> = rules.iter().map(|(p, s)| (p.chars().next().unwrap(), s.as_str())).collect();
-        let system = plain(&axiom, &rules, angle);
+        let system = swaying(plain(&axiom, &rules, angle), sway);
         let drawing = check(&system, affordable(&system, n))?;
         prop_assert!(drawing.is_memoised());
     }
 
     #[test]
-    fn unbalanced_systems_materialise(axiom in unbalanced(), angle in angle(), n in 0_u32..9,
+    fn unbalanced_systems_materialise(axiom in unbalanced(), angle in angle(), sway in sway(), n in 0_u32..9,
                                       rules in prop::collection::vec((r"[FXY+\[\]]", unbalanced()), 0..4)) {
         let rules: Vec<_> = rules.iter().map(|(p, s)| (p.chars().next().unwrap(), s.as_str())).collect();
-        let system = plain(&axiom, &rules, angle);
+        let system = swaying(plain(&axiom, &rules, angle), sway);
         check(&system, affordable(&system, n))?;
     }
 
     #[test]
-    fn random_systems_materialise(axiom in balanced(), angle in angle(), n in 0_u32..9, seed: u32,
+    fn random_systems_materialise(axiom in balanced(), angle in angle(), sway in sway(), n in 0_u32..9, seed: u32,
                                   rules in prop::collection::vec((r"[FGX]", unbalanced(), 0.01..1.0), 1..6)) {
         let rules: Vec<_> = rules.iter().map(|(p, s, w)| (p.chars().next().unwrap(), s.as_str(), *w)).collect();
-        let mut system = system(&axiom, &rules, angle);
+        let mut system = swaying(system(&axiom, &rules, angle), sway);
         system.seed = seed;
         check(&system, affordable(&system, n))?;
     }
@@ -472,8 +478,10 @@ proptest! {
     #[test]
     fn contexts_parameters_and_images_are_drawn(
         system in naive::systems::system(Features { contexts: true, parameters: true, weights: true, images: true, cuts: true }),
+        sway in sway(),
         n in 0_u32..5,
     ) {
+        let system = swaying(system, sway);
         let word = |n: u32| naive::modules(&system.grammar, system.seed, n);
         let finite = |n: u32| word(n).is_some_and(|word| naive::images(&system.grammar, system.seed, &word).is_some());
         match (0..=n).find(|&n| !finite(n)) {
@@ -489,8 +497,10 @@ proptest! {
     #[test]
     fn plain_images_memoise(
         system in naive::systems::system(Features { images: true, ..Features::default() }),
+        sway in sway(),
         n in 0_u32..5,
     ) {
+        let system = swaying(system, sway);
         prop_assert!(system.rules.is_plain());
         check(&system, affordable(&system, n))?;
     }

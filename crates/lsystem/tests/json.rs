@@ -54,6 +54,7 @@ fn definition() -> impl Strategy<Value = Definition> {
                 1 => (0.0..10.0, 0.0..100.0, 0.0..100.0, 0.0..1.0),
                 1 => Just((1.0, 0.0, 0.0, 1.0)),
             ],
+            prop_oneof![Just([0.0, 0.0]), prop::array::uniform2(-3600.0..3600.0)],
         ),
         prop_oneof![Just(Dialect::EveryLetter), prop::sample::select(Dialect::ALL.to_vec())],
         style(),
@@ -83,6 +84,7 @@ fn definition() -> impl Strategy<Value = Definition> {
             angle_variation: space.3.1,
             length_variation: space.3.2,
             growth: space.3.3,
+            sway: space.4,
             dialect,
             style,
         })

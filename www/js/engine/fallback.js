@@ -55,8 +55,9 @@ export function createFallback(newest, outbox, doubted) {
 
         /** The newest state was drawn completely. */
         keep() {
-            good = newest.state;
-            doubted(good, false);
+            // A moment of growth or wind is no state to go back to.
+            if (!newest.state.definition?.still) good = newest.state;
+            doubted(newest.state, false);
         },
 
         /** Whether the newest state was drawn completely. */

@@ -1,6 +1,7 @@
 /** The buttons of the usual films. The core makes their tracks: crates/lsystem-film/src/preset.rs. */
 
 import { make } from '../dom.js';
+import { STANDS, strengthOf } from '../wind.js';
 
 /** @typedef {import('../protocol.js').FilmPreset} FilmPreset */
 
@@ -11,12 +12,13 @@ const KINDS = [
     ['growth', 'Growth'],
     ['turtle', 'Turtle’s way'],
     ['turntable', 'Turntable'],
+    ['sway', 'Sway'],
     ['dive', 'Dive'],
 ];
 
 /**
  * @param {import('../store.js').Store} store
- * @param {{readonly space: boolean, camera: () => import('../camera.js').Camera}} stage whether the drawing is in space, and its camera
+ * @param {{readonly space: boolean, readonly branches: boolean, camera: () => import('../camera.js').Camera}} stage whether the drawing is in space and has branches, and its camera
  * @param {{middle: () => Promise<number[] | null>, use: (preset: FilmPreset) => void}} on `middle` finds the place of the segment in the middle
  */
 export function createPresets(store, stage, { middle, use }) {
@@ -41,6 +43,7 @@ export function createPresets(store, stage, { middle, use }) {
         if (kind === 'growth') return { kind, n: store.state.iterations };
         if (kind === 'turtle') return { kind };
         if (kind === 'turntable') return { kind, azimuth: stage.camera().azimuth };
+        if (kind === 'sway') return { kind, strength: strengthOf(store.state) };
         const place = await placeToDive();
         return place && { kind, place, space: stage.space };
     }
@@ -62,8 +65,10 @@ export function createPresets(store, stage, { middle, use }) {
         /** Shows which presets the drawing can have. */
         show() {
             for (const { kind, button } of buttons) {
-                button.disabled = kind === 'turntable' && !stage.space;
-                button.title = button.disabled ? FLAT : '';
+                const why =
+                    kind === 'turntable' && !stage.space ? FLAT : kind === 'sway' && !stage.branches ? STANDS : '';
+                button.disabled = why !== '';
+                button.title = why;
             }
             flat.hidden = stage.space;
         },

@@ -19,7 +19,7 @@ export function turtlePanel(store) {
     const showStep = plainField('step', 'step', 1);
     const showStart = listFields('start', ['start-x', 'start-y'], 1);
 
-    const bends = html('bends');
+    const [showBends, showSways] = [opener('bends'), opener('sways')];
     const [showDown, showUp, showLeft, showRight] = [
         optionalAngle('pitchDown', 'pitch-down'),
         optionalAngle('pitchUp', 'pitch-up'),
@@ -28,9 +28,9 @@ export function turtlePanel(store) {
     ];
     const showElasticity = plainField('elasticity', 'elasticity', 0.01);
     const showPull = listFields('tropism', ['tropism-x', 'tropism-y', 'tropism-z'], 0.1);
-    /** Whether the drawing is in space, and whether tropism bends it. */
+    const showSway = listFields('sway', ['sway-strength', 'sway-phase'], 1);
+    /** Whether the drawing is in space. */
     let space = false;
-    let bent = false;
 
     /** A field for a number. @param {FieldName} field @param {string} id @param {number} step */
     function plainField(field, id, step) {
@@ -54,7 +54,7 @@ export function turtlePanel(store) {
         });
     }
 
-    /** Fields for the numbers of a list. @param {'start' | 'tropism'} field @param {string[]} ids @param {number} step */
+    /** Fields for the numbers of a list. @param {'start' | 'tropism' | 'sway'} field @param {string[]} ids @param {number} step */
     function listFields(field, ids, step) {
         const { expected = '', ...range } = rangeOf(field);
         const show = ids.map((id, at) =>
@@ -118,9 +118,9 @@ export function turtlePanel(store) {
             showSpace(state);
             showElasticity(state.elasticity);
             showPull(state.tropism);
-            // Open the tropism fields when bending begins; the reader may close them.
-            if (state.elasticity !== 0 && !bent) bends.setAttribute('open', '');
-            bent = state.elasticity !== 0;
+            showSway(state.sway);
+            showBends(state.elasticity !== 0);
+            showSways(state.sway[0] !== 0);
         },
         read: symbols.read,
         /** @param {Report} report */
@@ -133,6 +133,15 @@ export function turtlePanel(store) {
             showLegend(legend);
             showHint(legend);
         },
+    };
+}
+
+/** Opens fields when their effect begins; the reader may close them. @param {string} id */
+function opener(id) {
+    let begun = false;
+    return (/** @type {boolean} */ acts) => {
+        if (acts && !begun) html(id).setAttribute('open', '');
+        begun = acts;
     };
 }
 

@@ -575,7 +575,7 @@ test('on a phone the string, a tapped segment and playback are within reach', ()
         await page.tap('#open-playback');
         await page.tap('#play');
         await until(async () => (await page.getAttribute('#play', 'aria-label')) === 'Pause', 'it plays');
-        for (const id of ['play', 'play-slider', 'play-place', 'play-speed', 'play-ten', 'close-playback']) {
+        for (const id of ['play', 'play-slider', 'play-place', 'play-speed', 'play-ten', 'wind', 'close-playback']) {
             const box = await page.locator(`#${id}`).boundingBox();
             assert.ok(box && box.x >= 0 && box.x + box.width <= 390, id);
         }

@@ -229,7 +229,7 @@ export const COMMON = [
         weight: 4,
         async act(place, roll) {
             const opened = await click(place, '#open-playback');
-            return `${opened}, ${await click(place, pick(roll, ['#play', '#grow', '#play-ten', '#close-playback']))}`;
+            return `${opened}, ${await click(place, pick(roll, ['#play', '#grow', '#wind', '#play-ten', '#close-playback']))}`;
         },
     },
     {

@@ -30,6 +30,7 @@ export async function leaveAll({ page, frame }) {
             if (button instanceof HTMLElement && button.checkVisibility()) button.click();
         };
         press('#grow[aria-pressed=true]');
+        press('#wind[aria-pressed=true]');
         press('#turntable[aria-pressed=true]');
         press('#close-playback');
         press('#close-reader');

@@ -4,7 +4,7 @@ use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
 use lsystem::film::{
     Easing, Ending, Film, Frame, GifWriter, Painter, PaletteMaker, Script, Subject, Track, dive, dive_in_space, grow,
-    turntable, turtle, vantage_of_segment,
+    sway, turntable, turtle, vantage_of_segment,
 };
 use lsystem::render::Detail;
 use lsystem::{Camera, Definition, Vantage};
@@ -100,7 +100,7 @@ fn track(source: &mut Source<'_>) -> String {
                 "view" => source.pick(&[3, 3, 5]),
                 "camera" => source.between(1, 7),
                 "tropism" => 3,
-                "start" => 2,
+                "start" | "sway" => 2,
                 _ => 1,
             };
             let value: Vec<String> = (0..count).map(|_| number(source, name)).collect();
@@ -208,7 +208,7 @@ fn presets(source: &mut Source<'_>, film: &Film, painter: &Painter, gauge: &mut 
         _ => u128::from(source.word()),
     };
     let Definition { iterations, .. } = film.frame(0).definition;
-    let mut tracks: Vec<Track> = vec![grow(&script, iterations), turtle(&script)];
+    let mut tracks: Vec<Track> = vec![grow(&script, iterations), turtle(&script), sway(&script, 3.0)];
     if let Some(figure) = painter.figure() {
         let number = number(source, figure.segment_count());
         let to = gauge.call("vantage_of_segment", || vantage_of_segment(figure, number, &Vantage::default()));

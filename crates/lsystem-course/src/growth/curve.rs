@@ -29,7 +29,7 @@ const NOWHERE: Way = Way { x: 0.0, y: 0.0, turn: Heading::EAST };
 /// or if there is no such factor.
 pub(crate) fn stretch(system: &System) -> Option<f64> {
     let (rules, turtle) = (&system.rules, &system.turtle);
-    let is_simple = rules.is_plain() && !rules.is_random() && turtle.tropism.is_none();
+    let is_simple = rules.is_plain() && !rules.is_random() && turtle.tropism.is_none() && turtle.sway.is_none();
     let size: usize = rules.rewrites.iter().filter_map(Rewrite::always).map(<[u16]>::len).sum();
     if !is_simple || turtle.length_factor != 1.0 || turtle.angle_variation != 0.0 || size > MAX_WORK {
         return None;

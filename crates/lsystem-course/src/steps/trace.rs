@@ -65,7 +65,7 @@ struct Turtle {
 pub fn trace(system: &System, n: u32, count: usize) -> Result<Trace, Why> {
     let settings = &system.turtle;
     let is_varied = settings.angle_variation != 0.0 || settings.length_variation != 0.0 || settings.growth != 1.0;
-    if settings.tropism.is_some() || is_varied {
+    if settings.tropism.is_some() || settings.sway.is_some() || is_varied {
         return Err("The turtle bends or varies its way here, which is not shown symbol by symbol.");
     }
     let reader = Reader::new(system, n)?;

@@ -137,7 +137,7 @@ fn obstacle(definition: &Definition, system: &System) -> Option<TikzObstacle> {
         (system.is_stochastic(), TikzObstacle::Random),
         (!is_one_colour, TikzObstacle::Colours),
         (definition.length_factor != 1.0 || style.width_factor != 1.0, TikzObstacle::Levels),
-        (definition.elasticity != 0.0, TikzObstacle::Tropism),
+        (definition.elasticity != 0.0 || system.turtle.sway.is_some(), TikzObstacle::Tropism),
         (definition.growth != 1.0, TikzObstacle::Growth),
     ];
     found.into_iter().find(|(is_found, _)| *is_found).map(|(_, obstacle)| obstacle)
@@ -323,6 +323,7 @@ mod tests {
         check(&|d| d.style.colour_by = ColourBy::Level, TikzObstacle::Colours);
         check(&|d| d.style.width_factor = 0.7, TikzObstacle::Levels);
         check(&|d| d.elasticity = 0.1, TikzObstacle::Tropism);
+        check(&|d| (d.axiom, d.sway) = ("F[F]".into(), [3.0, 0.0]), TikzObstacle::Tropism);
         check(&|d| d.growth = 0.5, TikzObstacle::Growth);
         check(&|d| d.axiom = "{F}".into(), TikzObstacle::Symbol('{'));
         check(&|d| d.overrides = "F: colour 2".into(), TikzObstacle::Action('F'));

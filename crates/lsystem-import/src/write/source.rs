@@ -25,6 +25,7 @@ pub(super) enum Need {
     Polygons,
     Circles,
     Cuts,
+    /// A tropism, or a sway in the wind.
     Tropism,
     Growth,
     /// Branches that begin in one word and end in another, or brackets that are replaced.
@@ -48,7 +49,7 @@ impl Need {
             Self::Polygons => "polygons",
             Self::Circles => "circles",
             Self::Cuts => "symbols that cut off a branch",
-            Self::Tropism => "tropism",
+            Self::Tropism => "tropism and sway",
             Self::Growth => "partial growth",
             Self::OpenBranches => "branches that begin in one word and end in another",
         }
@@ -195,7 +196,7 @@ impl<'a> Source<'a> {
             Need::Polygons => self.acts(|action| action == Action::OpenPolygon),
             Need::Circles => self.acts(|action| matches!(action, Action::Circle(_) | Action::Fill(..))),
             Need::Cuts => self.acts(|action| action == Action::Cut),
-            Need::Tropism => system.turtle.tropism.is_some(),
+            Need::Tropism => system.turtle.tropism.is_some() || system.turtle.sway.is_some(),
             Need::Growth => definition.growth != 1.0,
             Need::OpenBranches => self.has_open_branches(),
         }

@@ -41,6 +41,9 @@ const HALF_TURN: Slider = Slider { from: 0.0, parts: &[(180.0, 0.5)], arrow: 1.0
 const TIMES: Slider = Slider { from: 0.0, parts: &[(2.0, 0.05)], arrow: 0.05 };
 const PERCENTS: Slider = Slider { from: 0.0, parts: &[(30.0, 1.0), (100.0, 5.0)], arrow: 1.0 };
 
+/// Strength and phase of a sway: ten waves in one film.
+const SWAY: Expected = Expected::Between(-3600.0, 3600.0);
+
 /// The smallest magnification.
 const MIN_ZOOM: f64 = 1e-2;
 
@@ -66,7 +69,7 @@ const CAMERA: &[(&str, Expected)] = &[
 ];
 
 /// All fields, in the order of links.
-pub static FIELDS: [FieldSpec; 42] = [
+pub static FIELDS: [FieldSpec; 43] = [
     FieldSpec {
         name: "title",
         link: "title",
@@ -266,6 +269,16 @@ pub static FIELDS: [FieldSpec; 42] = [
         label: "Elasticity",
         help: "how easily branches bend, 0 for not at all",
         access: Some(at!(elasticity)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "sway",
+        link: "sway",
+        file: Some((Section::Turtle, "sway_deg")),
+        expected: Expected::Each(2, &SWAY),
+        label: "Sway",
+        help: "the sway of branches in the wind: its strength, and its phase from 0 to 360, in degrees",
+        access: Some(at!(sway)),
         ..FIELD
     },
     FieldSpec {

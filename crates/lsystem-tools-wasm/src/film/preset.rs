@@ -18,6 +18,8 @@ pub(crate) enum PresetObject {
     Turtle,
     /// One turn of the camera, in degrees from `azimuth` on.
     Turntable { azimuth: f64 },
+    /// Wind of this strength, in degrees.
+    Sway { strength: f64 },
     /// A dive to the numbers of a view, or of a camera in space, as of [`FilmPlayer::place_of_segment`].
     ///
     /// [`FilmPlayer::place_of_segment`]: super::FilmPlayer::place_of_segment
@@ -30,6 +32,7 @@ impl From<PresetObject> for Preset {
             PresetObject::Growth { n } => Self::Growth(n),
             PresetObject::Turtle => Self::Turtle,
             PresetObject::Turntable { azimuth } => Self::Turntable(Camera { azimuth, ..Camera::default() }),
+            PresetObject::Sway { strength } => Self::Sway(strength),
             PresetObject::Dive { place, space } => {
                 let number = |at: usize, usual: f64| place.get(at).copied().unwrap_or(usual);
                 if space {
@@ -45,7 +48,7 @@ impl From<PresetObject> for Preset {
 }
 
 /// The text of a film with a preset in place of its other presets: `{kind: 'growth', n}`, `{kind: 'turtle'}`,
-/// `{kind: 'turntable', azimuth}` or `{kind: 'dive', place, space}`.
+/// `{kind: 'turntable', azimuth}`, `{kind: 'sway', strength}` or `{kind: 'dive', place, space}`.
 ///
 /// # Errors
 /// Throws the words of the first problem of the text.

@@ -13,6 +13,8 @@ pub struct Module {
     pub since: u32,
     /// The step that made the module, or the oldest ancestor that it continues.
     pub made: u32,
+    /// The step that made the module, or the last one for a module of a letter with productions.
+    pub step: u32,
     /// The index in the word.
     pub index: usize,
     /// The index of the parent in the word of the previous generation.
@@ -27,7 +29,7 @@ impl Module {
     /// A module of the axiom or of a successor. `place` is its parent, production and position.
     fn new(symbol: char, arguments: Vec<f64>, key: Key, place: (usize, Option<usize>, usize)) -> Self {
         let (parent, production, position) = place;
-        Self { symbol, arguments, key, since: 0, made: 0, index: position, parent, production, position }
+        Self { symbol, arguments, key, since: 0, made: 0, step: 0, index: position, parent, production, position }
     }
 }
 
@@ -75,6 +77,12 @@ pub fn aged_modules(grammar: &Grammar, seed: u32, n: u32, draws: &dyn Fn(&Module
         }
         next.iter_mut().enumerate().for_each(|(index, module)| module.index = index);
         word = next;
+    }
+    for module in &mut word {
+        let mut predecessors = grammar.productions.iter().map(|production| &production.predecessor);
+        let is_replaced =
+            predecessors.any(|own| own.symbol == module.symbol && own.parameters.len() == module.arguments.len());
+        module.step = if is_replaced { n } else { module.since };
     }
     is_finite(&word).then_some(word)
 }
@@ -298,7 +306,8 @@ impl<'a> Tree<'a> {
             let arguments = module.arguments.iter().map(|expr| scope.value(expr)).collect();
             let key = key.child(step, index as u64);
             let made = Module::new(module.symbol, arguments, key, (self.word[place].index, number, index));
-            Module { since: self.word[place].since, made: self.word[place].made, ..made }
+            let &Module { since, made: before, step, .. } = &self.word[place];
+            Module { since, made: before, step, ..made }
         });
         Some(made.collect())
     }

@@ -136,6 +136,14 @@ fn variations(system: &System, n: u32, module: &Module, slot: usize) -> [f64; 2]
     [of(Varied::Length, turtle.length_variation), of(Varied::Angle, turtle.angle_variation)]
 }
 
+/// The turns of a sway to the left and downwards, in radians: of a branch that `step` made, or of the plant's root.
+fn swayed(turtle: &Turtle, step: Option<u32>) -> [f64; 2] {
+    let Some(sway) = turtle.sway else { return [0.0; 2] };
+    let phase = (sway.phase.degrees() - 40.0 * f64::from(step.unwrap_or(0))).to_radians();
+    let strength = if step.is_some() { sway.strength } else { sway.strength / 3.0 };
+    [strength * libm::sin(phase), 0.4 * strength * libm::cos(phase)].map(f64::to_radians)
+}
+
 /// The angle from -180 (exclusive) to 180 degrees.
 fn shorter(degrees: f64) -> f64 {
     let within = degrees.rem_euclid(360.0);
@@ -148,6 +156,7 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
     let (left, right) = (turtle.left.degrees(), turtle.right.degrees());
     let start = State { at: turtle.start, degrees: turtle.heading.degrees(), pen: Pen::new(turtle) };
     let (mut state, mut saved, mut segments) = (start, Vec::new(), Vec::new());
+    turn(&mut state, swayed(turtle, None)[0].to_degrees());
     for module in drawn(system, n) {
         state.pen.begin(turtle, &module);
         for (index, action) in actions(system, module.symbol).iter().enumerate() {
@@ -185,7 +194,10 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                     segments
                         .extend(around(&corners.collect::<Vec<_>>(), |from, to| state.pen.segment(turtle, from, to)));
                 }
-                Action::Push => saved.push(state),
+                Action::Push => {
+                    saved.push(state);
+                    turn(&mut state, swayed(turtle, Some(module.step))[0].to_degrees());
+                }
                 Action::Pop => state = saved.pop().unwrap_or(state),
                 // Polygons have no strokes. Other actions leave the plane or change only the pen.
                 _ => {}

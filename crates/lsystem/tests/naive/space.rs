@@ -1,6 +1,6 @@
 //! The naive turtle in space: three vectors, rotated by Rodrigues' formula.
 
-use super::{Pen, actions, around, drawn, limit_widths, replaced, shorter, slot, variations};
+use super::{Pen, actions, around, drawn, limit_widths, replaced, shorter, slot, swayed, variations};
 use lsystem::drawing::Segment;
 use lsystem::syntax::Action;
 use lsystem::{Solid, System};
@@ -14,6 +14,8 @@ struct State {
     heading: Vector,
     left: Vector,
     up: Vector,
+    /// The direction that `$` levels by: upwards, turned by each sway.
+    vertical: Vector,
     pen: Pen,
 }
 
@@ -33,6 +35,14 @@ impl State {
         }
     }
 
+    /// Turns the turtle, and the vertical with it.
+    fn sway(&mut self, [left, down]: [f64; 2]) {
+        let along = [self.heading, self.left, self.up].map(|axis| dot(axis, self.vertical));
+        self.rotate(self.up, left);
+        self.rotate(self.left, down);
+        self.vertical = [0, 1, 2].map(|i| along[0] * self.heading[i] + along[1] * self.left[i] + along[2] * self.up[i]);
+    }
+
     fn advance(&mut self, length: f64) {
         self.at = [0, 1, 2].map(|i| self.at[i] + length * self.heading[i]);
     }
@@ -49,7 +59,7 @@ impl State {
     }
 
     fn upright(&mut self) {
-        let left = cross([0.0, 1.0, 0.0], self.heading);
+        let left = cross(self.vertical, self.heading);
         let length = dot(left, left).sqrt();
         if length > 1e-9 {
             self.left = left.map(|c| c / length);
@@ -83,11 +93,13 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
         heading: [1.0, 0.0, 0.0],
         left: [0.0, 1.0, 0.0],
         up: [0.0, 0.0, 1.0],
+        vertical: [0.0, 1.0, 0.0],
         pen: Pen::new(turtle),
     };
     // All polygons, the indices of the open ones, and the indices of the closed ones.
     let (mut polygons, mut open, mut closed): (Vec<Filled>, Vec<usize>, Vec<usize>) = Default::default();
     state.rotate([0.0, 0.0, 1.0], turtle.heading.degrees().to_radians());
+    state.sway(swayed(turtle, None));
     let (mut saved, mut segments) = (Vec::new(), Vec::new());
     for module in drawn(system, n) {
         state.pen.begin(turtle, &module);
@@ -149,7 +161,10 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                     };
                     polygons.push((corners, state.pen.colour, state.pen.level, segments.len(), module.index));
                 }
-                Action::Push => saved.push(state),
+                Action::Push => {
+                    saved.push(state);
+                    state.sway(swayed(turtle, Some(module.step)));
+                }
                 Action::Pop => state = saved.pop().unwrap_or(state),
                 // Other actions change only the pen.
                 _ => {}

@@ -3,6 +3,11 @@
 use lsystem::{Definition, System};
 use proptest::prelude::*;
 
+/// A sway: strength and phase, often none.
+pub fn sway() -> impl Strategy<Value = [f64; 2]> {
+    prop_oneof![Just([0.0, 0.0]), (-20.0..20.0, -360.0..720.0).prop_map(|(strength, phase)| [strength, phase])]
+}
+
 /// The features of a random system.
 #[derive(Clone, Copy, Default)]
 pub struct Features {

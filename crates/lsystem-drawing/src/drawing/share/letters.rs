@@ -171,7 +171,7 @@ impl<S: Space> Build<S> {
             }
             None => {
                 let (letters, origin) = (rules.axiom.letters.as_slice(), Origin { former: None, step: 0 });
-                let heading = turtle.start_turn::<S>();
+                let (heading, _) = turtle.start::<S>();
                 let word = PieceWord { score, below: pieces.last(), letters, origin, heading, swapped: false };
                 if let Some(root) = write(word) {
                     return Outcome::Ended(Made {

@@ -223,7 +223,8 @@ impl<S: Space> States<S> {
         let started = started.map_err(|error| fault(rules, error, 0, limits, None))?;
         let word = started.word();
         new.arguments.extend_from_slice(&word.arguments);
-        let (letters, orientation) = (word.letters.clone(), Orientation::new(turtle.start_turn::<S>(), S::UPWARDS));
+        let (heading, vertical) = turtle.start::<S>();
+        let (letters, orientation) = (word.letters.clone(), Orientation::new(heading, vertical));
         let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, orientation };
         new.planning = Some(planning);
         Ok(new)
@@ -257,7 +258,8 @@ impl<S: Space> States<S> {
         let begun = match self.levels.last().map(|level| level.get(self.done / self.variants)) {
             None => {
                 let origin = Origin { former: None, step };
-                let entry = Entry { heading: task.turtle.start_turn::<S>(), vertical: S::UPWARDS, swapped: false };
+                let (heading, vertical) = task.turtle.start::<S>();
+                let entry = Entry { heading, vertical, swapped: false };
                 (self.top.clone(), origin, entry)
             }
             Some(Some(state)) => {

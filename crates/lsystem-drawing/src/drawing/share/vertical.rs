@@ -135,6 +135,7 @@ impl<S: Space> Orientation<S> {
             TurtleOp::Upright => self.heading = S::upright(self.heading, &self.vertical),
             TurtleOp::Push(_) => self.saved.push(self.heading),
             TurtleOp::Pop => self.heading = self.saved.pop().unwrap_or(self.heading),
+            // A sway turns the heading and the vertical alike.
             _ => {}
         }
     }

@@ -172,14 +172,13 @@ impl<S: Space> LetterPieceWriting<S> {
         match word.lower(symbol, pen.swapped) {
             None => {
                 let scale = libm::scalbn(1.0, score.exponent - exponent);
-                let grown;
-                let ops = match fully_grown {
-                    Some(continuation) if *continuation != Some(*done) => {
-                        grown = word.ops(symbol).iter().map(|&op| score.growing(op)).collect::<Vec<_>>();
-                        grown.as_slice()
-                    }
-                    _ => word.ops(symbol),
-                };
+                let grows = fully_grown.is_some_and(|continuation| continuation != Some(*done));
+                let changed: Vec<_>;
+                let mut ops = word.ops(symbol);
+                if grows || score.sways() {
+                    changed = ops.iter().map(|&op| score.changed(op, grows, word.origin.step)).collect();
+                    ops = &changed;
+                }
                 tree.draw(builder, *done as u64, |paper, directions| pen.act(ops, saved, scale, directions, paper));
             }
             Some(piece) => {

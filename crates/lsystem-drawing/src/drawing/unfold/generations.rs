@@ -7,7 +7,6 @@ use crate::drawing::task::{Outcome, Task};
 use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::space::unit_of;
-use crate::style::StyleChange;
 use crate::turtle::{Pen, TurtleOp, work_of};
 use lsystem_base::{LimitName, Limits, Meter};
 use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, fault};
@@ -57,8 +56,7 @@ impl<S: Space> Generations<S> {
         let mut rewriter =
             Rewriter::new(rules.clone(), *seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
         if score.differs_by_module() {
-            let aged = score.colours_by_generation || score.growth < 1.0;
-            rewriter.remember(aged.then(|| score.shows(rules)));
+            rewriter.remember(score.differs_by_age().then(|| score.shows(rules)));
         }
         Ok(Self { rewriter, reader: TurtleOpReader::default(), stage: Stage::Derive })
     }
@@ -128,7 +126,7 @@ impl<S: Space> Generations<S> {
                 let shift = unit_of(measure.longest);
                 *reader = TurtleOpReader::default();
                 *stage = Stage::Draw(Box::new(Draft {
-                    pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
+                    pen: Pen::start(turtle, score),
                     saved: Vec::new(),
                     tree: Tree::new(score.exponent.saturating_add(shift), score.tapers),
                     scale: libm::scalbn(1.0, -shift),
@@ -296,7 +294,10 @@ impl<S: Space> TurtleOpReader<S> {
             let mut fate = score.differs_by_module().then(|| {
                 let age = word.age_of(*at).unwrap_or(Age { since: 0, made: 0 });
                 let grows = age.made > 0 && u32::from(age.made) == rewriter.generation();
-                Fate { key: word.key_of(*at), since: u32::from(age.since), grows }
+                let since = u32::from(age.since);
+                // A module that may be rewritten is a module of the last step, whether or not a production applied.
+                let step = if rules.by_letter[usize::from(letter)].is_empty() { since } else { rewriter.generation() };
+                Fate { key: word.key_of(*at), since, step, grows }
             });
             if rules.images[usize::from(letter)].is_empty() {
                 let Some(work) = one(*at, letter, &word.arguments[*argument..after], fate.as_ref()) else {

@@ -6,7 +6,6 @@ use crate::drawing::builder::Builder;
 use crate::drawing::task::Task;
 use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
-use crate::style::StyleChange;
 use crate::turtle::{Pen, Score, TurtleOp, work_of};
 use lsystem_base::{LimitName, Limits, Meter};
 use lsystem_derive::{LetterId, Next, Rules, Walk};
@@ -96,7 +95,7 @@ impl<S: Space> LetterUnfolding<S> {
     pub(super) fn new(Task { turtle, score, seed, n, .. }: &Task<S>) -> Self {
         Self {
             census: Census::new(*n, *seed),
-            pen: Pen::new(turtle.start_turn::<S>(), StyleChange::start(score.width)),
+            pen: Pen::start(turtle, score),
             saved: vec![],
             tree: Tree::new(score.exponent, score.tapers),
             seed: *seed,

@@ -152,10 +152,11 @@ impl<S: Space> States<S> {
                     let acted = self.act(task, letter, argument as usize, commands);
                     // An image counts as a step after generation `n`.
                     acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
-                    if writing.fully_grown.is_some_and(|continuation| continuation != Some(number)) {
+                    let grows = writing.fully_grown.is_some_and(|continuation| continuation != Some(number));
+                    if grows || task.score.sways() {
                         commands[before..].iter_mut().for_each(|command| {
                             if let TurtleCommand::Op(op) = command {
-                                *op = task.score.growing(*op);
+                                *op = task.score.changed(*op, grows, writing.origin.step);
                             }
                         });
                     }
