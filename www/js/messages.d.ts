@@ -80,6 +80,15 @@ words: string,
 symbol: string | null, };
 
 /**
+ * The fields of a style that an automatic look chooses.
+ */
+export type ChosenLook = { 
+/**
+ * The choice in words.
+ */
+words: string, colourBy: string, paletteHolds: boolean, width: number, widthFactor: number, minWidth: number, maxWidth: number, };
+
+/**
  * A named constant and the place of its value in the rules, in UTF-16 units.
  */
 export type ConstantSpan = { 
@@ -685,6 +694,10 @@ azimuth: number | null,
  * The largest number of iterations within the limits, if the drawing exceeds a limit.
  */
 largest: number | null, 
+/**
+ * What an automatic look chose; null without one.
+ */
+look: ChosenLook | null, 
 /**
  * The symbols in use.
  */

@@ -36,5 +36,14 @@ export function opening(theme) {
 
 /** A single line without rules, in the look of the opening plant. @param {'light' | 'dark'} theme */
 export function blank(theme) {
-    return clean({ ...opening(theme), name: '', title: '', source: '', rules: '', iterations: 4, angle: 60 });
+    return clean({
+        ...opening(theme),
+        name: '',
+        title: '',
+        source: '',
+        rules: '',
+        iterations: 4,
+        angle: 60,
+        auto: true,
+    });
 }

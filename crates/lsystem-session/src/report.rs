@@ -2,7 +2,7 @@
 
 use lsystem::drawing::{kind, legend, why_empty};
 pub use lsystem::syntax::Problem;
-use lsystem::{Figure, System, fit};
+use lsystem::{Figure, Style, System, fit};
 use serde::Serialize;
 use ts_rs::TS;
 
@@ -35,12 +35,36 @@ pub struct Report {
     pub azimuth: Option<f64>,
     /// The largest number of iterations within the limits, if the drawing exceeds a limit.
     pub largest: Option<u32>,
+    /// What an automatic look chose; null without one.
+    pub look: Option<ChosenLook>,
     /// The symbols in use.
     pub legend: Vec<Legend>,
     /// The reason why nothing is drawn.
     pub empty: Option<String>,
     /// The picture's text alternative.
     pub description: String,
+}
+
+/// The fields of a style that an automatic look chooses.
+#[derive(Clone, Debug, Serialize, TS)]
+#[serde(rename_all = "camelCase")]
+pub struct ChosenLook {
+    /// The choice in words.
+    pub words: &'static str,
+    pub colour_by: &'static str,
+    pub palette_holds: bool,
+    pub width: f64,
+    pub width_factor: f64,
+    pub min_width: f64,
+    pub max_width: f64,
+}
+
+impl ChosenLook {
+    fn of(system: &System) -> Option<Self> {
+        let Style { colour_by, palette_holds, width, width_factor, min_width, max_width, auto, .. } = system.style;
+        let (words, colour_by) = (system.look().words(), colour_by.name());
+        auto.then_some(Self { words, colour_by, palette_holds, width, width_factor, min_width, max_width })
+    }
 }
 
 /// A symbol in use and its actions.
@@ -74,6 +98,7 @@ impl Report {
             stochastic: system.is_stochastic(),
             space: system.is_solid(),
             branches: system.has_branches(),
+            look: ChosenLook::of(system),
             legend: legend.collect(),
             empty: why_empty(system, n),
             ..Self::default()

@@ -91,6 +91,14 @@ export function lookPanel(store) {
             },
         }),
     );
+    const auto = input('auto-look');
+    /** What an automatic look chose. @type {import('../engine.js').Report['look']} */
+    let chosen = null;
+    auto.addEventListener('change', () => {
+        const { words: _, ...values } = chosen ?? { words: '' };
+        // The values chosen are the start of an own look.
+        store.change(/** @type {Partial<import('../state.js').State>} */ ({ ...values, auto: auto.checked }), '');
+    });
     const background = input('background');
     background.addEventListener('input', () => store.change({ background: background.value }, 'background'));
     background.addEventListener('change', settle);
@@ -125,6 +133,8 @@ export function lookPanel(store) {
         /** @param {import('../engine.js').Report} report @param {import('../state.js').State} state */
         report(report, state) {
             space = report.space;
+            chosen = report.look;
+            setText(html('auto-note'), state.auto ? (chosen?.words ?? '') : '');
             showInk(state);
         },
         /** @param {import('../state.js').State} state */
@@ -139,6 +149,8 @@ export function lookPanel(store) {
             button('remove-colour').disabled = state.palette.length === 1;
             button('add-colour').disabled = state.palette.length >= maxLengthOf('palette');
             for (const { scheme, chip } of schemes) chip.setAttribute('aria-pressed', String(hasScheme(state, scheme)));
+            auto.checked = state.auto;
+            html('own-look').hidden = state.auto;
             setChoice(colourBy, state.colourBy);
             for (const [box, name] of flags) box.checked = state[name];
             html('holds-row').hidden = state.colourBy !== 'level' && state.colourBy !== 'generation';
