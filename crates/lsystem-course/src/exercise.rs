@@ -167,7 +167,7 @@ impl Exercise {
         pack(&veiled(serde_json::to_vec(self).unwrap_or_default()))
     }
 
-    /// The exercise with texts cut, numbers moved into their ranges, and without wind: what sways is the same plant.
+    /// The exercise with texts cut, numbers moved into their ranges, and without wind.
     #[must_use]
     pub fn within_limits(mut self) -> Self {
         cut(&mut self.title, MAX_TITLE);

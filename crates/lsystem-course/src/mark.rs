@@ -89,7 +89,9 @@ impl Marker {
     ///
     /// # Errors
     /// The errors of the target, or the limit that it exceeds.
-    pub fn new(exercise: Exercise) -> Result<Self, Vec<Diagnostic>> {
+    pub fn new(mut exercise: Exercise) -> Result<Self, Vec<Diagnostic>> {
+        // Wind moves equal pictures of different derivations apart.
+        exercise.target.sway = [0.0; 2];
         let one = |limit| vec![limit];
         let target = Sketching::new(&exercise.target)?.finish().map_err(one)?;
         let (mut text, mut sample) = (None, None);
