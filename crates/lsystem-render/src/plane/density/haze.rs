@@ -25,9 +25,9 @@ pub(super) struct Haze {
     planes: usize,
     cells: Vec<f64>,
     /// The running sums of the columns being smoothed.
-    sums: Vec<[f64; COLUMNS]>,
-    /// The cells of a row, between those of two rows.
-    row: Vec<f32>,
+    sums: Vec<f64>,
+    /// The haze of the pixels on the middle of two rows of cells, and the number of the first of them.
+    middles: ([Vec<f32>; 2], Option<usize>),
     stage: Stage,
     /// The row or column of cells that is next in the stage.
     line_number: usize,
@@ -60,7 +60,7 @@ impl Haze {
 
     /// Empties the haze, for a sheet with `apron` pixels around it. Returns the units of work.
     pub(super) fn reset(&mut self, sheet: &Sheet, apron: usize) -> u64 {
-        (self.stage, self.line_number, self.most) = (Stage::Across, 0, 0.0);
+        (self.stage, self.line_number, self.most, self.middles.1) = (Stage::Across, 0, 0.0, None);
         let cells = |side: usize| (side + 2 * apron).div_ceil(SIDE) + 2;
         (self.apron, self.rows) = (apron, cells(sheet.height));
         self.columns = cells(sheet.width).next_multiple_of(COLUMNS);
@@ -162,49 +162,62 @@ impl Haze {
         Progress::More
     }
 
+    /// The last cell whose middle is not beyond the middle of a pixel, and the part of the way to the next one. The apron
+    /// is wider than a cell.
+    fn before(&self, pixel: usize) -> (usize, f32) {
+        let at = (2 * (pixel + self.apron) + 1).saturating_sub(SIDE);
+        (at / (2 * SIDE), (at % (2 * SIDE)) as f32 / (2 * SIDE) as f32)
+    }
+
     /// Adds the haze of a row of pixels to the sheet.
     fn add_row(&mut self, sheet: &mut Sheet, row: usize) {
-        let (numbers, planes) = (self.columns * self.planes, self.planes);
-        // The place in cells; cells and pixels begin together, and the apron is wider than a cell.
-        let near = |pixel: usize| {
-            let at = (2 * (pixel + self.apron) + 1).saturating_sub(SIDE);
-            (at / (2 * SIDE), (at % (2 * SIDE)) as f32 / (2 * SIDE) as f32)
-        };
-        let (above, down) = near(row);
-        let (upper, lower) = self.cells[above * numbers..(above + 2) * numbers].split_at(numbers);
-        self.row.clear();
-        self.row
-            .extend(upper.iter().zip(lower).map(|(upper, lower)| (upper + f64::from(down) * (lower - upper)) as f32));
-        let least = (ROUNDING * self.most) as f32;
-        for cell in self.row.chunks_exact_mut(planes).filter(|cell| cell[0] <= least) {
-            cell.fill(0.0);
-        }
-        let values = &mut sheet.values[row * sheet.width * planes..(row + 1) * sheet.width * planes];
-        for (column, values) in values.chunks_exact_mut(planes).enumerate() {
-            let (left, across) = near(column);
-            for (plane, value) in values.iter_mut().enumerate() {
-                let [left, right] = [left, left + 1].map(|cell| self.row[cell * planes + plane]);
-                *value += left + across * (right - left);
+        let (above, down) = self.before(row);
+        let ([mut upper, mut lower], middle) = core::mem::take(&mut self.middles);
+        if middle != Some(above) {
+            core::mem::swap(&mut upper, &mut lower);
+            if middle.is_none_or(|middle| middle + 1 != above) {
+                self.spread_row(above, sheet.width, &mut upper);
             }
+            self.spread_row(above + 1, sheet.width, &mut lower);
+        }
+        let values = &mut sheet.values[row * upper.len()..(row + 1) * upper.len()];
+        for ((value, upper), lower) in values.iter_mut().zip(&upper).zip(&lower) {
+            *value += upper + down * (lower - upper);
         }
         sheet.reach[row] = 0..sheet.width as u32;
+        self.middles = ([upper, lower], Some(above));
+    }
+
+    /// Makes the haze of the pixels on the middle of a row of cells.
+    fn spread_row(&self, row: usize, width: usize, pixels: &mut Vec<f32>) {
+        let (numbers, planes) = (self.columns * self.planes, self.planes);
+        let cells = &self.cells[row * numbers..(row + 1) * numbers];
+        pixels.clear();
+        for column in 0..width {
+            let (left, across) = self.before(column);
+            let [left, right] = [left, left + 1].map(|cell| &cells[cell * planes..(cell + 1) * planes]);
+            let shows = left[0].max(right[0]) > ROUNDING * self.most;
+            let value = |(left, right): (&f64, &f64)| (left + f64::from(across) * (right - left)) as f32;
+            pixels.extend(left.iter().zip(right).map(value).map(|value| if shows { value } else { 0.0 }));
+        }
     }
 
     /// Replaces each cell of `N` neighbouring columns by the mean of the cells up to `radius` away along the column. The
     /// first cells are at `first`, and those of the next row `step` farther on.
     fn smooth<const N: usize>(&mut self, first: usize, step: usize, count: usize, radius: usize) {
-        let mut sum = [0.0; COLUMNS];
+        let mut sum = [0.0; N];
         self.sums.clear();
-        self.sums.push(sum);
+        self.sums.extend(sum);
         for cell in 0..count {
             if let Some(cells) = self.cells.get(first + cell * step..).and_then(<[_]>::first_chunk::<N>) {
-                sum.iter_mut().zip(cells).for_each(|(sum, cell)| *sum += cell);
+                (0..N).for_each(|column| sum[column] += cells[column]);
             }
-            self.sums.push(sum);
+            self.sums.extend(sum);
         }
+        let (sums, _) = self.sums.as_chunks::<N>();
         for cell in 0..count {
             let (low, high) = (cell.saturating_sub(radius), (cell + radius + 1).min(count));
-            let (before, after, part) = (self.sums[low], self.sums[high], 1.0 / (high - low) as f64);
+            let (before, after, part) = (sums[low], sums[high], 1.0 / (high - low) as f64);
             if let Some(cells) = self.cells.get_mut(first + cell * step..).and_then(<[_]>::first_chunk_mut::<N>) {
                 (0..N).for_each(|column| cells[column] = (after[column] - before[column]) * part);
             }

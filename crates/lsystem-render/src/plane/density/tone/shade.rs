@@ -4,8 +4,16 @@ use super::{DEEP, KEYS, Tone, key};
 use crate::plane::alpha::least_opaque;
 use crate::plane::density::sheet::Sheet;
 
+/// The number of neighbours that are shaded at a time if they are alike.
+const ALIKE: usize = 16;
+
 /// A pixel and its shade. A place of the memory belongs to one key for each pixel.
 pub(super) type Memory = ([u8; 4], [u8; 4]);
+
+/// The first place of a pixel's shades in the memory. Neighbouring keys have neighbouring places.
+fn place(pixel: [u8; 4]) -> usize {
+    (u32::from_le_bytes(pixel).wrapping_mul(0x9e37_79b9) >> 16) as usize
+}
 
 impl Tone {
     /// Forgets the shades of other tables. No pixel without opacity has another colour than 0.
@@ -51,18 +59,35 @@ impl Tone {
         let [r, g, b] = self.paper;
         let background = if self.is_transparent { [0; 4] } else { [r, g, b, u8::MAX] };
         let mut memories = core::mem::take(&mut self.memories);
-        if let Some(memories) = memories.first_chunk_mut::<KEYS>() {
-            for (pixel, &sum) in pixels.iter_mut().zip(sums).filter(|(pixel, _)| **pixel != background) {
-                // Pixels of one colour have neighbouring places for neighbouring keys.
-                let colour = u32::from_le_bytes(*pixel).wrapping_mul(0x9e37_79b9) >> 16;
-                let memory = &mut memories[(key(sum) + colour as usize) % KEYS];
-                if memory.0 != *pixel {
-                    *memory = (*pixel, self.shaded(*pixel, key(sum)));
+        let Some(places) = memories.first_chunk_mut::<KEYS>() else { return };
+        for (pixels, sums) in pixels.chunks_mut(ALIKE).zip(sums.chunks(ALIKE)) {
+            // Most pixels are like their neighbours.
+            let first = pixels[0];
+            let differ = |pixel: &[u8; 4]| u32::from_le_bytes(*pixel) ^ u32::from_le_bytes(first);
+            if pixels.iter().fold(0, |all, pixel| all | differ(pixel)) == 0 {
+                if first != background {
+                    let start = place(first);
+                    for (pixel, &sum) in pixels.iter_mut().zip(sums) {
+                        *pixel = self.remembered(places, first, start, key(sum));
+                    }
                 }
-                *pixel = memory.1;
+            } else {
+                for (pixel, &sum) in pixels.iter_mut().zip(sums).filter(|(pixel, _)| **pixel != background) {
+                    *pixel = self.remembered(places, *pixel, place(*pixel), key(sum));
+                }
             }
         }
         self.memories = memories;
+    }
+
+    /// The shade of a pixel whose places in the memory begin at `start`.
+    #[inline(always)]
+    fn remembered(&self, memories: &mut [Memory; KEYS], pixel: [u8; 4], start: usize, key: usize) -> [u8; 4] {
+        let memory = &mut memories[(key + start) % KEYS];
+        if memory.0 != pixel {
+            *memory = (pixel, self.shaded(pixel, key));
+        }
+        memory.1
     }
 
     /// The pixel of an opaque picture, shaded.
