@@ -12,7 +12,7 @@ use lsystem_base::{Meter, Progress};
 pub(super) type Pigment = [f32; 3];
 
 /// Strokes wider than this, in pixels, are filled as polygons. Others are put together from lines of points.
-const BROAD: f64 = 4.0;
+pub(super) const BROAD: f64 = 4.0;
 /// The least ink that is added, in units of the sheet: less counts as this much, so a trunk shows beside 10^100 twigs.
 /// Sums stay below about 2^100 units.
 pub(super) const LEAST_INK: f64 = 1.0 / (1_u128 << 110) as f64;

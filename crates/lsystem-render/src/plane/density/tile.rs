@@ -17,13 +17,14 @@ const STEPS: f64 = 4.0;
 const SPARSE_STEPS: f64 = 8.0;
 /// Numbers in a chunk of memory (1 MiB); no tile needs more.
 const CHUNK: usize = 1 << 18;
-/// The most chunks. If more are needed, all tiles are dropped and made again as needed.
-const CHUNKS: usize = 16;
-/// The most bands of all tiles (1.5 MiB). If more are needed, all tiles are dropped.
-const BANDS: usize = 1 << 17;
+/// The most bands of all tiles (0.8 MiB). If more are needed, all tiles are dropped and made again as needed.
+const BANDS: usize = 1 << 16;
 
-/// The most bytes of all tiles.
-pub(in crate::plane) const TILE_BYTES: u64 = (CHUNKS * CHUNK * size_of::<f32>() + BANDS * size_of::<Band>()) as u64;
+/// The most bytes of all tiles in so many chunks.
+pub(in crate::plane) const fn tile_bytes(chunks: usize) -> u64 {
+    (chunks * CHUNK * size_of::<f32>() + BANDS * size_of::<Band>()) as u64
+}
+
 /// The number of sizes.
 pub(super) const SIZES: usize = 3;
 
@@ -75,6 +76,8 @@ pub(super) struct Tiles {
     bands: Vec<Band>,
     /// The chunk in use.
     chunk: usize,
+    /// The most chunks. If more are needed, all tiles are dropped.
+    most: usize,
     /// Whether tiles had to be dropped.
     pub crowded: bool,
 }
@@ -86,6 +89,13 @@ impl Tiles {
         self.chunks.iter_mut().for_each(Vec::clear);
         self.chunk = 0;
         self.crowded = false;
+    }
+
+    /// Sets the most chunks. If they change, all tiles are dropped.
+    pub(super) fn limit(&mut self, chunks: usize) {
+        if self.most != chunks {
+            *self = Self { most: chunks, ..Self::default() };
+        }
     }
 
     /// Whether a tile of this size, in pixels, fits into a chunk.
@@ -120,7 +130,7 @@ impl Tiles {
         if self.chunks.get(self.chunk).is_some_and(|values| values.len() + needed > CHUNK) {
             self.chunk += 1;
         }
-        if self.chunk == CHUNKS || self.bands.len() + sheet.height.div_ceil(BAND) > BANDS {
+        if self.chunk >= self.most || self.bands.len() + sheet.height.div_ceil(BAND) > BANDS {
             self.clear();
             self.crowded = true;
         }
