@@ -282,7 +282,8 @@ mod tests {
                     assert!(range > 60, "{ink:?} {name} {frame}: {range}");
                 }
                 for (frame, [_, light]) in changes(&film).into_iter().enumerate() {
-                    assert!(light < 2.4, "{ink:?} {name} from {frame}: {light}");
+                    // A step magnifies by an eighth, and so changes the share of the background.
+                    assert!(light < 2.1, "{ink:?} {name} from {frame}: {light}");
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! The memory that a picture takes, computed before the picture is made.
 
 use super::bottom_up::PART_WORDS;
-use super::density::{DENSITY_TILE_BYTES, Grid};
+use super::density::{Grid, tile_bytes};
 use super::seen::SEEN_BYTES;
 use super::shape::Shape;
 use super::top_down::tile::TILE_BYTES;
@@ -40,14 +40,16 @@ fn opaque(style: &Style, viewport: Viewport, detail: Detail) -> u64 {
     let bits = columns * rows / 8;
     let frame = bits * planes + bits / 8;
     let parts = if detail == Detail::Fine { 8 * PART_WORDS } else { 0 };
-    frame + TILE_BYTES + parts + SEEN_BYTES
+    // The parts take the memory of the tiles.
+    frame + TILE_BYTES.max(parts) + SEEN_BYTES
 }
 
 fn density(ink: Ink, colours: usize, viewport: Viewport, detail: Detail) -> u64 {
-    let [width, height] = Grid::new(ink, viewport, detail).size([viewport.width, viewport.height]);
+    let grid = Grid::new(ink, viewport, detail);
+    let [width, height] = grid.size([viewport.width, viewport.height]);
     let sums = width as u64 * height as u64;
     let numbers = if colours > 1 { 4 } else { 1 };
-    4 * numbers * sums + DENSITY_TILE_BYTES + TONE_BYTES
+    4 * numbers * sums + tile_bytes(grid.chunks) + TONE_BYTES
 }
 
 /// The number of colours in use.

@@ -46,7 +46,7 @@ pub(super) fn samples() -> Vec<(&'static str, Sample, u32)> {
         ("sierpinski", Sample::abop("F-G-G", &[('F', "F-G+F+G-F"), ('G', "GG")], 120.0), 7),
         ("gosper", Sample::abop("F", &[('F', "F-G--G+F++FF+G-"), ('G', "+F-GG--G-F++F+G")], 60.0), 5),
         ("coloured", Sample::lowercase("X", &[('X', "g-[[X]+X]+g[+gX]-X"), ('g', "gg")], 22.5), 6),
-        ("wide", blunt(Sample::abop("X", &[('X', "F!-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5).wide(0.6)), 5),
+        ("wide", Sample::abop("X", &[('X', "F!-[[X]+X]+F[+FX]-X"), ('F', "FF")], 22.5).wide(0.6), 5),
         ("leaves", Sample::abop("X", &[('X', "F[+X]F[-X]{'+f-f+f|+f-f}X"), ('F', "FF")], 25.7).wide(0.2), 5),
         ("star", Sample::abop("{F+F+F+F+F}", &[], 144.0).wide(0.02), 1),
         ("narrowing", narrowing(Sample::abop("X", &[('X', "F[+X][-X]'FX")], 25.7).wide(0.4)), 6),
@@ -235,11 +235,6 @@ fn what_is_broad_and_in_one_colour_takes_few_of_its_strokes() {
 }
 
 /// The sample with strokes that do not taper.
-fn blunt(mut sample: Sample) -> Sample {
-    sample.0.style.tapers = false;
-    sample
-}
-
 /// The sample with branches that are shorter and thinner than the branch they grow from.
 fn narrowing(mut sample: Sample) -> Sample {
     (sample.0.length_factor, sample.0.style.width_factor) = (0.7, 0.5);

@@ -22,7 +22,7 @@ pub(super) fn bands(
     let angle = if most > ROUNDING { libm::atan2(2.0 * xy, apart) / 2.0 } else { 0.0 };
     let (sin, cos) = libm::sincos(angle);
     let (c, s) = node.place.heading.cos_sin();
-    let (centre, width) = (node.place.point(deposit.centre), measure.width(node.pen.widths.own));
+    let (centre, width) = (node.place.point(deposit.centre), deposit.width(measure, node));
     let band = |[x, y]: [f64; 2], part: f64| {
         // The mean square of an even distribution is a twelfth of the square of its length.
         let [along, aside] = [[c * x - s * y, -s * x - c * y], [s * x + c * y, c * x - s * y]];

@@ -6,7 +6,7 @@ use crate::plane::shape::Shape;
 use crate::plane::sweep::{BlockVisitor, Sweep};
 use crate::plane::view::Measure;
 use lsystem_base::{Meter, Progress};
-use lsystem_drawing::{Block, Drawing, Item};
+use lsystem_drawing::{Block, Drawing, Item, StyleChange, WidthChange};
 
 /// The ink of one block, in its own frame.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,24 +21,32 @@ pub(super) struct Deposit {
     pub spread: [f64; 3],
     /// The mean of x x, x y and y y over the unit vectors across the strokes.
     pub across: [f64; 3],
+    /// The mean width of the strokes in step lengths, weighted by length, for the width at entry: a factor and an offset.
+    pub width: [f64; 2],
     /// Whether the block is a straight line with the same ink everywhere.
     pub even: bool,
 }
 
 impl Deposit {
-    /// All ink of a block in layers times square pixels. Every stroke counts with the width at entry.
+    /// The mean width of a block's strokes, in pixels. Exact if all of them are wider than a hairline, or none.
+    #[inline]
+    pub(super) fn width(&self, measure: &Measure, node: &Node) -> f64 {
+        measure.width(self.width[0] * node.pen.widths.own + self.width[1])
+    }
+
+    /// All ink of a block in layers times square pixels.
     #[inline]
     pub(super) fn amount(&self, measure: &Measure, node: &Node) -> Amount {
         let scale = node.place.scale.abs();
-        self.length.times(scale).times(measure.width(node.pen.widths.own)).plus(self.area.times(scale).times(scale))
+        self.length.times(scale).times(self.width(measure, node)).plus(self.area.times(scale).times(scale))
     }
 
     /// The mean of x x, x y and y y of a block's ink about its centre, in square pixels, x to the right and y up.
-    /// Includes the width of the strokes, each with the width at entry.
+    /// Includes the width of the strokes, each with the mean width.
     #[inline]
     pub(super) fn squares(&self, measure: &Measure, node: &Node) -> [f64; 3] {
         let (cos, sin) = node.place.heading.cos_sin();
-        let width = measure.width(node.pen.widths.own);
+        let width = self.width(measure, node);
         let along = turned(self.spread, [node.place.cos, node.place.sin]);
         let across = turned(self.across, [cos, sin]);
         // The mean square of an even distribution is a twelfth of the square of its length.
@@ -110,6 +118,7 @@ impl BlockVisitor for Summing<'_> {
                 let about = [dx * dx, dx * dy, dy * dy];
                 sum.spread = [0, 1, 2].map(|i| sum.spread[i] + share * (part.spread[i] + about[i]));
                 sum.across = [0, 1, 2].map(|i| sum.across[i] + share * part.across[i]);
+                sum.width = [0, 1].map(|i| sum.width[i] + share * part.width[i]);
             }
         }
         if let Item::Polygon(polygon) = item { 1 + u64::from(polygon.count) / 16 } else { 1 }
@@ -134,11 +143,14 @@ pub(super) fn part(drawing: &Drawing, item: &Item, deposits: &[Deposit]) -> Depo
             let [dx, dy] = [0, 1].map(|i| stroke.to[i] - stroke.from[i]);
             let length = (dx * dx + dy * dy).sqrt();
             let [ux, uy] = if length > 0.0 { [dx / length, dy / length] } else { [0.0; 2] };
+            let StyleChange { width, next, .. } = drawing.styles[stroke.style.0 as usize];
+            let next = next.unwrap_or(width);
             Deposit {
                 length: Amount::new(length),
                 centre: [0, 1].map(|i| (stroke.from[i] + stroke.to[i]) / 2.0),
                 spread: [dx * dx, dx * dy, dy * dy].map(|v| v / 12.0),
                 across: [uy * uy, -ux * uy, ux * ux],
+                width: [(width.factor + next.factor) / 2.0, (width.offset + next.offset) / 2.0],
                 ..Deposit::default()
             }
         }
@@ -151,13 +163,15 @@ pub(super) fn part(drawing: &Drawing, item: &Item, deposits: &[Deposit]) -> Depo
             let inner = &deposits[placed.block.0 as usize];
             let (cos, sin) = placed.heading.cos_sin();
             let (c, s) = (cos * placed.scale, sin * placed.scale);
-            let [x, y] = inner.centre;
+            let ([x, y], [factor, offset]) = (inner.centre, inner.width);
+            let width = drawing.styles[placed.style.0 as usize].width.then(WidthChange { factor, offset });
             Deposit {
                 length: inner.length.times(placed.scale),
                 area: inner.area.times(placed.scale * placed.scale),
                 centre: [placed.at[0] + c * x - s * y, placed.at[1] + s * x + c * y],
                 spread: turned(inner.spread, [c, s]),
                 across: turned(inner.across, [cos, sin]),
+                width: [width.factor, width.offset],
                 even: false,
             }
         }

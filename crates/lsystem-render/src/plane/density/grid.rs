@@ -12,6 +12,9 @@ const MOST_SHADING_SUMS: f64 = (1 << 22) as f64;
 /// dots would blur shades.
 const SHADING_DOT: f64 = 2.0;
 
+/// The most MiB of tiles: of sums alone, and of sums that shade, which leave room for the tiles of the opaque picture.
+const CHUNKS: [usize; 2] = [16, 7];
+
 /// The size of the places of sums.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::plane) struct Grid {
@@ -23,18 +26,20 @@ pub(in crate::plane) struct Grid {
     pub dot: f64,
     /// Points of a line for each place along it. Between more points, ink varies less.
     pub points: f64,
+    /// The most chunks of memory for tiles.
+    pub chunks: usize,
 }
 
 impl Grid {
     pub(in crate::plane) fn new(ink: Ink, viewport: Viewport, detail: Detail) -> Self {
         let coarse = if detail == Detail::Coarse { COARSE_SIDE } else { 1 };
         if ink != Ink::Auto {
-            return Self { side: coarse, margin: 0, dot: 1.0, points: 2.0 };
+            return Self { side: coarse, margin: 0, dot: 1.0, points: 2.0, chunks: CHUNKS[0] };
         }
         let pixels = f64::from(viewport.width) * f64::from(viewport.height);
         let least = (pixels / MOST_SHADING_SUMS).sqrt().ceil() as u32;
         let side = coarse.max(least);
-        Self { side, margin: 1, dot: (SHADING_DOT / f64::from(side)).max(1.0), points: 1.0 }
+        Self { side, margin: 1, dot: (SHADING_DOT / f64::from(side)).max(1.0), points: 1.0, chunks: CHUNKS[1] }
     }
 
     /// The number of sums along the side of a pixel.

@@ -10,6 +10,8 @@ use lsystem_base::{Meter, Progress};
 const SIDE: usize = 4;
 /// The most pixels around a pane whose haze is spread into the pane: bounds the memory of the cells.
 const WIDEST_APRON: f64 = 1024.0;
+/// Columns that are smoothed at a time: as many cells as a cache line holds.
+const COLUMNS: usize = 8;
 /// A sum below this part of the greatest sum is a rounding error.
 const ROUNDING: f64 = 1e-10;
 
@@ -22,8 +24,10 @@ pub(super) struct Haze {
     rows: usize,
     planes: usize,
     cells: Vec<f64>,
-    /// The running sums of the line being smoothed.
-    line: Vec<f64>,
+    /// The running sums of the columns being smoothed.
+    sums: Vec<f64>,
+    /// The haze of the pixels on the middle of two rows of cells, and the number of the first of them.
+    middles: ([Vec<f32>; 2], Option<usize>),
     stage: Stage,
     /// The row or column of cells that is next in the stage.
     line_number: usize,
@@ -51,14 +55,15 @@ enum Stage {
 impl Haze {
     /// The pixels around a pane in which haze of this grain must be known, because smoothing spreads it into the pane.
     pub(super) fn apron(grain: f64) -> usize {
-        (grain / 2.0).min(WIDEST_APRON) as usize / SIDE * SIDE + 2 * SIDE
+        (grain / 4.0).min(WIDEST_APRON) as usize / SIDE * SIDE + 2 * SIDE
     }
 
     /// Empties the haze, for a sheet with `apron` pixels around it. Returns the units of work.
     pub(super) fn reset(&mut self, sheet: &Sheet, apron: usize) -> u64 {
-        (self.stage, self.line_number, self.most) = (Stage::Across, 0, 0.0);
+        (self.stage, self.line_number, self.most, self.middles.1) = (Stage::Across, 0, 0.0, None);
         let cells = |side: usize| (side + 2 * apron).div_ceil(SIDE) + 2;
-        (self.apron, self.columns, self.rows) = (apron, cells(sheet.width), cells(sheet.height));
+        (self.apron, self.rows) = (apron, cells(sheet.height));
+        self.columns = cells(sheet.width).next_multiple_of(COLUMNS);
         self.planes = sheet.planes;
         self.cells.clear();
         self.cells.resize(self.columns * self.rows * self.planes, 0.0);
@@ -97,6 +102,7 @@ impl Haze {
         let (columns, planes) = (self.columns, self.planes);
         let (across, down) = (columns - 2, self.rows - 2);
         let radius = ((grain / 8.0) as usize / SIDE).clamp(1, columns.max(self.rows));
+        let numbers = columns * planes;
         while !meter.is_spent() {
             let at = self.line_number;
             self.line_number += 1;
@@ -104,7 +110,7 @@ impl Haze {
                 Stage::Across => self.rows,
                 Stage::Down => self.rows - 1,
                 Stage::Smooth(0 | 2) => down * planes,
-                Stage::Smooth(_) => across * planes,
+                Stage::Smooth(_) => numbers / COLUMNS,
                 Stage::Most => self.rows,
                 Stage::Add => sheet.height,
                 Stage::Done => return Progress::Done,
@@ -123,25 +129,23 @@ impl Haze {
             }
             let length = match self.stage {
                 Stage::Across => {
-                    for at in at * columns * planes..(at + 1) * columns * planes {
-                        let left = if at % (columns * planes) >= planes { self.cells[at - planes] } else { 0.0 };
-                        self.cells[at] += left;
+                    for at in at * numbers + planes..(at + 1) * numbers {
+                        self.cells[at] += self.cells[at - planes];
                     }
-                    columns * planes
+                    numbers
                 }
                 Stage::Down => {
-                    for at in (at + 1) * columns * planes..(at + 2) * columns * planes {
-                        self.cells[at] += self.cells[at - columns * planes];
-                    }
-                    columns * planes
+                    let (above, below) = self.cells[at * numbers..(at + 2) * numbers].split_at_mut(numbers);
+                    below.iter_mut().zip(above).for_each(|(cell, above)| *cell += *above);
+                    numbers
                 }
                 Stage::Smooth(0 | 2) => {
-                    self.smooth(at / planes * columns * planes + at % planes, planes, across, radius);
+                    self.smooth::<1>(at / planes * numbers + at % planes, planes, across, radius);
                     across
                 }
                 Stage::Smooth(_) => {
-                    self.smooth(at, columns * planes, down, radius);
-                    down
+                    self.smooth::<COLUMNS>(at * COLUMNS, numbers, down, radius);
+                    COLUMNS * down
                 }
                 Stage::Most => {
                     let row = &self.cells[at * columns * planes..(at + 1) * columns * planes];
@@ -158,43 +162,65 @@ impl Haze {
         Progress::More
     }
 
-    /// Adds the haze of a row of pixels to the sheet.
-    fn add_row(&self, sheet: &mut Sheet, row: usize) {
-        let (columns, planes) = (self.columns, self.planes);
-        let near = |pixel: usize, end: usize| {
-            let at = (((pixel + self.apron) as f64 + 0.5) / SIDE as f64 - 0.5).clamp(0.0, (end - 1) as f64);
-            let first = (at as usize).min(end.saturating_sub(2));
-            (first, at - first as f64)
-        };
-        let (above, down) = near(row, self.rows - 2);
-        for column in 0..sheet.width {
-            let (left, across) = near(column, columns - 2);
-            let value = |plane: usize| {
-                let cell = |x: usize, y: usize| self.cells[((above + y) * columns + left + x) * planes + plane];
-                let upper = cell(0, 0) + across * (cell(1, 0) - cell(0, 0));
-                let lower = cell(0, 1) + across * (cell(1, 1) - cell(0, 1));
-                upper + down * (lower - upper)
-            };
-            if value(0) > ROUNDING * self.most {
-                let at = (row * sheet.width + column) * planes;
-                (0..planes).for_each(|plane| sheet.values[at + plane] += value(plane) as f32);
-            }
-        }
-        sheet.reach[row] = 0..sheet.width as u32;
+    /// The last cell whose middle is not beyond the middle of a pixel, and the part of the way to the next one. The apron
+    /// is wider than a cell.
+    fn before(&self, pixel: usize) -> (usize, f32) {
+        let at = (2 * (pixel + self.apron) + 1).saturating_sub(SIDE);
+        (at / (2 * SIDE), (at % (2 * SIDE)) as f32 / (2 * SIDE) as f32)
     }
 
-    /// Replaces each cell of a line by the mean of the cells up to `radius` away.
-    fn smooth(&mut self, first: usize, step: usize, count: usize, radius: usize) {
-        let mut sum = 0.0;
-        self.line.clear();
-        self.line.push(sum);
-        for cell in 0..count {
-            sum += self.cells[first + cell * step];
-            self.line.push(sum);
+    /// Adds the haze of a row of pixels to the sheet.
+    fn add_row(&mut self, sheet: &mut Sheet, row: usize) {
+        let (above, down) = self.before(row);
+        let ([mut upper, mut lower], middle) = core::mem::take(&mut self.middles);
+        if middle != Some(above) {
+            core::mem::swap(&mut upper, &mut lower);
+            if middle.is_none_or(|middle| middle + 1 != above) {
+                self.spread_row(above, sheet.width, &mut upper);
+            }
+            self.spread_row(above + 1, sheet.width, &mut lower);
         }
+        let values = &mut sheet.values[row * upper.len()..(row + 1) * upper.len()];
+        for ((value, upper), lower) in values.iter_mut().zip(&upper).zip(&lower) {
+            *value += upper + down * (lower - upper);
+        }
+        sheet.reach[row] = 0..sheet.width as u32;
+        self.middles = ([upper, lower], Some(above));
+    }
+
+    /// Makes the haze of the pixels on the middle of a row of cells.
+    fn spread_row(&self, row: usize, width: usize, pixels: &mut Vec<f32>) {
+        let (numbers, planes) = (self.columns * self.planes, self.planes);
+        let cells = &self.cells[row * numbers..(row + 1) * numbers];
+        pixels.clear();
+        for column in 0..width {
+            let (left, across) = self.before(column);
+            let [left, right] = [left, left + 1].map(|cell| &cells[cell * planes..(cell + 1) * planes]);
+            let shows = left[0].max(right[0]) > ROUNDING * self.most;
+            let value = |(left, right): (&f64, &f64)| (left + f64::from(across) * (right - left)) as f32;
+            pixels.extend(left.iter().zip(right).map(value).map(|value| if shows { value } else { 0.0 }));
+        }
+    }
+
+    /// Replaces each cell of `N` neighbouring columns by the mean of the cells up to `radius` away along the column. The
+    /// first cells are at `first`, and those of the next row `step` farther on.
+    fn smooth<const N: usize>(&mut self, first: usize, step: usize, count: usize, radius: usize) {
+        let mut sum = [0.0; N];
+        self.sums.clear();
+        self.sums.extend(sum);
+        for cell in 0..count {
+            if let Some(cells) = self.cells.get(first + cell * step..).and_then(<[_]>::first_chunk::<N>) {
+                (0..N).for_each(|column| sum[column] += cells[column]);
+            }
+            self.sums.extend(sum);
+        }
+        let (sums, _) = self.sums.as_chunks::<N>();
         for cell in 0..count {
             let (low, high) = (cell.saturating_sub(radius), (cell + radius + 1).min(count));
-            self.cells[first + cell * step] = (self.line[high] - self.line[low]) / (high - low) as f64;
+            let (before, after, part) = (sums[low], sums[high], 1.0 / (high - low) as f64);
+            if let Some(cells) = self.cells.get_mut(first + cell * step..).and_then(<[_]>::first_chunk_mut::<N>) {
+                (0..N).for_each(|column| cells[column] = (after[column] - before[column]) * part);
+            }
         }
     }
 }

@@ -33,7 +33,7 @@ use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::ColourBy;
 use picture::Picture;
-pub(super) use tile::TILE_BYTES as DENSITY_TILE_BYTES;
+pub(super) use tile::tile_bytes;
 use tone::Tone;
 
 /// Makes pictures in which ink adds up ([`Ink::Density`](lsystem_syntax::Ink)).

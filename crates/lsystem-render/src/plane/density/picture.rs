@@ -6,7 +6,7 @@ use super::facts::Facts;
 use super::grid::Grid;
 use super::haze::Haze;
 use super::pigment::{MeanSource, Pigments};
-use super::sheet::{LEAST_INK, Pigment, Sheet};
+use super::sheet::{BROAD as FILLED, LEAST_INK, Pigment, Sheet};
 use super::survey::{Finding, Next, Survey};
 use super::tiling::{Footprint, Outcome, Sheets, Tiling, WantedTile};
 use crate::plane::descent::{Cut, Descent, Node, Visit};
@@ -16,7 +16,7 @@ use crate::plane::picture::Plan;
 use crate::plane::view::{Measure, ViewTransform};
 use crate::plane::{Amount, Pass, RenderStats};
 use lsystem_base::{Meter, Progress};
-use lsystem_drawing::{Drawing, Item};
+use lsystem_drawing::{Drawing, Item, Line};
 
 /// A straight block longer than this, in pixels, is taken apart, so that rounding stays far below a pixel.
 const LONGEST_LINE: f64 = 1e6;
@@ -131,6 +131,7 @@ impl Picture {
         // Tiles that hold dots of another size would spoil this picture.
         let other_dots = core::mem::replace(&mut self.dots.extent, grid.dot) != grid.dot;
         self.grid = grid;
+        self.tiling.limit(grid.chunks);
         if self.pigments.prepare(&plan.style, self.table.choice.colours) | changed | other_dots
             || measure != self.measure
         {
@@ -367,8 +368,10 @@ impl Picture {
         let (shape, deposit) = (facts.shape(&node), facts.deposit(&node));
         // Colours along the path allow a stroke or a tile only if the block's part of the path has one colour.
         let is_plain = !self.descent.path.counts() || node.canvas != 0 || node.span.is_short();
-        if let Some(line) = shape.line.as_ref().filter(|_| deposit.even && is_plain && footprint.extent < LONGEST_LINE)
-        {
+        // A broad line is filled as one polygon, so it must not have two parts.
+        let is_simple = |line: &&Line| line.bend.is_none() || footprint.width <= FILLED;
+        let is_line = deposit.even && is_plain && footprint.extent < LONGEST_LINE;
+        if let Some(line) = shape.line.as_ref().filter(is_simple).filter(|_| is_line) {
             let pen = node.pen.after(self.table.choice, &line.style);
             return line
                 .parts(pen.widths)

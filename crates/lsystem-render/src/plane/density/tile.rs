@@ -1,6 +1,6 @@
 //! Small pictures of blocks in sums of ink, made once and added wherever the block recurs.
 
-use super::sheet::{Sheet, Stamp};
+use super::sheet::{BAND, Band, LANES, Sheet, Stamp};
 use crate::plane::mixer::Mixer;
 use crate::plane::top_down::tile::Key;
 use core::hash::BuildHasherDefault;
@@ -17,15 +17,14 @@ const STEPS: f64 = 4.0;
 const SPARSE_STEPS: f64 = 8.0;
 /// Numbers in a chunk of memory (1 MiB); no tile needs more.
 const CHUNK: usize = 1 << 18;
-/// The most chunks. If more are needed, all tiles are dropped and made again as needed.
-const CHUNKS: usize = 16;
+/// The most bands of all tiles (0.8 MiB). If more are needed, all tiles are dropped and made again as needed.
+const BANDS: usize = 1 << 16;
 
-/// The most rows of all tiles (12 MiB). If more are needed, all tiles are dropped.
-const ROWS: usize = 1 << 20;
+/// The most bytes of all tiles in so many chunks.
+pub(in crate::plane) const fn tile_bytes(chunks: usize) -> u64 {
+    (chunks * CHUNK * size_of::<f32>() + BANDS * size_of::<Band>()) as u64
+}
 
-/// The most bytes of all tiles: the numbers, and the start of each row.
-pub(in crate::plane) const TILE_BYTES: u64 =
-    (CHUNKS * CHUNK * size_of::<f32>() + ROWS * size_of::<(u32, u32, u32)>()) as u64;
 /// The number of sizes.
 pub(super) const SIZES: usize = 3;
 
@@ -61,7 +60,7 @@ pub(super) struct InkKey {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tile {
     chunk: u32,
-    first_row: u32,
+    first_band: u32,
     rows: u32,
     planes: u32,
     /// The upper left corner, in pixels from the pixel of the block's origin.
@@ -73,10 +72,12 @@ pub(super) struct Tile {
 pub(super) struct Tiles {
     places: HashMap<InkKey, Tile, BuildHasherDefault<Mixer>>,
     chunks: Vec<Vec<f32>>,
-    /// The rows of all tiles: the first column, the column after the last, and the first number in the chunk.
-    rows: Vec<(u32, u32, u32)>,
+    /// The bands of all tiles.
+    bands: Vec<Band>,
     /// The chunk in use.
     chunk: usize,
+    /// The most chunks. If more are needed, all tiles are dropped.
+    most: usize,
     /// Whether tiles had to be dropped.
     pub crowded: bool,
 }
@@ -84,15 +85,23 @@ pub(super) struct Tiles {
 impl Tiles {
     pub(super) fn clear(&mut self) {
         self.places.clear();
-        self.rows.clear();
+        self.bands.clear();
         self.chunks.iter_mut().for_each(Vec::clear);
         self.chunk = 0;
         self.crowded = false;
     }
 
+    /// Sets the most chunks. If they change, all tiles are dropped.
+    pub(super) fn limit(&mut self, chunks: usize) {
+        if self.most != chunks {
+            *self = Self { most: chunks, ..Self::default() };
+        }
+    }
+
     /// Whether a tile of this size, in pixels, fits into a chunk.
     pub(super) fn fits([width, height]: [usize; 2], planes: usize) -> bool {
-        width.saturating_mul(height).saturating_mul(planes) <= CHUNK
+        let padded = [width.saturating_add(LANES), height.saturating_add(BAND)];
+        padded[0].saturating_mul(padded[1]).saturating_mul(planes) <= CHUNK
     }
 
     pub(super) fn get(&self, key: &InkKey) -> Option<Tile> {
@@ -102,7 +111,8 @@ impl Tiles {
     pub(super) fn stamp(&self, tile: &Tile) -> Stamp<'_> {
         Stamp {
             planes: tile.planes as usize,
-            rows: &self.rows[tile.first_row as usize..(tile.first_row + tile.rows) as usize],
+            rows: tile.rows as usize,
+            bands: &self.bands[tile.first_band as usize..][..(tile.rows as usize).div_ceil(BAND)],
             values: &self.chunks[tile.chunk as usize],
         }
     }
@@ -110,11 +120,17 @@ impl Tiles {
     /// Keeps the sums on `sheet`, which [fits](Self::fits), as a tile.
     pub(super) fn insert(&mut self, key: InkKey, sheet: &Sheet, corner: [i64; 2]) -> Tile {
         let planes = sheet.planes;
-        let needed: usize = sheet.reach.iter().map(|reach| reach.len() * planes).sum();
+        let bands = sheet.reach.chunks(BAND).map(|rows| {
+            let rows = rows.iter().filter(|reach| !reach.is_empty());
+            let (first, end) =
+                rows.fold((u32::MAX, 0), |(first, end), reach| (first.min(reach.start), end.max(reach.end)));
+            if first < end { (first, (end - first).next_multiple_of(LANES as u32)) } else { (0, 0) }
+        });
+        let needed: usize = bands.clone().map(|(_, columns)| columns as usize * BAND * planes).sum();
         if self.chunks.get(self.chunk).is_some_and(|values| values.len() + needed > CHUNK) {
             self.chunk += 1;
         }
-        if self.chunk == CHUNKS || self.rows.len() > ROWS {
+        if self.chunk >= self.most || self.bands.len() + sheet.height.div_ceil(BAND) > BANDS {
             self.clear();
             self.crowded = true;
         }
@@ -122,16 +138,19 @@ impl Tiles {
             self.chunks.push(Vec::with_capacity(CHUNK));
         }
         let values = &mut self.chunks[self.chunk];
-        let first_row = self.rows.len() as u32;
-        for (row, reach) in sheet.reach.iter().enumerate() {
-            self.rows.push((reach.start, reach.end, values.len() as u32));
-            let at = row * sheet.width;
-            values.extend_from_slice(
-                &sheet.values[(at + reach.start as usize) * planes..(at + reach.end as usize) * planes],
-            );
+        let first_band = self.bands.len() as u32;
+        for (number, (first, columns)) in bands.enumerate() {
+            self.bands.push(Band { first, columns, at: values.len() as u32 });
+            for row in number * BAND..((number + 1) * BAND).min(sheet.height) {
+                let end = values.len() + columns as usize * planes;
+                let within = first as usize..((first + columns) as usize).min(sheet.width);
+                let at = row * sheet.width;
+                values.extend_from_slice(&sheet.values[(at + within.start) * planes..(at + within.end) * planes]);
+                values.resize(end, 0.0);
+            }
         }
-        let tile =
-            Tile { chunk: self.chunk as u32, first_row, rows: sheet.height as u32, planes: planes as u32, corner };
+        let (chunk, rows, planes) = (self.chunk as u32, sheet.height as u32, planes as u32);
+        let tile = Tile { chunk, first_band, rows, planes, corner };
         self.places.insert(key, tile);
         tile
     }

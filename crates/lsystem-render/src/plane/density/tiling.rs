@@ -87,6 +87,11 @@ impl Tiling {
         self.tiles.clear();
     }
 
+    /// Sets the most chunks of memory for tiles.
+    pub(super) fn limit(&mut self, chunks: usize) {
+        self.tiles.limit(chunks);
+    }
+
     /// Gives up the unfinished tiles.
     pub(super) fn stop(&mut self) {
         self.unfinished.clear();

@@ -44,8 +44,10 @@ const LAYERS: [f64; 2] = [1.0, 1.6];
 const ROUGHEST: f64 = 0.1;
 /// Neighbours are compared inside groups of so many sums, which are the same in panes as in the whole picture.
 const GROUP: usize = 16;
-/// If sums only shade, one in this many rows is counted.
-const SAMPLED: usize = 2;
+/// If sums only shade, about this many are counted, in rows at equal distances.
+const SAMPLED: usize = 1 << 18;
+/// Layers are computed for one key in so many, and interpolated for those between.
+const KEYS_AT_ONCE: usize = 8;
 /// The layers of ink, as powers of two, between which strokes begin to pile up.
 const PILED: [f64; 2] = [1.0, 4.0];
 
@@ -190,7 +192,8 @@ impl Tone {
                     self.count(sums, self.next);
                     meter.charge(1 + sums.reach.get(self.next).map_or(0, |reach| reach.len() as u64 / 16));
                     // For shades a sample is enough.
-                    self.next += if self.shading.is_some() { SAMPLED } else { 1 };
+                    let rows = if self.shading.is_some() { sums.numbers() / SAMPLED } else { 1 };
+                    self.next += rows.max(1);
                 }
                 Stage::Counting => {
                     self.stage = if self.pass == Pass::Count { Stage::Done } else { Stage::Exposing };
@@ -277,15 +280,25 @@ impl Tone {
         let last = self.counts.iter().rposition(|&count| count > 0).unwrap_or(0);
         // If places are larger than pixels, interpolation makes sums down to a ninth of the least.
         let first = if self.grid.side > 1 { first.saturating_sub(4 * KEYS_OF_TWO).max(1) } else { first };
-        for key in first..=last {
+        let at = |key: usize| {
             let sum = sum(key);
-            let first = (sum * unit).min(1.0);
             let log = libm::log2(sum);
+            let first = (sum * unit).min(1.0);
             let shown = self.exposure * (FIRST_LAYER * first + (1.0 - FIRST_LAYER) * over_darks(log) / full);
+            [shown, single + (piled - single) * smooth(PILED, log + libm::log2(unit))]
+        };
+        let (mut before, mut after) = ([0.0; 2], at(first.min(last)));
+        for key in first..=last {
+            let step = (key - first) % KEYS_AT_ONCE;
+            if step == 0 {
+                (before, after) = (after, at((key + KEYS_AT_ONCE).min(KEYS - 1)));
+            }
+            let way = step as f64 / KEYS_AT_ONCE as f64;
+            let [shown, part] = [0, 1].map(|i| before[i] + way * (after[i] - before[i]));
             let layers = most_layers * shown;
-            self.layers[key] = layers as f32;
-            self.parts[key] = (single + (piled - single) * smooth(PILED, log + libm::log2(unit))) as f32;
-            if planes > 1 {
+            (self.layers[key], self.parts[key]) = (layers as f32, part as f32);
+            // Several inks, and the colours of an opaque picture, are shaded pixel by pixel.
+            if planes > 1 || self.shading.is_some() && self.ramp.is_none() {
                 continue;
             }
             let colour = match &self.ramp {
@@ -294,6 +307,17 @@ impl Tone {
             };
             let [r, g, b] = colour;
             self.shades[key] = if self.shading.is_some() { [r, g, b, u8::MAX] } else { self.pixel(colour) };
+        }
+        if self.shading.is_some() && first <= last {
+            // Rows that are not counted may have smaller and larger sums.
+            for table in [&mut self.layers, &mut self.parts] {
+                let ends = [table[first], table[last]];
+                table[1..first].fill(ends[0]);
+                table[last + 1..].fill(ends[1]);
+            }
+            let ends = [self.shades[first], self.shades[last]];
+            self.shades[1..first].fill(ends[0]);
+            self.shades[last + 1..].fill(ends[1]);
         }
         (last + 1).saturating_sub(first)
     }

@@ -1,20 +1,25 @@
-//! Shades an opaque picture by the sums of ink of the whole picture, whose places are larger than pixels.
+//! Shades an opaque picture by the sums of ink of the whole picture, whose places may be larger than pixels.
 
-use super::{DEEP, Tone, key};
+use super::{DEEP, KEYS, Tone, key};
 use crate::plane::alpha::least_opaque;
 use crate::plane::density::sheet::Sheet;
 
-/// The number of shades that are remembered.
-const MEMORIES: usize = 1 << 13;
+/// The number of neighbours that are shaded at a time if they are alike.
+const ALIKE: usize = 16;
 
-/// A pixel, the key of its sum, and its shade.
-pub(super) type Memory = ([u8; 4], u32, [u8; 4]);
+/// A pixel and its shade. A place of the memory belongs to one key for each pixel.
+pub(super) type Memory = ([u8; 4], [u8; 4]);
+
+/// The first place of a pixel's shades in the memory. Neighbouring keys have neighbouring places.
+fn place(pixel: [u8; 4]) -> usize {
+    (u32::from_le_bytes(pixel).wrapping_mul(0x9e37_79b9) >> 16) as usize
+}
 
 impl Tone {
-    /// Forgets the shades of other tables.
+    /// Forgets the shades of other tables. No pixel without opacity has another colour than 0.
     pub(super) fn forget_shades(&mut self) {
         self.memories.clear();
-        self.memories.resize(MEMORIES, ([0; 4], u32::MAX, [0; 4]));
+        self.memories.resize(KEYS, ([u8::MAX, 0, 0, 0], [0; 4]));
     }
 
     /// Shades a row of the pane's opaque picture. Pixels of the background stay.
@@ -23,48 +28,70 @@ impl Tone {
         let (above, width) = (above as usize, sums.width);
         let row = pixels.get_mut(y * self.width * 4..(y + 1) * self.width * 4).unwrap_or_default();
         let Some([upper, lower]) = sums.reach.get(above..).and_then(<[_]>::first_chunk) else { return };
-        let (first, end) = match (upper.is_empty(), lower.is_empty()) {
+        let (first, end) = match (upper.is_empty(), lower.is_empty() || down == 0.0) {
             (true, true) => return,
             (false, true) => (upper.start, upper.end),
             (true, false) => (lower.start, lower.end),
             (false, false) => (upper.start.min(lower.start), upper.end.max(lower.end)),
         };
-        let (upper, lower) = sums.values[above * width..(above + 2) * width].split_at(width);
-        let reach = first as usize..end as usize;
-        self.row.clear();
-        self.row.resize(width, 0.0);
-        for ((value, upper), lower) in self.row[reach.clone()].iter_mut().zip(&upper[reach.clone()]).zip(&lower[reach])
-        {
-            *value = upper + down * (lower - upper);
-        }
         let starts = self.columns.partition_point(|&(before, _)| before + 1 < first);
         let ends = self.columns.partition_point(|&(before, _)| before < end);
-        self.shade_by(row.as_chunks_mut().0.get_mut(starts..ends).unwrap_or_default(), starts);
+        let pixels = row.as_chunks_mut().0.get_mut(starts..ends).unwrap_or_default();
+        let columns = self.columns.get(starts..ends).unwrap_or_default();
+        let (upper, lower) = sums.values[above * width..(above + 2) * width].split_at(width);
+        if self.grid.side == 1 {
+            let first = columns.first().map_or(0, |&(before, _)| before as usize);
+            return self.shade_by(pixels, upper.get(first..).unwrap_or_default());
+        }
+        let mut row = core::mem::take(&mut self.row);
+        row.clear();
+        row.extend(columns.iter().map(|&(before, across)| {
+            let pairs = [upper, lower].map(|row| row.get(before as usize..).and_then(<[_]>::first_chunk));
+            let [upper, lower] = pairs.map(|pair| pair.map_or(0.0, |[left, right]| left + across * (right - left)));
+            upper + down * (lower - upper)
+        }));
+        self.shade_by(pixels, &row);
+        self.row = row;
     }
 
-    /// Shades the pixels from column `first` on by the row of sums.
-    fn shade_by(&mut self, pixels: &mut [[u8; 4]], first: usize) {
+    /// Shades pixels by their sums.
+    fn shade_by(&mut self, pixels: &mut [[u8; 4]], sums: &[f32]) {
         let [r, g, b] = self.paper;
         let background = if self.is_transparent { [0; 4] } else { [r, g, b, u8::MAX] };
         let mut memories = core::mem::take(&mut self.memories);
-        for (pixel, &(before, across)) in pixels.iter_mut().zip(&self.columns[first..]) {
-            if *pixel == background {
-                continue;
+        let Some(places) = memories.first_chunk_mut::<KEYS>() else { return };
+        for (pixels, sums) in pixels.chunks_mut(ALIKE).zip(sums.chunks(ALIKE)) {
+            // Most pixels are like their neighbours.
+            let first = pixels[0];
+            let differ = |pixel: &[u8; 4]| u32::from_le_bytes(*pixel) ^ u32::from_le_bytes(first);
+            if pixels.iter().fold(0, |all, pixel| all | differ(pixel)) == 0 {
+                if first != background {
+                    let start = place(first);
+                    for (pixel, &sum) in pixels.iter_mut().zip(sums) {
+                        *pixel = self.remembered(places, first, start, key(sum));
+                    }
+                }
+            } else {
+                for (pixel, &sum) in pixels.iter_mut().zip(sums).filter(|(pixel, _)| **pixel != background) {
+                    *pixel = self.remembered(places, *pixel, place(*pixel), key(sum));
+                }
             }
-            let Some([left, right]) = self.row.get(before as usize..).and_then(<[_]>::first_chunk) else { continue };
-            let key = key(left + across * (right - left));
-            // Pixels of one colour have places of their own for all keys in use, as those are neighbours.
-            let colour = u32::from_le_bytes(*pixel).wrapping_mul(0x9e37_79b9) >> 19;
-            let memory = &mut memories[(key + colour as usize) % MEMORIES];
-            if (memory.0, memory.1) != (*pixel, key as u32) {
-                *memory = (*pixel, key as u32, self.shaded(*pixel, key));
-            }
-            *pixel = memory.2;
         }
         self.memories = memories;
     }
 
+    /// The shade of a pixel whose places in the memory begin at `start`.
+    #[inline(always)]
+    fn remembered(&self, memories: &mut [Memory; KEYS], pixel: [u8; 4], start: usize, key: usize) -> [u8; 4] {
+        let memory = &mut memories[(key + start) % KEYS];
+        if memory.0 != pixel {
+            *memory = (pixel, self.shaded(pixel, key));
+        }
+        memory.1
+    }
+
     /// The pixel of an opaque picture, shaded.
+    #[inline(never)]
     fn shaded(&self, pixel: [u8; 4], key: usize) -> [u8; 4] {
         let part = self.parts[key];
         if part == 0.0 {
