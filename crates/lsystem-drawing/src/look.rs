@@ -60,12 +60,13 @@ impl Look {
             Self::Curve | Self::Path => ColourBy::Path,
         };
         let palette_holds = colour_by == ColourBy::Level || style.palette_holds;
-        let looks = Style { colour_by, palette_holds, min_width, max_width, ..style.clone() };
-        match (sets_width, scales_width) {
-            (true, _) => looks,
-            (false, true) => Style { width, width_factor: 1.0, ..looks },
-            (false, false) => Style { width, width_factor, ..looks },
+        let looks = Style { colour_by, palette_holds, ..style.clone() };
+        if sets_width {
+            return looks;
         }
+        // Rules that scale widths say how branches become thinner.
+        let width_factor = if scales_width { 1.0 } else { width_factor };
+        Style { width, width_factor, min_width, max_width, ..looks }
     }
 }
 
