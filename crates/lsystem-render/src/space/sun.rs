@@ -98,14 +98,13 @@ impl Sun {
             return 0.0;
         }
         let mut sum = Lanes::all(0.0);
+        let [x, y, z] = [x - 0.5, y - 0.5, z - AHEAD];
         for (dx, dy) in DISC_X.iter().zip(&DISC_Y) {
-            let depths = Lanes(core::array::from_fn(|i| {
-                let [column, row] = [(x + dx[i]) as usize, (y + dy[i]) as usize];
-                self.depths[row * self.side + column]
-            }));
-            let ahead = Lanes::all(z - AHEAD) - depths;
-            sum = sum + (ahead * (1.0 / RAMP)).at_least(0.0).at_most(1.0);
+            let (column, row) = ((Lanes(*dx) + x).round(), (Lanes(*dy) + y).round());
+            // At most 2^20, so single precision is exact.
+            let depths = Lanes((row * self.side as f32 + column).indices().map(|at| self.depths[at]));
+            sum = sum + ((Lanes::all(z) - depths) * (1.0 / RAMP)).at_least(0.0).at_most(1.0);
         }
-        sum.0.iter().sum::<f32>() / (DISC_X.len() * LANES) as f32
+        sum.sum() / (DISC_X.len() * LANES) as f32
     }
 }
