@@ -50,7 +50,7 @@ const BLOCK: usize = 2;
 /// Pixels along the side of a square that shares the mean surfaces around it.
 const AROUND: usize = 4;
 /// Pixels between places of a row where the shade on the ground is computed. It is interpolated between them.
-const STRIDE: usize = 4;
+const STRIDE: usize = 8;
 
 /// The depth pictures for the light, and what follows from them.
 #[derive(Default)]

@@ -3,10 +3,13 @@
 use super::Quality;
 use super::camera::{Camera, Lens};
 use super::effort::Effort;
-use super::light::Light;
+use super::light::{Light, LightKind};
 use crate::{Pane, Viewport};
 use lsystem_drawing::{Drawing, Solid, Widths};
 use lsystem_syntax::Style;
+
+/// The budget of a depth picture for the light.
+const DEPTHS_BUDGET: f32 = 280_000.0;
 
 /// The settings of a picture, which only change when its budget does.
 #[derive(Clone, Copy)]
@@ -51,9 +54,10 @@ impl Setup {
         let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
         let side = quality.tile(viewport);
         let effort = Effort::new(quality, viewport);
+        let kind = if quality.has_shadows(style) { LightKind::Full } else { LightKind::Simple };
         Self {
             lens,
-            light: Light::new(style, &lens, camera.fade, quality.has_shadows(style)),
+            light: Light::new(style, &lens, camera.fade, kind),
             background,
             samples,
             size,
@@ -67,6 +71,7 @@ impl Setup {
             widths: Widths::new(drawing.width),
         }
     }
+
     /// The settings of a depth picture of `size` samples, through a lens; `scale` is the number of these samples along
     /// the side of a pixel. There is `room` for other depth pictures.
     pub(super) fn depths(
@@ -79,14 +84,14 @@ impl Setup {
         let quality = Quality::MOVING;
         Self {
             lens,
-            light: Light::new(style, &lens, 0.0, false),
+            light: Light::new(style, &lens, 0.0, LightKind::None),
             background: [0; 4],
             samples: 1,
             size: size.map(|count| count as f64),
             side: room,
             single: true,
             detail: quality.detail() as f32,
-            effort: Effort::new(quality, viewport),
+            effort: Effort::new(quality, viewport).with_budget(DEPTHS_BUDGET),
             pane: true,
             corner: [0.0; 2],
             hairline: (viewport.least_width(style) * scale / 2.0).max(0.5),
