@@ -29,6 +29,8 @@ const ALL: f32 = (LANES * LANES) as f32;
 const _: () = assert!(Quality::FINEST.samples() == LANES && Quality::BEST.samples() == LANES);
 /// The most cells of the depth picture from the eye.
 const MOST_CELLS: f64 = (1 << 19) as f64;
+/// How many times the budget is larger if the sun does not see all of the drawing, but more of it than the eye does.
+const PARTIAL: f32 = 2.0;
 /// The most cells along a side.
 const MOST_SIDE: f64 = 2048.0;
 /// The part of the sunlight that shadows take, by channel: shade is cool.
@@ -129,13 +131,14 @@ impl Lighting {
         let size = Self::size(viewport);
         let lens = Lens::new(drawing, viewport, camera, 1.0 / cell);
         self.occlusion.begin(size, 1.0 / (cell * samples), lens.nearness);
-        let from_eye = (lens, size, 1.0 / cell);
+        let from_eye = (lens, size, 1.0 / cell, 1.0);
 
         let eye = Lens::new(drawing, viewport, camera, samples);
         (self.nearness, self.middle) = (eye.nearness as f32, eye.middle.map(|c| c as f32));
         let lens = self.sun.begin(&eye, [width * samples, height * samples], samples);
         let scale = samples * lens.radius / eye.radius;
-        let from_sun = (lens, [self.sun.side; 2], scale);
+        let more = if self.sun.is_partial { PARTIAL } else { 1.0 };
+        let from_sun = (lens, [self.sun.side; 2], scale, more);
         // Both have the same room, so that the second finds the memory of the first.
         let room = size.map(|side| side.max(self.sun.side));
         let [from_eye, from_sun] =
@@ -211,18 +214,14 @@ impl Lighting {
         let shade = SHADE.at_most_of(background * 0.3);
         for i in range[0]..range[1] {
             let (surfaces, part) = (samples.surfaces(i), shades[i]);
-            let (count, sum) = match &surfaces {
-                Some((near, far)) => {
-                    let (at, seen, around) = ([at[0] + i, y], &mut seen[i / BLOCK], &mut around[i / AROUND]);
-                    let lit = self.lit(near, at, light, seen, around);
-                    match far {
-                        Some(far) => (near.count + far.count, lit + self.lit(far, at, light, seen, around)),
-                        None => (near.count, lit),
-                    }
-                }
-                None if part <= 0.0 => continue,
-                None => (0.0, Lanes::all(0.0)),
-            };
+            if surfaces[0].is_none() && part <= 0.0 {
+                continue;
+            }
+            let (mut count, mut sum) = (0.0, Lanes::all(0.0));
+            for surface in surfaces.into_iter().flatten() {
+                count += surface.count;
+                sum = sum + self.lit(&surface, [at[0] + i, y], light, &mut seen[i / BLOCK], &mut around[i / AROUND]);
+            }
             let rest = ALL - count;
             out[i] = if paper[3] == 0 {
                 let opaque = count + rest * part;

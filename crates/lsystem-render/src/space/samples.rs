@@ -35,9 +35,9 @@ impl<'a> SampleRow<'a> {
         }))
     }
 
-    /// The nearest surface in a pixel, and those farther away as another one; `None` where nothing is.
+    /// The nearest surface in a pixel, and those farther away as another one.
     #[inline(always)]
-    pub(super) fn surfaces(&self, column: usize) -> Option<(Surface, Option<Surface>)> {
+    pub(super) fn surfaces(&self, column: usize) -> [Option<Surface>; 2] {
         // Compared as bits, without branches.
         let mut bits = [0; LANES];
         for (depths, _) in &self.0 {
@@ -46,16 +46,16 @@ impl<'a> SampleRow<'a> {
             }
         }
         if bits == [0; LANES] {
-            return None;
+            return [None; 2];
         }
         let samples = Samples(self.0.map(|(depths, colours)| (Lanes(depths[column]), colours[column])));
         let all = samples.before(f32::INFINITY);
         let [near, far] = samples.ends();
         if far - near <= APART {
-            return Some((all.surface(), None));
+            return [Some(all.surface()), None];
         }
         let nearest = samples.before(0.5 * (near + far));
-        Some((nearest.surface(), Some(all.without(&nearest).surface())))
+        [Some(nearest.surface()), Some(all.without(&nearest).surface())]
     }
 }
 

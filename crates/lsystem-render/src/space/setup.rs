@@ -8,9 +8,6 @@ use crate::{Pane, Viewport};
 use lsystem_drawing::{Drawing, Solid, Widths};
 use lsystem_syntax::Style;
 
-/// The budget of a depth picture for the light.
-const DEPTHS_BUDGET: f32 = 280_000.0;
-
 /// The settings of a picture, which only change when its budget does.
 #[derive(Clone, Copy)]
 pub(super) struct Setup {
@@ -73,12 +70,12 @@ impl Setup {
     }
 
     /// The settings of a depth picture of `size` samples, through a lens; `scale` is the number of these samples along
-    /// the side of a pixel. There is `room` for other depth pictures.
+    /// the side of a pixel, and `more` a factor of the budget. There is `room` for other depth pictures.
     pub(super) fn depths(
         drawing: &Drawing<Solid>,
         style: &Style,
         viewport: Viewport,
-        (lens, size, scale): (Lens, [usize; 2], f64),
+        (lens, size, scale, more): (Lens, [usize; 2], f64, f32),
         room: [usize; 2],
     ) -> Self {
         let quality = Quality::MOVING;
@@ -91,7 +88,7 @@ impl Setup {
             side: room,
             single: true,
             detail: quality.detail() as f32,
-            effort: Effort::new(quality, viewport).with_budget(DEPTHS_BUDGET),
+            effort: Effort::new(quality, viewport).with_budget(more * quality.budget()),
             pane: true,
             corner: [0.0; 2],
             hairline: (viewport.least_width(style) * scale / 2.0).max(0.5),
