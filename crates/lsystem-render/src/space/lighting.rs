@@ -214,14 +214,18 @@ impl Lighting {
         let shade = SHADE.at_most_of(background * 0.3);
         for i in range[0]..range[1] {
             let (surfaces, part) = (samples.surfaces(i), shades[i]);
-            if surfaces[0].is_none() && part <= 0.0 {
-                continue;
-            }
-            let (mut count, mut sum) = (0.0, Lanes::all(0.0));
-            for surface in surfaces.into_iter().flatten() {
-                count += surface.count;
-                sum = sum + self.lit(&surface, [at[0] + i, y], light, &mut seen[i / BLOCK], &mut around[i / AROUND]);
-            }
+            let (count, sum) = match &surfaces {
+                Some((near, far)) => {
+                    let (at, seen, around) = ([at[0] + i, y], &mut seen[i / BLOCK], &mut around[i / AROUND]);
+                    let lit = self.lit(near, at, light, seen, around);
+                    match far {
+                        Some(far) => (near.count + far.count, lit + self.lit(far, at, light, seen, around)),
+                        None => (near.count, lit),
+                    }
+                }
+                None if part <= 0.0 => continue,
+                None => (0.0, Lanes::all(0.0)),
+            };
             let rest = ALL - count;
             out[i] = if paper[3] == 0 {
                 let opaque = count + rest * part;
@@ -284,6 +288,8 @@ impl Lighting {
     }
 
     /// The light at a depth in the middle of the block that contains a pixel.
+    // Most pixels find the light of their block, so a call costs little and one copy is enough.
+    #[inline(never)]
     fn look(&self, at: [usize; 2], depth: f32, light: &Light, around: &mut Option<Around>) -> Seen {
         let middle = |size: usize| at.map(|pixel| (LANES * (pixel / size * size) + LANES * size / 2) as f32);
         let around = around.get_or_insert_with(|| self.occlusion.around(middle(AROUND)));

@@ -18,8 +18,11 @@ pub(super) struct Surface {
     pub sunny: f32,
 }
 
+/// The depths and the colours of a row of samples.
+type SampleLine<'a> = (&'a [[f32; LANES]], &'a [[u32; LANES]]);
+
 /// A row of pixels of a tile, as rows of samples.
-pub(super) struct SampleRow<'a>([(&'a [[f32; LANES]], &'a [[u32; LANES]]); LANES]);
+pub(super) struct SampleRow<'a>([SampleLine<'a>; LANES]);
 
 /// Four rows of four depths and colours.
 struct Samples([(Lanes, [u32; LANES]); LANES]);
@@ -35,9 +38,9 @@ impl<'a> SampleRow<'a> {
         }))
     }
 
-    /// The nearest surface in a pixel, and those farther away as another one.
+    /// The nearest surface in a pixel, and those farther away as another one; `None` where nothing is.
     #[inline(always)]
-    pub(super) fn surfaces(&self, column: usize) -> [Option<Surface>; 2] {
+    pub(super) fn surfaces(&self, column: usize) -> Option<(Surface, Option<Surface>)> {
         // Compared as bits, without branches.
         let mut bits = [0; LANES];
         for (depths, _) in &self.0 {
@@ -46,16 +49,16 @@ impl<'a> SampleRow<'a> {
             }
         }
         if bits == [0; LANES] {
-            return [None; 2];
+            return None;
         }
         let samples = Samples(self.0.map(|(depths, colours)| (Lanes(depths[column]), colours[column])));
         let all = samples.before(f32::INFINITY);
         let [near, far] = samples.ends();
         if far - near <= APART {
-            return [Some(all.surface()), None];
+            return Some((all.surface(), None));
         }
         let nearest = samples.before(0.5 * (near + far));
-        [Some(nearest.surface()), Some(all.without(&nearest).surface())]
+        Some((nearest.surface(), Some(all.without(&nearest).surface())))
     }
 }
 
