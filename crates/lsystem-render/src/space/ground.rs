@@ -20,6 +20,9 @@ const HEIGHT: [f64; 2] = [0.18, 1.1];
 /// The sines of the camera's elevation from which on the shade begins to show, and shows in full.
 const LEVEL: [f64; 2] = [0.02, 0.1];
 
+/// The width in which the shade fades out towards the border of the picture, as a part of half the shorter side.
+const BORDER: f64 = 0.2;
+
 /// The shade on the ground.
 #[derive(Default)]
 pub(super) struct Ground {
@@ -166,6 +169,11 @@ impl Ground {
             return 0.0;
         }
         let [x, y] = [f64::from(x) - self.middle[0], f64::from(y) - self.middle[1]];
+        let [across, down] = self.middle;
+        let inside = (across - x.abs()).min(down - y.abs()) / (BORDER * across.min(down));
+        if inside <= 0.0 {
+            return 0.0;
+        }
         // The line of sight goes down towards the ground only below the horizon.
         let falls = self.up[1] * y * self.nearness + self.up[2];
         if falls > -1e-6 {
@@ -192,6 +200,7 @@ impl Ground {
             let lower = cells[at + self.side] + tx * (cells[at + self.side + 1] - cells[at + self.side]);
             shade += strength * (upper + ty * (lower - upper));
         }
-        self.strength * shade.min(1.0)
+        let inside = inside.min(1.0) as f32;
+        self.strength * shade.min(1.0) * inside * inside * (3.0 - 2.0 * inside)
     }
 }

@@ -6,8 +6,11 @@ use core::ops::{Add, Mul, Sub};
 /// The number of samples that are looked at together.
 pub(super) const LANES: usize = 4;
 
+/// From this number on an `f32` is whole, and its lowest bits are the number above this one.
+const WHOLE: f32 = 8_388_608.0;
+
 /// A number for each sample.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Lanes(pub [f32; LANES]);
 
 /// A decision for each sample: all bits set, or none.
@@ -49,6 +52,40 @@ impl Lanes {
         Self(from_fn(|i| if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] }))
     }
 
+    /// The smallest number.
+    #[inline(always)]
+    pub(super) fn least(self) -> f32 {
+        let [a, b, c, d] = self.0;
+        let least = |a: f32, b: f32| if a < b { a } else { b };
+        least(least(a, b), least(c, d))
+    }
+
+    /// The greatest number.
+    #[inline(always)]
+    pub(super) fn greatest(self) -> f32 {
+        let [a, b, c, d] = self.0;
+        let greatest = |a: f32, b: f32| if a > b { a } else { b };
+        greatest(greatest(a, b), greatest(c, d))
+    }
+
+    #[inline(always)]
+    pub(super) fn sum(self) -> f32 {
+        let [a, b, c, d] = self.0;
+        (a + b) + (c + d)
+    }
+
+    /// Numbers from 0 to 2^22, rounded to whole numbers.
+    #[inline(always)]
+    pub(super) fn round(self) -> Self {
+        self + WHOLE + -WHOLE
+    }
+
+    /// Whole numbers from 0 to 2^22.
+    #[inline(always)]
+    pub(super) fn indices(self) -> [usize; LANES] {
+        from_fn(|i| ((self.0[i] + WHOLE).to_bits() & 0x7f_ffff) as usize)
+    }
+
     /// The square roots; 0 for negative numbers.
     #[inline(always)]
     pub(super) fn root(self) -> Self {
@@ -76,8 +113,6 @@ impl Lanes {
     /// Numbers from 0 to 255, rounded to whole numbers.
     #[inline(always)]
     pub(super) fn bytes(self) -> [u32; LANES] {
-        // From 2^23 on an `f32` is whole, and its lowest bits are the number.
-        const WHOLE: f32 = 8_388_608.0;
         from_fn(|i| (self.0[i] + WHOLE).to_bits() & 0xff)
     }
 }
@@ -91,12 +126,6 @@ impl Mask {
     #[inline(always)]
     pub(super) fn with(self, other: Self) -> Self {
         Self(from_fn(|i| self.0[i] | other.0[i]))
-    }
-
-    /// The lanes of this mask that are not in the other.
-    #[inline(always)]
-    pub(super) fn without(self, other: Self) -> Self {
-        Self(from_fn(|i| self.0[i] & !other.0[i]))
     }
 
     #[inline(always)]

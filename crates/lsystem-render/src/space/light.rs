@@ -50,10 +50,21 @@ pub(super) struct Light {
     /// 1 / the radius of the ball around the drawing, in samples.
     inverse: f64,
     centre: Vector,
-    /// Whether samples keep the part of their light that comes from the sun, for shadows.
-    pub(super) is_full: bool,
+    pub(super) kind: LightKind,
     /// The unit vector up in the model, as the lens sees it.
     pub(super) up: Vector,
+}
+
+/// The kinds of a picture's light.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum LightKind {
+    /// The samples of depth pictures have no colours.
+    #[default]
+    None,
+    /// Colours as they are shown.
+    Simple,
+    /// Full light without shadows. Samples keep the part of their light that comes from the sun.
+    Full,
 }
 
 /// The light at a place in the drawing.
@@ -75,7 +86,7 @@ pub(super) struct Bundle {
 }
 
 impl Light {
-    pub(super) fn new(style: &Style, lens: &Lens, fade: f64, is_full: bool) -> Self {
+    pub(super) fn new(style: &Style, lens: &Lens, fade: f64, kind: LightKind) -> Self {
         let [r, g, b] = style.background.rgb.map(f32::from);
         let dark = 0.3 * r + 0.59 * g + 0.11 * b < 110.0;
         Self {
@@ -84,7 +95,7 @@ impl Light {
             fade: if fade.is_finite() { fade.clamp(0.0, 1.0) as f32 } else { 0.0 },
             inverse: 1.0 / lens.radius,
             centre: lens.centre,
-            is_full,
+            kind,
             up: lens.up,
         }
     }
@@ -226,7 +237,7 @@ impl Light {
     fn colour(&self, ink: [f32; 3], spot: &LocalLight, diffuse: f32, gloss: f32, edge: f32) -> u32 {
         let strength = (AMBIENT + DIFFUSE * diffuse) * spot.open * (1.0 + self.edge * edge);
         let shine = 255.0 * GLOSS * gloss * spot.open;
-        if self.is_full {
+        if self.kind == LightKind::Full {
             return pack(ink.map(|ink| ink * strength + shine), DIFFUSE * diffuse / (AMBIENT + DIFFUSE * diffuse));
         }
         let mut packed = 0xff00_0000;

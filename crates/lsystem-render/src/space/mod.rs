@@ -31,6 +31,7 @@ mod pick;
 mod picture;
 mod pixels;
 mod place;
+mod samples;
 mod scene;
 mod setup;
 mod shares;

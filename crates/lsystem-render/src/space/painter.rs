@@ -2,7 +2,7 @@
 
 use super::camera::NEAR;
 use super::face::Face;
-use super::light::LIGHT;
+use super::light::{LIGHT, LightKind};
 use super::setup::Setup;
 use super::stroke::{Dot, Painted, Stick};
 use super::tile::ScreenTile;
@@ -73,7 +73,7 @@ impl TilePainter {
         let sign = if normal[2] > 0.0 { -1.0 } else { 1.0 };
         let normal = normal.map(|n| sign * n / size);
         let spot = setup.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
-        let colour = if setup.light.is_full {
+        let colour = if setup.light.kind == LightKind::Full {
             setup.light.leaf(ink, &spot, normal)
         } else {
             setup.light.surface(ink, &spot, dot(normal, LIGHT) as f32, -normal[2] as f32)

@@ -2,6 +2,7 @@
 
 use super::Plan;
 use super::effort::Spent;
+use super::light::LightKind;
 use super::lighting::Lighting;
 use super::open_node::{Entry, OpenNode};
 use super::painter::{LINE_WORK, TilePainter};
@@ -165,7 +166,7 @@ impl Picture {
                 return Progress::More;
             }
             self.painting = false;
-            if setup.light.is_full {
+            if setup.light.kind == LightKind::Full {
                 let corner = setup.corner.map(|c| c as usize / setup.samples);
                 self.pixels.put_lit(&self.painter.tile, (at, side), corner, &setup.light, lighting);
                 meter.charge((size[0] * size[1]) as u64 / LIT_WORK);
@@ -269,7 +270,8 @@ impl Picture {
         let factor = open.place.scale_at(&setup.lens, near);
         let stroke = ((open.widths.widest(link.widest) * setup.lens.step * factor / 2.0).max(setup.hairline)) as f32;
         let disc = Disc { at: [f64::from(x), f64::from(y)], radius: ball, near, stroke, factor };
-        let mut share = open.shares[lane];
+        let inner = &scene.nodes[link.node as usize];
+        let mut share = open.shares[lane].min(inner.summary.need + 1.0);
         if setup.single {
             // With a single tile, the rest that nearer contents did not need is passed on.
             let more = open.spare / f32::from(open.left + 1);
@@ -277,12 +279,11 @@ impl Picture {
             share += more;
         }
         let (Some(across), Some(down)) = disc.spans(&self.painter.tile) else {
-            open.spare += share.min(UNLIMITED);
+            open.spare += share;
             return 1;
         };
         let shade = scene.choice.then(open.shade, scene.shade(link.style));
         let path = open.path.part(link.before, link.part);
-        let inner = &scene.nodes[link.node as usize];
         let fine = 2.0 * ball > setup.detail;
         let is_short = |share: f32| fine && share < f32::from(inner.links + inner.lines) && share < inner.summary.need;
         self.lacks_budget |= is_short(share);
@@ -297,7 +298,7 @@ impl Picture {
             return self.painter.dot(setup, dot);
         }
         if ball + stroke > LEAST_HIDDEN && self.painter.tile.hides(across, down, near - stroke) {
-            open.spare += share.min(UNLIMITED);
+            open.spare += share;
             return LINE_WORK;
         }
         let place = open.place.inside(link);

@@ -1,7 +1,7 @@
 //! The pixels of a picture in space. Finished tiles are copied into them.
 
 use super::light::Light;
-use super::lighting::{Lighting, SeenRow};
+use super::lighting::{Lighting, Spare};
 use super::tile::ScreenTile;
 use crate::{Pane, Viewport};
 use lsystem_base::{Meter, Progress};
@@ -35,7 +35,8 @@ impl Pixels {
             self.paper = paper;
             self.bytes.clear();
             self.bytes.reserve_exact(size);
-            self.bytes.extend(paper.iter().cycle().take(size));
+            self.bytes.resize(size, 0);
+            self.bytes.as_chunks_mut::<4>().0.fill(paper);
             self.painted.clear();
             self.painted.resize(self.height, [0, 0]);
             self.wiped = self.height;
@@ -94,11 +95,11 @@ impl Pixels {
         let [x, y] = [0, 1].map(|i| at[i] * side[i]);
         let right = (x + side[0]).min(self.width);
         let place = [corner[0] + x, corner[1] + y];
-        let mut seen = SeenRow::default();
+        let mut spare = Spare::default();
         for row in y..(y + side[1]).min(self.height) {
             let first = row * self.width;
             let (out, _) = self.bytes[(first + x) * 4..(first + right) * 4].as_chunks_mut::<4>();
-            let [from, to] = lighting.pixels((tile, light), row - y, place, (self.paper, out), &mut seen);
+            let [from, to] = lighting.pixels((tile, light), row - y, place, (self.paper, out), &mut spare);
             if from < to {
                 self.note(row, [x + from, x + to]);
             }

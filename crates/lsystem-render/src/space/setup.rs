@@ -3,7 +3,7 @@
 use super::Quality;
 use super::camera::{Camera, Lens};
 use super::effort::Effort;
-use super::light::Light;
+use super::light::{Light, LightKind};
 use crate::{Pane, Viewport};
 use lsystem_drawing::{Drawing, Solid, Widths};
 use lsystem_syntax::Style;
@@ -51,9 +51,10 @@ impl Setup {
         let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
         let side = quality.tile(viewport);
         let effort = Effort::new(quality, viewport);
+        let kind = if quality.has_shadows(style) { LightKind::Full } else { LightKind::Simple };
         Self {
             lens,
-            light: Light::new(style, &lens, camera.fade, quality.has_shadows(style)),
+            light: Light::new(style, &lens, camera.fade, kind),
             background,
             samples,
             size,
@@ -67,26 +68,27 @@ impl Setup {
             widths: Widths::new(drawing.width),
         }
     }
+
     /// The settings of a depth picture of `size` samples, through a lens; `scale` is the number of these samples along
-    /// the side of a pixel. There is `room` for other depth pictures.
+    /// the side of a pixel, and `more` a factor of the budget. There is `room` for other depth pictures.
     pub(super) fn depths(
         drawing: &Drawing<Solid>,
         style: &Style,
         viewport: Viewport,
-        (lens, size, scale): (Lens, [usize; 2], f64),
+        (lens, size, scale, more): (Lens, [usize; 2], f64, f32),
         room: [usize; 2],
     ) -> Self {
         let quality = Quality::MOVING;
         Self {
             lens,
-            light: Light::new(style, &lens, 0.0, false),
+            light: Light::new(style, &lens, 0.0, LightKind::None),
             background: [0; 4],
             samples: 1,
             size: size.map(|count| count as f64),
             side: room,
             single: true,
             detail: quality.detail() as f32,
-            effort: Effort::new(quality, viewport),
+            effort: Effort::new(quality, viewport).with_budget(more * quality.budget()),
             pane: true,
             corner: [0.0; 2],
             hairline: (viewport.least_width(style) * scale / 2.0).max(0.5),

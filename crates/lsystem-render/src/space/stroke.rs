@@ -51,13 +51,7 @@ impl Stick {
             tile.touch(across, down);
             return Painted { looked: ball.fill(tile, across, down, light), rest };
         }
-        let way = [flat, length];
-        let looked = if light.is_full {
-            stick.fill::<true>(tile, across, down, way, light)
-        } else {
-            stick.fill::<false>(tile, across, down, way, light)
-        };
-        Painted { looked, rest }
+        Painted { looked: stick.fill(tile, across, down, [flat, length], light), rest }
     }
 
     /// The stick relative to a tile's corner, cut to the part near the tile; `None` if nothing is left.
@@ -94,7 +88,7 @@ impl Stick {
     }
 
     /// Paints a stick of this `length` that is `flat` long in the picture. Returns the number of samples looked at.
-    fn fill<const FULL: bool>(
+    fn fill(
         &self,
         tile: &mut ScreenTile,
         across: [usize; 2],
@@ -133,7 +127,7 @@ impl Stick {
             let last = Lanes::all(right as f32 + 1.0 - x0);
             for (i, samples) in depths.iter_mut().zip(colours).enumerate() {
                 let x = Lanes::from(ahead + (i * LANES) as f32);
-                surface.paint::<FULL>((x, last), y, samples, light);
+                surface.paint((x, last), y, samples, light);
             }
         }
         looked

@@ -37,6 +37,8 @@ pub(super) struct Sun {
     pub(super) depths: Vec<f32>,
     /// The directions right, down and away from the sun, as the eye's lens sees them, in texels.
     pub(super) turned: [Vector; 3],
+    /// Whether the picture shows only the drawing's part around the target.
+    pub(super) is_partial: bool,
     /// The middle, as the eye's lens sees it.
     pub(super) focus: Vector,
     /// The same directions, and the place of the eye's origin in the depth picture.
@@ -54,7 +56,8 @@ impl Sun {
         let view = REACH * 0.5 * (size[0] * size[0] + size[1] * size[1]).sqrt();
         // A little more than the ball around the drawing, because strokes have a width.
         let ball = 1.05 * eye.radius + 4.0 * samples;
-        self.focus = if ball <= view { eye.centre } else { [0.0; 3] };
+        self.is_partial = ball > view;
+        self.focus = if self.is_partial { [0.0; 3] } else { eye.centre };
         let reach = ball.min(view).max(samples);
         let texel = samples.max(2.0 * reach / MOST);
         self.side = ((2.0 * reach / texel).ceil() as usize).max(1);
@@ -98,14 +101,13 @@ impl Sun {
             return 0.0;
         }
         let mut sum = Lanes::all(0.0);
+        let [x, y, z] = [x - 0.5, y - 0.5, z - AHEAD];
         for (dx, dy) in DISC_X.iter().zip(&DISC_Y) {
-            let depths = Lanes(core::array::from_fn(|i| {
-                let [column, row] = [(x + dx[i]) as usize, (y + dy[i]) as usize];
-                self.depths[row * self.side + column]
-            }));
-            let ahead = Lanes::all(z - AHEAD) - depths;
-            sum = sum + (ahead * (1.0 / RAMP)).at_least(0.0).at_most(1.0);
+            let (column, row) = ((Lanes(*dx) + x).round(), (Lanes(*dy) + y).round());
+            // At most 2^20, so single precision is exact.
+            let depths = Lanes((row * self.side as f32 + column).indices().map(|at| self.depths[at]));
+            sum = sum + ((Lanes::all(z) - depths) * (1.0 / RAMP)).at_least(0.0).at_most(1.0);
         }
-        sum.0.iter().sum::<f32>() / (DISC_X.len() * LANES) as f32
+        sum.sum() / (DISC_X.len() * LANES) as f32
     }
 }

@@ -1,7 +1,7 @@
 //! The surface of a stick: the points where lines of sight meet the surface, and the light there.
 
 use super::lanes::{LANES, Lanes};
-use super::light::{LIGHT, Light, LocalLight};
+use super::light::{LIGHT, Light, LightKind, LocalLight};
 use super::stroke::Stick;
 use lsystem_drawing::rotation::Vector;
 
@@ -93,7 +93,7 @@ impl<'a> Surface<'a> {
     /// Paints the samples at `x` of a row at `y`, as far as they are before `last` and the surface is nearer than their
     /// depths.
     #[inline(always)]
-    pub(super) fn paint<const FULL: bool>(
+    pub(super) fn paint(
         &self,
         (x, last): (Lanes, Lanes),
         y: f32,
@@ -119,7 +119,7 @@ impl<'a> Surface<'a> {
         let mut to_light = u * self.side_light + h * self.up_light;
         let mut to_view = h * self.level;
         let [side_up, up_up, ahead_up, view_up] = self.up;
-        let mut to_sky = if FULL { u * side_up + h * up_up } else { Lanes::all(0.0) };
+        let mut to_sky = u * side_up + h * up_up;
         if before.any() || beyond.any() {
             // The line of sight meets the ball at an end.
             let end = before.with(beyond);
@@ -133,19 +133,17 @@ impl<'a> Surface<'a> {
             t = (start * per).or(end, t);
             to_light = (w * self.ahead_light + u * self.side_light + top * self.view_light).or(end, to_light);
             to_view = top.or(end, to_view);
-            if FULL {
-                to_sky = (w * ahead_up + u * side_up + top * view_up).or(end, to_sky);
-            }
+            to_sky = (w * ahead_up + u * side_up + top * view_up).or(end, to_sky);
         }
         shown = shown.and(surface.below(depth));
         if !shown.any() {
             return;
         }
         *depths = surface.or(shown, depth).0;
-        let colour = if FULL {
-            light.full_surfaces(self.ink, self.spots, t, [to_light, to_view, to_sky])
-        } else {
-            light.surfaces(self.ink, self.spots, t, to_light, to_view)
+        let colour = match light.kind {
+            LightKind::None => return,
+            LightKind::Simple => light.surfaces(self.ink, self.spots, t, to_light, to_view),
+            LightKind::Full => light.full_surfaces(self.ink, self.spots, t, [to_light, to_view, to_sky]),
         };
         for ((old, new), shown) in colours.iter_mut().zip(colour).zip(shown.0) {
             *old = (new & shown) | (*old & !shown);

@@ -93,7 +93,8 @@ fn crowns_are_dark_inside() {
         let sticks = sticks(drawing, &lens);
         let dark = |&([a, b], radius): &([Vector; 2], f64)| {
             let [x, y, z] = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
-            lighting.occlusion.at([lens.middle[0] + x, lens.middle[1] + y, z - radius].map(|c| c as f32))
+            let place = [lens.middle[0] + x, lens.middle[1] + y].map(|c| c as f32);
+            lighting.occlusion.at([place[0], place[1], (z - radius) as f32], &lighting.occlusion.around(place))
         };
         sticks.iter().map(dark).sum::<f32>() / sticks.len() as f32
     };
