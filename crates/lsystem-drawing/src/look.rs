@@ -43,7 +43,7 @@ impl Look {
 
     /// The style with this look. Widths and colours that `actions` set are kept.
     #[must_use]
-    pub fn applied(self, style: &Style, actions: impl Iterator<Item = Action> + Clone) -> Style {
+    pub fn applied(self, style: &Style, actions: &(impl Iterator<Item = Action> + Clone)) -> Style {
         let any = |wanted: fn(&Action) -> bool| actions.clone().any(|action| wanted(&action));
         let sets_width = any(|action| matches!(action, Action::SetWidth(_)));
         let scales_width = any(|action| matches!(action, Action::ScaleWidth(_)));

@@ -96,7 +96,8 @@ impl System {
         let grammar = reading.grammar;
         let mut system = Self { grammar, rules, turtle, style: definition.style.clone(), seed: definition.seed };
         if system.style.auto {
-            system.style = system.look().applied(&system.style, system.acting());
+            let style = system.look().applied(&system.style, &system.acting());
+            system.style = style;
             system.turtle.take_style(&system.style);
         }
         (Some(system), diagnostics)
@@ -127,8 +128,7 @@ impl System {
     /// rotations out of it.
     #[must_use]
     pub fn is_solid(&self) -> bool {
-        self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0)
-            || self.acting().any(|action| action.is_solid())
+        self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0) || self.acting().any(Action::is_solid)
     }
 
     /// Whether a symbol opens a branch, so that the drawing can sway.
