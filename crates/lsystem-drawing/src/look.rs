@@ -21,8 +21,8 @@ const AT_LIMIT: f64 = 1e6;
 impl Look {
     /// The look for a turtle with these actions.
     #[must_use]
-    pub fn of(mut actions: impl Iterator<Item = Action>, is_solid: bool) -> Self {
-        match (actions.any(|action| matches!(action, Action::Push)), is_solid) {
+    pub fn of(actions: &[Action], is_solid: bool) -> Self {
+        match (actions.contains(&Action::Push), is_solid) {
             (true, false) => Self::Plant,
             (true, true) => Self::Tree,
             (false, false) => Self::Curve,
@@ -43,8 +43,8 @@ impl Look {
 
     /// The style with this look. Widths and colours that `actions` set are kept.
     #[must_use]
-    pub fn applied(self, style: &Style, actions: &(impl Iterator<Item = Action> + Clone)) -> Style {
-        let any = |wanted: fn(&Action) -> bool| actions.clone().any(|action| wanted(&action));
+    pub fn applied(self, style: &Style, actions: &[Action]) -> Style {
+        let any = |wanted: fn(&Action) -> bool| actions.iter().any(wanted);
         let sets_width = any(|action| matches!(action, Action::SetWidth(_)));
         let scales_width = any(|action| matches!(action, Action::ScaleWidth(_)));
         let sets_colour = any(|action| matches!(action, Action::SetColour(_) | Action::AddColour(_)));

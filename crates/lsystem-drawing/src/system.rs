@@ -106,21 +106,24 @@ impl System {
     /// The look that the system would choose by itself.
     #[must_use]
     pub fn look(&self) -> Look {
-        Look::of(self.acting(), self.is_solid())
+        Look::of(&self.acting(), self.is_solid())
     }
 
     /// The actions of all symbols that may occur; those that modules give a number, with a number.
-    fn acting(&self) -> impl Iterator<Item = Action> + Clone {
+    // Not inlined, to keep the wasm small.
+    #[inline(never)]
+    fn acting(&self) -> Vec<Action> {
         // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.
         let reachable = self.rules.reachable().into_iter().map(|reached| reached || !self.rules.is_plain());
-        let reached =
-            self.rules.letters.iter().zip(&self.turtle.actions).zip(reachable).filter(|(_, reached)| *reached);
-        reached.flat_map(|((letter, actions), _)| {
-            let numbered = |(at, action): (usize, &Action)| {
-                if at == 0 && letter.arity > 0 { action.with(1.0) } else { *action }
-            };
-            actions.iter().enumerate().map(numbered)
-        })
+        let mut acting = vec![];
+        for ((letter, actions), reached) in self.rules.letters.iter().zip(&self.turtle.actions).zip(reachable) {
+            let from = acting.len();
+            acting.extend_from_slice(if reached { actions } else { &[] });
+            if let Some(first) = acting.get_mut(from).filter(|_| letter.arity > 0) {
+                *first = first.with(1.0);
+            }
+        }
+        acting
     }
 
     /// Whether the drawing leaves the plane: a symbol that may occur pitches or rolls, or the tropism has a z
@@ -128,7 +131,8 @@ impl System {
     /// rotations out of it.
     #[must_use]
     pub fn is_solid(&self) -> bool {
-        self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0) || self.acting().any(Action::is_solid)
+        self.turtle.tropism.is_some_and(|tropism| tropism.vector[2] != 0.0)
+            || self.acting().iter().any(|action| action.is_solid())
     }
 
     /// Whether a symbol opens a branch, so that the drawing can sway.

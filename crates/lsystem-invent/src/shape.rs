@@ -45,7 +45,7 @@ impl Shape {
         GALLERY[from..].iter().take_while(|known| known.count == self.count).any(|known| known.is_like(self))
     }
 
-    /// As a line of text, for [`Shape::read`].
+    /// As a line of text: the numbers, divided by spaces.
     #[must_use]
     pub fn line(&self) -> String {
         format!("{} {:.6e} {:.6}\n", self.count, self.spread, self.tail)

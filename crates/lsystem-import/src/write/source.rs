@@ -272,7 +272,7 @@ impl<'a> Source<'a> {
     /// The parts of the definition that the text does not tell, as sentences.
     pub(super) fn left_out(&self, notation: &str) -> Vec<String> {
         let mut found = Vec::new();
-        if self.definition.style != Style::default() || self.acts(is_look) {
+        if (Style { auto: false, ..self.definition.style.clone() }) != Style::default() || self.acts(is_look) {
             found.push("Colours and line widths are left out.".to_owned());
         }
         if self.definition.start != [0.0, 0.0] {

@@ -186,7 +186,8 @@ impl Level {
 
     /// The occlusion by single cells around a place, in four directions. `steep` turns differences of depth into
     /// slopes.
-    #[inline(always)]
+    // Not inlined, to keep the wasm small.
+    #[inline(never)]
     fn beside(&self, [x, y]: [f32; 2], depth: f32, steep: f32) -> Lanes {
         let [column, row, ..] = (Lanes([x, y, 0.0, 0.0]) + -0.5).at_least(0.0).round().indices();
         let (at, stride) = (self.at([column, row]), self.stride());

@@ -75,7 +75,8 @@ impl Samples {
     }
 
     /// The sums of the samples before a depth.
-    #[inline(always)]
+    // Not inlined, to keep the wasm small.
+    #[inline(never)]
     fn before(&self, end: f32) -> Sums {
         let (mut pairs, mut greens, mut sunlit) = ([0; LANES], [0; LANES], [0; LANES]);
         let mut depth = Lanes::all(0.0);

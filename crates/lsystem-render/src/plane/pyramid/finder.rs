@@ -8,17 +8,29 @@ use lsystem_drawing::Item;
 
 /// The most items that a search visits. In a tile with ink, a search ends after about as many items as the graph is deep.
 const MOST_ITEMS: usize = 1 << 13;
+/// The same for a sample of tiles, of which a deep level makes thousands of searches.
+const MOST_SAMPLED: usize = 1 << 9;
 /// The part of a coordinate that may be rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Searches the graph, one tile after the other.
-#[derive(Default)]
 pub(super) struct Finder {
+    /// The most items that a search visits.
+    most: usize,
     descent: Descent,
     stack: Vec<Node>,
 }
 
 impl Finder {
+    pub(super) fn new() -> Self {
+        Self { most: MOST_ITEMS, descent: Descent::default(), stack: vec![] }
+    }
+
+    /// For a sample of tiles.
+    pub(super) fn of_sample() -> Self {
+        Self { most: MOST_SAMPLED, ..Self::new() }
+    }
+
     pub(super) fn may_have_ink(&mut self, pyramid: &Pyramid, tile: TilePlace) -> bool {
         let Pyramid { drawing, style, shapes, .. } = pyramid;
         let (viewport, samples) = (pyramid.viewport(), Detail::Fine.samples() as f64);
@@ -29,7 +41,7 @@ impl Finder {
         let (choice, descent) = (Choice::default(), &mut self.descent);
         self.stack.clear();
         self.stack.extend(descent.root(drawing, transform));
-        for _ in 0..MOST_ITEMS {
+        for _ in 0..self.most {
             let Some(Visit { item, node }) = descent.next(drawing, choice, &mut self.stack, 0) else { return false };
             match item {
                 Item::Polygon(polygon) => {
@@ -106,7 +118,7 @@ pub struct Tiles<'a, F> {
 
 impl<'a, F: Fn(TilePlace) -> bool> Tiles<'a, F> {
     pub(super) fn new(pyramid: &'a Pyramid, level: u32, top: TilePlace, wanted: F) -> Self {
-        Self { pyramid, finder: Finder::default(), level, top, wanted, stack: vec![TilePlace::WHOLE] }
+        Self { pyramid, finder: Finder::new(), level, top, wanted, stack: vec![TilePlace::WHOLE] }
     }
 }
 

@@ -113,7 +113,7 @@ impl Pyramid {
     /// the answer may be yes.
     #[must_use]
     pub fn may_have_ink(&self, tile: TilePlace) -> bool {
-        Finder::default().may_have_ink(self, tile)
+        Finder::new().may_have_ink(self, tile)
     }
 
     /// The tiles of a level that may have ink, among those below `top`, in the order of a depth-first way. Of a tile
@@ -125,7 +125,7 @@ impl Pyramid {
     /// Some tiles of a level that may have ink, spread over the drawing: all, or at most 16.
     fn sample(&self, level: u32) -> Vec<TilePlace> {
         const MOST: usize = 16;
-        let mut finder = Finder::default();
+        let mut finder = Finder::of_sample();
         let mut tiles = vec![TilePlace::WHOLE];
         for _ in 0..level {
             tiles = tiles.iter().flat_map(|tile| tile.below()).collect();
