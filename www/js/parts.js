@@ -3,6 +3,7 @@
  * own elements and styles. Its function gets the page once, and returns how to open the part.
  */
 
+import { createBreed, createSeeds } from './breed.js';
 import { createCheck } from './course/check.js';
 import { createMaker } from './course/maker.js';
 import { createMathematics } from './course/mathematics.js';
@@ -14,7 +15,6 @@ import { createGallery } from './gallery.js';
 import { createImporting } from './importing.js';
 import { createKeeping } from './keeping.js';
 import { createSave } from './save/save.js';
-import { createSeeds } from './seeds.js';
 import { createShare } from './share.js';
 import { createShortcuts } from './shortcuts.js';
 import { createStepsDialog } from './steps/dialog.js';
@@ -22,6 +22,7 @@ import { createSurprise } from './surprise.js';
 
 export const PARTS = {
     gallery: createGallery,
+    breed: createBreed,
     seeds: createSeeds,
     surprise: createSurprise,
     steps: createStepsDialog,

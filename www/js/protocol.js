@@ -99,7 +99,10 @@ export {};
  * The calls of the tool for other notations; `import` answers null if the text is in no known notation.
  * @typedef {{import: {asked: {text: string}, answer: Imported | null}, writeAs: {asked: {definition: Definition, notation: string}, answer: import('./messages.js').WriteReport}}} ImportCalls
  */
-/** The calls of the tool for new systems. @typedef {{surprise: {asked: {seed: number}, answer: Definition}}} InventCalls */
+/**
+ * The calls of the tool for new systems; `descent` answers with an animated GIF.
+ * @typedef {{surprise: {asked: {seed: number}, answer: Definition}, breed: {asked: {parents: Definition[], seed: number, count: number}, answer: Definition[]}, descent: {asked: {definitions: Definition[], side: number}, answer: Uint8Array<ArrayBuffer>}}} InventCalls
+ */
 /** @typedef {import('./messages.js').Given} Given */
 /** @typedef {import('./messages.js').Asks} Asks */
 /** @typedef {import('./messages.js').Exercise} Exercise */

@@ -27,7 +27,7 @@ pub use find::{DrawnSvg, RuleFinder};
 #[cfg(feature = "import")]
 pub use import::{import_systems, write_system};
 #[cfg(feature = "invent")]
-pub use invent::surprise;
+pub use invent::{DescentFilm, breed, surprise};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

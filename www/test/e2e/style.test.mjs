@@ -63,17 +63,17 @@ test('nine seeds can be compared', () =>
         const before = await stillPicture(page);
         await page.waitForSelector('#seed-sheet:visible');
         await page.click('#seed-sheet');
-        const cards = page.locator('#seed-cards .card');
+        const cards = page.locator('#breed-cards .card');
         assert.equal(await cards.count(), 9);
         await page.setViewportSize({ width: 1280, height: 657 });
         assert.ok(
             await page.evaluate(() => {
-                const shelf = document.querySelector('#seed-cards');
+                const shelf = document.querySelector('#breed-cards');
                 return shelf && shelf.scrollHeight <= shelf.clientHeight;
             }),
             'all nine are in sight',
         );
-        await until(async () => (await page.locator('#seed-cards .thumb.inked').count()) === 9, 'all nine are drawn');
+        await until(async () => (await page.locator('#breed-cards .thumb.inked').count()) === 9, 'all nine are drawn');
         assert.equal(
             new Set(await cards.evaluateAll((all) => all.map((card) => /** @type {HTMLButtonElement} */ (card).value)))
                 .size,

@@ -64,7 +64,20 @@ async function pressButton(place, roll) {
 }
 
 /** Parts that are dialogs with much to press. */
-const PARTS = ['find', 'find', 'film', 'film', 'save', 'steps', 'check', 'maker', 'share', 'seeds'];
+const PARTS = [
+    'find',
+    'find',
+    'film',
+    'film',
+    'save',
+    'steps',
+    'check',
+    'maker',
+    'share',
+    'seeds',
+    'breed',
+    'surprise',
+];
 
 /**
  * Runs in the page: uses a control of the dialog on top. Returns the control, or nothing if there is none.
@@ -175,7 +188,7 @@ export const PAGE = [
         async act(place, roll) {
             const which = pick(roll, ['#open-shortcuts', '#seed-sheet', '#open-favourites']);
             if ((await click(place, which)) === NOTHING) return NOTHING;
-            return `${which}: ${await click(place, pick(roll, ['dialog[open] .card', '#more-seeds', 'dialog[open] button']), whole(roll, 12))}`;
+            return `${which}: ${await click(place, pick(roll, ['dialog[open] .card', '#more-cards', '.keep input', 'dialog[open] button']), whole(roll, 12))}`;
         },
     },
     {
