@@ -6,6 +6,8 @@ import { definitionOf } from './state.js';
 /** Seconds per generation, and limits for the whole animation. */
 const EACH = 0.9;
 const WHOLE = { least: 3, most: 14 };
+/** Seconds of the growth that greets a new visitor. */
+const GREETING = 2;
 /** With reduced motion, the time for each whole generation, in milliseconds. */
 const REDUCED_MOTION_MS = 1000;
 /** Pictures are waited for up to this time, in milliseconds. */
@@ -41,6 +43,10 @@ export function createGrowing(store, engine, { begins, present }) {
     let asked = 0;
     /** The generation that was requested last. */
     let requested = -1;
+    /** Seconds of the whole animation. */
+    let seconds = 0;
+    /** Called when growth ends. */
+    let ended = () => {};
     const iterations = () => store.state.iterations;
 
     /** @param {number} now */
@@ -50,9 +56,7 @@ export function createGrowing(store, engine, { begins, present }) {
         const time = now - before;
         if (reducedMotion() && time < REDUCED_MOTION_MS) return;
         before = now;
-        const next = reducedMotion()
-            ? Math.floor(grown) + 1
-            : grown + (time / 1000 / duration(iterations())) * iterations();
+        const next = reducedMotion() ? Math.floor(grown) + 1 : grown + (time / 1000 / seconds) * iterations();
         if (next >= iterations()) return stop();
         request(next, now);
     }
@@ -78,8 +82,9 @@ export function createGrowing(store, engine, { begins, present }) {
         frame = 0;
     }
 
-    function start() {
+    function start(lasts = duration(iterations())) {
         begins();
+        seconds = lasts;
         running = true;
         asked = 0;
         requested = -1;
@@ -92,6 +97,8 @@ export function createGrowing(store, engine, { begins, present }) {
     function forget() {
         if (!running) return;
         running = false;
+        ended();
+        ended = () => {};
         pause();
         toggle.setAttribute('aria-pressed', 'false');
         present(null);
@@ -134,9 +141,23 @@ export function createGrowing(store, engine, { begins, present }) {
         get running() {
             return running;
         },
+        /** Grows once, quickly. Any input ends it. */
+        greet() {
+            start(GREETING);
+            const over = new AbortController();
+            for (const input of ['pointerdown', 'keydown', 'wheel'])
+                addEventListener(input, end, { capture: true, passive: true, signal: over.signal });
+            function end() {
+                over.abort();
+                stop();
+            }
+            ended = () => over.abort();
+        },
         /** A picture has come. */
         drawn() {
             asked = 0;
+            // The time until the first picture is no part of growth.
+            if (requested === 0) before = performance.now();
         },
         stop,
         forget,

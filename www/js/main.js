@@ -5,7 +5,7 @@ import { toast } from './announce.js';
 import { createReporter, showLast } from './caption.js';
 import { dialRows } from './controls/dial-rows.js';
 import { createDialogs } from './dialogs.js';
-import { button, html, setText } from './dom.js';
+import { button, html, reducedMotion, setText } from './dom.js';
 import { createEngine } from './engine.js';
 import { createStored } from './favourites/stored.js';
 import { filmIn } from './film/embed-code.js';
@@ -178,6 +178,11 @@ if (restored && !(link && same(restored.state, link.state))) showAddress();
 show(store.state, null);
 greet();
 if (notDrawn) offerDrawing();
+// On the very first visit the plant grows once.
+if (storage.available && storage.read('visited') === undefined) {
+    storage.write('visited', true);
+    if (!link && !restored && !reducedMotion()) growing.greet();
+}
 keepOffline();
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */

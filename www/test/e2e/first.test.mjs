@@ -233,3 +233,21 @@ test('letters that draw nothing are told, with the dialect in which they draw', 
         await until(async () => !(await page.isVisible('#legend-hint')), 'every letter draws');
         assert.equal(await page.inputValue('#dialect'), 'every-letter');
     }));
+
+test('on the first visit the plant grows once, and any input ends it', () =>
+    withPage({ options: { ...DESKTOP, reducedMotion: 'no-preference' } }, async (page) => {
+        const grows = async () => (await page.getAttribute('#grow', 'aria-pressed')) === 'true';
+        assert.ok(await grows());
+        await until(async () => !(await grows()), 'it ends by itself');
+        await until(async () => (await text(page, '#segments')) === '3,125', 'the whole plant is counted');
+        assert.ok(!(await page.isEnabled('#undo')), 'nothing is to be undone');
+        await page.reload();
+        await page.waitForSelector('#stage.inked');
+        assert.ok(!(await grows()), 'not again');
+        await page.evaluate(() => localStorage.clear());
+        await page.reload();
+        await page.waitForSelector('#stage.inked');
+        assert.ok(await grows());
+        await page.keyboard.press('Shift');
+        assert.ok(!(await grows()), 'a key ends it');
+    }));
