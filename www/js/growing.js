@@ -1,5 +1,6 @@
 /** The growth animation: generations as a continuous value, the youngest modules growing in. */
 
+import { createAnimation } from './animation.js';
 import { button, reducedMotion } from './dom.js';
 import { definitionOf } from './state.js';
 
@@ -31,10 +32,6 @@ export function duration(iterations) {
  *   before growth begins; `present` shows growth on the playback bar, or the segments again
  */
 export function createGrowing(store, engine, { begins, present }) {
-    const toggle = button('grow');
-    let running = false;
-    /** The request for the next frame; 0 while growth pauses. */
-    let frame = 0;
     /** The time of the last frame. */
     let before = 0;
     /** The generation, with the part of the next one that has grown. */
@@ -51,13 +48,12 @@ export function createGrowing(store, engine, { begins, present }) {
 
     /** @param {number} now */
     function tick(now) {
-        frame = requestAnimationFrame(tick);
         if (asked && now - asked < PATIENCE) return;
         const time = now - before;
         if (reducedMotion() && time < REDUCED_MOTION_MS) return;
         before = now;
         const next = reducedMotion() ? Math.floor(grown) + 1 : grown + (time / 1000 / seconds) * iterations();
-        if (next >= iterations()) return stop();
+        if (next >= iterations()) return animation.stop();
         request(next, now);
     }
 
@@ -72,49 +68,36 @@ export function createGrowing(store, engine, { begins, present }) {
         present(show);
     }
 
-    function resume() {
-        before = performance.now();
-        frame = requestAnimationFrame(tick);
-    }
-
-    function pause() {
-        cancelAnimationFrame(frame);
-        frame = 0;
-    }
-
     function start(lasts = duration(iterations())) {
         begins();
         seconds = lasts;
-        running = true;
+        animation.begin();
         asked = 0;
         requested = -1;
-        toggle.setAttribute('aria-pressed', 'true');
         request(0, performance.now());
-        resume();
+        animation.resume();
     }
 
-    /** The state has changed, and the engine already draws the new state. */
-    function forget() {
-        if (!running) return;
-        running = false;
-        ended();
-        ended = () => {};
-        pause();
-        toggle.setAttribute('aria-pressed', 'false');
-        present(null);
-    }
-
-    /** Stops, and draws the state again. */
-    function stop() {
-        if (!running) return;
-        forget();
-        engine.define(definitionOf(store.state));
-    }
+    const animation = createAnimation({
+        toggle: button('grow'),
+        start,
+        tick,
+        resumed: () => {
+            before = performance.now();
+        },
+        forgotten: () => {
+            ended();
+            ended = () => {};
+            present(null);
+        },
+        draw: () => engine.define(definitionOf(store.state)),
+    });
+    const { pause, stop, forget } = animation;
 
     /** @type {import('./playback.js').Show} */
     const show = {
         get playing() {
-            return frame !== 0;
+            return animation.playing;
         },
         get part() {
             return iterations() === 0 ? 1 : grown / iterations();
@@ -123,8 +106,8 @@ export function createGrowing(store, engine, { begins, present }) {
             return `generation ${grown.toFixed(1)} of ${iterations()}`;
         },
         toggle() {
-            if (frame) pause();
-            else resume();
+            if (animation.playing) pause();
+            else animation.resume();
             present(show);
         },
         seek(part) {
@@ -134,12 +117,10 @@ export function createGrowing(store, engine, { begins, present }) {
         stop,
     };
 
-    toggle.addEventListener('click', () => (running ? stop() : start()));
-
     return {
         /** Whether the engine shows a state of growth instead of the store's state. */
         get running() {
-            return running;
+            return animation.running;
         },
         /** Grows once, quickly. Any input ends it. */
         greet() {

@@ -1,5 +1,6 @@
 /** The wind: branches sway around the still plant, in the frame of the still plant. The state does not change. */
 
+import { createAnimation } from './animation.js';
 import { button } from './dom.js';
 import { definitionOf } from './state.js';
 
@@ -25,11 +26,8 @@ export const strengthOf = ({ sway: [own] }) => own || LIGHT_WIND;
  */
 export function createWind(store, engine, { begins, present }) {
     const toggle = button('wind');
-    let running = false;
     /** The still plant, whose picture comes first: its frame is that of the wind. Null once the plant is shown. @type {import('./state.js').Definition | null} */
     let still = null;
-    /** The request for the next frame; 0 while the wind pauses. */
-    let frame = 0;
     /** The time of the last frame. */
     let before = 0;
     /** When the last picture was requested; 0 when it is shown. */
@@ -48,7 +46,6 @@ export function createWind(store, engine, { begins, present }) {
 
     /** @param {number} now */
     function tick(now) {
-        frame = requestAnimationFrame(tick);
         const time = now - before;
         if (isSettled()) {
             if (asked && now - asked < PATIENCE_MS) return;
@@ -74,47 +71,34 @@ export function createWind(store, engine, { begins, present }) {
         engine.define(still);
     }
 
-    function resume() {
-        before = performance.now();
-        frame = requestAnimationFrame(tick);
-    }
-
-    function pause() {
-        cancelAnimationFrame(frame);
-        frame = 0;
-    }
-
     function start() {
         begins();
-        running = true;
+        animation.begin();
         phase = ((store.state.sway[1] % 360) + 360) % 360;
-        toggle.setAttribute('aria-pressed', 'true');
         settle();
-        resume();
+        animation.resume();
         present(show);
     }
 
-    /** The state is no longer drawn in the wind. */
-    function forget() {
-        if (!running) return;
-        running = false;
-        still = null;
-        pause();
-        toggle.setAttribute('aria-pressed', 'false');
-        present(null);
-    }
-
-    /** Stops, and draws the state again. */
-    function stop() {
-        if (!running) return;
-        forget();
-        engine.define(definitionOf(store.state));
-    }
+    const animation = createAnimation({
+        toggle,
+        start,
+        tick,
+        resumed: () => {
+            before = performance.now();
+        },
+        forgotten: () => {
+            still = null;
+            present(null);
+        },
+        draw: () => engine.define(definitionOf(store.state)),
+    });
+    const { pause, stop, forget } = animation;
 
     /** @type {import('./playback.js').Show} */
     const show = {
         get playing() {
-            return frame !== 0;
+            return animation.playing;
         },
         get part() {
             return phase / 360;
@@ -123,8 +107,8 @@ export function createWind(store, engine, { begins, present }) {
             return `wind of ${Number(strengthOf(store.state).toFixed(1))}°`;
         },
         toggle() {
-            if (frame) pause();
-            else resume();
+            if (animation.playing) pause();
+            else animation.resume();
             present(show);
         },
         seek(part) {
@@ -135,12 +119,10 @@ export function createWind(store, engine, { begins, present }) {
         stop,
     };
 
-    toggle.addEventListener('click', () => (running ? stop() : start()));
-
     return {
         /** Whether the engine shows swaying branches instead of the store's state. */
         get blowing() {
-            return running && still === null;
+            return animation.running && still === null;
         },
         /** A picture has come. */
         drawn() {
@@ -148,7 +130,7 @@ export function createWind(store, engine, { begins, present }) {
         },
         /** The state has changed, and the engine already draws it: the wind goes on around the new plant. */
         edited() {
-            if (running) settle();
+            if (animation.running) settle();
         },
         /** @param {import('./protocol.js').Report} report */
         report({ ok, branches }) {
