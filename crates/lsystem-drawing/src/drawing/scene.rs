@@ -18,7 +18,7 @@ impl SceneSize {
     /// The most bytes of a node.
     pub const NODE: usize = 512;
     /// The bytes of a sample of a node's strokes.
-    pub const SAMPLE: usize = 88;
+    pub const SAMPLE: usize = 56;
     /// The bytes of a mean colour.
     const MEAN: usize = size_of::<[f32; 3]>();
     /// The bytes of a link.

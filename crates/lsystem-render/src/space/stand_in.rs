@@ -102,9 +102,10 @@ pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, i
     }
     for sample in samples {
         let ends = [sample.from, sample.to].map(|end| place.point(end.map(f64::from)));
-        let shade = scene.choice.then(shade, scene.choice.shade(&sample.style));
+        let style = sample.style();
+        let shade = scene.choice.then(shade, scene.choice.shade(&style));
         let ink = scene.ink(shade, path, f64::from(sample.before));
-        cost += painter.stick(setup, ends, widths.after(&sample.style), thicker, ink);
+        cost += painter.stick(setup, ends, widths.after(&style), thicker, ink);
     }
     cost
 }

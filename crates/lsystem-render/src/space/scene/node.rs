@@ -129,7 +129,7 @@ impl Scene {
     /// whose sample stroke lies farther in the direction gives its stroke. Returns the mean length.
     pub(super) fn sample(&mut self, run: &Run, length: f32) -> f32 {
         let kept = self.kept;
-        let nothing = SampleStroke { from: [0.0; 3], to: [0.0; 3], style: StyleChange::NONE, before: 0.0 };
+        let nothing = SampleStroke { from: [0.0; 3], to: [0.0; 3], style: (&StyleChange::NONE).into(), before: 0.0 };
         let mut passed = 0.0;
         let mut ends = [0.0_f32; WIDTH];
         let lengths =
@@ -161,13 +161,13 @@ impl Scene {
                             let [x, y, z] = combine(&link.axes, end.map(f64::from));
                             [link.at[0] + x, link.at[1] + y, link.at[2] + z].map(|c| c as f32)
                         });
-                        let style = self.styles[link.style as usize].then(&sample.style);
+                        let style = self.styles[link.style as usize].then(&sample.style());
                         let before = link.before + link.part * f64::from(sample.before);
-                        SampleStroke { from, to, style, before: before as f32 }
+                        SampleStroke { from, to, style: (&style).into(), before: before as f32 }
                     }
                     None => match run.lines.get(lane - run.links.len()) {
                         Some(&SceneLine { from, to, style, before, .. }) => {
-                            SampleStroke { from, to, style: self.styles[style as usize], before }
+                            SampleStroke { from, to, style: (&self.styles[style as usize]).into(), before }
                         }
                         None => nothing,
                     },
