@@ -6,7 +6,7 @@ pub type Ends = [[f64; 3]; 2];
 /// A map of points to a common place and size.
 #[derive(Clone, Copy)]
 pub(crate) struct Fit {
-    at: [f64; 3],
+    pub(crate) at: [f64; 3],
     pub(crate) size: f64,
 }
 

@@ -1,8 +1,9 @@
 //! Hints for wrong answers: what is probably wrong, found by trying.
 
+use crate::difference::{Difference, Kind};
 use crate::exercise::{Exercise, Given};
-use crate::fit::{Ends, Fit};
 use crate::mark::{Marker, counted};
+use crate::repair::{Repair, unmatched};
 use crate::sketch::{Sketch, Sketching};
 use core::cell::Cell;
 use lsystem_base::MAX_ITERATIONS;
@@ -16,8 +17,6 @@ const LOOKS_THE_SAME: f64 = 0.995;
 const STEPS: u32 = 2;
 /// Angles of turns that are tried, in degrees.
 const ANGLES: [f64; 12] = [15.0, 18.0, 20.0, 22.5, 25.0, 30.0, 36.0, 45.0, 60.0, 72.0, 90.0, 120.0];
-/// The part of a usual segment by which ends may differ.
-const NEAR: f64 = 1e-6;
 
 impl Marker {
     /// The probable mistake in an answer, in words; `None` if no usual mistake explains it.
@@ -38,11 +37,13 @@ impl Marker {
             return Some("There is no rule yet. A rule says what becomes of a letter: F -> F+F.".to_owned());
         }
         self.turned(&own)
+            .or_else(|| Some(format!("The brackets in the rule of {} do not match.", unmatched(&student.rules)?)))
+            .or_else(|| Some(Repair::of(exercise, student)?.to_string()))
             .or_else(|| self.other_size(&own, &whole))
             .or_else(|| self.other_heading(&whole, &tries))
             .or_else(|| self.other_generation(&whole, &tries))
             .or_else(|| self.other_angle(&whole, &tries))
-            .or_else(|| self.common_start(&own))
+            .or_else(|| self.first_difference(&own))
     }
 
     fn looks_like(&self, own: &Sketch) -> bool {
@@ -123,23 +124,37 @@ impl Marker {
         found.then(|| "The rules are right, but the angle is not.".to_owned())
     }
 
-    /// How many of the first segments are right.
-    fn common_start(&self, own: &Sketch) -> Option<String> {
-        let (target, _) = self.target().lists()?;
-        let (own, _) = own.lists()?;
-        let [a, b] = [Fit::first(&target), Fit::first(&own)];
-        let is_near = |a: &Ends, b: &Ends| {
-            a.as_flattened().iter().zip(b.as_flattened()).all(|(a, b)| (a - b).abs() < NEAR * (1.0 + a.abs()))
+    /// The first segment that differs.
+    fn first_difference(&self, own: &Sketch) -> Option<String> {
+        let [(own, _), (target, _)] = [own.lists()?, self.target().lists()?];
+        let Difference { right, kind } = Difference::of(&own, &target)?;
+        let many = |count: usize| counted(&Tally::from(count as u128));
+        let subject = match right {
+            0 => "The first segment".to_owned(),
+            1 => "The first segment is right. The second".to_owned(),
+            right => format!("The first {} segments are right. The next", many(right)),
         };
-        let same = target.iter().zip(&own).take_while(|(x, y)| is_near(&a.place(x), &b.place(y))).count();
-        match same {
-            0 => Some("The first segment points in another direction.".to_owned()),
-            1 => Some("The first segment is right. Look at the turn after it.".to_owned()),
-            same => Some(format!(
-                "The first {} segments are right. Look at the turn after them.",
-                counted(&Tally::from(same as u128))
-            )),
-        }
+        Some(match kind {
+            Kind::TooShort => format!("{subject} has the right direction, but is too short."),
+            Kind::TooLong => format!("{subject} has the right direction, but is too long."),
+            Kind::Turned(Some(by)) => {
+                let way = if by > 0.0 { "right" } else { "left" };
+                format!("{subject} has the right length, but points too far to the {way}.")
+            }
+            Kind::Turned(None) => format!("{subject} has the right length, but another direction."),
+            Kind::Other => format!("{subject} has another direction and another length."),
+            Kind::Elsewhere => format!("{subject} begins where the target has none: look at what comes before it."),
+            Kind::Missing(count) => format!(
+                "All that you draw is right, but {} segment{} missing.",
+                if count == 1 { "one".to_owned() } else { many(count) },
+                if count == 1 { " is" } else { "s are" },
+            ),
+            Kind::TooMany(count) => format!(
+                "Nothing is missing, but {} segment{} too many.",
+                if count == 1 { "one".to_owned() } else { many(count) },
+                if count == 1 { " is" } else { "s are" },
+            ),
+        })
     }
 }
 

@@ -17,12 +17,14 @@
 
 mod check;
 mod compiled;
+mod difference;
 mod exercise;
 mod fit;
 mod graph;
 pub mod growth;
 mod hint;
 mod mark;
+mod repair;
 mod same;
 mod sample;
 mod sketch;

@@ -298,8 +298,13 @@ impl Marker {
         let words = match is_same {
             true => "The string is the same.".to_owned(),
             false => {
-                let [same, found, most] = [same, found, most].map(|count| counted(&Tally::from(count as u128)));
-                format!("The first {same} symbols agree. Your string has {found} symbols, the target {most}.")
+                let [found, most] = [found, most].map(|count| counted(&Tally::from(count as u128)));
+                let start = match same {
+                    0 => "The first symbol differs.".to_owned(),
+                    1 => "The first symbol agrees, the second differs.".to_owned(),
+                    same => format!("The first {} symbols agree.", counted(&Tally::from(same as u128))),
+                };
+                format!("{start} Your string has {found} symbols, the target {most}.")
             }
         };
         self.own_text = Some(text);

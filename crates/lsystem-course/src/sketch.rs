@@ -15,7 +15,7 @@ use std::sync::Arc;
 /// The most segments and vertices of polygons that are compared one by one, and that a view of a drawing in space has.
 const MAX_SEGMENTS: u64 = 1_000_000;
 /// The limits of a drawing. Beside it, two lists of segments and a picture fit into the memory of the page.
-const LIMITS: Limits =
+pub(crate) const LIMITS: Limits =
     Limits { symbols: 16 << 20, modules: 2 << 20, segments: u32::MAX as u64, work: 16 << 20, memory: 48 << 20 };
 
 /// A drawing with its mask.
@@ -134,16 +134,20 @@ impl Sketch {
         outline.is_of(&segments, &sides)
     }
 
-    /// The segments, and the sides of all polygons.
+    /// As [`lists`].
     pub(crate) fn lists(&self) -> Option<(Vec<Ends>, Vec<Ends>)> {
-        let figure = &self.figure;
-        figure.check_size(MAX_SEGMENTS).ok()?;
-        let segments = figure.segments_from(0).map(|segment| [segment.from, segment.to]).collect();
-        let mut sides = Vec::new();
-        for number in 0..figure.polygon_count() {
-            let corners = figure.vertices(number)?;
-            sides.extend(corners.iter().zip(corners.iter().cycle().skip(1)).map(|(&from, &to)| [from, to]));
-        }
-        Some((segments, sides))
+        lists(&self.figure)
     }
+}
+
+/// The segments of a drawing, and the sides of all polygons; `None` if they are too many.
+pub(crate) fn lists(figure: &Figure) -> Option<(Vec<Ends>, Vec<Ends>)> {
+    figure.check_size(MAX_SEGMENTS).ok()?;
+    let segments = figure.segments_from(0).map(|segment| [segment.from, segment.to]).collect();
+    let mut sides = Vec::new();
+    for number in 0..figure.polygon_count() {
+        let corners = figure.vertices(number)?;
+        sides.extend(corners.iter().zip(corners.iter().cycle().skip(1)).map(|(&from, &to)| [from, to]));
+    }
+    Some((segments, sides))
 }

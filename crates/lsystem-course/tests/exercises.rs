@@ -293,7 +293,7 @@ fn hints_name_what_is_wrong() {
         (hint(&koch, "F -> F+F--F+FF-F"), "first"),
         (answer("F -> F[+F]F[-F][F]", 20.0, 3), "The same after one more iteration."),
         (answer("F -> F[+F]F[-F][F]", 25.0, 4), "the angle is not"),
-        (answer("F -> F[+F]F[-F][F][F]", 20.0, 4), "Right outline, too many segments"),
+        (answer("F -> F[+F]F[-F][F][F][F]", 20.0, 4), "Right outline, too many segments"),
     ] {
         assert!(found.to_lowercase().contains(&expected.to_lowercase()), "{expected}: {found}");
     }
