@@ -1,5 +1,6 @@
 //! Exercises: a target, what the student is given, and what counts as solved.
 
+use crate::variants::MAX_VARIANTS;
 use lsystem_files::packed::{pack, unpack};
 use lsystem_syntax::{Definition, FIELDS, parse};
 use serde::{Deserialize, Serialize};
@@ -123,6 +124,9 @@ pub struct Exercise {
     /// The system to find. Its look is that of the student's drawing, too.
     #[serde(serialize_with = "differing")]
     pub target: Definition,
+    /// Other targets of equal difficulty, with as many lines of rules: each student gets one of them or the target.
+    #[serde(serialize_with = "all_differing", skip_serializing_if = "Vec::is_empty")]
+    pub variants: Vec<Definition>,
     /// The axiom.
     pub axiom: Given,
     /// All angles of turns.
@@ -174,7 +178,8 @@ impl Exercise {
         cut(&mut self.task, MAX_WORDS);
         self.hints.truncate(MAX_HINTS);
         self.hints.iter_mut().for_each(|hint| cut(hint, MAX_WORDS));
-        self.target.sway = [0.0; 2];
+        self.variants.truncate(MAX_VARIANTS);
+        self.variants.iter_mut().chain([&mut self.target]).for_each(|target| target.sway = [0.0; 2]);
         self.tolerance = self.tolerance.filter(|least| (0.0..1.0).contains(least));
         self
     }
@@ -306,6 +311,19 @@ fn cut(text: &mut String, most: usize) {
 fn veiled(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes.iter_mut().zip(VEIL.iter().cycle()).for_each(|(byte, veil)| *byte ^= veil);
     bytes
+}
+
+/// A definition of which only the fields are written that differ from their defaults.
+struct Differing<'a>(&'a Definition);
+
+impl Serialize for Differing<'_> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        differing(self.0, serializer)
+    }
+}
+
+fn all_differing<S: serde::Serializer>(definitions: &[Definition], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(definitions.iter().map(Differing))
 }
 
 /// Writes the fields that differ from their defaults.

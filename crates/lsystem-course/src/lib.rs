@@ -15,6 +15,7 @@
 //! assert_eq!(check(&algae, "ABAAB").verdict, Verdict::Generation(3));
 //! ```
 
+mod actions;
 mod check;
 mod compiled;
 mod difference;
@@ -29,9 +30,11 @@ mod same;
 mod sample;
 mod sketch;
 pub mod steps;
+mod variants;
 
 pub use check::{Check, MAX_OUTPUT, Output, Verdict, check};
 pub use exercise::{Asks, Exercise, First, Given};
 pub use fit::Ends;
 pub use mark::{Grade, Marker, Marking};
 pub use same::is_same_picture;
+pub use variants::Varied;

@@ -76,6 +76,16 @@ enum Stage {
     Failed(Vec<Diagnostic>),
 }
 
+impl Marking {
+    fn new(whole: Definition, symbols: u32) -> Self {
+        let stage = match Sketching::new(&whole) {
+            Ok(sketching) => Stage::Sketch(sketching),
+            Err(errors) => Stage::Failed(errors),
+        };
+        Self { whole, symbols, stage }
+    }
+}
+
 impl Grade {
     /// The agreement in percent, rounded down: what is not the same is never called 100 %.
     #[must_use]
@@ -133,17 +143,20 @@ impl Marker {
     /// Starts to mark an answer: the student's own rules, and values of what is free.
     #[must_use]
     pub fn begin(&self, student: &Definition) -> Marking {
-        let whole = self.exercise.complete(student);
-        let stage = match Sketching::new(&whole) {
-            Ok(sketching) => Stage::Sketch(sketching),
-            Err(errors) => Stage::Failed(errors),
-        };
-        Marking { whole, symbols: Exercise::symbols(student), stage }
+        Marking::new(self.exercise.complete(student), Exercise::symbols(student))
     }
 
     /// Marks an answer at once.
     pub fn mark(&mut self, student: &Definition) -> Grade {
-        let mut marking = self.begin(student);
+        self.finish(self.begin(student))
+    }
+
+    /// Whether a whole system would solve the exercise.
+    pub(crate) fn is_solved_by(&mut self, whole: &Definition) -> bool {
+        self.finish(Marking::new(whole.clone(), 0)).is_solved
+    }
+
+    fn finish(&mut self, mut marking: Marking) -> Grade {
         loop {
             if let Some(mark) = self.step(&mut marking, u64::MAX) {
                 return mark;

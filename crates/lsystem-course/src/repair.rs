@@ -1,5 +1,6 @@
 //! The one symbol by which an answer differs from a right one, found by trying every change of one symbol.
 
+use crate::actions::Actions;
 use crate::compiled::compiled;
 use crate::exercise::Exercise;
 use crate::same::Outline;
@@ -7,7 +8,7 @@ use crate::sketch::{LIMITS, lists};
 use core::fmt;
 use lsystem_base::Limits;
 use lsystem_drawing::Figure;
-use lsystem_syntax::{Action, Definition, parse_overrides};
+use lsystem_syntax::{Action, Definition};
 
 /// The derivation steps of the drawings that are tried: small drawings show a wrong symbol, too.
 const STEPS: u32 = 3;
@@ -103,17 +104,12 @@ pub(crate) fn unmatched(rules: &str) -> Option<&str> {
 
 /// All changes of one symbol in the student's plain rules: turns exchanged, symbols taken away, put in, exchanged.
 fn changes(exercise: &Exercise, student: &Definition) -> impl Iterator<Item = Change> {
-    let whole = exercise.complete(student);
-    let (overrides, _) = parse_overrides(&whole.overrides);
-    let kind = move |symbol: char| {
-        let own = overrides.iter().find(|own| own.symbol == symbol);
-        let actions = own.map_or_else(|| whole.dialect.actions(symbol), |own| &own.actions);
-        match actions {
-            [Action::Push | Action::Pop, ..] => Kind::Bracket,
-            [] => Kind::Other,
-            all if all.iter().all(|action| is_turn(*action)) => Kind::Turn,
-            _ => Kind::Other,
-        }
+    let actions = Actions::new(&exercise.complete(student));
+    let kind = |symbol: char| match actions.of(symbol) {
+        [Action::Push | Action::Pop, ..] => Kind::Bracket,
+        [] => Kind::Other,
+        all if all.iter().all(|action| is_turn(*action)) => Kind::Turn,
+        _ => Kind::Other,
     };
     let mut alphabet: Vec<(char, Kind)> = exercise
         .target
