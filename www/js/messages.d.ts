@@ -1,9 +1,26 @@
 // The messages between JavaScript and Rust: written by `cargo xtask tables` from the types in Rust, not by hand.
 
 /**
+ * The exercise of a class, as a page shows it.
+ */
+export type AboutClass = { title: string, 
+/**
+ * The number of answers.
+ */
+answers: number, 
+/**
+ * The number of variants, with the target.
+ */
+variants: number, };
+
+/**
  * The part of an exercise that a student sees.
  */
-export type AboutExercise = { title: string, task: string, hints: Array<string>, asks: Asks, axiom: Given, angle: Given, n: Given, turtle: Given, 
+export type AboutExercise = { title: string, task: string, hints: Array<string>, asks: Asks, 
+/**
+ * The number of variants besides the target: each student gets one.
+ */
+variants: number, axiom: Given, angle: Given, n: Given, turtle: Given, 
 /**
  * Whether some rules count that the student does not see.
  */
@@ -201,6 +218,10 @@ hints: Array<string>,
  * The system to find. Its look is that of the student's drawing, too.
  */
 target: import('./tables.js').Definition, 
+/**
+ * Other targets of equal difficulty, with as many lines of rules: each student gets one of them or the target.
+ */
+variants: Array<import('./tables.js').Definition>, 
 /**
  * The axiom.
  */
@@ -493,6 +514,36 @@ text: string | null,
  * The errors of the answer.
  */
 errors: Array<string>, };
+
+/**
+ * A marked answer, as a table shows it.
+ */
+export type MarkedAnswer = { name: string, 
+/**
+ * The name in the link.
+ */
+by: string, link: string | null, isSolved: boolean, 
+/**
+ * From 0 to 1.
+ */
+agreement: number, 
+/**
+ * Empty if there is nothing to mark.
+ */
+percent: string, symbols: number | null, 
+/**
+ * The axiom, if it was to be found, and the rules.
+ */
+rules: string, words: string, 
+/**
+ * From 1.
+ */
+variant: number, };
+
+/**
+ * A mistake with the numbers of the answers that have it.
+ */
+export type MistakeReport = { words: string, answers: Array<number>, };
 
 /**
  * The texts as class letters ([`lsystem::syntax::Class`]), one for each UTF-16 unit, and the constants.
@@ -984,6 +1035,16 @@ stored: Array<[number, number, number]>,
  * The ends of the segment that the symbol draws.
  */
 segment: [[number, number, number], [number, number, number]] | null, };
+
+/**
+ * An exercise for one student: its value of `x` and the number of the variant, from 1.
+ */
+export type VariantReport = { text: string, variant: number, };
+
+/**
+ * A property in which variants differ from the target.
+ */
+export type Varied = "mirrored" | "angle" | "letters" | "lengths" | "seed";
 
 /**
  * A system in another notation, or the reason why there is none.

@@ -6,6 +6,7 @@
 import { createBreed, createSeeds } from './breed.js';
 import { createCheck } from './course/check.js';
 import { createMaker } from './course/maker.js';
+import { createMarks } from './course/marks.js';
 import { createMathematics } from './course/mathematics.js';
 import { createFavourites } from './favourites/dialog.js';
 import { createFileOpening } from './file-opening.js';
@@ -36,6 +37,7 @@ export const PARTS = {
     import: createImporting,
     maker: createMaker,
     check: createCheck,
+    marks: createMarks,
     shortcuts: createShortcuts,
     offline: createKeeping,
 };

@@ -112,6 +112,14 @@ export {};
 /** @typedef {import('./messages.js').Rows} StepRows */
 /** @typedef {import('./messages.js').TurtleState} TurtleState */
 /** @typedef {import('./messages.js').MarkReport} Mark */
+/** @typedef {import('./messages.js').MarkedAnswer} MarkedAnswer */
+/** @typedef {import('./messages.js').MistakeReport} MistakeReport */
+/** @typedef {import('./messages.js').Varied} Varied */
+/**
+ * The progress of `markClass`: first the exercise, then a row for each answer. `picture`: 128 by 128, 0 for none, 1 for ink
+ * of both, 2 for missing ink, 3 for ink that is too much.
+ * @typedef {{about: import('./messages.js').AboutClass} | {row: MarkedAnswer, picture: Uint8Array | null}} ClassProgress
+ */
 /**
  * The calls of the tool for courses. `text` is the value of `x` in a link. `pixels`: 512 by 512, 1 for ink of both, 2
  * for missing ink, 4 for ink that is too much.
@@ -121,6 +129,9 @@ export {};
  *     rows: {asked: {definition: Definition, n: number, start: string, count: number}, answer: StepRows},
  *     single: {asked: {definition: Definition, steps: number, rightmost: boolean}, answer: import('./messages.js').Single[]},
  *     trace: {asked: {definition: Definition, n: number, count: number}, answer: import('./messages.js').Trace},
+ *     variantOf: {asked: {text: string, student: string}, answer: import('./messages.js').VariantReport},
+ *     variantsOf: {asked: {exercise: Exercise, varied: Varied[]}, answer: Definition[]},
+ *     markClass: {asked: {exercise: string, text: string}, answer: {mistakes: MistakeReport[], csv: string}},
  *     write: {asked: {exercise: Exercise}, answer: string},
  *     open: {asked: {text: string}, answer: AboutExercise},
  *     picture: {asked: {text: string, width: number, height: number, ratio: number}, answer: Uint8Array<ArrayBuffer>},

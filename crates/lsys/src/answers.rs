@@ -1,44 +1,24 @@
 //! Answers to exercises: links, systems in files, and tables with a column of links.
 
 use crate::{CommandFailure, input};
-use lsystem::course::{Exercise, MAX_OUTPUT};
-use lsystem::files::{Link, read_link};
+use lsystem::course::{Answer, Class, MAX_OUTPUT, answers as in_text, exercise_in};
+use lsystem::read_file;
 use lsystem::syntax::message::grouped;
-use lsystem::{Definition, read_file};
 use std::path::Path;
 
 /// The most answers in a table.
 const MOST: usize = 100_000;
-/// The most cells of a row that are read.
-const MAX_CELLS: usize = 1000;
-
-/// An answer to an exercise.
-pub(crate) struct Answer {
-    /// Whose answer it is in the table, or where the answer stands.
-    pub(crate) name: String,
-    /// The name that the link gives, which anybody may write.
-    pub(crate) by: String,
-    /// The link, if it is one.
-    pub(crate) link: Option<String>,
-    /// The answer, or why there is none.
-    pub(crate) student: Result<Definition, String>,
-}
 
 /// Reads an exercise: a link, or a file that contains one.
 ///
 /// # Errors
-/// [`CommandFailure::Words`] if there is no exercise or it is damaged. The second value is the exercise as written in
-/// the link.
-pub(crate) fn exercise(word: &str) -> Result<(Exercise, String), CommandFailure> {
+/// [`CommandFailure::Words`] if there is no exercise, or it is damaged or cannot be drawn.
+pub(crate) fn class(word: &str) -> Result<Class, CommandFailure> {
     let text = if is_link(word) { word.to_owned() } else { input::text_of(Path::new(word))? };
-    let link = cells(&text).flatten().find_map(|cell| veiled(&read_link(cell.trim())?));
-    let Some(veiled) = link else {
+    let Some(veiled) = exercise_in(&text) else {
         return Err(CommandFailure::Words(format!("{word}: there is no link of an exercise (with x=...)")));
     };
-    match Exercise::read(&veiled) {
-        Ok(exercise) => Ok((exercise, veiled)),
-        Err(wrong) => Err(CommandFailure::Words(format!("the exercise {wrong}"))),
-    }
+    Class::new(veiled).map_err(|wrong| CommandFailure::Words(format!("the exercise {wrong}")))
 }
 
 /// The answers that one word of the command line names.
@@ -47,7 +27,7 @@ pub(crate) fn exercise(word: &str) -> Result<(Exercise, String), CommandFailure>
 /// [`CommandFailure::Words`] if the word is no link, and no file that can be read.
 pub(crate) fn answers(word: &str, exercise: &str) -> Result<Vec<Answer>, CommandFailure> {
     if is_link(word) {
-        return Ok(of_row(&[word.to_owned()], "link", exercise).into_iter().collect());
+        return Ok(in_text(word, "link", exercise).collect());
     }
     let path = Path::new(word);
     let bytes = input::output_of(path).map_err(|error| CommandFailure::io(word, &error))?;
@@ -57,12 +37,7 @@ pub(crate) fn answers(word: &str, exercise: &str) -> Result<Vec<Answer>, Command
         if text.len() > MAX_OUTPUT {
             return refused(format!("longer than {} MiB, which is not read", MAX_OUTPUT >> 20));
         }
-        let is_table = cells(text).nth(1).is_some();
-        let found = cells(text).zip(1..).filter_map(|(cells, row)| {
-            let name = if is_table { format!("{name}, row {row}") } else { name.clone() };
-            of_row(&cells, &name, exercise)
-        });
-        let found: Vec<Answer> = found.take(MOST + 1).collect();
+        let found: Vec<Answer> = in_text(text, &name, exercise).take(MOST + 1).collect();
         if found.len() > MOST {
             return refused(format!("more than {} answers", grouped(&MOST.to_string())));
         }
@@ -74,77 +49,6 @@ pub(crate) fn answers(word: &str, exercise: &str) -> Result<Vec<Answer>, Command
     Ok(vec![Answer { name, by: String::new(), link: None, student }])
 }
 
-/// The answer in a row of a table. Its name is the first cell beside the link, or else `name`.
-fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
-    let (at, link) = cells.iter().enumerate().find_map(|(at, cell)| Some((at, read_link(cell.trim())?)))?;
-    let other = cells.iter().enumerate().find(|(other, cell)| *other != at && !cell.trim().is_empty());
-    let name = other.map_or(name, |(_, cell)| cell.trim()).to_owned();
-    let by = link.other("by").unwrap_or_default().trim().to_owned();
-    let student = match veiled(&link) {
-        Some(other) if other != exercise => Err("an answer to another exercise".to_owned()),
-        _ => match link.problems.first() {
-            Some(problem) if link.definition == Definition::default() => Err(problem.message.clone()),
-            _ => Ok(link.definition),
-        },
-    };
-    Some(Answer { name, by, link: Some(cells[at].trim().to_owned()), student })
-}
-
-fn veiled(link: &Link) -> Option<String> {
-    link.other("x").map(str::to_owned)
-}
-
 fn is_link(word: &str) -> bool {
     word.starts_with("http:") || word.starts_with("https:") || word.starts_with("file:") || word.starts_with('#')
-}
-
-/// The cells of a table by rows (RFC 4180), at most [`MAX_CELLS`] in each. Cells are separated by commas, semicolons or
-/// tabs outside of quotes; those in a link without quotes belong to the link.
-fn cells(text: &str) -> impl Iterator<Item = Vec<String>> {
-    let mut rest = text.trim_start_matches('\u{feff}').chars().peekable();
-    core::iter::from_fn(move || {
-        rest.peek()?;
-        let (mut row, mut cell, mut quoted) = (Vec::new(), String::new(), false);
-        let end = |row: &mut Vec<String>, cell: &mut String| {
-            let cell = core::mem::take(cell);
-            if row.len() < MAX_CELLS {
-                row.push(cell);
-            }
-        };
-        while let Some(c) = rest.next() {
-            match c {
-                '"' if quoted && rest.peek() == Some(&'"') => cell.extend(rest.next()),
-                '"' if quoted || cell.trim().is_empty() => quoted = !quoted,
-                '\n' if !quoted => break,
-                ',' | ';' if !quoted && !cell.contains('#') => end(&mut row, &mut cell),
-                '\t' if !quoted => end(&mut row, &mut cell),
-                c => cell.push(c),
-            }
-        }
-        end(&mut row, &mut cell);
-        Some(row)
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tables_are_read() {
-        let rows: Vec<_> = cells(
-            "name,link\r\n\"Lovelace, A.\",\"#v=1&palette=ff0000,00ff00\"\nNoether;#v=1&palette=ff0000,00ff00\nGermain\t\"a \"\"b\"\"\"",
-        )
-        .collect();
-        assert_eq!(rows[1], ["Lovelace, A.", "#v=1&palette=ff0000,00ff00"]);
-        assert_eq!(rows[2], ["Noether", "#v=1&palette=ff0000,00ff00"]);
-        assert_eq!(rows[3], ["Germain", "a \"b\""]);
-        assert_eq!(of_row(&rows[1], "x", "").unwrap().name, "Lovelace, A.");
-        assert!(of_row(&rows[0], "x", "").is_none());
-        // The name in a link does not replace the one in the table.
-        let row = ["7", "Lovelace", "#v=1&by=Noether"].map(str::to_owned);
-        let answer = of_row(&row, "x", "").unwrap();
-        assert_eq!((answer.name.as_str(), answer.by.as_str()), ("7", "Noether"));
-        assert_eq!(of_row(&row[2..], "answers, row 3", "").unwrap().name, "answers, row 3");
-    }
 }

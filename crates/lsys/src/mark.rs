@@ -1,94 +1,43 @@
 //! `lsys mark`: answers to an exercise, marked.
 
-mod csv;
 mod page;
 
-use crate::answers::{Answer, answers, exercise};
+use crate::answers::{answers, class};
 use crate::pending::Pending;
 use crate::progress::DelayedBar;
 use crate::{CommandFailure, print};
-use lsystem::Definition;
-use lsystem::course::{Exercise, Grade, Marker};
+use lsystem::course::{Answer, Exercise, Marked};
 use lsystem::syntax::visible;
 use std::io::{self, Write};
 use std::path::Path;
-
-/// A marked answer.
-struct Marked {
-    answer: Answer,
-    /// `None` if there is nothing to mark.
-    mark: Option<Grade>,
-    /// The remark in the table.
-    words: String,
-    /// The differences from the target, for pages: a PNG.
-    picture: Vec<u8>,
-}
 
 /// Marks answers and prints a table; writes a page to `html` if it is given.
 ///
 /// # Errors
 /// [`CommandFailure::Words`] if the exercise is damaged, or a file cannot be read or written.
 pub(crate) fn mark(wanted: &str, words: &[String], csv: bool, html: Option<&Path>) -> Result<(), CommandFailure> {
-    let (exercise, veiled) = exercise(wanted)?;
-    let mut marker = Marker::new(exercise).map_err(|errors| {
-        let errors: Vec<String> = errors.iter().map(lsystem::Diagnostic::message).collect();
-        CommandFailure::Words(format!("the exercise cannot be drawn: {}", errors.join(" ")))
-    })?;
+    let mut class = class(wanted)?;
     let mut all = Vec::new();
     for word in words {
-        all.extend(answers(word, &veiled)?);
+        all.extend(answers(word, class.veiled())?);
     }
     let mut bar = DelayedBar::new("answers", Some(all.len() as u64));
-    let mut marked = Vec::new();
+    let (mut marked, mut pictures) = (Vec::new(), Vec::new());
     for answer in all {
-        marked.push(marked_by(&mut marker, answer, html.is_some()));
+        let one = class.mark(answer);
+        if html.is_some() {
+            pictures.push(one.grade.as_ref().map(|_| page::picture(&class.picture())).unwrap_or_default());
+        }
+        marked.push(one);
         bar.at(marked.len() as u64);
     }
     drop(bar);
     if let Some(path) = html {
-        let text = page::page(marker.exercise(), &marked);
+        let text = page::page(class.exercise(), &marked, &pictures);
         let page = Pending::write(path, |out| out.write_all(text.as_bytes())).and_then(Pending::commit);
         page.map_err(|error| CommandFailure::io(path.display(), &error))?;
     }
-    print(|out| if csv { csv::write(out, &marked) } else { write_table(out, &marked) })
-}
-
-fn marked_by(marker: &mut Marker, answer: Answer, with_picture: bool) -> Marked {
-    match &answer.student {
-        Err(words) => Marked { words: words.clone(), mark: None, picture: Vec::new(), answer },
-        Ok(student) => {
-            // A whole system in a file has the given rules, too.
-            let student = &Definition { rules: marker.exercise().own_rules(&student.rules), ..student.clone() };
-            let mark = marker.mark(student);
-            let picture = if with_picture { page::picture(&marker.overlay()) } else { Vec::new() };
-            let words = said(marker, student, &mark);
-            Marked { words, mark: Some(mark), picture, answer }
-        }
-    }
-}
-
-/// The sentence that explains a mark to the student.
-fn said(marker: &Marker, student: &Definition, mark: &Grade) -> String {
-    if let Some(error) = mark.errors.first() {
-        return error.message();
-    }
-    let hint = if mark.is_solved { None } else { marker.hint(student) };
-    [mark.words.as_str(), hint.as_deref().unwrap_or_default()].join(" ").trim_end().to_owned()
-}
-
-impl Marked {
-    fn is_solved(&self) -> bool {
-        self.mark.as_ref().is_some_and(|mark| mark.is_solved)
-    }
-
-    /// The agreement in percent.
-    fn percent(&self) -> String {
-        self.mark.as_ref().map(Grade::percent).unwrap_or_default()
-    }
-
-    fn symbols(&self) -> String {
-        self.mark.as_ref().map(|mark| mark.symbols.to_string()).unwrap_or_default()
-    }
+    print(|out| if csv { out.write_all(class.csv(&marked).as_bytes()) } else { write_table(out, &marked) })
 }
 
 fn write_table(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
@@ -106,7 +55,7 @@ fn write_table(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
             out,
             "{name:widest$}  {by:signed$}  {solved:6} {percent:>7} {:>8}  {}",
             one.symbols(),
-            visible(&one.words)
+            visible(&one.words())
         )?;
     }
     let solved = marked.iter().filter(|one| one.is_solved()).count();

@@ -67,7 +67,7 @@ fn answers_are_marked() {
             name            by        solved  agrees  symbols  remark
             answers, row 1  Ada       yes    100.0 %        9  The picture is the same.
             Noether                   no       3.7 %        9  3.7 % of the ink agrees. Your drawing is a mirror image: left and right are exchanged.
-            1912            Ada       no       1.2 %        2  1.2 % of the ink agrees. The first segment is right. Look at the turn after it.
+            1912            Ada       no       1.2 %        2  1.2 % of the ink agrees. All that you draw is right, but 63 segments are missing.
             answers, row 4  =1+1 <b>  no      63.9 %        9  63.9 % of the ink agrees. The same after one more iteration.
             answers, row 5  Emmy      no       0.0 %        1  This `(` is never closed
             answers, row 6  Mary      no                       an answer to another exercise

@@ -17,6 +17,7 @@
 
 mod actions;
 mod check;
+mod class;
 mod compiled;
 mod difference;
 mod exercise;
@@ -33,6 +34,7 @@ pub mod steps;
 mod variants;
 
 pub use check::{Check, MAX_OUTPUT, Output, Verdict, check};
+pub use class::{Answer, Class, Marked, Mistake, SMALL, answers, exercise_in, mistakes};
 pub use exercise::{Asks, Exercise, First, Given};
 pub use fit::Ends;
 pub use mark::{Grade, Marker, Marking};

@@ -17,7 +17,10 @@ mod invent;
 mod tables;
 
 #[cfg(feature = "course")]
-pub use course::{OpenExercise, check_output, growth, one_by_one, step_rows, turtle_trace, write_exercise};
+pub use course::{
+    ClassMarking, OpenExercise, check_output, growth, one_by_one, step_rows, turtle_trace, variant_of, variants_of,
+    write_exercise,
+};
 #[cfg(feature = "export")]
 pub use export::make_file;
 #[cfg(feature = "film")]

@@ -2,6 +2,7 @@
 //! tables` writes the file.
 
 use crate::course::check::CheckReport;
+use crate::course::class::{AboutClass, MarkedAnswer, MistakeReport, VariantReport};
 use crate::course::exercise::{AboutExercise, MarkReport};
 use crate::course::growth::GrowthReport;
 use crate::export::ExportReport;
@@ -10,8 +11,8 @@ use crate::film::script::{ScriptObject, SubjectObject};
 use crate::find::{FindQuestion, FindReport};
 use crate::import::{ImportReport, WriteReport};
 use expect_test::expect_file;
-use lsystem_course::Exercise;
 use lsystem_course::steps::{Rows, Single, Trace};
+use lsystem_course::{Exercise, Varied};
 use lsystem_session::{
     FileRead, Notation, Outcome, Picked, Report, SharedPane, Site, StepAnswer, StringPage, SymbolFacts,
 };
@@ -49,6 +50,7 @@ fn declarations() -> String {
     }
     visit!(Report, StepAnswer<'static>, StringPage, SymbolFacts, Picked, Notation, Site, FileRead, SharedPane, Outcome);
     visit!(Exercise, AboutExercise<'static>, MarkReport, CheckReport, GrowthReport, Rows, Single, Trace);
+    visit!(AboutClass<'static>, MarkedAnswer, MistakeReport, VariantReport, Varied);
     visit!(
         ExportReport,
         ImportReport,

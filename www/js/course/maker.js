@@ -32,6 +32,15 @@ const CHOICES = [
     ['hidden', 'hidden'],
 ];
 
+/** The properties in which variants differ, in words. @type {[import('../protocol.js').Varied, string][]} */
+const VARIED = [
+    ['mirrored', 'mirrored'],
+    ['angle', 'other angles'],
+    ['letters', 'other letters'],
+    ['lengths', 'other lengths'],
+    ['seed', 'other seeds'],
+];
+
 /** Whether a line has something to find: not a comment, and not the heading of the rules for drawing. @param {string} line */
 const isRule = (line) => line.trim() !== '' && !/^\s*(\/\/|#\s|draw\s*:\s*$)/.test(line);
 
@@ -46,8 +55,43 @@ export function createMaker({ store, engine }) {
     byId('maker-asks', HTMLSelectElement).append(
         ...Object.entries(ASKS).map(([value, { label }]) => make('option', { value }, label)),
     );
+    html('maker-varied').append(
+        ...VARIED.map(([value, words]) =>
+            make(
+                'label',
+                { class: 'check' },
+                make('input', { type: 'checkbox', name: 'varied', value }),
+                make('span', {}, words),
+            ),
+        ),
+    );
     let turn = 0;
     let timer = 0;
+
+    /** The properties in which variants shall differ. */
+    function varied() {
+        const chosen = [...html('maker-varied').querySelectorAll('input:checked')];
+        return VARIED.map(([value]) => value).filter((value) =>
+            chosen.some((box) => box instanceof HTMLInputElement && box.value === value),
+        );
+    }
+
+    /** The exercise with its variants. */
+    async function withVariants() {
+        const plain = exercise();
+        const kinds = varied();
+        if (kinds.length === 0) {
+            setText(html('maker-variants'), '');
+            return plain;
+        }
+        const variants = await tool.call('variantsOf', { exercise: plain, varied: kinds });
+        const words =
+            variants.length === 0
+                ? 'These properties make no other target.'
+                : `${variants.length + 1} targets. Students type their name, and the same name gets the same target.`;
+        setText(html('maker-variants'), words);
+        return { ...plain, variants };
+    }
 
     /** @param {string} name @param {Node | string} label @param {Given} chosen */
     function row(name, label, chosen) {
@@ -102,6 +146,7 @@ export function createMaker({ store, engine }) {
                 .map((hint) => hint.trim())
                 .filter(Boolean),
             target: { ...definitionOf(state), notes: '' },
+            variants: [],
             axiom: given('axiom'),
             angle: given('angle'),
             n: given('n'),
@@ -125,7 +170,9 @@ export function createMaker({ store, engine }) {
 
     async function refresh() {
         const own = ++turn;
-        const made = await tool.call('write', { exercise: exercise() }).catch((error) => error);
+        const made = await withVariants()
+            .then((exercise) => tool.call('write', { exercise }))
+            .catch((error) => error);
         if (own !== turn) return;
         const fine = typeof made === 'string' && /^[\w-]+$/.test(made);
         html('maker-made').hidden = !fine;

@@ -28,9 +28,15 @@ export async function openExercise(hash, link) {
     if (text === null) return null;
     /** @type {ReturnType<typeof createTool<import('../protocol.js').CourseCalls>>} */
     const tool = createTool('course');
-    const about = await tool.call('open', { text });
+    const all = await tool.call('open', { text });
+    const student = studentIn(hash);
+    const own = all.variants > 0 && student !== '' ? await tool.call('variantOf', { text, student }) : null;
+    const about = own ? { ...(await tool.call('open', { text: own.text })), variants: all.variants } : all;
     return {
         text,
+        /** The student's own variant, as `text`. */
+        own: own?.text ?? text,
+        variant: own?.variant ?? 1,
         about,
         tool,
         start: startOf(about, link),
@@ -49,11 +55,11 @@ const MOST_ERRORS = 1;
  * @param {NonNullable<Awaited<ReturnType<typeof openExercise>>>} opened
  * @param {{marked: (mark: Mark, link: string) => void, needs: (height: number) => void}} page
  */
-export function createExercise(store, { text, about, tool }, { marked, needs }) {
+export function createExercise(store, { text, own: variantText, variant, about, tool }, { marked, needs }) {
     const name = input('student-name');
     const target = createTarget({
         picture: async (width, height, ratio) =>
-            new Uint8ClampedArray((await tool.call('picture', { text, width, height, ratio })).buffer),
+            new Uint8ClampedArray((await tool.call('picture', { text: variantText, width, height, ratio })).buffer),
     });
     /** Stops the mark in the making. */
     let marking = new AbortController();
@@ -65,6 +71,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     // The usual example is the answer to some exercises.
     byId('rules', HTMLTextAreaElement).placeholder = EXAMPLE;
     document.body.classList.add('exercising');
+    if (about.variants > 0 && name.value === '') return askName(text, about.title);
     if (parent !== window) {
         document.body.classList.add('framed');
         new ResizeObserver(() => needs(html('app').offsetHeight)).observe(html('app'));
@@ -76,6 +83,12 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     showHints();
     html('texts').hidden = about.text === null;
     setText(html('target-text'), about.text ?? '');
+    if (about.variants > 0) {
+        // The link says whose variant it is; another name would be another exercise.
+        name.readOnly = true;
+        setText(html('variant'), `Variant ${variant} of ${about.variants + 1}, for ${name.value}`);
+        html('variant').hidden = false;
+    }
     html('handing').hidden = /(^|[#&])hand=0(&|$)/.test(location.hash);
 
     /** What the student sees and cannot change. */
@@ -129,7 +142,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
         try {
             const { mark, pixels } = await tool.call(
                 'mark',
-                { text, student: definitionOf(store.state) },
+                { text: variantText, student: definitionOf(store.state) },
                 { signal: own.signal },
             );
             if (own !== marking) return;
@@ -177,7 +190,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     }
 
     async function showAnswer() {
-        const answer = await tool.call('answer', { text }).catch(() => null);
+        const answer = await tool.call('answer', { text: variantText }).catch(() => null);
         if (!answer) return;
         setText(html('answer-rules'), [answer.axiom, answer.rules].filter(Boolean).join('\n'));
         html('answer').hidden = false;
@@ -190,7 +203,7 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
     button('ask-why').addEventListener('click', async () => {
         const student = definitionOf(store.state);
         setText(html('mark-why'), 'Comparing…');
-        const words = await tool.call('hint', { text, student }).catch(() => null);
+        const words = await tool.call('hint', { text: variantText, student }).catch(() => null);
         if (sameSystem(clean(student), store.state))
             setText(
                 html('mark-why'),
@@ -223,3 +236,38 @@ export function createExercise(store, { text, about, tool }, { marked, needs }) 
 
 /** What stands in the empty field for rules. */
 const EXAMPLE = 'F -> …';
+
+/**
+ * Asks for the name that decides on the variant, and opens the exercise with it.
+ * @param {string} text @param {string} title
+ */
+function askName(text, title) {
+    document.body.classList.add('asking');
+    html('exercise').hidden = false;
+    setText(html('exercise-title'), title || 'Exercise');
+    const field = make('input', {
+        id: 'variant-name',
+        type: 'text',
+        maxlength: '80',
+        autocomplete: 'name',
+        required: '',
+    });
+    const form = make(
+        'form',
+        { class: 'variant-form' },
+        make('label', { for: 'variant-name' }, 'Your name or number'),
+        field,
+        make('button', { class: 'button primary', type: 'submit' }, 'Begin'),
+        make('p', { class: 'note' }, 'Each student gets a target of their own: always the same for the same name.'),
+    );
+    form.addEventListener('submit', (event) => {
+        event.preventDefault();
+        const by = field instanceof HTMLInputElement ? field.value.trim() : '';
+        if (by === '') return;
+        const kept = /(^|[#&])hand=0(&|$)/.test(location.hash) ? '&hand=0' : '';
+        history.replaceState(null, '', `#v=1&x=${text}&by=${encodeURIComponent(by)}${kept}`);
+        location.reload();
+    });
+    html('exercise-task').replaceChildren(form);
+    field.focus();
+}

@@ -1,12 +1,11 @@
 //! Marks as a page of HTML that needs no other file.
 
-use super::{Marked, title_of};
+use super::title_of;
 use base64::prelude::*;
-use lsystem::course::Exercise;
-use lsystem::render::mask::SIDE;
+use lsystem::course::{Exercise, Marked, SMALL, mistakes};
 
-/// The side of a picture, in pixels.
-const SMALL: usize = 128;
+/// The mistakes that are listed.
+const MOST_MISTAKES: usize = 8;
 /// White, agreeing ink, missing ink, ink that is too much: colours that the colour-blind can distinguish.
 const PALETTE: [u8; 12] = [255, 255, 255, 190, 190, 190, 0, 90, 181, 220, 80, 0];
 const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:70rem;padding:0 1rem;color:#222;\
@@ -17,23 +16,36 @@ i.both,i.missing,i.much{display:inline-block;width:.8em;height:.8em;margin:0 .3e
 i.missing{background:#005ab5}i.much{background:#dc5000}";
 
 /// A page with all marks.
-pub(super) fn page(exercise: &Exercise, marked: &[Marked]) -> String {
+pub(super) fn page(exercise: &Exercise, marked: &[Marked], pictures: &[Vec<u8>]) -> String {
     let title = escaped(title_of(exercise));
     let solved = marked.iter().filter(|one| one.is_solved()).count();
-    let rows: String = marked.iter().map(row).collect();
+    let rows: String = marked.iter().zip(pictures).map(|(one, picture)| row(one, picture)).collect();
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
          <h1>{title}</h1>\n<p>{}</p>\n<p>{solved} of {} solved. In the pictures:\
          <i class=\"both\"></i>agrees<i class=\"missing\"></i>is missing<i class=\"much\"></i>is too much</p>\n\
-         <table>\n<tr><th>Name<th>By<th>Solved<th>Agrees<th>Symbols<th>Picture<th>Rules<th>Remark</tr>\n{rows}</table>\n</html>\n",
+         {}<table>\n<tr><th>Name<th>By<th>Solved<th>Agrees<th>Symbols<th>Picture<th>Rules<th>Remark</tr>\n{rows}</table>\n</html>\n",
         escaped(&exercise.task),
         marked.len(),
+        frequent(marked),
     )
 }
 
-fn row(one: &Marked) -> String {
+/// The most frequent mistakes, if any mistake was made twice.
+fn frequent(marked: &[Marked]) -> String {
+    let frequent = mistakes(marked).into_iter().filter(|mistake| mistake.answers.len() > 1).take(MOST_MISTAKES);
+    let row = |mistake: lsystem::course::Mistake| {
+        let example = mistake.answers.first().and_then(|number| marked.get(*number)).map_or("", |one| &one.answer.name);
+        let (count, words) = (mistake.answers.len(), escaped(&mistake.words));
+        format!("<li>{count} of {}: {words} <small>({}, …)</small>\n", marked.len(), escaped(example))
+    };
+    let rows: String = frequent.map(row).collect();
+    if rows.is_empty() { rows } else { format!("<h2>Frequent mistakes</h2>\n<ul>\n{rows}</ul>\n") }
+}
+
+fn row(one: &Marked, picture: &[u8]) -> String {
     let name = escaped(&one.answer.name);
     let is_web = |link: &&String| link.starts_with("https:") || link.starts_with("http:");
     let name = match one.answer.link.as_ref().filter(is_web) {
@@ -42,9 +54,9 @@ fn row(one: &Marked) -> String {
     };
     let solved = if one.is_solved() { "<td class=\"yes\">yes" } else { "<td>no" };
     let percent = one.percent();
-    let picture = match one.picture.is_empty() {
+    let picture = match picture.is_empty() {
         true => String::new(),
-        false => format!("<img alt=\"\" src=\"data:image/png;base64,{}\">", BASE64_STANDARD.encode(&one.picture)),
+        false => format!("<img alt=\"\" src=\"data:image/png;base64,{}\">", BASE64_STANDARD.encode(picture)),
     };
     let rules = one.answer.student.as_ref().map(|student| {
         let axiom = if student.axiom.is_empty() { String::new() } else { format!("{}\n", student.axiom) };
@@ -55,7 +67,7 @@ fn row(one: &Marked) -> String {
         escaped(&one.answer.by),
         one.symbols(),
         rules.unwrap_or_default(),
-        escaped(&one.words),
+        escaped(&one.words()),
     )
 }
 
@@ -63,20 +75,13 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// The differences between answer and target as a small PNG. A pixel shows the worst of the pixels that it stands for.
-pub(super) fn picture(overlay: &[u8]) -> Vec<u8> {
-    let step = SIDE / SMALL;
-    let mut pixels = vec![0; SMALL * SMALL];
-    for (at, value) in overlay.iter().enumerate() {
-        let place = at / SIDE / step * SMALL + at % SIDE / step;
-        // 0, 1, 2 and 4 are the places 0 to 3 of the palette.
-        pixels[place] = (value - value / 4).max(pixels[place]);
-    }
+/// Differences from [`Class::picture`](lsystem::course::Class::picture) as a PNG.
+pub(super) fn picture(pixels: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, SMALL as u32, SMALL as u32);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_palette(PALETTE.as_slice());
-    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&pixels));
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(pixels));
     if written.is_ok() { bytes } else { Vec::new() }
 }

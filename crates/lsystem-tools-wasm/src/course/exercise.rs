@@ -22,6 +22,8 @@ pub(crate) struct AboutExercise<'a> {
     task: &'a str,
     hints: &'a [String],
     asks: Asks,
+    /// The number of variants besides the target: each student gets one.
+    variants: usize,
     axiom: Given,
     angle: Given,
     n: Given,
@@ -92,6 +94,7 @@ impl OpenExercise {
             task: &exercise.task,
             hints: &exercise.hints,
             asks: exercise.asks,
+            variants: exercise.variants.len(),
             axiom: exercise.axiom,
             angle: exercise.angle,
             n: exercise.n,

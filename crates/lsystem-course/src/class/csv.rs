@@ -1,26 +1,27 @@
 //! Marks as a table for spreadsheets (CSV).
 
 use super::Marked;
-use lsystem::derive::Tally;
-use std::io::{self, Write};
+use lsystem_derive::Tally;
 
-/// Writes a row for each answer.
-///
-/// # Errors
-/// As the writer.
-pub(super) fn write(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
-    writeln!(out, "name,by,solved,agreement_percent,symbols,target_segments,own_segments,remark,link")?;
+/// A row for each answer. `has_variants`: with the number of each variant.
+pub(super) fn csv(marked: &[Marked], has_variants: bool) -> String {
+    let head = "name,by,solved,agreement_percent,symbols,target_segments,own_segments,remark,link";
+    let mut table = head.to_owned() + if has_variants { ",variant\n" } else { "\n" };
     for one in marked {
         let count = |count: &Option<Tally>| count.as_ref().map(Tally::to_string).unwrap_or_default();
-        let [target, own] = one.mark.as_ref().map(|mark| mark.segments.each_ref().map(count)).unwrap_or_default();
+        let [target, own] = one.grade.as_ref().map(|grade| grade.segments.each_ref().map(count)).unwrap_or_default();
         let solved = if one.is_solved() { "yes" } else { "no" };
-        let (percent, symbols) = (one.percent(), one.symbols());
+        let (percent, symbols, words) = (one.percent(), one.symbols(), one.words());
         let percent = percent.trim_end_matches(" %");
         let (answer, link) = (&one.answer, one.answer.link.as_deref().unwrap_or_default());
-        let row = [&answer.name, &answer.by, solved, percent, &symbols, &target, &own, &one.words, link];
-        writeln!(out, "{}", row.map(cell).join(","))?;
+        let row = [&answer.name, &answer.by, solved, percent, &symbols, &target, &own, &words, link];
+        table += &row.map(cell).join(",");
+        if has_variants {
+            table += &format!(",{}", one.variant + 1);
+        }
+        table.push('\n');
     }
-    Ok(())
+    table
 }
 
 /// A cell of a table. Spreadsheets take texts that begin like a formula for one; an apostrophe before it keeps them

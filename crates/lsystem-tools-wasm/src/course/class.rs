@@ -1,0 +1,175 @@
+//! The answers of a class, marked.
+
+use crate::{from_js, to_js};
+use lsystem_course::{Answer, Class, Exercise, Marked, Varied, answers, exercise_in, mistakes};
+use serde::Serialize;
+use std::collections::VecDeque;
+use ts_rs::TS;
+use wasm_bindgen::prelude::*;
+
+/// The most answers that are marked.
+const MOST: usize = 10_000;
+
+/// A marked answer, as a table shows it.
+#[derive(Serialize, TS)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct MarkedAnswer {
+    name: String,
+    /// The name in the link.
+    by: String,
+    link: Option<String>,
+    is_solved: bool,
+    /// From 0 to 1.
+    agreement: f64,
+    /// Empty if there is nothing to mark.
+    percent: String,
+    symbols: Option<u32>,
+    /// The axiom, if it was to be found, and the rules.
+    rules: String,
+    words: String,
+    /// From 1.
+    variant: usize,
+}
+
+/// A mistake with the numbers of the answers that have it.
+#[derive(Serialize, TS)]
+pub(crate) struct MistakeReport {
+    words: String,
+    answers: Vec<usize>,
+}
+
+/// The exercise of a class, as a page shows it.
+#[derive(Serialize, TS)]
+pub(crate) struct AboutClass<'a> {
+    title: &'a str,
+    /// The number of answers.
+    answers: usize,
+    /// The number of variants, with the target.
+    variants: usize,
+}
+
+/// Answers that are being marked.
+#[wasm_bindgen]
+pub struct ClassMarking {
+    class: Class,
+    left: VecDeque<Answer>,
+    marked: Vec<Marked>,
+}
+
+#[wasm_bindgen]
+impl ClassMarking {
+    /// Begins to mark the answers in a text, to the exercise in a text or, if that is blank, in the first answer.
+    ///
+    /// # Errors
+    /// Throws a sentence if there is no exercise or no answer, or the exercise is damaged.
+    #[wasm_bindgen(constructor)]
+    pub fn new(exercise: &str, text: &str) -> Result<Self, JsValue> {
+        let wanted = if exercise.trim().is_empty() { text } else { exercise };
+        let veiled = exercise_in(wanted)
+            .or_else(|| is_bare(exercise).then(|| exercise.trim().to_owned()))
+            .ok_or("There is no link of an exercise (with x=…).")?;
+        let class = Class::new(veiled).map_err(|wrong| format!("The exercise {wrong}."))?;
+        let left: VecDeque<Answer> = answers(text, "Answer", class.veiled()).take(MOST).collect();
+        if left.is_empty() {
+            return Err("There is no answer: paste links, one on each line, or a table with a column of links.".into());
+        }
+        Ok(Self { class, left, marked: Vec::new() })
+    }
+
+    /// The title and the numbers of answers and variants.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    pub fn about(&self) -> Result<JsValue, JsValue> {
+        let exercise = self.class.exercise();
+        let answers = self.left.len() + self.marked.len();
+        to_js(&AboutClass { title: &exercise.title, answers, variants: 1 + exercise.variants.len() })
+    }
+
+    /// Marks the next answer; null after the last.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    pub fn step(&mut self) -> Result<JsValue, JsValue> {
+        let Some(answer) = self.left.pop_front() else { return Ok(JsValue::NULL) };
+        let one = self.class.mark(answer);
+        let rules = one.answer.student.as_ref().map_or_else(
+            |_| String::new(),
+            |student| [student.axiom.as_str(), &student.rules].join("\n").trim().to_owned(),
+        );
+        let row = to_js(&MarkedAnswer {
+            name: one.answer.name.clone(),
+            by: one.answer.by.clone(),
+            link: one.answer.link.clone(),
+            is_solved: one.is_solved(),
+            agreement: one.grade.as_ref().map_or(0.0, |grade| grade.agreement),
+            percent: one.percent(),
+            symbols: one.grade.as_ref().map(|grade| grade.symbols),
+            rules,
+            words: one.words(),
+            variant: one.variant + 1,
+        });
+        self.marked.push(one);
+        row
+    }
+
+    /// The differences of the last marked answer, 128 by 128: 0 for none, 1 for ink of both, 2 for missing, 3 for too much.
+    #[must_use]
+    pub fn picture(&self) -> Vec<u8> {
+        self.class.picture()
+    }
+
+    /// The mistakes so far, the most frequent first.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    pub fn mistakes(&self) -> Result<JsValue, JsValue> {
+        let found = mistakes(&self.marked).into_iter();
+        to_js(&found.map(|one| MistakeReport { words: one.words, answers: one.answers }).collect::<Vec<_>>())
+    }
+
+    /// The marks so far as a table for spreadsheets (CSV).
+    #[must_use]
+    pub fn csv(&self) -> String {
+        self.class.csv(&self.marked)
+    }
+}
+
+/// Whether a text is the value of `x` alone.
+fn is_bare(text: &str) -> bool {
+    let text = text.trim();
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_')
+}
+
+/// An exercise for one student: its value of `x` and the number of the variant, from 1.
+#[derive(Serialize, TS)]
+pub(crate) struct VariantReport {
+    text: String,
+    variant: usize,
+}
+
+/// The exercise with the variant of a student alone, as the value of `x` in a link.
+///
+/// # Errors
+/// Throws a sentence if the exercise is damaged.
+#[wasm_bindgen(js_name = variantOf)]
+pub fn variant_of(text: &str, student: &str) -> Result<JsValue, JsValue> {
+    let exercise = read(text)?;
+    let number = exercise.variant_of(student);
+    to_js(&VariantReport { text: exercise.variant(number).write(), variant: number + 1 })
+}
+
+/// The variants of an exercise that differ from its target in some properties.
+///
+/// # Errors
+/// Throws a sentence if a property is unknown.
+#[wasm_bindgen(js_name = variantsOf)]
+pub fn variants_of(exercise: JsValue, varied: JsValue) -> Result<JsValue, JsValue> {
+    let exercise = from_js::<Exercise>(exercise)?.within_limits();
+    let varied: Vec<Varied> = from_js(varied)?;
+    to_js(&exercise.with_variants(&varied).variants)
+}
+
+fn read(text: &str) -> Result<Exercise, JsValue> {
+    Exercise::read(text).map_err(|wrong| JsValue::from(format!("The exercise {wrong}.")))
+}

@@ -1,0 +1,261 @@
+/** The dialog that marks the answers of a class: a table with small pictures, and the most frequent mistakes. */
+
+import styles from '../../css/course.css';
+import own from '../../css/marks.css';
+import { button, byId, closes, html, input, make, setText } from '../dom.js';
+import { download } from '../download.js';
+import { showFailure } from '../failure.js';
+import { addElements } from '../late.js';
+import { Cancelled } from '../tool.js';
+import markup from './marks.html';
+import { courseTool as tool } from './tool.js';
+
+/** @typedef {import('../protocol.js').MarkedAnswer} MarkedAnswer */
+/** @typedef {{row: MarkedAnswer, element: HTMLTableRowElement, number: number}} Line */
+
+/** Longer texts are not read, in characters. */
+const LONGEST = 16 << 20;
+/** A change waits for a pause of this length, in milliseconds. */
+const PAUSE = 300;
+/** The mistakes that are listed. */
+const MOST_MISTAKES = 8;
+/** The side of a picture's pixels, and their colours: none, ink of both, missing, too much. */
+const SIDE = 128;
+const COLOURS = [
+    [0, 0, 0, 0],
+    [150, 150, 150, 255],
+    [0, 90, 181, 255],
+    [220, 80, 0, 255],
+];
+
+/** @typedef {(line: Line) => string | number} Sorting */
+
+/** @type {[string, Sorting | null][]} */
+const COLUMNS = [
+    ['Name', ({ row }) => row.name.toLocaleLowerCase()],
+    ['By', ({ row }) => row.by.toLocaleLowerCase()],
+    ['Solved', ({ row }) => (row.isSolved ? 0 : 1)],
+    ['Agrees', ({ row }) => -row.agreement],
+    ['Symbols', ({ row }) => row.symbols ?? Infinity],
+    ['Picture', null],
+    ['Rules', ({ row }) => row.rules],
+    ['Remark', ({ row }) => row.words],
+];
+const VARIANT = 'Variant';
+
+export function createMarks() {
+    addElements(markup, [styles, own]);
+    const dialog = byId('marks', HTMLDialogElement);
+    const answers = byId('marks-answers', HTMLTextAreaElement);
+    const file = input('marks-file');
+    const table = dialog.querySelector('table');
+    const [head, body] = [table?.tHead?.rows[0], table?.tBodies[0]];
+    /** The whole text of an opened file, of which the field shows the beginning; null if the field has all. @type {string | null} */
+    let whole = null;
+    let timer = 0;
+    let marking = new AbortController();
+    /** @type {Line[]} */
+    let lines = [];
+    let csv = '';
+    let title = '';
+    /** The numbers of the answers with the chosen mistake; null for all. @type {Set<number> | null} */
+    let chosen = null;
+    /** @type {{column: string, down: boolean}} */
+    let order = { column: '', down: false };
+
+    /** @param {MarkedAnswer} row @param {Uint8Array | null} picture @param {boolean} hasVariants */
+    function lineOf(row, picture, hasVariants) {
+        const { link } = row;
+        const isWeb = link !== null && /^https?:/.test(link);
+        const name = isWeb
+            ? make('a', { href: link, target: '_blank', rel: 'noopener noreferrer' }, row.name)
+            : make('span', {}, row.name);
+        return make(
+            'tr',
+            {},
+            make('td', {}, name),
+            make('td', {}, row.by),
+            make('td', { class: row.isSolved ? 'yes' : '' }, row.isSolved ? 'yes' : 'no'),
+            make('td', { class: 'number' }, row.percent),
+            make('td', { class: 'number' }, row.symbols === null ? '' : String(row.symbols)),
+            make('td', {}, ...(picture ? [canvasOf(picture)] : [])),
+            make('td', {}, make('pre', {}, row.rules)),
+            make('td', {}, row.words),
+            ...(hasVariants ? [make('td', { class: 'number' }, String(row.variant))] : []),
+        );
+    }
+
+    /** @param {boolean} hasVariants */
+    function showHead(hasVariants) {
+        const columns = hasVariants ? [...COLUMNS, [VARIANT, null]] : COLUMNS;
+        head?.replaceChildren(
+            ...columns.map(([name, sorting]) => {
+                const words = String(name);
+                if (!sorting) return make('th', { scope: 'col' }, words);
+                const sorts = make('button', { type: 'button', class: 'sorts' }, words);
+                sorts.addEventListener('click', () => {
+                    order = { column: words, down: order.column === words && !order.down };
+                    arrange();
+                });
+                return make('th', { scope: 'col' }, sorts);
+            }),
+        );
+    }
+
+    /** Sorts and filters the table. */
+    function arrange() {
+        const sorting = COLUMNS.find(([name]) => name === order.column)?.[1];
+        const sign = order.down ? -1 : 1;
+        const sorted = [...lines];
+        if (sorting)
+            sorted.sort((a, b) => {
+                const [x, y] = [sorting(a), sorting(b)];
+                const compared =
+                    typeof x === 'string' ? x.localeCompare(String(y), 'en', { numeric: true }) : x - Number(y);
+                return sign * compared || a.number - b.number;
+            });
+        for (const cell of head?.cells ?? []) {
+            const isOrder = cell.textContent === order.column;
+            if (isOrder) cell.setAttribute('aria-sort', order.down ? 'descending' : 'ascending');
+            else cell.removeAttribute('aria-sort');
+        }
+        const shown = byId('marks-shown', HTMLSelectElement).value;
+        const words = input('marks-search').value.trim().toLocaleLowerCase();
+        for (const { row, element, number } of sorted) {
+            const isFound = `${row.name}\n${row.by}\n${row.rules}`.toLocaleLowerCase().includes(words);
+            const isAsked = shown === '' || (shown === 'yes') === row.isSolved;
+            element.hidden = !isFound || !isAsked || (chosen !== null && !chosen.has(number));
+        }
+        body?.replaceChildren(...sorted.map(({ element }) => element));
+    }
+
+    /** @param {import('../protocol.js').MistakeReport[]} mistakes */
+    function showMistakes(mistakes) {
+        const frequent = mistakes.filter((mistake) => mistake.answers.length > 1).slice(0, MOST_MISTAKES);
+        html('marks-mistakes').replaceChildren(
+            ...frequent.map(({ words, answers: numbers }) => {
+                const example = lines[numbers[0] ?? 0]?.row.name ?? '';
+                const chooses = make(
+                    'button',
+                    { type: 'button', 'aria-pressed': 'false', title: `For example ${example}` },
+                    make('strong', {}, `${numbers.length} of ${lines.length}`),
+                    ` ${words}`,
+                );
+                chooses.addEventListener('click', () => {
+                    const isOn = chooses.getAttribute('aria-pressed') === 'true';
+                    for (const other of html('marks-mistakes').querySelectorAll('button'))
+                        other.setAttribute('aria-pressed', 'false');
+                    chooses.setAttribute('aria-pressed', String(!isOn));
+                    chosen = isOn ? null : new Set(numbers);
+                    arrange();
+                });
+                return make('li', {}, chooses);
+            }),
+        );
+    }
+
+    async function mark() {
+        marking.abort();
+        const turn = (marking = new AbortController());
+        const text = whole ?? answers.value;
+        lines = [];
+        [chosen, csv] = [null, ''];
+        html('marks-result').hidden = true;
+        const status = html('marks-status');
+        status.replaceChildren();
+        if (text.trim() === '') return;
+        if (text.length > LONGEST) return setText(status, 'The text has more than 16 MiB.');
+        setText(status, 'Marking…');
+        let all = 0;
+        let hasVariants = false;
+        const progress = (/** @type {import('../protocol.js').ClassProgress} */ told) => {
+            if (turn !== marking) return;
+            if ('about' in told) {
+                [title, all, hasVariants] = [told.about.title, told.about.answers, told.about.variants > 1];
+                showHead(hasVariants);
+                body?.replaceChildren();
+                showMistakes([]);
+                html('marks-result').hidden = false;
+                return;
+            }
+            const element = lineOf(told.row, told.picture, hasVariants);
+            lines.push({ row: told.row, element, number: lines.length });
+            body?.append(element);
+            setText(status, `Marking… ${lines.length} of ${all}`);
+        };
+        try {
+            const exercise = input('marks-exercise').value;
+            const done = await tool.call('markClass', { exercise, text }, { signal: turn.signal, progress });
+            if (turn !== marking) return;
+            csv = done.csv;
+            showMistakes(done.mistakes);
+            const solved = lines.filter(({ row }) => row.isSolved).length;
+            setText(status, `${title === '' ? '' : `${title}: `}${solved} of ${lines.length} solved.`);
+            arrange();
+        } catch (error) {
+            if (error instanceof Cancelled || turn !== marking) return;
+            showFailure(status, error, () => void mark());
+        }
+    }
+
+    function later() {
+        clearTimeout(timer);
+        timer = window.setTimeout(() => void mark(), PAUSE);
+    }
+
+    /** @param {File | undefined} given */
+    async function read(given) {
+        if (!given) return;
+        if (given.size > LONGEST) return setText(html('marks-status'), 'The file has more than 16 MiB.');
+        whole = await given.text();
+        // A text field with megabytes is slow, so it shows the beginning.
+        answers.value = whole.slice(0, 20_000);
+        await mark();
+    }
+
+    answers.addEventListener('input', () => {
+        whole = null;
+        later();
+    });
+    input('marks-exercise').addEventListener('input', later);
+    byId('marks-shown', HTMLSelectElement).addEventListener('change', arrange);
+    input('marks-search').addEventListener('input', arrange);
+    byId('marks-asked', HTMLFormElement).addEventListener('submit', (event) => event.preventDefault());
+    button('marks-open').addEventListener('click', () => file.click());
+    file.addEventListener('change', () => {
+        void read(file.files?.[0]);
+        file.value = '';
+    });
+    dialog.addEventListener('dragover', (event) => event.preventDefault());
+    dialog.addEventListener('drop', (event) => {
+        event.preventDefault();
+        event.stopPropagation();
+        const [dropped] = event.dataTransfer?.files ?? [];
+        if (dropped) return void read(dropped);
+        whole = null;
+        answers.value = event.dataTransfer?.getData('text/plain') ?? '';
+        void mark();
+    });
+    button('marks-save').addEventListener('click', () => {
+        // Spreadsheets take the text for UTF-8 only with this mark.
+        if (csv !== '') download(new Blob(['\ufeff', csv], { type: 'text/csv' }), 'marks.csv');
+    });
+    dialog.addEventListener('close', () => marking.abort());
+    closes(dialog, 'close-marks');
+
+    return {
+        open() {
+            dialog.showModal();
+            if (lines.length === 0) void mark();
+        },
+    };
+}
+
+/** @param {Uint8Array} picture */
+function canvasOf(picture) {
+    const canvas = make('canvas', { width: String(SIDE), height: String(SIDE), 'aria-hidden': 'true' });
+    const pixels = new ImageData(SIDE, SIDE);
+    picture.forEach((value, at) => pixels.data.set(COLOURS[value] ?? [0, 0, 0, 0], 4 * at));
+    canvas.getContext('2d')?.putImageData(pixels, 0, 0);
+    return canvas;
+}
