@@ -151,14 +151,14 @@ export function createGallery({ store, engine, restyle, theme }) {
         html('gallery-about').hidden = notes === '' && source === '';
     }
 
-    /** Gives each shelf as many columns as fit, or fewer if a card would be alone in the last row. */
+    /** Gives each shelf as many columns as fit, or other ones if a card would be alone in the last row. */
     function arrange() {
         for (const shelf of shelves.querySelectorAll('.cards')) {
             if (!(shelf instanceof HTMLElement) || shelf.clientWidth === 0) continue;
             shelf.style.gridTemplateColumns = '';
             const most = getComputedStyle(shelf).gridTemplateColumns.split(' ').length;
             const many = shelf.querySelectorAll('.card:not([hidden])').length;
-            const fine = [most, most - 1, most - 2].find(
+            const fine = [most, most - 1, most - 2, most + 1].find(
                 (columns) => columns > 1 && (many <= columns || many % columns !== 1),
             );
             if (fine && fine !== most) shelf.style.gridTemplateColumns = `repeat(${fine}, minmax(0, 1fr))`;

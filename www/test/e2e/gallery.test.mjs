@@ -166,7 +166,7 @@ test('a chip shows its shelf from the beginning, and a search that finds nothing
         assert.equal(await chip(page, 'Trees').getAttribute('aria-pressed'), 'false');
     }));
 
-for (const width of [1280, 1100, 900])
+for (const width of [1280, 1100, 900, 390])
     test(`no card is alone in the last row of a shelf: ${width} pixels wide`, () =>
         withPage({ options: { viewport: { width, height: 700 } } }, async (page) => {
             await open(page);
