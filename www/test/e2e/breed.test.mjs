@@ -71,10 +71,7 @@ for (const [where, options] of /** @type {const} */ ([
 ]))
     test(`what keeps a child lies below its picture and within its card: ${where}`, () =>
         withPage({ hash: PLANT, options }, async (page) => {
-            await page
-                .locator('[data-opens=breed]')
-                .first()
-                .evaluate((button) => button.click());
+            await page.locator('[data-opens=breed]').first().dispatchEvent('click');
             await painted(page);
             const slots = await page.locator('.breed-slot').evaluateAll((all) =>
                 all.map((slot) => {
