@@ -7,6 +7,7 @@ import { jsonOf } from './files.js';
 import markup from './gallery.html';
 import { addElements } from './late.js';
 import { Stopped } from './engine/questions.js';
+import { enliven } from './lively.js';
 import { NAMES, choose, count, filtersOf, matches, searchText, shelved, shortSource } from './shelves.js';
 import { clean, definitionOf } from './state.js';
 import { emptyThumb, paintThumb } from './thumb.js';
@@ -49,7 +50,7 @@ export function createGallery({ store, engine, restyle, theme }) {
     async function fill() {
         const entries = /** @type {Entry[]} */ (await jsonOf('gallery.json'));
         for (const [name, inside] of shelved(entries)) {
-            const shelf = make('div', { class: 'cards' }, ...inside.map(newCard));
+            const shelf = make('div', { class: 'cards' }, ...inside.map((entry) => newCard(entry, name === NAMES[0])));
             shelves.append(make('section', { class: 'shelf' }, make('h3', {}, name), shelf));
         }
         const course = make('div', { class: 'cards' }, ...(await exercises()).map(newExercise));
@@ -69,15 +70,16 @@ export function createGallery({ store, engine, restyle, theme }) {
         return { chip, many };
     }
 
-    /** @param {Entry} entry */
-    function newCard(entry) {
+    /** @param {Entry} entry @param {boolean} isLively whether it moves under the pointer */
+    function newCard(entry, isLively) {
         const definition = definitionOf(clean(entry.definition));
         const picture = emptyThumb();
         const missing = make('span', { class: 'card-missing', hidden: true });
+        const place = make('span', { class: 'card-picture' }, picture, missing);
         const card = make(
             'button',
             { type: 'button', class: 'card', 'data-path': entry.path, 'aria-describedby': 'gallery-about' },
-            make('span', { class: 'card-picture' }, picture, missing),
+            place,
             make('span', { class: 'card-title' }, definition.title || definition.name),
             make('span', { class: 'card-kind' }, shortSource(definition.source)),
         );
@@ -88,6 +90,7 @@ export function createGallery({ store, engine, restyle, theme }) {
             dialog.close();
             store.open(restyle(definition));
         });
+        if (isLively) enliven(card, place, engine, () => restyle(definition), SIDE);
         cards.set(card, {
             definition,
             card,
@@ -148,14 +151,14 @@ export function createGallery({ store, engine, restyle, theme }) {
         html('gallery-about').hidden = notes === '' && source === '';
     }
 
-    /** Gives each shelf as many columns as fit, or fewer if a card would be alone in the last row. */
+    /** Gives each shelf as many columns as fit, or other ones if a card would be alone in the last row. */
     function arrange() {
         for (const shelf of shelves.querySelectorAll('.cards')) {
             if (!(shelf instanceof HTMLElement) || shelf.clientWidth === 0) continue;
             shelf.style.gridTemplateColumns = '';
             const most = getComputedStyle(shelf).gridTemplateColumns.split(' ').length;
             const many = shelf.querySelectorAll('.card:not([hidden])').length;
-            const fine = [most, most - 1, most - 2].find(
+            const fine = [most, most - 1, most - 2, most + 1].find(
                 (columns) => columns > 1 && (many <= columns || many % columns !== 1),
             );
             if (fine && fine !== most) shelf.style.gridTemplateColumns = `repeat(${fine}, minmax(0, 1fr))`;

@@ -51,7 +51,7 @@ export {};
  * @property {{asked: {texts: Texts}, answer: Notation}} notation
  * @property {{asked: {texts: Texts, field: 'axiom' | 'rules', offset: number}, answer: {site: Site | null}}} site the module at a UTF-16 offset into a text; null for other text
  * @property {{asked: {file: Blob}, answer: FileRead}} read a file: JSON, or a picture that carries its system
- * @property {{asked: {definition: Definition, width: number, height: number, camera: Camera | null}, answer: {bitmap: ImageBitmap | null, missing: string | null}}} thumb a small fitted picture of another system, in space seen by the camera or the first one; `missing` tells why there is none
+ * @property {{asked: {definition: Definition, width: number, height: number, camera: Camera | null, frame: Definition | null}, answer: {bitmap: ImageBitmap | null, missing: string | null}}} thumb a small picture of another system, fitted or in the frame of a third one, in space seen by the camera or the first one; `missing` tells why there is none
  * @property {{asked: {text: string}, answer: {modules: Uint8Array | null}}} qr the QR code of a link, row by row, 1 for dark; null if the text is too long
  * @property {{asked: {}, answer: {seed: number}}} seed a new random seed
  */

@@ -14,14 +14,17 @@ export const emptyThumb = () => make('canvas', { class: 'thumb', width: '1', hei
  * @param {Definition} definition
  * @param {number} side in CSS pixels
  * @param {() => boolean} [wanted] whether to show the finished picture
+ * @param {Definition | null} [frame] the system whose still picture has the same frame
  */
-export async function paintThumb(picture, engine, definition, side, wanted = () => true) {
+export async function paintThumb(picture, engine, definition, side, wanted = () => true, frame = null) {
     const pixels = Math.round(side * Math.min(2, devicePixelRatio || 1));
     // Minimum line widths for a full page would cover a small plant.
     const { bitmap, missing } = await engine.thumb(
         { ...definition, minWidth: Math.min(definition.minWidth, 1) },
         pixels,
         pixels,
+        null,
+        frame,
     );
     if (!bitmap) return missing;
     if (!wanted()) {

@@ -16,19 +16,32 @@ import { page } from './page.js';
 export function createThumbs({ playground, waiting, tellAt }) {
     /** After this many steps an unfinished picture is sent as it is. */
     const MOST_STEPS = 40;
-    /** The picture being drawn; `missing` tells why there will be none. @type {{request: Question<'thumb'>, small: Playground, canvas: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number, missing: string | null} | null} */
+    /** The picture being drawn; `missing` tells why there will be none. While `framing`, the drawing that has its frame is made. @type {{request: Question<'thumb'>, small: Playground, canvas: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number, missing: string | null, framing: boolean} | null} */
     let making = null;
 
     /** @param {Question<'thumb'>} request @returns {NonNullable<typeof making>} */
     function begin(request) {
-        const { definition, width, height, camera } = request;
         playground.forget();
         const canvas = new OffscreenCanvas(1, 1);
         const small = wasm_bindgen.Playground.small(canvas);
+        if (request.frame) small.define(request.frame);
+        const missing = request.frame ? null : take(small, request);
+        return {
+            request,
+            small,
+            canvas,
+            bitmap: null,
+            steps: missing ? 0 : MOST_STEPS,
+            missing,
+            framing: !!request.frame,
+        };
+    }
+
+    /** Begins the picture itself. Returns why there will be none, or null. @param {Playground} small @param {Question<'thumb'>} request */
+    function take(small, { definition, width, height, camera }) {
         const { ok, empty } = small.define(definition);
         small.look({ width, height, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, camera });
-        const missing = ok ? empty : 'The rules have mistakes.';
-        return { request, small, canvas, bitmap: null, steps: missing === null ? MOST_STEPS : 0, missing };
+        return ok ? empty : 'The rules have mistakes.';
     }
 
     return {
@@ -56,6 +69,13 @@ export function createThumbs({ playground, waiting, tellAt }) {
             const thumb = (making ??= begin(request));
             const { drawn, idle } = thumb.steps > 0 ? thumb.small.step() : { drawn: null, idle: true };
             thumb.steps -= 1;
+            if (thumb.framing) {
+                if (!idle && thumb.steps > 0) return;
+                thumb.framing = false;
+                thumb.small.hold(true);
+                thumb.missing = take(thumb.small, request);
+                if (thumb.missing === null && thumb.steps > 0) return;
+            }
             if (drawn) {
                 thumb.bitmap?.close();
                 thumb.bitmap = thumb.canvas.transferToImageBitmap();

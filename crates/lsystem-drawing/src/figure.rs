@@ -53,6 +53,12 @@ impl Figure {
         matches!(self, Self::Space(_))
     }
 
+    /// The turtle's stroke width at the start, in steps, after the limit of widths.
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        either!(self, drawing => drawing.width)
+    }
+
     /// As [`Drawing::segment_count`].
     #[must_use]
     pub fn segment_count(&self) -> u128 {

@@ -13,6 +13,8 @@ pub enum Look {
     Curve,
     /// The same in space.
     Path,
+    /// Surfaces without lines.
+    Surface,
 }
 
 /// A width in steps that exceeds the limit in every drawing, so that the limit decides alone.
@@ -22,7 +24,9 @@ impl Look {
     /// The look for a turtle with these actions.
     #[must_use]
     pub fn of(actions: &[Action], is_solid: bool) -> Self {
+        let draws = actions.iter().any(|action| matches!(action, Action::Draw(_) | Action::DrawUnmarked(_)));
         match (actions.contains(&Action::Push), is_solid) {
+            _ if !draws => Self::Surface,
             (true, false) => Self::Plant,
             (true, true) => Self::Tree,
             (false, false) => Self::Curve,
@@ -38,6 +42,7 @@ impl Look {
             Self::Tree => "Branches in space: a thick trunk, thinner boughs, colours by level.",
             Self::Curve => "A line: thinner than its segments are long, colours along the way.",
             Self::Path => "A line in space: a tube, colours along the way.",
+            Self::Surface => "Surfaces without lines: colours by symbol.",
         }
     }
 
@@ -53,9 +58,11 @@ impl Look {
             Self::Tree => (AT_LIMIT, 0.66, 0.6, 2.5),
             Self::Curve => (0.3, 1.0, 0.9, 1.2),
             Self::Path => (0.3, 1.0, 0.9, 2.5),
+            Self::Surface => (style.width, style.width_factor, style.min_width, style.max_width),
         };
         let colour_by = match self {
             _ if sets_colour => ColourBy::Symbol,
+            Self::Surface => ColourBy::Symbol,
             Self::Plant | Self::Tree => ColourBy::Level,
             Self::Curve | Self::Path => ColourBy::Path,
         };
@@ -96,6 +103,7 @@ mod tests {
             ("A", "A -> F[&A]////[^A]/FA", Look::Tree),
             ("F", "F -> F+F--F+F", Look::Curve),
             ("F", "F -> F&F^F", Look::Path),
+            ("[X]+[X]", "X -> X", Look::Surface),
             // A branch that never occurs does not count.
             ("F", "F -> F+F\nX -> [X]", Look::Curve),
         ] {
@@ -113,6 +121,14 @@ mod tests {
         assert_eq!((thinner.width, thinner.width_factor), (AT_LIMIT, 1.0));
         let plain = system("X", "X -> F[+X]X").style;
         assert_eq!((plain.width, plain.colour_by, plain.palette_holds), (AT_LIMIT, ColourBy::Level, true));
+    }
+
+    /// Along no line there is no way for colours to follow.
+    #[test]
+    fn surfaces_have_the_colours_of_their_symbols() {
+        let style = system("[X]+[X]", "X -> X").style;
+        let own = Style::default();
+        assert_eq!((style.colour_by, style.width, style.max_width), (ColourBy::Symbol, own.width, own.max_width));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What a drawing is worth: measured on its segments, seen from the front.
 
 use crate::{Family, Shape};
-use lsystem_base::Limits;
+use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Figure, System};
 use lsystem_syntax::Definition;
 
@@ -12,6 +12,11 @@ pub const SEGMENTS: u128 = 12_000;
 /// Limits of a drawing that is judged.
 pub const LIMITS: Limits =
     Limits { symbols: 1 << 18, modules: 1 << 17, segments: 1 << 17, work: 1 << 19, memory: 32 << 20 };
+
+/// The most units of work for one generation of a system: some tens of milliseconds. Nearly all that pass take less.
+const DRAWING_WORK: u64 = 300_000;
+/// The units of work that stand for measuring one line.
+const LINE_WORK: u64 = 4;
 
 /// Why a system is not worth keeping.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -63,22 +68,34 @@ pub struct Merit {
 /// # Errors
 /// Why nobody would keep it.
 pub fn judge(definition: &mut Definition, family: Family) -> Result<Merit, Refusal> {
+    judge_counted(definition, family, &mut 0)
+}
+
+/// As [`judge`]; adds the units of work that the drawings took.
+pub(crate) fn judge_counted(definition: &mut Definition, family: Family, work: &mut u64) -> Result<Merit, Refusal> {
     let (Some(system), _) = System::new(definition) else { return Err(Refusal::Fails) };
-    let draw = |n: u32| Figure::draw(&system, n, &LIMITS).map_err(|_| Refusal::Fails);
+    // What is drawn symbol by symbol takes longer.
+    let most = if matches!(family, Family::Chance | Family::Tree) { SEGMENTS / 2 } else { SEGMENTS };
+    let mut draw = |n: u32| {
+        let mut drawer = Figure::drawer(&system, n, LIMITS);
+        let progress = drawer.step(DRAWING_WORK);
+        *work = work.saturating_add(drawer.spent());
+        if progress == Progress::More { Err(Refusal::Fails) } else { drawer.finish().map_err(|_| Refusal::Fails) }
+    };
     let figure = if family == Family::Head {
         draw(definition.iterations)?
     } else {
-        // What is drawn symbol by symbol takes longer.
-        let most = if matches!(family, Family::Chance | Family::Tree) { SEGMENTS / 2 } else { SEGMENTS };
-        let (figure, n) = largest(draw, most)?;
+        let (figure, n) = largest(&mut draw, most)?;
         definition.iterations = n;
         figure
     };
-    merit(&figure, family)
+    let lines = lines(&figure);
+    *work = work.saturating_add(LINE_WORK * lines.len() as u64);
+    merit(&figure, &lines, family)
 }
 
 /// The largest drawing with few enough segments, and its number of iterations.
-fn largest(draw: impl Fn(u32) -> Result<Figure, Refusal>, most: u128) -> Result<(Figure, u32), Refusal> {
+fn largest(mut draw: impl FnMut(u32) -> Result<Figure, Refusal>, most: u128) -> Result<(Figure, u32), Refusal> {
     let many = |figure: &Figure| figure.segment_count().saturating_add(figure.polygon_count());
     let mut best = None;
     let mut former = 0;
@@ -118,16 +135,15 @@ pub fn lines(figure: &Figure) -> Vec<[[f64; 2]; 2]> {
     lines
 }
 
-fn merit(figure: &Figure, family: Family) -> Result<Merit, Refusal> {
+fn merit(figure: &Figure, lines: &[[[f64; 2]; 2]], family: Family) -> Result<Merit, Refusal> {
     let segments = figure.segment_count().saturating_add(figure.polygon_count());
-    let lines = lines(figure);
     if segments < 60 || lines.is_empty() {
         return Err(Refusal::Empty);
     }
-    if !figure.is_solid() && Shape::of(&lines).is_in_gallery() {
+    if !figure.is_solid() && Shape::of(lines).is_in_gallery() {
         return Err(Refusal::Known);
     }
-    let (low, size) = frame(&lines);
+    let (low, size) = frame(lines);
     let longest = size[0].max(size[1]);
     if !longest.is_finite() || longest <= 0.0 {
         return Err(Refusal::Empty);
@@ -136,8 +152,8 @@ fn merit(figure: &Figure, family: Family) -> Result<Merit, Refusal> {
     if proportion < 0.3 {
         return Err(Refusal::Strip);
     }
-    let grid = Grid::of(&lines, low, size, longest);
-    let overlap = if figure.is_solid() { 0.0 } else { overlap(&lines, longest) };
+    let grid = Grid::of(lines, low, size, longest);
+    let overlap = if figure.is_solid() { 0.0 } else { overlap(lines, longest) };
     if overlap > if family.grows() { 0.45 } else { 0.06 } {
         return Err(Refusal::Overlap);
     }
@@ -185,7 +201,7 @@ pub(crate) fn frame(lines: &[[[f64; 2]; 2]]) -> ([f64; 2], [f64; 2]) {
 pub(crate) fn overlap(lines: &[[[f64; 2]; 2]], longest: f64) -> f64 {
     let cell = longest * 1e-6;
     let key = |line: &[[f64; 2]; 2]| {
-        let place = |point: [f64; 2]| point.map(|c| libm::round(c / cell) as i64);
+        let place = |point: [f64; 2]| point.map(|c| (c / cell + 0.5).floor() as i64);
         let (a, b) = (place(line[0]), place(line[1]));
         (a.min(b), a.max(b))
     };
@@ -207,7 +223,8 @@ impl Grid {
         let scale = SIDE as f64 / longest * (1.0 - 1e-9);
         let mut cells = vec![0.0; SIDE * SIDE];
         for [from, to] in lines {
-            let length = libm::hypot(to[0] - from[0], to[1] - from[1]) * scale;
+            let (x, y) = (to[0] - from[0], to[1] - from[1]);
+            let length = libm::sqrt(x * x + y * y) * scale;
             let steps = (2.0 * length).ceil().clamp(1.0, 256.0) as usize;
             for step in 0..steps {
                 let part = (step as f64 + 0.5) / steps as f64;

@@ -2,7 +2,7 @@
 
 use crate::Family;
 use crate::dice::Dice;
-use crate::judge::{Merit, Refusal, judge};
+use crate::judge::{Merit, Refusal, judge_counted};
 use lsystem_syntax::Definition;
 
 /// Families, as often as they are chosen. Heads are much alike.
@@ -12,25 +12,34 @@ const FAMILIES: [Family; 12] = {
 };
 /// Systems that pass the judge before the best is chosen.
 const CHOICE: usize = 4;
+/// Units of work after which one that has passed will do: some hundred milliseconds in a browser.
+const WORK: u64 = 600_000;
 /// The most systems that are made for a surprise.
 const MOST: usize = 100;
 
 /// The surprise with this seed: always the same system.
 #[must_use]
 pub fn surprise(seed: u32) -> (Definition, Merit) {
+    surprise_counted(seed, &mut 0)
+}
+
+/// As [`surprise`]; adds the units of work that it took.
+fn surprise_counted(seed: u32, work: &mut u64) -> (Definition, Merit) {
     let family = Dice::new(u64::from(seed)).one(FAMILIES);
     let mut passed: Vec<(Definition, Merit)> = vec![];
     for turn in 0..MOST {
-        if let Ok(made) = trial(family, seed, turn as u32) {
+        // Hardly any plant is refused.
+        let family = if *work < WORK { family } else { Family::Plant };
+        if let Ok(made) = trial_counted(family, seed, turn as u32, work) {
             passed.push(made);
         }
-        if passed.len() == CHOICE {
+        if passed.len() == CHOICE || *work >= WORK && !passed.is_empty() {
             break;
         }
     }
     let best = passed.into_iter().max_by(|(_, a), (_, b)| a.score.total_cmp(&b.score));
     // A family that fails so often would be a fault; its like of the next seed stands in for it.
-    let (mut best, merit) = best.unwrap_or_else(|| surprise(seed.wrapping_add(1)));
+    let (mut best, merit) = best.unwrap_or_else(|| surprise_counted(seed.wrapping_add(1), work));
     best.name = format!("surprise-{seed}");
     (best, merit)
 }
@@ -40,8 +49,27 @@ pub fn surprise(seed: u32) -> (Definition, Merit) {
 /// # Errors
 /// Why nobody would keep it.
 pub fn trial(family: Family, seed: u32, turn: u32) -> Result<(Definition, Merit), Refusal> {
+    trial_counted(family, seed, turn, &mut 0)
+}
+
+/// As [`trial`]; adds the units of work that its drawings took.
+fn trial_counted(family: Family, seed: u32, turn: u32, work: &mut u64) -> Result<(Definition, Merit), Refusal> {
     let mut dice = Dice::new(u64::from(seed) << 32 | u64::from(turn) << 3 | family as u64);
     let mut made = family.make(&mut dice);
-    let merit = judge(&mut made, family)?;
+    let merit = judge_counted(&mut made, family, work)?;
     Ok((made, merit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_surprise_takes_bounded_work() {
+        for seed in 300..360 {
+            let mut work = 0;
+            surprise_counted(seed, &mut work);
+            assert!(work < 3 * WORK, "{seed}: {work}");
+        }
+    }
 }

@@ -111,8 +111,15 @@ impl Report {
         Self { memoised, symbols, segments, blocks, aspect, azimuth, largest, description, ..self }
     }
 
+    /// Makes the width that an automatic look chose the width that is drawn: a limit may have decided it alone.
+    pub(crate) fn add_width(&mut self, figure: &Figure) {
+        let Some(look) = &mut self.look else { return };
+        look.width = three_digits(figure.width());
+    }
+
     /// Adds what the finished drawing knows.
     pub(crate) fn add_drawing(&mut self, figure: &Figure) {
+        self.add_width(figure);
         if let Some(symbols) = figure.symbol_count() {
             self.symbols = Some(symbols.to_string());
         }
@@ -125,4 +132,10 @@ impl Report {
             Figure::Space(_) => None,
         };
     }
+}
+
+/// A number above 0 with three significant digits.
+fn three_digits(value: f64) -> f64 {
+    let unit = libm::exp10(2.0 - libm::floor(libm::log10(value)));
+    if unit.is_finite() && unit > 0.0 { libm::round(value * unit) / unit } else { value }
 }

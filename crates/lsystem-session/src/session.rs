@@ -111,6 +111,9 @@ impl<S: Surface> Session<S> {
         let known = Report::of(&system, n, diagnostics);
         if same_drawing && (!self.built() || self.shown.is_some()) {
             self.report = known.keep_drawing(core::mem::take(&mut self.report));
+            if let Some(figure) = self.shown.as_ref().filter(|_| self.built()) {
+                self.report.add_width(figure);
+            }
         } else {
             self.upto = None;
             self.report = known;

@@ -127,7 +127,8 @@ export function asking(ask) {
 
         seed: async () => (await ask('seed', {})).seed % SEEDS,
 
-        /** @param {Definition} definition @param {number} width @param {number} height @param {import('../protocol.js').Camera | null} [camera] */
-        thumb: (definition, width, height, camera = null) => ask('thumb', { definition, width, height, camera }),
+        /** @param {Definition} definition @param {number} width @param {number} height @param {import('../protocol.js').Camera | null} [camera] @param {import('../protocol.js').Definition | null} [frame] */
+        thumb: (definition, width, height, camera = null, frame = null) =>
+            ask('thumb', { definition, width, height, camera, frame }),
     };
 }

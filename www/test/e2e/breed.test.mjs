@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
 import { readFile } from 'node:fs/promises';
 
 after(close);
@@ -36,7 +36,8 @@ test('a child becomes the system, two are crossed, and undo goes back', () =>
         const former = await rules(page);
         await keep.nth(0).check();
         assert.match(await page.innerText('#breed-note'), /another/);
-        await keep.nth(4).check();
+        // Both are crossed at once, and then neither is kept any more.
+        await keep.nth(4).click();
         await until(async () => JSON.stringify(await rules(page)) !== JSON.stringify(former), 'children of both');
         await painted(page);
         const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-descent')]);
@@ -63,3 +64,30 @@ test('where chance plays a part, seeds are compared in the same dialog', () =>
         await page.click('#show-children');
         await until(async () => (await page.locator('#breed-cards .present').count()) === 0, 'children again');
     }));
+
+for (const [where, options] of /** @type {const} */ ([
+    ['a phone', PHONE],
+    ['a desk', DESKTOP],
+]))
+    test(`what keeps a child lies below its picture and within its card: ${where}`, () =>
+        withPage({ hash: PLANT, options }, async (page) => {
+            await page.locator('[data-opens=breed]').first().dispatchEvent('click');
+            await painted(page);
+            const slots = await page.locator('.breed-slot').evaluateAll((all) =>
+                all.map((slot) => {
+                    const [card, picture, keep] = ['.card', '.thumb', '.keep'].map((name) => {
+                        const { bottom, top } = /** @type {Element} */ (
+                            slot.querySelector(name)
+                        ).getBoundingClientRect();
+                        return { bottom, top };
+                    });
+                    return { card, picture, keep };
+                }),
+            );
+            assert.equal(slots.length, 9);
+            for (const { card, picture, keep } of slots)
+                assert.ok(
+                    card && picture && keep && keep.top >= picture.bottom - 1 && keep.bottom <= card.bottom + 0.5,
+                    JSON.stringify({ card, picture, keep }),
+                );
+        }));

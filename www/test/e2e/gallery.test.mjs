@@ -166,7 +166,7 @@ test('a chip shows its shelf from the beginning, and a search that finds nothing
         assert.equal(await chip(page, 'Trees').getAttribute('aria-pressed'), 'false');
     }));
 
-for (const width of [1280, 1100, 900])
+for (const width of [1280, 1100, 900, 390])
     test(`no card is alone in the last row of a shelf: ${width} pixels wide`, () =>
         withPage({ options: { viewport: { width, height: 700 } } }, async (page) => {
             await open(page);
@@ -205,4 +205,54 @@ test('a surprise opens a new system, and undo goes back', () =>
         assert.equal(await rules(), second);
         await page.click('#undo');
         assert.equal(await rules(), first);
+    }));
+
+/** The pixels of the moving picture on a card, as a short text; null if there is none. @param {import('playwright-core').Locator} card */
+const frame = (card) =>
+    card.evaluate((element) => {
+        const moving = element.querySelector('.thumb.moving.inked');
+        if (!(moving instanceof HTMLCanvasElement)) return null;
+        const copy = document.createElement('canvas');
+        copy.width = copy.height = 64;
+        copy.getContext('2d')?.drawImage(moving, 0, 0, 64, 64);
+        return copy.toDataURL();
+    });
+
+test('plants to start with grow under the pointer and with the focus, and stand still again', () =>
+    withPage({ options: { viewport: { width: 1280, height: 800 }, reducedMotion: 'no-preference' } }, async (page) => {
+        await open(page);
+        for (const title of ['Forked tree', 'Koch snowflake']) {
+            const card = page.locator('.card', { hasText: title }).first();
+            await card.locator('.thumb.inked').waitFor();
+            const seen = new Set();
+            await card.hover();
+            await until(async () => seen.add(await frame(card)).size > 4, `${title} moves`);
+            await page.mouse.move(2, 2);
+            assert.equal(await card.locator('.moving').count(), 0);
+            assert.equal(await card.locator('.thumb.inked').count(), 1);
+        }
+        // What a line has grown to is its still picture.
+        const line = page.locator('.card', { hasText: 'Koch snowflake' }).first();
+        await line.hover();
+        await until(async () => (await line.locator('.moving').count()) === 0, 'it has grown');
+        const first = page.locator('.shelf').first().locator('.card');
+        await page.locator('.chip').last().focus();
+        await page.keyboard.press('Tab');
+        assert.ok(await first.first().evaluate((card) => card === document.activeElement));
+        assert.equal(await first.first().locator('.moving').count(), 1);
+        await page.keyboard.press('Tab');
+        assert.equal(await first.first().locator('.moving').count(), 0);
+        assert.equal(await first.nth(1).locator('.moving').count(), 1);
+        // Other shelves stand still.
+        await page.locator('.shelf').nth(1).locator('.card').first().hover();
+        assert.equal(await page.locator('.shelf').nth(1).locator('.moving').count(), 0);
+    }));
+
+test('with reduced motion nothing moves in the gallery', () =>
+    withPage({}, async (page) => {
+        await open(page);
+        const card = page.locator('.card', { hasText: 'Forked tree' }).first();
+        await card.hover();
+        assert.ok(await page.isVisible('#gallery-about'), 'the card is pointed at');
+        assert.equal(await card.locator('.moving').count(), 0);
     }));

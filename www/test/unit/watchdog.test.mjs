@@ -23,7 +23,7 @@ test('a fresh worker gets the open questions, except the one that stopped the fo
     /** @type {number[]} */
     let put = [];
     const questions = createQuestions({ post: ({ id }) => put.push(id), nextId: () => ++lastId });
-    const thumb = { definition: definitionOf(DEFAULTS), width: 1, height: 1, camera: null };
+    const thumb = { definition: definitionOf(DEFAULTS), width: 1, height: 1, camera: null, frame: null };
     const bad = questions.ask('thumb', thumb);
     const good = questions.ask('thumb', thumb);
     const pick = questions.ask('pick', { x: 0, y: 0, tolerance: 1 });

@@ -235,3 +235,20 @@ fn drawings_in_a_held_frame_grow_from_the_ground() {
         assert!(bench.session.pick(80.0, 60.0, 1e3).segment.is_some());
     }
 }
+
+/// The page starts an own look with what an automatic look chose, so the width is one that people can read.
+#[test]
+fn an_automatic_look_reports_the_width_that_is_drawn() {
+    let auto = |colour: &str| {
+        let mut definition = weed(4);
+        (definition.style.auto, definition.style.palette) = (true, vec![colour.to_owned()]);
+        definition
+    };
+    let mut bench = Bench::with(&auto("#00ff00"), 0.0);
+    let width = bench.settle().1.unwrap().look.unwrap().width;
+    assert!((0.01..100.0).contains(&width), "{width}");
+    assert_eq!(format!("{width}").trim_start_matches(['0', '.']).replace('.', "").len(), 3, "{width}");
+    // The drawing stays when only colours change, and with it the width.
+    let again = bench.session.define(auto("#0000ff")).look.as_ref().unwrap().width;
+    assert_eq!(again, width);
+}
