@@ -22,6 +22,7 @@ pub(crate) const PLAYGROUND: Page =
     Page { name: "playground.html", carried: include_bytes!(concat!(env!("OUT_DIR"), "/playground.html.gz")) };
 
 /// The page that shows one exercise and marks it.
+#[allow(dead_code, reason = "for commands that pack exercises")]
 pub(crate) const EXERCISE: Page =
     Page { name: "exercise.html", carried: include_bytes!(concat!(env!("OUT_DIR"), "/exercise.html.gz")) };
 
