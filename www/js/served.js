@@ -59,7 +59,7 @@ export function createServed(element, { store, tab }) {
     /** @returns {[sign: string, words: string]} */
     function words() {
         if (!answers) return ['not connected', `The program lsys has ended. Start it again to save into ${name}.`];
-        if (conflict) return ['changed in both places', `${name} was changed elsewhere, and here as well.`];
+        if (conflict) return ['conflict', `${name} was changed elsewhere, and here as well.`];
         if (file.link === null) return ['has an error', file.problems];
         return [isChanged() ? 'not saved' : 'saved', file.refusal && isChanged() ? file.refusal : ''];
     }
@@ -69,7 +69,7 @@ export function createServed(element, { store, tab }) {
         setText(html('served-sign'), sign);
         setText(html('served-words'), note);
         html('served-note').hidden = note === '';
-        html('served-note').classList.toggle('code', answers && !conflict && file.link === null);
+        html('served-note').classList.toggle('placed', answers && !conflict && file.link === null);
         const asks = answers && (conflict || (file.link === null && file.refusal === ''));
         button('served-take').hidden = !conflict || file.link === null;
         button('served-replace').hidden = !asks;

@@ -94,7 +94,7 @@ test('a file that was changed on both sides is told, and nothing is lost', () =>
         await page.fill('#angle', '33');
         await sign(page, 'not saved');
         await edit(plant({ angle_deg: 70 }));
-        await sign(page, 'changed in both places');
+        await sign(page, 'conflict');
         assert.ok(await page.isDisabled('#served-save'));
         await page.keyboard.press('Control+s');
         assert.equal((await read()).angle_deg, 70);
@@ -107,7 +107,7 @@ test('a file that was changed on both sides is told, and nothing is lost', () =>
         await sign(page, 'not saved');
 
         await edit(plant({ angle_deg: 71 }));
-        await sign(page, 'changed in both places');
+        await sign(page, 'conflict');
         await page.click('#served-replace');
         await sign(page, 'saved');
         assert.equal((await read()).angle_deg, 33);
