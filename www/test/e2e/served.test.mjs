@@ -24,7 +24,15 @@ let program;
 
 /** A plant with other values. @param {object} values */
 const plant = (values) =>
-    JSON.stringify({ name: 'p', initial: 'F', rules: ['F -> F[+F]F[-F]F'], angle_deg: 25, num_iters: 3, turtle: {}, ...values });
+    JSON.stringify({
+        name: 'p',
+        initial: 'F',
+        rules: ['F -> F[+F]F[-F]F'],
+        angle_deg: 25,
+        num_iters: 3,
+        turtle: {},
+        ...values,
+    });
 
 /** Saves as many editors do: a new file takes the place of the old one. @param {string} text */
 async function edit(text) {
@@ -35,7 +43,8 @@ async function edit(text) {
 const read = async () => JSON.parse(await readFile(file, 'utf8'));
 
 /** @param {Page} page @param {string} words */
-const sign = (page, words) => until(async () => (await page.textContent('#served-sign')) === words, `the sign “${words}”`);
+const sign = (page, words) =>
+    until(async () => (await page.textContent('#served-sign')) === words, `the sign “${words}”`);
 
 before(async () => {
     folder = await mkdtemp(join(tmpdir(), 'lsys ü '));
