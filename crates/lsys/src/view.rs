@@ -1,6 +1,7 @@
 //! `lsys FILE`: the playground with the file's system, in the browser. The page follows the file, and can save into it.
 
 mod followed;
+mod rewrite;
 mod server;
 
 use crate::cli::Changes;

@@ -1,12 +1,12 @@
 //! The file that the page shows: read again after each change, and written when the reader saves.
 
+use super::rewrite::rewrite;
 use crate::CommandFailure;
 use crate::cli::Changes;
 use crate::input::{self, InputSystem};
 use crate::pending::{self, Pending};
 use lsystem::files::{read_link, write_link};
 use lsystem::import::{OWN_JSON, import_file};
-use lsystem::write_json;
 use serde::Serialize;
 use std::hash::{DefaultHasher, Hasher};
 use std::io;
@@ -99,7 +99,9 @@ impl Followed {
         if let Some(problem) = link.problems.first() {
             return Err(NotSaved::Wrong(problem.message.clone()));
         }
-        let text = write_json(&link.definition);
+        // An older text may be read here; then its version is not the known one, and nothing is written.
+        let former = input::bytes_to_follow(&self.path).ok().and_then(|bytes| String::from_utf8(bytes).ok());
+        let text = rewrite(former.as_deref().unwrap_or_default(), &link.definition);
         let mut state = self.lock();
         let done = self.write(&text, known, &mut state);
         // No folder for temporary files stays beside the file while the page is open.
