@@ -53,10 +53,8 @@ pub(crate) fn view(file: &Path, options: &ViewOptions, changes: &Changes) -> Res
     let address = site.address();
     print(|out| writeln!(out, "{address}"))?;
     say(&format!("{} is shown at this address. Ctrl+C ends the program.\n", file.display()));
-    if options.opens
-        && let Err(error) = open::that_detached(&address)
-    {
-        say(&format!("note: no browser was opened ({error}): open the address yourself\n"));
+    if options.opens && open::that_detached(&address).is_err() {
+        say("note: no browser was found: open the address yourself\n");
     }
     site.run(&server);
     Ok(())
