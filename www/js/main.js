@@ -52,12 +52,12 @@ import { createWind } from './wind.js';
 /** The most problems in one message; longer messages are not read. */
 const MOST_PROBLEMS = 3;
 
-const link = await openLink(location.hash);
+/** Names the file of the program lsys, if it serves this page. @type {HTMLMetaElement | null} */
+const served = document.querySelector('meta[name="lsys-file"]');
+const link = await openLink(location.hash || (served?.dataset['link'] ?? ''));
 const storage = createStorage(() => localStorage);
-const session = createSession(
-    storage,
-    createStorage(() => sessionStorage),
-);
+const tab = createStorage(() => sessionStorage);
+const session = createSession(storage, tab);
 const restored = session.start(location.hash, link?.state ?? null);
 const store = createStore(restored?.state ?? link?.state ?? opening(theme()), restored?.origin);
 const engine = createEngine({ report: reported, drawn, busy, troubled, recovered, doubted });
@@ -184,6 +184,7 @@ if (storage.available && storage.read('visited') === undefined) {
     if (!link && !restored && !reducedMotion()) growing.greet();
 }
 keepOffline();
+if (served) void import('./served.js').then(({ createServed }) => createServed(served, { store, tab }));
 
 /** @param {Readonly<State>} state @param {Readonly<State> | null} before */
 function show(state, before) {
@@ -298,7 +299,7 @@ function drawAgain() {
 /** Shows a link's problems, or offers to continue the last visit. */
 function greet() {
     const problems = link ? problemWords(link) : '';
-    const [last] = session.others();
+    const [last] = served ? [] : session.others();
     const offered = link && !restored && last ? openSession(last) : null;
     if (last && offered && !sameSystem(offered.state, store.state)) {
         toast(problems || 'This is the link you opened.', {

@@ -2,6 +2,7 @@
 
 use crate::cli::{Changes, Cli, FilmOptions, GrowthFormat, Look, TileOptions, Verb};
 use crate::find::Known;
+use crate::view::ViewOptions;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use lsystem::files::Format;
@@ -14,6 +15,10 @@ use std::path::{Path, PathBuf};
 pub(crate) enum Command {
     /// Print a text: help, the version or a completion script.
     Print(String),
+    /// Show a system in the browser.
+    View { file: PathBuf, options: ViewOptions, changes: Changes },
+    /// Print the link of a system.
+    Link { file: PathBuf, page: Option<String>, changes: Changes },
     /// Print the derived string.
     Expand { file: PathBuf, changes: Changes },
     /// Write or print pictures and other files.
@@ -73,7 +78,7 @@ pub(crate) enum Destination {
 pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
     let mut cli = Cli::command();
     cli.build();
-    let (words, is_short) = command_first(arguments.into_iter().collect(), &cli);
+    let words = command_first(arguments.into_iter().collect(), &cli);
     let program = OsString::from("lsys");
     let verb = match Cli::try_parse_from([program].into_iter().chain(words)) {
         Ok(Cli { verb }) => verb,
@@ -88,8 +93,14 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         command.map_or(words, |error| error.to_string())
     };
     match verb {
+        Verb::View { file, port, no_browser, page, entry } => Ok(Command::View {
+            file,
+            options: ViewOptions { port, page, opens: !no_browser },
+            changes: Changes { entry, ..Changes::default() },
+        }),
+        Verb::Link { file, page, changes } => Ok(Command::Link { file, page, changes }),
         Verb::Expand { file, changes } => Ok(Command::Expand { file, changes }),
-        Verb::Draw { files, out_dir, look, changes } => match jobs(files, out_dir.as_deref(), &look, is_short) {
+        Verb::Draw { files, out_dir, look, changes } => match jobs(files, out_dir.as_deref(), &look) {
             Ok(jobs) => Ok(Command::Draw { jobs, folder: out_dir, look, changes }),
             Err(words) => Err(explain("draw", words)),
         },
@@ -132,9 +143,9 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
     }
 }
 
-/// Moves the command to the front: options may stand before it. Without a command, `FILE OUT_BASE` means `draw`.
-/// Returns the words, and whether the command was left out.
-fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString>, bool) {
+/// Moves the command to the front: options may stand before it. Without a command, `FILE` means `view`, and
+/// `FILE OUT_BASE` means `draw`.
+fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> Vec<OsString> {
     let takes_value = |word: &str| {
         let mut options = cli.get_subcommands().flat_map(clap::Command::get_opts);
         options.any(|option| {
@@ -144,31 +155,39 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> (Vec<OsString
             short.into_iter().chain(longs).any(|name| name == word)
         })
     };
-    let mut at = 0;
+    let (mut at, mut names) = (0, 0);
     while let Some(word) = words.get(at).map(|word| word.to_string_lossy()) {
         match &*word {
-            "-h" | "--help" | "-V" | "--version" => break,
+            "-h" | "--help" | "-V" | "--version" if names == 0 => return words,
             "--" => {
-                words.insert(0, "draw".into());
-                return (words, true);
+                names += words.len() - at - 1;
+                break;
             }
             option if option.starts_with('-') && option != "-" => at += if takes_value(option) { 2 } else { 1 },
-            name => {
-                let is_short = cli.find_subcommand(name).is_none();
-                let command = if is_short { "draw".into() } else { words.remove(at) };
+            name if names == 0 && cli.find_subcommand(name).is_some() => {
+                let command = words.remove(at);
                 words.insert(0, command);
-                return (words, is_short);
+                return words;
+            }
+            _ => {
+                names += 1;
+                at += 1;
             }
         }
     }
-    (words, false)
+    match names {
+        0 => {}
+        1 => words.insert(0, "view".into()),
+        _ => words.insert(0, "draw".into()),
+    }
+    words
 }
 
 /// The jobs of `draw`.
 ///
 /// # Errors
 /// A message if options or files contradict each other.
-fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: &Look, is_short: bool) -> Result<Vec<Job>, String> {
+fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: &Look) -> Result<Vec<Job>, String> {
     let &Look { format, compact, ref flags } = look;
     let is = |name| format.is_some_and(|format: &Format| format.name == name);
     if compact && format.is_some() && !is("svg") {
@@ -193,9 +212,6 @@ fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: &Look, is_short: bool
         Err(mut files) => (files.pop().unwrap_or_default(), None),
     };
     let target = match (base, format) {
-        (None, _) if is_short => {
-            return Err(format!("no command for {}: try lsys draw FILE or lsys info FILE", file.display()));
-        }
         (Some(base), _) if base.extension().is_some_and(|e| e == "json") => {
             return Err(format!("OUT_BASE {} looks like a system; use --out-dir for many files", base.display()));
         }
@@ -289,6 +305,8 @@ mod tests {
             Ok(Command::Mark { exercise, answers, csv, html }) => {
                 format!("mark {exercise} {answers:?} csv {csv} {html:?}")
             }
+            Ok(Command::View { file, options, changes }) => format!("view {file:?} {options:?} {}", with(changes)),
+            Ok(Command::Link { file, page, changes }) => format!("link {file:?} {page:?} {}", with(changes)),
             Ok(command @ (Command::Surprise { .. } | Command::Breed { .. })) => format!("{command:?}"),
             Err(error) => error.split("\n\n").next().unwrap_or_default().to_owned(),
         };
@@ -297,6 +315,23 @@ mod tests {
 
     #[test]
     fn commands() {
+        check(
+            "a.json",
+            &expect![[r#"view "a.json" ViewOptions { port: None, page: None, opens: true } n None seed None"#]],
+        );
+        for same in ["view a.json", "-- a.json"] {
+            assert_eq!(parse(same.split(' ').map(OsString::from)), parse(["a.json".into()]));
+        }
+        check(
+            "--port 8080 a.l --entry Bush --no-browser --page p.html",
+            &expect![[
+                r#"view "a.l" ViewOptions { port: Some(8080), page: Some("p.html"), opens: false } n None seed None entry Bush"#
+            ]],
+        );
+        check(
+            "link a.json -n 3 --page https://example.org/",
+            &expect![[r#"link "a.json" Some("https://example.org/") n Some(3) seed None"#]],
+        );
         check("surprise --seed 7", &expect![["Surprise { seed: Some(7) }"]]);
         check(
             "breed a.json - --to out --count 4",
@@ -402,7 +437,8 @@ mod tests {
     #[test]
     fn wrong_usage() {
         check("", &expect!["Derives, draws and inspects L-systems"]);
-        check("a.json", &expect!["error: no command for a.json: try lsys draw FILE or lsys info FILE"]);
+        check("a.json --port 0", &expect!["error: invalid value '0' for '--port <N>': 0 is not in 1..=65535"]);
+        check("a.json --format csv", &expect!["error: unexpected argument '--format' found"]);
         check(
             "expand",
             &expect![[r#"

@@ -16,8 +16,10 @@ use std::str::FromStr;
 
 const FILE: &str = "System as JSON, in the notation of another program, or in an SVG or PNG; - for standard input";
 
+const VIEWED: &str = "System as JSON, in the notation of another program, or in an SVG or PNG";
+
 const NOTES: &str = "\
-`lsys FILE OUT_BASE` is short for `lsys draw FILE OUT_BASE`.
+`lsys FILE` is short for `lsys view FILE`, and `lsys FILE OUT_BASE` for `lsys draw FILE OUT_BASE`.
 `lsys COMMAND --help` explains the options of a command.
 
 Exit code 0: done. 1: a file is wrong, or a limit was passed. 2: wrong usage.";
@@ -47,6 +49,38 @@ pub(crate) struct Cli {
 
 #[derive(Subcommand)]
 pub(crate) enum Verb {
+    /// Show a system in the browser: change it there, or in an editor, and save it
+    ///
+    /// The page follows FILE while it is edited elsewhere, and Ctrl+S in the page saves into it. In the drawing,
+    /// arrow keys change angle and iterations. The address is printed, and works on this machine only, until
+    /// Ctrl+C ends the program.
+    #[command(verbatim_doc_comment)]
+    View {
+        #[arg(help = VIEWED, value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+        /// Port of the address [default: any free one]
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+        port: Option<u16>,
+        /// Only print the address
+        #[arg(long)]
+        no_browser: bool,
+        /// Playground in a single file, in place of the one in this program
+        #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+        page: Option<PathBuf>,
+        /// Name of the system in a file with several, or its number
+        #[arg(long, value_name = "NAME", allow_hyphen_values = true)]
+        entry: Option<String>,
+    },
+    /// Print the link of a system: the address of the page that shows it
+    Link {
+        #[arg(help = FILE, value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+        /// Address of the page; without it, only what follows the address is printed
+        #[arg(long, value_name = "ADDRESS", value_hint = ValueHint::Url)]
+        page: Option<String>,
+        #[command(flatten)]
+        changes: Changes,
+    },
     /// Print the derived string
     Expand {
         #[arg(help = FILE, value_hint = ValueHint::FilePath)]

@@ -40,9 +40,22 @@ const WORK: u64 = 1 << 16;
 /// # Errors
 /// [`CommandFailure::Said`] if the file has errors; [`CommandFailure::Words`] if it cannot be read.
 pub(crate) fn read(file: &Path, changes: &Changes, say: Say<'_>) -> Result<InputSystem, CommandFailure> {
+    let bytes = bytes_of(file).map_err(|error| CommandFailure::io(name_of(file), &error))?;
+    system_in(&bytes, file, changes, say)
+}
+
+/// The system in the bytes of `file`. Prints all errors and warnings.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn system_in(
+    bytes: &[u8],
+    file: &Path,
+    changes: &Changes,
+    say: Say<'_>,
+) -> Result<InputSystem, CommandFailure> {
     let name = name_of(file);
-    let bytes = bytes_of(file).map_err(|error| CommandFailure::io(&name, &error))?;
-    let FileContent { mut definition, mut diagnostics, json } = content(&bytes, &name, changes.entry.as_deref(), say)?;
+    let FileContent { mut definition, mut diagnostics, json } = content(bytes, &name, changes.entry.as_deref(), say)?;
     let mut system = None;
     if let Some(definition) = &mut definition {
         definition.iterations = changes.iterations.unwrap_or(definition.iterations);
@@ -188,6 +201,17 @@ const HEAD: u64 = 1 << 10;
 /// The bytes of a file, or the beginning of a file that is too large, so that memory and time are bounded.
 pub(crate) fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
     beginning(open(file)?, TEXT)
+}
+
+/// As [`bytes_of`], for a file that this command may replace.
+///
+/// # Errors
+/// Errors of the file system; an error if this is no file, since reading a pipe would wait.
+pub(crate) fn bytes_to_follow(file: &Path) -> io::Result<Vec<u8>> {
+    match file.metadata()?.is_file() {
+        true => beginning(File::open(file)?, TEXT),
+        false => Err(io::Error::other("this is not a file")),
+    }
 }
 
 /// The text in a file.

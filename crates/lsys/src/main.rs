@@ -17,13 +17,16 @@ mod import;
 mod info;
 mod input;
 mod invent;
+mod link;
 mod mark;
 mod memory;
 mod output;
+mod pages;
 mod pending;
 mod progress;
 mod settings;
 mod tiles;
+mod view;
 
 use args::Command;
 use cli::Changes;
@@ -95,6 +98,8 @@ fn main() -> ExitCode {
 fn run(command: Command) -> Result<(), CommandFailure> {
     match command {
         Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
+        Command::View { file, options, changes } => view::view(&file, &options, &changes),
+        Command::Link { file, page, changes } => link::link(&file, page.as_deref(), &changes),
         Command::Expand { file, changes } => expand(&file, &changes),
         Command::Draw { jobs, folder, look, changes } => draw::draw(&jobs, folder.as_deref(), &look, &changes),
         Command::Tiles { file, dir, options, changes } => tiles::tiles(&file, &dir, &options, &changes),

@@ -4,7 +4,7 @@
 //! [`FORMATS`] is the table of all formats that are written, [`FILE_OPTIONS`] that of the choices for them. [`make`]
 //! writes a file of any format from a definition and its system. It is straight code over a [`Sink`], which hands
 //! pieces of the file to an [`Owner`], counts work and may stop it. [`read_file`] reads the system back from JSON and
-//! from pictures that hold it, [`read_link`] from a link of the page, and [`read_segments`] reads the drawings of other
+//! from pictures that hold it, [`read_link`] from a link of the page (which [`write_link`] writes), and [`read_segments`] reads the drawings of other
 //! programs.
 //!
 //! ```
@@ -24,6 +24,7 @@ mod gltf;
 mod json;
 mod json_write;
 pub mod link;
+mod link_write;
 mod make;
 mod mesh_file;
 mod number;
@@ -50,6 +51,7 @@ pub use gltf::write_glb;
 pub use json::read_json;
 pub use json_write::write_json;
 pub use link::{Link, LinkProblem, read_link};
+pub use link_write::write_link;
 pub use make::{FileLimits, FileTask, FileView, make};
 pub use obj::write_obj;
 pub use option_table::{FILE_OPTIONS, FileOption, OptionKind, OptionValue};

@@ -79,6 +79,9 @@ pub(crate) fn script(workspace: &Workspace, script: &str, words: &[String]) -> R
 /// Runs Node.js while a built page is served. `prepare` completes the command.
 fn with_page(workspace: &Workspace, kind: Kind, prepare: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
     let browser = tools::browser()?;
+    // All crates are named, so that the same features are chosen as for the native tests.
+    workspace.run(&mut workspace.cargo(["build", "--quiet", "--workspace", "--exclude=bench", "--bin=lsys"]))?;
+    let program = workspace.target.join("debug/lsys").with_extension(std::env::consts::EXE_EXTENSION);
     let listener = TcpListener::bind("127.0.0.1:0")?;
     let address = format!("http://{}{MOUNT}", listener.local_addr()?);
     let server = Server { folder: kind.folder(workspace), mount: MOUNT, version: None };
@@ -88,6 +91,7 @@ fn with_page(workspace: &Workspace, kind: Kind, prepare: impl FnOnce(&mut Comman
     workspace.run(
         prepare(&mut Command::new(tools::node()?))
             .env("LSYSTEM_URL", address)
+            .env("LSYS", program)
             .env("CHROMIUM", browser.chromium)
             .env("TMPDIR", temporary.path()),
     )

@@ -1,0 +1,85 @@
+//! `lsys FILE`: the playground with the file's system, in the browser. The page follows the file, and can save into it.
+
+mod followed;
+mod rewrite;
+mod server;
+
+use crate::cli::Changes;
+use crate::{CommandFailure, pages, print, say};
+use followed::Followed;
+use notify_debouncer_mini::new_debouncer;
+use notify_debouncer_mini::notify::RecursiveMode;
+use server::Site;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+use tiny_http::Server;
+
+/// Changes within this time are one: editors write a file in several steps.
+const PAUSE: Duration = Duration::from_millis(100);
+
+/// How the page is shown.
+#[derive(Debug, PartialEq)]
+pub(crate) struct ViewOptions {
+    /// The port; any free one if none is named.
+    pub(crate) port: Option<u16>,
+    /// The playground in a single file, in place of the one in this program.
+    pub(crate) page: Option<PathBuf>,
+    /// Whether the browser is opened.
+    pub(crate) opens: bool,
+}
+
+/// Serves the page until the program is stopped.
+///
+/// # Errors
+/// [`CommandFailure`] if the file cannot be read, its system has errors, there is no page, or the port is taken.
+pub(crate) fn view(file: &Path, options: &ViewOptions, changes: &Changes) -> Result<(), CommandFailure> {
+    let words = |words: String| CommandFailure::Words(words);
+    if file.as_os_str() == "-" {
+        return Err(words("standard input cannot be followed: give a file".to_owned()));
+    }
+    // The file to which a link leads is followed and written.
+    let path = file.canonicalize().map_err(|error| CommandFailure::io(file.display(), &error))?;
+    let followed = Followed::new(path, changes.clone())?;
+    let page = pages::PLAYGROUND.html(options.page.as_deref())?;
+    let wanted = options.port.unwrap_or(0);
+    let listener = server::bind(wanted)
+        .map_err(|error| words(format!("port {wanted}: {error}; leave out --port for a free one")))?;
+    let port = listener.local_addr().map_err(|error| CommandFailure::io("the server", &error))?.port();
+    let site = Site::new(&page, token()?, port, followed).map_err(words)?;
+    let site = Arc::new(site);
+    let server = Server::from_listener(listener, None).map_err(|error| words(format!("the server: {error}")))?;
+    let _watch = watch(&site)?;
+    let address = site.address();
+    print(|out| writeln!(out, "{address}"))?;
+    say(&format!("{} is shown at this address. Ctrl+C ends the program.\n", file.display()));
+    if options.opens && open::that_detached(&address).is_err() {
+        say("note: no browser was found: open the address yourself\n");
+    }
+    site.run(&server);
+    Ok(())
+}
+
+/// Reads the file again after each change, as long as the returned value lives. The folder is watched, since editors put
+/// a new file in place of the old one.
+fn watch(site: &Arc<Site>) -> Result<impl Sized + use<>, CommandFailure> {
+    let failed = |error| CommandFailure::Words(format!("the folder cannot be watched: {error}"));
+    let own = site.clone();
+    let mut debouncer = new_debouncer(PAUSE, move |events: notify_debouncer_mini::DebounceEventResult| {
+        let name = own.file().path().file_name();
+        if events.is_err() || events.iter().flatten().any(|event| event.path.file_name() == name) {
+            own.file().refresh();
+        }
+    })
+    .map_err(failed)?;
+    let folder = site.file().path().parent().unwrap_or(Path::new("/"));
+    debouncer.watcher().watch(folder, RecursiveMode::NonRecursive).map_err(failed)?;
+    Ok(debouncer)
+}
+
+/// 128 random bits, so that no other page or program guesses the address.
+fn token() -> Result<String, CommandFailure> {
+    let mut bytes = [0; 16];
+    getrandom::fill(&mut bytes).map_err(|error| CommandFailure::Words(format!("no random number: {error}")))?;
+    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
+}
