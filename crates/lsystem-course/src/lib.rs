@@ -3,7 +3,8 @@
 //!
 //! An [`Exercise`] is a target system with the parts that are given, shown or free. A [`Marker`] compares answers with
 //! the target by string, picture or distribution, and its hint names a usual mistake. [`check`] compares the output of
-//! a student's program with a generation of a system and names the first difference.
+//! a student's program with a generation of a system and names the first difference. [`scorm_package`] puts exercises
+//! into a package for learning systems.
 //!
 //! ```
 //! use lsystem_course::{Verdict, check};
@@ -25,6 +26,7 @@ mod hint;
 mod mark;
 mod same;
 mod sample;
+mod scorm;
 mod sketch;
 pub mod steps;
 
@@ -33,3 +35,4 @@ pub use exercise::{Asks, Exercise, First, Given};
 pub use fit::Ends;
 pub use mark::{Grade, Marker, Marking};
 pub use same::is_same_picture;
+pub use scorm::{MAX_EXERCISES, Scorm, ScormPages, ScormStandard, scorm_package};

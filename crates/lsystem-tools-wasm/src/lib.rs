@@ -19,7 +19,7 @@ mod tables;
 #[cfg(feature = "course")]
 pub use course::{OpenExercise, check_output, growth, one_by_one, step_rows, turtle_trace, write_exercise};
 #[cfg(feature = "export")]
-pub use export::make_file;
+pub use export::{make_file, make_package};
 #[cfg(feature = "film")]
 pub use film::{FilmPlayer, read_film, subjects, with_preset};
 #[cfg(feature = "find")]

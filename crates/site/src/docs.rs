@@ -9,12 +9,13 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 15] = [
+const PAGES: [&str; 16] = [
     "lesson",
     "notation",
     "links",
     "embedding",
     "exercises",
+    "classroom",
     "growth",
     "find",
     "films",

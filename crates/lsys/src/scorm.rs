@@ -1,0 +1,30 @@
+//! `lsys scorm`: packages of exercises for learning systems.
+
+use crate::answers::exercise;
+use crate::cli::ScormOptions;
+use crate::pending::Pending;
+use crate::{CommandFailure, input, print};
+use lsystem::course::{Scorm, ScormPages, scorm_package};
+use std::path::Path;
+
+/// The pages of a package, in the folder of the built site.
+const STEPS: &str = "package.html";
+const EXERCISE: &str = "exercise.html";
+
+/// Writes a package of exercises, or of the lesson, to the file `to`.
+///
+/// # Errors
+/// [`CommandFailure::Words`] if an exercise is damaged, a page is missing, or the file cannot be written.
+pub(crate) fn package(exercises: &[String], to: &Path, options: &ScormOptions) -> Result<(), CommandFailure> {
+    let exercises = exercises.iter().map(|word| Ok(exercise(word)?.1)).collect::<Result<Vec<_>, CommandFailure>>()?;
+    let page = |name: &str| input::text_of(&options.pages.join(name));
+    let (steps, exercise) = (page(STEPS)?, page(EXERCISE)?);
+    let scorm = Scorm { title: &options.title, exercises: &exercises, standard: options.standard };
+    let pages = ScormPages { steps: &steps, exercise: exercise.as_bytes() };
+    let package = scorm_package(&scorm, &pages).map_err(CommandFailure::Words)?;
+    let file = Pending::write(to, |out| out.write_all(&package)).and_then(Pending::commit);
+    file.map_err(|error| CommandFailure::io(to.display(), &error))?;
+    print(|out| {
+        writeln!(out, "{}, {} bytes. Marks in it can be forged; mark again by: lsys mark", to.display(), package.len())
+    })
+}
