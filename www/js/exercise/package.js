@@ -20,6 +20,7 @@ const HALVINGS = 3;
 
 const ABSENT = 'No learning system answers here.';
 const PREVIEW = 'This is a preview: the learning system saves nothing.';
+const EARLIER = 'This browser has earlier answers that the learning system does not have.';
 const SAVED = 'Saved in the learning system.';
 
 /**
@@ -43,6 +44,8 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     let [isGraded, wasPassed] = [false, false];
     let isSent = true;
     let isKept = true;
+    /** Answers in this browser that are not shown: of a time without the learning system, or of one that it forgot. @type {Part[]} */
+    let earlier = [];
     /** @type {string[]} */
     let dropped = [];
     let wait = FIRST_WAIT;
@@ -76,21 +79,21 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     /** @param {string} of the student */
     const place = (of) => `l-system-package ${id} ${of}`;
 
-    /** What this browser has. @param {string} of the student @returns {{attempt: Attempt, isSent: boolean} | null} */
+    /** What this browser has. @param {string} of the student */
     function kept(of) {
         try {
-            const { text, isSent } = JSON.parse(localStorage.getItem(place(of)) ?? 'null') ?? {};
-            const attempt = typeof text === 'string' ? readAttempt(text) : null;
-            return attempt && { attempt, isSent: isSent === true };
+            const { text = '', rest = '', isSent = false } = JSON.parse(localStorage.getItem(place(of)) ?? '{}');
+            const [attempt, others] = [text, rest].map((one) => readAttempt(String(one)) ?? { at: 0, parts: [] });
+            return { attempt: attempt ?? { at: 0, parts: [] }, others: others?.parts ?? [], isSent: isSent === true };
         } catch {
-            return null;
+            return { attempt: { at: 0, parts: [] }, others: [], isSent: true };
         }
     }
 
     function keep() {
         try {
-            const { text } = writeAttempt(attempt, Infinity);
-            localStorage.setItem(place(student), JSON.stringify({ text, isSent }));
+            const [text, rest] = [attempt, { at: 0, parts: earlier }].map((one) => writeAttempt(one, Infinity).text);
+            localStorage.setItem(place(student), JSON.stringify({ text, rest, isSent }));
             isKept = true;
         } catch {
             isKept = false;
@@ -141,23 +144,22 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         wait = FIRST_WAIT;
         const there = readAttempt(known.state) ?? { at: 0, parts: [] };
         const own = kept(student);
-        if (own && !own.isSent && student !== '') restore(merged(own.attempt, there));
+        if (!own.isSent && student !== '') restore(merged(own.attempt, there));
         else {
             // Of what it has, this browser may have the whole.
             const cut = there.parts.filter(({ fields }) => fields === '').map(({ key }) => key);
-            const whole = own?.attempt.parts.filter(({ key }) => cut.includes(key)) ?? [];
-            restore(merged(there, { at: 0, parts: whole }));
+            restore(merged(there, { at: 0, parts: own.attempt.parts.filter(({ key }) => cut.includes(key)) }));
         }
         if (!isGraded) return tell(PREVIEW);
-        tell('', { offers: earlier().length > 0 });
-        if (!again.hidden) tell('This browser has earlier answers that the learning system does not have.');
+        const all = [...own.attempt.parts, ...own.others, ...kept('').attempt.parts];
+        earlier = all.filter(
+            (part, at) =>
+                part.fields !== '' &&
+                all.findIndex(({ key }) => key === part.key) === at &&
+                !attempt.parts.some(({ key }) => key === part.key),
+        );
+        tell(earlier.length > 0 ? EARLIER : '', { offers: earlier.length > 0 });
         send();
-    }
-
-    /** Answers in this browser, with and without the learning system, that are not shown. @returns {Part[]} */
-    function earlier() {
-        const all = [kept(student), kept('')].flatMap((one) => one?.attempt.parts ?? []);
-        return all.filter(({ key, fields }) => fields !== '' && !attempt.parts.some((part) => part.key === key));
     }
 
     function send() {
@@ -239,13 +241,8 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         });
     }
     again.addEventListener('click', () => {
-        const parts = earlier();
-        restore(
-            merged(attempt, {
-                at: attempt.at,
-                parts: parts.filter((part, at) => parts.findIndex(({ key }) => key === part.key) === at),
-            }),
-        );
+        restore(merged(attempt, { at: attempt.at, parts: earlier }));
+        earlier = [];
         tell('', { offers: false });
         follow();
     });
@@ -269,10 +266,9 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     // A page that comes back from the browser's memory has ended its visit.
     addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
 
-    const begun = kept('');
     if (scorm.open() === null) opened();
     else {
-        if (begun) restore(begun.attempt);
+        restore(kept('').attempt);
         connect();
     }
 
