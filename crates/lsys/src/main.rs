@@ -20,6 +20,8 @@ mod invent;
 mod mark;
 mod memory;
 mod output;
+#[allow(dead_code, reason = "for the commands that show and pack the pages")]
+mod pages;
 mod pending;
 mod progress;
 mod scorm;

@@ -17,6 +17,7 @@ mod one_file;
 mod outside;
 mod package;
 mod page;
+mod program;
 mod report;
 mod serve;
 mod server;
@@ -43,6 +44,8 @@ use workspace::Workspace;
 enum Command {
     /// The page, ready to be put on any static host under any path: dist/
     Build,
+    /// The page, and the program lsys with pages inside: target/release/lsys
+    Program,
     /// Build a draft of the page quickly, and serve it on this machine
     Serve(serve::ServeOptions),
     /// All checks before a merge; `test quick` while working
@@ -95,6 +98,7 @@ fn run() -> Result<()> {
     let workspace = &Workspace::find()?;
     match command {
         Command::Build => build::build(workspace, build::Kind::Shipped),
+        Command::Program => program::program(workspace),
         Command::Serve(options) => serve::serve(workspace, &options),
         Command::Test(options) => test::test(workspace, &options),
         Command::Lint => lint::lint(workspace),

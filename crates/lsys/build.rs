@@ -1,0 +1,23 @@
+//! Hands the pages that the program carries to the compiler: those in `pages/`, which `cargo xtask program` writes.
+//!
+//! Only release builds carry pages, so that builds for tests do not depend on whether the page has been built. A page
+//! that is not there becomes an empty file, and the program says so when the page is asked for.
+
+use std::path::Path;
+use std::{env, fs, io};
+
+fn main() -> io::Result<()> {
+    let from = Path::new(&env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?).join("pages");
+    let to = env::var("OUT_DIR").map_err(io::Error::other)?;
+    let is_release = env::var("PROFILE").is_ok_and(|profile| profile == "release");
+    for name in ["playground.html.gz", "exercise.html.gz"] {
+        let page = Some(from.join(name)).filter(|page| is_release && page.is_file());
+        fs::write(Path::new(&to).join(name), page.map(fs::read).transpose()?.unwrap_or_default())?;
+    }
+    println!("cargo::rerun-if-changed=build.rs");
+    // A path that does not exist would run this at every build.
+    if from.is_dir() {
+        println!("cargo::rerun-if-changed=pages");
+    }
+    Ok(())
+}
