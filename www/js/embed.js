@@ -100,7 +100,7 @@ if (hasSteps)
     );
 if (exercise)
     createExercise(store, exercise, {
-        marked: (mark, link) => host.marked(mark, link),
+        marked: host.marked,
         needs: (height) => host.needs(height),
     });
 if (!link || refusal !== '') {

@@ -319,9 +319,9 @@ pub(crate) struct ScormOptions {
     /// Title in the learning system [default: that of the exercise or of the lesson]
     #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     pub(crate) title: String,
-    /// Folder of the built site with exercise.html and package.html
+    /// Folder of the built site, for its exercise.html and package.html [default: those in this program]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    pub(crate) pages: PathBuf,
+    pub(crate) pages: Option<PathBuf>,
 }
 
 /// The options of a pyramid.

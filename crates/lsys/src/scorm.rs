@@ -2,14 +2,11 @@
 
 use crate::answers::exercise;
 use crate::cli::ScormOptions;
+use crate::pages::{EXERCISE, Page, STEPS};
 use crate::pending::Pending;
-use crate::{CommandFailure, input, print};
+use crate::{CommandFailure, print};
 use lsystem::course::{Scorm, ScormPages, scorm_package};
 use std::path::Path;
-
-/// The pages of a package, in the folder of the built site.
-const STEPS: &str = "package.html";
-const EXERCISE: &str = "exercise.html";
 
 /// Writes a package of exercises, or of the lesson, to the file `to`.
 ///
@@ -17,7 +14,7 @@ const EXERCISE: &str = "exercise.html";
 /// [`CommandFailure::Words`] if an exercise is damaged, a page is missing, or the file cannot be written.
 pub(crate) fn package(exercises: &[String], to: &Path, options: &ScormOptions) -> Result<(), CommandFailure> {
     let exercises = exercises.iter().map(|word| Ok(exercise(word)?.1)).collect::<Result<Vec<_>, CommandFailure>>()?;
-    let page = |name: &str| input::text_of(&options.pages.join(name));
+    let page = |page: Page| page.html(options.pages.as_ref().map(|folder| folder.join(page.name)).as_deref());
     let (steps, exercise) = (page(STEPS)?, page(EXERCISE)?);
     let scorm = Scorm { title: &options.title, exercises: &exercises, standard: options.standard };
     let pages = ScormPages { steps: &steps, exercise: exercise.as_bytes() };

@@ -34,10 +34,8 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     const links = tasks.map((task) => `${task.getAttribute('link') ?? '#v=1'}&away=0`);
     /** @type {Attempt} */
     let attempt = { at: 0, parts: [] };
-    /** The keys of steps that the student changed in this visit, and the answers with which the others began. */
+    /** The keys of steps that the student changed in this visit. */
     const changed = new Set();
-    /** @type {Map<string, string>} */
-    const first = new Map();
     /** The student by the learning system; empty if it is not open. */
     let student = '';
     /** Whether the learning system takes answers, and whether it had the exercises as passed. */
@@ -213,7 +211,7 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     /** @param {string} key @param {Part['mark']} mark @param {string} fields */
     function answered(key, mark, fields) {
         const former = attempt.parts.find((part) => part.key === key);
-        if (former ? former.fields === fields && former.mark === mark : fields === first.get(key)) return;
+        if (former?.fields === fields && former.mark === mark) return;
         // Whoever goes on to try keeps the solution.
         if (former?.mark === 'solved' && mark !== 'solved') return;
         changed.add(key);
@@ -225,19 +223,13 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     for (const [at, task] of tasks.entries()) {
         const key = keys[at] ?? OWN;
         task.setAttribute('link', links[at] ?? '');
-        let isTouched = false;
         task.addEventListener('change', (event) => {
             const { by, link } = /** @type {CustomEvent} */ (event).detail;
-            if (by !== 'visitor') return;
-            isTouched = true;
-            if (key === OWN) answered(key, 0, fieldsIn(link));
+            if (key === OWN && by === 'visitor') answered(key, 0, fieldsIn(link));
         });
         task.addEventListener('mark', (event) => {
-            const { solved, agreement, link } = /** @type {CustomEvent} */ (event).detail;
-            const fields = fieldsIn(link);
-            // The first mark is that of the page as it came.
-            if (!isTouched && !attempt.parts.some((part) => part.key === key)) first.set(key, fields);
-            else answered(key, solved ? 'solved' : Math.floor(100 * agreement), fields);
+            const { solved, agreement, link, touched } = /** @type {CustomEvent} */ (event).detail;
+            if (touched) answered(key, solved ? 'solved' : Math.floor(100 * agreement), fieldsIn(link));
         });
     }
     again.addEventListener('click', () => {
