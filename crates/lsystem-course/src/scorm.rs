@@ -135,10 +135,11 @@ fn page(scorm: &Scorm<'_>, steps: &str, id: &str, title: &str, exercises: &[Exer
     })
 }
 
+/// A step with an exercise, which shows its title itself.
 fn step(number: usize, text: &str, exercise: &Exercise) -> String {
     let name = escaped(name(exercise));
     format!(
-        "<section class=\"step\" id=\"step-{number}\" aria-labelledby=\"h-{number}\">\n\
+        "<section class=\"step bare\" id=\"step-{number}\" aria-labelledby=\"h-{number}\">\n\
          <h2 id=\"h-{number}\">{number}. {name}</h2>\n\
          <l-system class=\"task\" data-step=\"{number}\" caption=\"{name}\" link=\"#v=1&amp;x={text}&amp;hand=0\"></l-system>\n\
          </section>\n"

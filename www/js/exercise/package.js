@@ -124,7 +124,7 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         const why = scorm.open();
         if (why === null) return opened();
         const told = why === '' ? ABSENT : `The learning system does not start this page (${why}).`;
-        tell(`${told} ${here()}${isKept ? ' only' : ''}. It is tried again.`, { isTrouble: true });
+        tell(`${told} ${here()}${isKept ? ' only' : ''}. Trying again.`, { isTrouble: true });
         later(connect);
     }
 
@@ -184,7 +184,7 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         keep();
         if (!isSent) {
             const why = failed ?? 'it does not keep the answers';
-            tell(`The learning system has not saved your last answers (${why}). ${here()}. It is tried again.`, {
+            tell(`The learning system has not saved your last answers (${why}). ${here()}. Trying again.`, {
                 isTrouble: true,
             });
             return later(send);
