@@ -10,7 +10,7 @@ fn main() -> io::Result<()> {
     let from = Path::new(&env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?).join("pages");
     let to = env::var("OUT_DIR").map_err(io::Error::other)?;
     let is_release = env::var("PROFILE").is_ok_and(|profile| profile == "release");
-    for name in ["playground.html.gz", "exercise.html.gz"] {
+    for name in ["playground.html.gz", "exercise.html.gz", "package.html.gz"] {
         let page = Some(from.join(name)).filter(|page| is_release && page.is_file());
         fs::write(Path::new(&to).join(name), page.map(fs::read).transpose()?.unwrap_or_default())?;
     }

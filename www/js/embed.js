@@ -100,7 +100,7 @@ if (hasSteps)
     );
 if (exercise)
     createExercise(store, exercise, {
-        marked: (mark, link) => host.marked(mark, link),
+        marked: host.marked,
         needs: (height) => host.needs(height),
     });
 if (!link || refusal !== '') {
@@ -135,6 +135,8 @@ html('drawing').addEventListener('keydown', (event) => {
     // Without focus, keys and wheel belong to the host page again.
     if (event.key === 'Escape') html('drawing').blur();
 });
+// A package has no playground beside it.
+html('open').hidden = /(^|[#&])away=0(&|$)/.test(location.hash);
 html('open').addEventListener('click', openPlayground);
 button('away-close').addEventListener('click', () => {
     html('away').hidden = true;

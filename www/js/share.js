@@ -12,6 +12,7 @@ import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, si
 import markup from './share.html';
 import { createShareAs } from './share-as.js';
 import { createPreview } from './share-preview.js';
+import { createShareScorm } from './share-scorm.js';
 
 /** Some programs cut longer links, in characters. */
 const LONG = 2000;
@@ -146,6 +147,7 @@ export function createShare(page) {
     }
 
     const as = createShareAs(page, tell);
+    createShareScorm();
     copies(button('copy-share'), link, 'Link', tell);
     copies(button('copy-code'), code, 'Code', tell);
     for (const choice of [withView, theme, ...choices]) choice.addEventListener('change', refresh);

@@ -1,6 +1,6 @@
 //! The command line as a value.
 
-use crate::cli::{Changes, Cli, FilmOptions, GrowthFormat, Look, TileOptions, Verb};
+use crate::cli::{Changes, Cli, FilmOptions, GrowthFormat, Look, ScormOptions, TileOptions, Verb};
 use crate::find::Known;
 use crate::view::ViewOptions;
 use clap::error::ErrorKind;
@@ -49,6 +49,8 @@ pub(crate) enum Command {
     Breed { files: Vec<PathBuf>, to: PathBuf, seed: Option<u32>, count: u32 },
     /// Mark answers to an exercise.
     Mark { exercise: String, answers: Vec<String>, csv: bool, html: Option<PathBuf> },
+    /// Write a package for learning systems.
+    Scorm { exercises: Vec<String>, to: PathBuf, options: ScormOptions },
     /// Print facts.
     Info { files: Vec<PathBuf>, json: bool, growth: Option<GrowthFormat>, changes: Changes },
 }
@@ -135,6 +137,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             _ => Err(explain("breed", "standard input (-) can be read only once".to_owned())),
         },
         Verb::Mark { exercise, answers, csv, html } => Ok(Command::Mark { exercise, answers, csv, html }),
+        Verb::Scorm { exercises, to, options } => Ok(Command::Scorm { exercises, to, options }),
         Verb::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut cli, "lsys", &mut script);
@@ -307,7 +310,9 @@ mod tests {
             }
             Ok(Command::View { file, options, changes }) => format!("view {file:?} {options:?} {}", with(changes)),
             Ok(Command::Link { file, page, changes }) => format!("link {file:?} {page:?} {}", with(changes)),
-            Ok(command @ (Command::Surprise { .. } | Command::Breed { .. })) => format!("{command:?}"),
+            Ok(command @ (Command::Surprise { .. } | Command::Breed { .. } | Command::Scorm { .. })) => {
+                format!("{command:?}")
+            }
             Err(error) => error.split("\n\n").next().unwrap_or_default().to_owned(),
         };
         expected.assert_eq(&text);

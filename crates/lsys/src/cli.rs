@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE};
+use lsystem::course::ScormStandard;
 use lsystem::files::{FORMATS, Format};
 use lsystem::film::{Easing, Ending};
 use lsystem::import::write::{NOTATIONS, Notation};
@@ -268,6 +269,21 @@ pub(crate) enum Verb {
         #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
         html: Option<PathBuf>,
     },
+    /// Write a package for Moodle, ILIAS, OLAT, Canvas and other learning systems (SCORM)
+    ///
+    /// Each EXERCISE is the link of an exercise, or a file with the link. The learning system gets the
+    /// score, the status, the time and the answers. The marks are made in the student's browser, so
+    /// they can be forged: `lsys mark` marks the answers again.
+    #[command(verbatim_doc_comment)]
+    Scorm {
+        #[arg(required_unless_present = "lesson", conflicts_with = "lesson", value_name = "EXERCISE")]
+        exercises: Vec<String>,
+        /// Package to write, with the ending .zip
+        #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, allow_hyphen_values = true)]
+        to: PathBuf,
+        #[command(flatten)]
+        options: ScormOptions,
+    },
     /// Print the script that completes commands and options in a shell
     Completions {
         /// Shell that will read the script
@@ -323,6 +339,23 @@ pub(crate) struct Look {
     pub(crate) compact: bool,
     #[command(flatten)]
     pub(crate) flags: FileFlags,
+}
+
+/// The options of a package for learning systems.
+#[derive(Args, Clone, Debug, PartialEq)]
+pub(crate) struct ScormOptions {
+    /// Package the lesson in twelve steps
+    #[arg(long)]
+    pub(crate) lesson: bool,
+    /// SCORM 1.2 or 2004 (3rd edition)
+    #[arg(long, value_name = "VERSION", default_value = "1.2", value_parser = standards())]
+    pub(crate) standard: ScormStandard,
+    /// Title in the learning system [default: that of the exercise or of the lesson]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    pub(crate) title: String,
+    /// Folder of the built site, for its exercise.html and package.html [default: those in this program]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub(crate) pages: Option<PathBuf>,
 }
 
 /// The options of a pyramid.
@@ -528,6 +561,12 @@ impl FromStr for EasingName {
 fn formats() -> impl TypedValueParser<Value = &'static Format> {
     let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.help));
     PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
+}
+
+/// A parser for the names of [`ScormStandard::ALL`].
+fn standards() -> impl TypedValueParser<Value = ScormStandard> {
+    let names = PossibleValuesParser::new(ScormStandard::ALL.map(ScormStandard::name));
+    names.try_map(|name| ScormStandard::named(&name).ok_or("there is no such standard"))
 }
 
 fn notations() -> impl TypedValueParser<Value = &'static Notation> {

@@ -24,6 +24,7 @@ mod output;
 mod pages;
 mod pending;
 mod progress;
+mod scorm;
 mod settings;
 mod tiles;
 mod view;
@@ -112,6 +113,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Surprise { seed } => invent::print_surprise(seed),
         Command::Breed { files, to, seed, count } => invent::breed_into(&files, seed, count, &to),
         Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
+        Command::Scorm { exercises, to, options } => scorm::package(&exercises, &to, &options),
         Command::Info { files, growth: Some(format), changes, .. } => growth::print_growth(&files, format, &changes),
         Command::Info { files, json, growth: None, changes } => info::info(&files, json, &changes),
     }

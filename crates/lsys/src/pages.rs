@@ -1,4 +1,5 @@
-//! The pages in single files that this program carries: the playground, and the page of an exercise.
+//! The pages in single files that this program carries: the playground, the page of an exercise, and the page of steps
+//! that packages for learning systems open with.
 //!
 //! `build.rs` hands them to the compiler, compressed by gzip. A program that was built without them reads a page from a
 //! file.
@@ -12,7 +13,7 @@ use std::path::Path;
 #[derive(Clone, Copy)]
 pub(crate) struct Page {
     /// The name of its file on the built site.
-    name: &'static str,
+    pub(crate) name: &'static str,
     /// The page compressed by gzip; empty if the program was built without it.
     carried: &'static [u8],
 }
@@ -25,6 +26,10 @@ pub(crate) const PLAYGROUND: Page =
 #[allow(dead_code, reason = "for commands that pack exercises")]
 pub(crate) const EXERCISE: Page =
     Page { name: "exercise.html", carried: include_bytes!(concat!(env!("OUT_DIR"), "/exercise.html.gz")) };
+
+/// The page of steps of a package for learning systems.
+pub(crate) const STEPS: Page =
+    Page { name: "package.html", carried: include_bytes!(concat!(env!("OUT_DIR"), "/package.html.gz")) };
 
 impl Page {
     /// The page's HTML, from the file `given` or else from this program.
@@ -50,7 +55,7 @@ impl Page {
         let name = self.name;
         format!(
             "this program was built without its pages: build it by `cargo xtask program`, or give the file with \
-             --page {name}, which `cargo xtask build` writes into dist"
+             --page {name} (for `lsys scorm`, its folder with --pages), which `cargo xtask build` writes into dist"
         )
     }
 }

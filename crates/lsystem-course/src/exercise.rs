@@ -171,6 +171,13 @@ impl Exercise {
         pack(&veiled(serde_json::to_vec(self).unwrap_or_default()))
     }
 
+    /// The check sum (CRC-32) of an exercise as it stands in links, in 8 digits. It stands for the exercise where a link
+    /// has to be short: as `k` in the answers that a package for learning systems keeps.
+    #[must_use]
+    pub fn key(text: &str) -> String {
+        format!("{:08x}", rawzip::crc32(text.as_bytes()))
+    }
+
     /// The exercise with texts cut, numbers moved into their ranges, and without wind.
     #[must_use]
     pub fn within_limits(mut self) -> Self {
@@ -297,7 +304,7 @@ fn copy(to: &mut Definition, from: &Definition, names: &[&str]) {
 }
 
 /// Cuts a text to at most `most` UTF-16 units.
-fn cut(text: &mut String, most: usize) {
+pub(crate) fn cut(text: &mut String, most: usize) {
     let mut units = 0;
     let end = text.char_indices().find(|(_, c)| {
         units += c.len_utf16();

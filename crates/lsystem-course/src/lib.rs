@@ -3,7 +3,8 @@
 //!
 //! An [`Exercise`] is a target system with the parts that are given, shown or free. A [`Marker`] compares answers with
 //! the target by string, picture or distribution, and its hint names a usual mistake. [`check`] compares the output of
-//! a student's program with a generation of a system and names the first difference.
+//! a student's program with a generation of a system and names the first difference. [`scorm_package`] puts exercises
+//! into a package for learning systems.
 //!
 //! ```
 //! use lsystem_course::{Verdict, check};
@@ -29,6 +30,7 @@ mod mark;
 mod repair;
 mod same;
 mod sample;
+mod scorm;
 mod sketch;
 pub mod steps;
 mod variants;
@@ -40,3 +42,4 @@ pub use fit::Ends;
 pub use mark::{Grade, Marker, Marking};
 pub use same::is_same_picture;
 pub use variants::Varied;
+pub use scorm::{MAX_EXERCISES, Scorm, ScormPages, ScormStandard, scorm_package};

@@ -22,7 +22,7 @@ pub use course::{
     write_exercise,
 };
 #[cfg(feature = "export")]
-pub use export::make_file;
+pub use export::{make_file, make_package};
 #[cfg(feature = "film")]
 pub use film::{FilmPlayer, read_film, subjects, with_preset};
 #[cfg(feature = "find")]

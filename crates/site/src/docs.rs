@@ -9,13 +9,14 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 16] = [
+const PAGES: [&str; 17] = [
     "lesson",
     "notation",
     "links",
     "embedding",
     "exercises",
     "marking",
+    "classroom",
     "growth",
     "find",
     "films",

@@ -2,7 +2,7 @@
 
 use crate::esbuild::{Bundler as _, Esbuild};
 use crate::workspace::Workspace;
-use crate::{files, html, joined, notices, offline, one_file, tools, wasms};
+use crate::{files, html, joined, notices, offline, one_file, steps_page, tools, wasms};
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ impl Kind {
 }
 
 /// The classic scripts of the pages.
-const SCRIPTS: [&str; 3] = ["js/theme-early.js", "l-system.js", "service-worker.js"];
+const SCRIPTS: [&str; 4] = ["js/theme-early.js", "js/exercise/lesson.js", "l-system.js", "service-worker.js"];
 /// The styles of the documents: those that they share with the playground, then their own.
 const DOCUMENT_STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 
@@ -63,6 +63,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
         wasms::write(workspace, kind, &esbuild, &site)?;
         joined(scripts)
     })?;
+    files::write(&site.join(steps_page::NAME), steps_page::make(&site, "course.html")?)?;
     let (index, embed) = ("index.html", site.join("embed.html"));
     let whole = fs::read_to_string(site.join(index))?;
     let exercise = site.join("exercise.html");

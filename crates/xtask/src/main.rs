@@ -22,6 +22,7 @@ mod report;
 mod serve;
 mod server;
 mod size;
+mod steps_page;
 mod test;
 mod tools;
 mod wasms;

@@ -110,7 +110,7 @@ fn policy(scripts: &[String], styles: &str) -> String {
     )
 }
 
-fn hash(text: &str) -> String {
+pub(crate) fn hash(text: &str) -> String {
     format!("'sha256-{}'", BASE64.encode(Sha256::digest(text)))
 }
 
@@ -137,7 +137,7 @@ fn without_documents(page: &str) -> Result<String> {
 }
 
 /// A script, if it does not end its element early.
-fn checked(script: String) -> Result<String> {
+pub(crate) fn checked(script: String) -> Result<String> {
     let lower = script.to_ascii_lowercase();
     ensure!(
         !["</script", "<script", "<!--"].iter().any(|end| lower.contains(end)),

@@ -10,7 +10,7 @@ use std::io::Write as _;
 use std::path::Path;
 
 /// The pages in single files that the program carries. `crates/lsys/build.rs` has the same names with `.gz`.
-const PAGES: [&str; 2] = ["playground.html", "exercise.html"];
+const PAGES: [&str; 3] = ["playground.html", "exercise.html", "package.html"];
 
 /// Builds the page, then the program.
 pub(crate) fn program(workspace: &Workspace) -> Result<()> {

@@ -8,11 +8,13 @@ import { button, byId, closes, html, input, make, setText, setValue } from '../d
 import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { ASKS } from '../late-tables.js';
+import { exerciseIn } from '../exercise/open.js';
 import { showQrPicture } from '../qr.js';
 import { frameCode } from '../share-code.js';
 import { definitionOf } from '../state.js';
 import markup from './maker.html';
 import { createOthers } from './others.js';
+import { savePackage, savedWords } from './packaging.js';
 import { courseTool as tool } from './tool.js';
 
 /** @typedef {import('../protocol.js').Exercise} Exercise */
@@ -198,6 +200,18 @@ export function createMaker({ store, engine }) {
     const tell = (/** @type {string} */ words) => setText(html('maker-status'), words);
     copies(button('maker-copy'), link, 'Link', tell);
     copies(button('maker-copy-code'), code, 'Code', tell);
+    button('maker-package').addEventListener('click', async function pack() {
+        tell('Packing…');
+        const asked = {
+            exercises: [exerciseIn(link.value) ?? ''],
+            title: input('maker-title').value.trim(),
+            standard: '1.2',
+        };
+        await savePackage(asked).then(
+            (bytes) => tell(savedWords(bytes)),
+            (error) => showFailure(html('maker-status'), error, pack),
+        );
+    });
     dialog.addEventListener('close', others.forget);
     dialog.addEventListener('input', () => {
         others.forget();

@@ -112,9 +112,14 @@ export function connectHost(store, { host, offer, theme: paint, play, facts }) {
             send({ lsystem: 'ready', ...(await state()), ...facts() });
         },
 
-        /** An answer to an exercise was marked. @param {import('../protocol.js').Mark} mark @param {string} link of the answer */
-        marked({ isSolved, agreement, words }, link) {
-            send({ lsystem: 'mark', solved: isSolved, agreement, words, link });
+        /**
+         * An answer to an exercise was marked.
+         * @param {import('../protocol.js').Mark} mark
+         * @param {string} link of the answer
+         * @param {boolean} touched whether the student has changed anything in this visit
+         */
+        marked({ isSolved, agreement, words }, link, touched) {
+            send({ lsystem: 'mark', solved: isSolved, agreement, words, link, touched });
         },
 
         /** The height that the page needs, in CSS pixels. @param {number} height */

@@ -53,7 +53,7 @@ const MOST_ERRORS = 1;
 /**
  * @param {import('../store.js').Store} store
  * @param {NonNullable<Awaited<ReturnType<typeof openExercise>>>} opened
- * @param {{marked: (mark: Mark, link: string) => void, needs: (height: number) => void}} page
+ * @param {{marked: (mark: Mark, link: string, isTouched: boolean) => void, needs: (height: number) => void}} page
  */
 export function createExercise(store, { text, own: variantText, variant, about, tool }, { marked, needs }) {
     const name = input('student-name');
@@ -65,6 +65,8 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     let marking = new AbortController();
     let timer = 0;
     let solved = false;
+    /** Whether the student has changed anything in this visit. */
+    let isTouched = false;
     let hints = 0;
 
     name.value = studentIn(location.hash);
@@ -177,7 +179,7 @@ export function createExercise(store, { text, own: variantText, variant, about, 
             void showAnswer();
         }
         solved ||= mark.isSolved;
-        marked(mark, link());
+        marked(mark, link(), isTouched);
     }
 
     /** Shows the answer's string, with what differs from the target marked. @param {string | null} text */
@@ -226,6 +228,7 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     store.subscribe((state, before) => {
         target.setDark(isDark(state.background));
         if (sameSystem(state, before)) return;
+        isTouched = true;
         follow();
         // In its own window the address keeps the answer.
         if (parent === window) history.replaceState(null, '', link());

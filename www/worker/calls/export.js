@@ -15,4 +15,8 @@ export const calls = {
             tell(piece);
         });
     },
+
+    /** Makes a package for learning systems. */
+    package: ({ exercises, title, standard, steps, exercise }) =>
+        wasm_bindgen.makePackage(exercises, title, standard, steps, exercise),
 };

@@ -1,5 +1,6 @@
 //! Answers to exercises in tables with a column of links.
 
+use crate::exercise::Exercise;
 use lsystem_files::{Link, read_link};
 use lsystem_syntax::Definition;
 
@@ -35,9 +36,16 @@ pub fn exercise_in(text: &str) -> Option<String> {
     cells(text).flatten().find_map(|cell| veiled(&read_link(cell.trim())?))
 }
 
-/// The answer in a row of a table. Its name is the first cell beside the link, or else `name`.
+/// The answer in a row of a table: of its links, the one to this exercise, or else the first. Its name is the first cell
+/// beside the link, or else `name`. A package of several exercises keeps an answer to each; those to others are no
+/// answers here.
 fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
-    let (at, link) = cells.iter().enumerate().find_map(|(at, cell)| Some((at, read_link(cell.trim())?)))?;
+    let key = Exercise::key(exercise);
+    let links = cells.iter().enumerate().flat_map(|(at, cell)| links(cell).map(move |(text, link)| (at, text, link)));
+    let mut links: Vec<_> = links.filter(|(.., link)| link.other("k").is_none_or(|other| other == key)).collect();
+    let is_here = |link: &Link| link.other("k").is_some() || link.other("x") == Some(exercise);
+    let chosen = links.iter().position(|(.., link)| is_here(link)).unwrap_or_default();
+    let (at, text, link) = (chosen < links.len()).then(|| links.swap_remove(chosen))?;
     let other = cells.iter().enumerate().find(|(other, cell)| *other != at && !cell.trim().is_empty());
     let name = other.map_or(name, |(_, cell)| cell.trim()).to_owned();
     let by = link.other("by").unwrap_or_default().trim().to_owned();
@@ -48,7 +56,16 @@ fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
             _ => Ok(link.definition),
         },
     };
-    Some(Answer { name, by, link: Some(cells[at].trim().to_owned()), student })
+    Some(Answer { name, by, link: Some(text), student })
+}
+
+/// The links in a cell: one, or the lines of what a package keeps.
+fn links(cell: &str) -> impl Iterator<Item = (String, Link)> {
+    let parts = (0..).zip(cell.trim().split("\n#v=")).map(|(number, part)| match number {
+        0 => part.trim().to_owned(),
+        _ => format!("#v={}", part.trim()),
+    });
+    parts.filter_map(|text| Some((text.clone(), read_link(&text)?)))
 }
 
 fn veiled(link: &Link) -> Option<String> {
@@ -103,5 +120,22 @@ mod tests {
         let answer = of_row(&row, "x", "").unwrap();
         assert_eq!((answer.name.as_str(), answer.by.as_str()), ("7", "Noether"));
         assert_eq!(of_row(&row[2..], "answers, row 3", "").unwrap().name, "answers, row 3");
+    }
+
+    #[test]
+    fn answers_of_packages_are_found_by_their_exercise() {
+        let key = Exercise::key("abc");
+        assert_eq!(key, "352441c2", "a published check sum");
+        let state = format!("l-system 1 at=0\n#v=1&k=00000000&n=1\r\n#v=1&k={key}&mark=solved&n=2\n#v=1&k=own&n=3");
+        for row in [
+            vec!["Ada".to_owned(), state],
+            vec!["Ada".to_owned(), "#v=1&k=00000000&n=1".to_owned(), format!("#v=1&k={key}&n=2")],
+            vec!["Ada".to_owned(), "#v=1&x=def&n=1".to_owned(), "#v=1&x=abc&n=2".to_owned()],
+        ] {
+            let answer = of_row(&row, "", "abc").unwrap();
+            assert_eq!((answer.name.as_str(), answer.student.unwrap().iterations), ("Ada", 2), "{row:?}");
+        }
+        assert!(of_row(&["#v=1&k=00000000&n=1".to_owned()], "", "abc").is_none());
+        assert!(of_row(&["#v=1&x=def&n=1".to_owned()], "", "abc").unwrap().student.is_err());
     }
 }

@@ -5,6 +5,9 @@
 
 mod budget;
 mod maker;
+mod scorm;
+
+pub use scorm::make_package;
 
 use crate::{from_js, to_js};
 use js_sys::{Function, Uint8Array};

@@ -1,0 +1,23 @@
+//! Packages for learning systems.
+
+use lsystem_course::{Scorm, ScormPages, ScormStandard, scorm_package};
+use wasm_bindgen::prelude::*;
+
+/// Makes a package for learning systems, the bytes of a zip. `exercises` are values of `x` in links; none stands for the
+/// lesson. `steps` and `exercise` are the pages `package.html` and `exercise.html` of the site, `standard` is `1.2` or
+/// `2004`.
+///
+/// # Errors
+/// Throws a sentence if an exercise is damaged, if there are too many, or if the pages are not those of this version.
+#[wasm_bindgen(js_name = makePackage)]
+pub fn make_package(
+    exercises: Vec<String>,
+    title: &str,
+    standard: &str,
+    steps: &str,
+    exercise: &[u8],
+) -> Result<Vec<u8>, JsValue> {
+    let standard = ScormStandard::named(standard).ok_or_else(|| format!("There is no SCORM {standard}."))?;
+    let scorm = Scorm { title, exercises: &exercises, standard };
+    scorm_package(&scorm, &ScormPages { steps, exercise }).map_err(JsValue::from)
+}

@@ -1,0 +1,43 @@
+/** Packages for learning systems, made of the site's pages. */
+
+import { download } from '../download.js';
+import { isWhole, responseOf } from '../files.js';
+import { createTool } from '../tool.js';
+
+/** A page in one file has no other pages beside it. */
+const ALONE =
+    'This page is a single file and has no package inside. Open the playground on a web server, or use the program: lsys scorm.';
+
+/** @type {ReturnType<typeof createTool<import('../protocol.js').ExportCalls>>} */
+const tool = createTool('export', { isStraight: true });
+
+/** A file name for a title. @param {string} title */
+const nameOf = (title) =>
+    title
+        .normalize('NFKD')
+        .replace(/[^\w.-]+/g, '_')
+        .replace(/^[_.]+|_+$/g, '')
+        .slice(0, 60);
+
+/**
+ * Saves a package. No exercises stand for the lesson. Returns the number of its bytes; throws a sentence, or an error
+ * if a page or the tool does not load.
+ * @param {{exercises: string[], title: string, standard: string}} asked `exercises` are values of `x` in links
+ */
+export async function savePackage(asked) {
+    if (isWhole()) throw ALONE;
+    const [steps, exercise] = await Promise.all(['package.html', 'exercise.html'].map((name) => responseOf(name)));
+    const made = await tool.call('package', {
+        ...asked,
+        steps: (await steps?.text()) ?? '',
+        exercise: new Uint8Array((await exercise?.arrayBuffer()) ?? new ArrayBuffer(0)),
+    });
+    tool.leave();
+    const name = nameOf(asked.title) || (asked.exercises.length === 0 ? 'l-system_lesson' : 'l-system_exercises');
+    download(new Blob([made], { type: 'application/zip' }), `${name}_scorm_${asked.standard}.zip`);
+    return made.length;
+}
+
+/** The words for a saved package. @param {number} bytes */
+export const savedWords = (bytes) =>
+    `Saved (${(bytes / 1e6).toFixed(1)} MB). Upload the zip as it is, as a SCORM package.`;
