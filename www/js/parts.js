@@ -14,6 +14,7 @@ import { createFinding } from './find/finding.js';
 import { createGallery } from './gallery.js';
 import { createImporting } from './importing.js';
 import { createKeeping } from './keeping.js';
+import { createProjector } from './projector.js';
 import { createSave } from './save/save.js';
 import { createShare } from './share.js';
 import { createShortcuts } from './shortcuts.js';
@@ -37,5 +38,6 @@ export const PARTS = {
     maker: createMaker,
     check: createCheck,
     shortcuts: createShortcuts,
+    projector: createProjector,
     offline: createKeeping,
 };
