@@ -26,14 +26,17 @@ import { createLate } from './late.js';
 function partOfKey(event) {
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey) return null;
-    if (event.key === '?' && !command && !isTypedInto(event.target)) return 'shortcuts';
+    if (!command && !isTypedInto(event.target)) {
+        if (event.key === '?') return 'shortcuts';
+        if (event.key.toLowerCase() === 'f') return 'projector';
+    }
     return event.key.toLowerCase() === 's' && command && !event.shiftKey ? 'save' : null;
 }
 
 /** Whether an element accepts typed text. @param {EventTarget | null} target */
 function isTypedInto(target) {
     if (target instanceof HTMLInputElement)
-        return !['range', 'checkbox', 'color', 'button', 'file'].includes(target.type);
+        return !['range', 'checkbox', 'radio', 'color', 'button', 'file'].includes(target.type);
     return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
 }
 
@@ -85,7 +88,8 @@ export function createDialogs(own) {
     });
     addEventListener('keydown', (event) => {
         const name = partOfKey(event);
-        const isFree = !document.querySelector('dialog[open]');
+        // A dialog, too, may fill the screen.
+        const isFree = name === 'projector' || !document.querySelector('dialog[open]');
         if (!name || (name === 'shortcuts' && !isFree)) return;
         event.preventDefault();
         if (isFree) void open(name);

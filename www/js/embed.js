@@ -6,7 +6,9 @@
 import { toast } from './announce.js';
 import { createReporter, showLast } from './caption.js';
 import { button, html, input, setText, setWords } from './dom.js';
+import { followKeyboard } from './controls/keyboard.js';
 import { createLegend } from './controls/legend.js';
+import { symbolKeys } from './controls/symbol-keys.js';
 import { createDials } from './embed/dials.js';
 import { connectHost } from './embed/messages.js';
 import { readOptions } from './embed/options.js';
@@ -16,6 +18,7 @@ import { createEngine } from './engine.js';
 import { createHover } from './hover.js';
 import { isDark } from './colour-schemes.js';
 import { createExercise, openExercise } from './exercise/exercise.js';
+import { showNext } from './exercise/next.js';
 import { exerciseIn } from './exercise/open.js';
 import { ASKS } from './late-tables.js';
 import { writeLink } from './link.js';
@@ -98,11 +101,17 @@ if (hasSteps)
         'click',
         createSteps(exercise?.tool ?? createTool('course'), () => drawnOf(store.state)).open,
     );
-if (exercise)
+if (exercise) {
+    symbolKeys(['axiom', 'rules', 'overrides']);
+    followKeyboard();
     createExercise(store, exercise, {
-        marked: host.marked,
+        marked(mark, link, isTouched) {
+            host.marked(mark, link, isTouched);
+            if (mark.isSolved) void showNext(exercise.text);
+        },
         needs: (height) => host.needs(height),
     });
+}
 if (!link || refusal !== '') {
     showProblem(refusal || NOTHING);
     host.error(refusal || NOTHING);
@@ -296,7 +305,8 @@ function show(state, before) {
     setText(html('caption-title'), exercise ? 'Yours' : title);
     button('reset').disabled = !store.canReset;
     html('stage').classList.toggle('on-dark', isDark(state.background));
-    html('stage').style.setProperty('--sheet', state.background);
+    for (const id of exercise ? ['stage', 'target'] : ['stage'])
+        html(id).style.setProperty('--sheet', state.background);
     showPrintText(state, before);
     address();
 }

@@ -1,7 +1,8 @@
 /** The gallery: all systems of the collection with thumbnails, to search and open. */
 
 import styles from '../css/gallery.css';
-import { EXERCISES, exerciseCard, exercises, paintExercise } from './course/shelf.js';
+import { exercises } from './course/published.js';
+import { EXERCISES, exerciseCard, paintExercise } from './course/shelf.js';
 import { button, byId, closes, html, input, make, setText } from './dom.js';
 import { jsonOf } from './files.js';
 import markup from './gallery.html';
@@ -104,7 +105,7 @@ export function createGallery({ store, engine, restyle, theme }) {
         return card;
     }
 
-    /** @param {import('./course/shelf.js').Entry} entry */
+    /** @param {import('./course/published.js').Entry} entry */
     function newExercise(entry) {
         const made = exerciseCard(entry);
         cards.set(made.card, {

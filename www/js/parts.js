@@ -15,6 +15,7 @@ import { createFinding } from './find/finding.js';
 import { createGallery } from './gallery.js';
 import { createImporting } from './importing.js';
 import { createKeeping } from './keeping.js';
+import { createProjector } from './projector.js';
 import { createSave } from './save/save.js';
 import { createShare } from './share.js';
 import { createShortcuts } from './shortcuts.js';
@@ -39,5 +40,6 @@ export const PARTS = {
     check: createCheck,
     marks: createMarks,
     shortcuts: createShortcuts,
+    projector: createProjector,
     offline: createKeeping,
 };

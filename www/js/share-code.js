@@ -85,6 +85,18 @@ export function elementCode(state, script, { controls, theme, width, height }) {
     return `<${SCRIPT} src="${attribute(script)}" defer></${SCRIPT}>\n${opening}>${rules}</l-system>`;
 }
 
+/**
+ * The element with an exercise, as high as it needs. Pages without scripts show a link.
+ * @param {string} title
+ * @param {string} address of the exercise, with its hash
+ * @param {string} script the address of l-system.js
+ * @param {number} width at most, in CSS pixels
+ */
+export function exerciseCode(title, address, script, width) {
+    const hash = address.slice(address.indexOf('#'));
+    return `<${SCRIPT} src="${attribute(script)}" defer></${SCRIPT}>\n<l-system link="${attribute(hash)}" aria-label="${attribute(title)}" style="max-width: ${width}px; aspect-ratio: auto"><a href="${attribute(address)}">${text(title)}</a></l-system>`;
+}
+
 /** A link with the title of the drawing. @param {Readonly<State>} state @param {string} address */
 export function markdownCode(state, address) {
     const title = titleOf(state)

@@ -28,7 +28,9 @@ const SLOW_MS = 300;
  */
 function toolsOn(frame) {
     const { left, top } = frame.getBoundingClientRect();
-    return [...frame.querySelectorAll('.tools:not([hidden], .tools-space)')].map((bar) => {
+    // On a projector the tools go away, and the caption is large.
+    const shown = frame.closest('.projecting') ? '.caption > p' : '.tools:not([hidden], .tools-space)';
+    return [...frame.querySelectorAll(shown)].map((bar) => {
         const box = bar.getBoundingClientRect();
         return { left: box.left - left, top: box.top - top, right: box.right - left, bottom: box.bottom - top };
     });

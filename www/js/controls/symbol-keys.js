@@ -9,7 +9,6 @@ const KEYS = ['F', 'X', '+', '-', '[', ']', '->', '(', ')', '|', '&', '^', '!', 
 export function symbolKeys(ids) {
     const row = html('symbol-keys');
     const areas = ids.map((id) => byId(id, HTMLTextAreaElement));
-    const tabs = html('tabs');
     const touch = matchMedia('(pointer: coarse)');
     const current = () => areas.find((area) => area === document.activeElement);
 
@@ -37,8 +36,8 @@ export function symbolKeys(ids) {
     function place() {
         row.hidden = !touch.matches || !current();
         const { height = innerHeight, offsetTop = 0 } = visualViewport ?? {};
-        const { top, bottom } = tabs.getBoundingClientRect();
-        const taken = bottom >= innerHeight - 1 ? innerHeight - top : 0;
+        const tabs = document.getElementById('tabs')?.getBoundingClientRect();
+        const taken = tabs && tabs.bottom >= innerHeight - 1 ? innerHeight - tabs.top : 0;
         row.style.bottom = `${Math.max(taken, innerHeight - height - offsetTop)}px`;
     }
 

@@ -20,7 +20,7 @@ const MOST_SHOWN = 40;
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** @param {import('../dialogs.js').Page} page */
-export function createMathematics({ store }) {
+export function createMathematics({ store, open }) {
     const part = html('mathematics');
     addElements(markup, [styles], part);
     /** The last answer, for the files. @type {{csv: string, latex: string} | null} */
@@ -194,6 +194,7 @@ export function createMathematics({ store }) {
         'click',
         () => made && download(new Blob([made.csv], { type: 'text/csv' }), `${fileName(store.state)}_growth.csv`),
     );
+    button('math-project').addEventListener('click', () => void open('projector', 'mathematics'));
     button('math-latex').addEventListener('click', async () => {
         if (!made) return;
         if (await copyText(made.latex)) setText(html('math-status'), 'LaTeX copied');

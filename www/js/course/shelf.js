@@ -1,23 +1,14 @@
 /** The exercises of the gallery: cards that open an exercise in a window of its own. */
 
-import { jsonOf } from '../files.js';
 import { make } from '../dom.js';
 import { emptyThumb } from '../thumb.js';
+import { GROUPS } from './published.js';
 import { courseTool } from './tool.js';
 
-/** @typedef {{id: string, shelf: string, title: string, text: string | null, x: string}} Entry */
+/** @typedef {import('./published.js').Entry} Entry */
 
 /** The shelf's name, and its filter. */
 export const EXERCISES = 'Exercises';
-
-/** The groups of exercises on the shelf, with their words on the cards. @type {Readonly<Record<string, string>>} */
-const GROUPS = { assignment: 'From the assignment', rising: 'Rising difficulty' };
-
-/** The exercises of the shelf, in their order. @returns {Promise<Entry[]>} */
-export async function exercises() {
-    const all = /** @type {Entry[]} */ (await jsonOf('exercises.json'));
-    return all.filter(({ shelf }) => shelf in GROUPS);
-}
 
 /** @param {Entry} entry */
 export function exerciseCard({ title, shelf, text, x }) {

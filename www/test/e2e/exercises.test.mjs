@@ -207,7 +207,7 @@ for (const [name, options] of /** @type {const} */ ([
                     await page.locator('#maker-qr path').evaluate((path) => getComputedStyle(path).stroke),
                     'none',
                 );
-                assert.match(await page.inputValue('#maker-code'), /^<iframe src="[^"]*exercise\.html#v=1&amp;x=/);
+                assert.match(await page.inputValue('#maker-code'), /<l-system link="#v=1&amp;x=/);
                 await page.goto(link);
                 await page.waitForSelector('#mark:visible');
                 assert.deepEqual(

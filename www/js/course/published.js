@@ -1,0 +1,14 @@
+/** The published exercises, in the order in which they are done. */
+
+import { jsonOf } from '../files.js';
+
+/** @typedef {{id: string, shelf: string, title: string, text: string | null, x: string}} Entry */
+
+/** The groups of exercises, in order, with their words on the cards. @type {Readonly<Record<string, string>>} */
+export const GROUPS = { rising: 'Rising difficulty', assignment: 'From the assignment' };
+
+/** @returns {Promise<Entry[]>} */
+export async function exercises() {
+    const all = /** @type {Entry[]} */ (await jsonOf('exercises.json'));
+    return Object.keys(GROUPS).flatMap((group) => all.filter(({ shelf }) => shelf === group));
+}

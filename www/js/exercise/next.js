@@ -1,0 +1,18 @@
+/** The way on from a solved exercise: the next one of the published list. */
+
+import { exercises } from '../course/published.js';
+import { html } from '../dom.js';
+
+/** Shows the link to the exercise after this one, if the list has one. @param {string} text the exercise, as in its link */
+export async function showNext(text) {
+    const link = html('next-exercise');
+    // The page around a frame has ways of its own, and on a disk there is no list.
+    if (!link.hidden || parent !== window || location.protocol === 'file:') return;
+    const list = await exercises().catch(() => []);
+    const at = list.findIndex(({ x }) => x === text);
+    const next = at < 0 ? undefined : list[at + 1];
+    if (!next) return;
+    link.setAttribute('href', `#v=1&x=${next.x}`);
+    link.title = next.title;
+    link.hidden = false;
+}

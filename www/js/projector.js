@@ -1,0 +1,103 @@
+/** For a projector: the drawing, or what the mathematics says, fills the screen, in type for the last row of a room. */
+
+import styles from '../css/projector.css';
+import { announce } from './announce.js';
+import { button, byId, html } from './dom.js';
+import { setLayer } from './layers.js';
+import { addElements } from './late.js';
+import markup from './projector.html';
+
+/** Tools, keys and the pointer are hidden after this time without a movement of the pointer, in milliseconds. */
+const IDLE = 6000;
+/** Keys that mean the drawing, wherever the focus is. */
+const KEYS = /^(Arrow(Left|Right|Up|Down)|[-+=0])$/;
+/** Elements that have no use of their own for these keys. */
+const INDIFFERENT = 'body, button, a, #projector-page';
+
+export function createProjector() {
+    addElements(markup, [styles], html('stage'));
+    const root = document.documentElement;
+    const drawing = html('drawing');
+    const page = html('projector-page');
+    const mathematics = byId('mathematics', HTMLDetailsElement);
+    /** Where the mathematics stands in the panel. */
+    const place = document.createComment('mathematics');
+    let timer = 0;
+
+    const isOn = () => root.classList.contains('projecting');
+
+    /** Shows tools, keys and the pointer for a while. */
+    function stir() {
+        clearTimeout(timer);
+        root.classList.remove('idle');
+        if (isOn()) timer = window.setTimeout(() => root.classList.add('idle'), IDLE);
+    }
+
+    /** @param {boolean} on */
+    function set(on) {
+        root.classList.toggle('projecting', on);
+        html('projector-bar').hidden = !on;
+        button('project').setAttribute('aria-pressed', String(on));
+        setLayer(end, on);
+        stir();
+    }
+
+    function begin() {
+        set(true);
+        if (!document.querySelector('dialog[open]')) drawing.focus();
+        announce('The drawing fills the screen. Escape ends this.');
+        // Where a browser or the page around has no full screen, the window is filled.
+        root.requestFullscreen?.().catch(() => {});
+    }
+
+    function end() {
+        if (!isOn()) return;
+        leaveMathematics();
+        set(false);
+        if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
+    }
+
+    function showMathematics() {
+        if (!page.hidden) return;
+        mathematics.replaceWith(place);
+        page.append(mathematics);
+        mathematics.open = true;
+        page.hidden = false;
+        button('projector-mathematics').setAttribute('aria-pressed', 'true');
+        setLayer(leaveMathematics, true);
+        page.focus();
+    }
+
+    function leaveMathematics() {
+        if (page.hidden) return;
+        place.replaceWith(mathematics);
+        page.hidden = true;
+        button('projector-mathematics').setAttribute('aria-pressed', 'false');
+        setLayer(leaveMathematics, false);
+        drawing.focus();
+    }
+
+    // The browser's own Escape ends the full screen without a key on the page.
+    document.addEventListener('fullscreenchange', () => document.fullscreenElement || end());
+    addEventListener('pointermove', stir, { passive: true });
+    addEventListener('keydown', (event) => {
+        if (event.key === 'Tab') stir();
+        if (!isOn() || !KEYS.test(event.key) || document.querySelector('dialog[open]')) return;
+        if (!(event.target instanceof Element) || !event.target.matches(INDIFFERENT)) return;
+        event.preventDefault();
+        drawing.dispatchEvent(new KeyboardEvent(event.type, event));
+    });
+    button('projector-end').addEventListener('click', end);
+    button('projector-mathematics').addEventListener('click', () =>
+        page.hidden ? showMathematics() : leaveMathematics(),
+    );
+
+    return {
+        /** Fills the screen, or ends that. @param {'mathematics'} [what] shows this in place of the drawing */
+        open(what) {
+            if (what === undefined && isOn()) return end();
+            if (!isOn()) begin();
+            if (what) showMathematics();
+        },
+    };
+}
