@@ -1,6 +1,6 @@
 /** The part of the share dialog with packages of exercises for learning systems. */
 
-import { exercises } from './course/shelf.js';
+import { exercises } from './course/published.js';
 import { savePackage, savedWords } from './course/packaging.js';
 import { button, byId, html, input, make, setText } from './dom.js';
 import { exerciseIn } from './exercise/open.js';

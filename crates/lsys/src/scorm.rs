@@ -1,6 +1,6 @@
 //! `lsys scorm`: packages of exercises for learning systems.
 
-use crate::answers::exercise;
+use crate::answers::class;
 use crate::cli::ScormOptions;
 use crate::pages::{EXERCISE, Page, STEPS};
 use crate::pending::Pending;
@@ -13,7 +13,10 @@ use std::path::Path;
 /// # Errors
 /// [`CommandFailure::Words`] if an exercise is damaged, a page is missing, or the file cannot be written.
 pub(crate) fn package(exercises: &[String], to: &Path, options: &ScormOptions) -> Result<(), CommandFailure> {
-    let exercises = exercises.iter().map(|word| Ok(exercise(word)?.1)).collect::<Result<Vec<_>, CommandFailure>>()?;
+    let exercises = exercises
+        .iter()
+        .map(|word| Ok(class(word)?.veiled().to_owned()))
+        .collect::<Result<Vec<_>, CommandFailure>>()?;
     let page = |page: Page| page.html(options.pages.as_ref().map(|folder| folder.join(page.name)).as_deref());
     let (steps, exercise) = (page(STEPS)?, page(EXERCISE)?);
     let scorm = Scorm { title: &options.title, exercises: &exercises, standard: options.standard };

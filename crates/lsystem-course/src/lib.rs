@@ -41,5 +41,5 @@ pub use exercise::{Asks, Exercise, First, Given};
 pub use fit::Ends;
 pub use mark::{Grade, Marker, Marking};
 pub use same::is_same_picture;
-pub use variants::Varied;
 pub use scorm::{MAX_EXERCISES, Scorm, ScormPages, ScormStandard, scorm_package};
+pub use variants::Varied;

@@ -22,12 +22,12 @@ export function keyOf(text) {
     return (~sum >>> 0).toString(16).padStart(8, '0');
 }
 
-/** The fields of an answer's link: without the exercise and the name. @param {string} link */
+/** The fields of an answer's link: without the exercise. The name decides on the variant. @param {string} link */
 export const fieldsIn = (link) =>
     link
         .replace(/^[^#]*#/, '')
         .split('&')
-        .filter((field) => !/^(v|x|by|hand|k|mark)=/.test(field))
+        .filter((field) => !/^(v|x|hand|away|k|mark)=/.test(field))
         .join('&');
 
 /** The link of an answer. @param {Part} part */

@@ -73,7 +73,7 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     // The usual example is the answer to some exercises.
     byId('rules', HTMLTextAreaElement).placeholder = EXAMPLE;
     document.body.classList.add('exercising');
-    if (about.variants > 0 && name.value === '') return askName(text, about.title);
+    if (about.variants > 0 && name.value === '') return askName(about.title);
     if (parent !== window) {
         document.body.classList.add('framed');
         new ResizeObserver(() => needs(html('app').offsetHeight)).observe(html('app'));
@@ -242,9 +242,9 @@ const EXAMPLE = 'F -> …';
 
 /**
  * Asks for the name that decides on the variant, and opens the exercise with it.
- * @param {string} text @param {string} title
+ * @param {string} title
  */
-function askName(text, title) {
+function askName(title) {
     document.body.classList.add('asking');
     html('exercise').hidden = false;
     setText(html('exercise-title'), title || 'Exercise');
@@ -267,8 +267,9 @@ function askName(text, title) {
         event.preventDefault();
         const by = field instanceof HTMLInputElement ? field.value.trim() : '';
         if (by === '') return;
-        const kept = /(^|[#&])hand=0(&|$)/.test(location.hash) ? '&hand=0' : '';
-        history.replaceState(null, '', `#v=1&x=${text}&by=${encodeURIComponent(by)}${kept}`);
+        // Other parts of the link stay, and a name that was empty goes.
+        const rest = location.hash.replace(/&by=[^&]*/, '');
+        history.replaceState(null, '', `${rest}&by=${encodeURIComponent(by)}`);
         location.reload();
     });
     html('exercise-task').replaceChildren(form);

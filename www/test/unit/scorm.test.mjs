@@ -64,7 +64,8 @@ test('two states become one, and solved stays solved', () => {
 
 test('answers lose what the package knows', () => {
     const link = '#v=1&x=abc&rules=F%20-%3E%20FF&n=3&by=Ada&hand=0';
-    assert.equal(fieldsIn(link), 'rules=F%20-%3E%20FF&n=3');
+    // The name stays: it decides on the student's variant.
+    assert.equal(fieldsIn(link), 'rules=F%20-%3E%20FF&n=3&by=Ada');
     assert.equal(linkOf({ key: '0000000a', mark: 12, fields: 'n=3' }), '#v=1&k=0000000a&mark=12&n=3');
 });
 

@@ -239,16 +239,16 @@ fn drawings_in_a_held_frame_grow_from_the_ground() {
 /// The page starts an own look with what an automatic look chose, so the width is one that people can read.
 #[test]
 fn an_automatic_look_reports_the_width_that_is_drawn() {
-    let auto = |colour: &str| {
+    let auto = |rgb: [u8; 3]| {
         let mut definition = weed(4);
-        (definition.style.auto, definition.style.palette) = (true, vec![colour.to_owned()]);
+        (definition.style.auto, definition.style.palette) = (true, vec![lsystem::syntax::Colour { rgb }]);
         definition
     };
-    let mut bench = Bench::with(&auto("#00ff00"), 0.0);
+    let mut bench = Bench::with(&auto([0, 255, 0]), 0.0);
     let width = bench.settle().1.unwrap().look.unwrap().width;
     assert!((0.01..100.0).contains(&width), "{width}");
     assert_eq!(format!("{width}").trim_start_matches(['0', '.']).replace('.', "").len(), 3, "{width}");
     // The drawing stays when only colours change, and with it the width.
-    let again = bench.session.define(auto("#0000ff")).look.as_ref().unwrap().width;
+    let again = bench.session.define(auto([0, 0, 255])).look.as_ref().unwrap().width;
     assert_eq!(again, width);
 }

@@ -10,6 +10,7 @@ use wasm_bindgen::prelude::*;
 /// # Errors
 /// Throws a sentence if an exercise is damaged, if there are too many, or if the pages are not those of this version.
 #[wasm_bindgen(js_name = makePackage)]
+#[expect(clippy::needless_pass_by_value, reason = "lists of texts cross the boundary by value only")]
 pub fn make_package(
     exercises: Vec<String>,
     title: &str,
