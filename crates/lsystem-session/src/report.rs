@@ -134,8 +134,7 @@ impl Report {
     }
 }
 
-/// A number above 0 with three significant digits.
+/// A number with three significant digits.
 fn three_digits(value: f64) -> f64 {
-    let unit = libm::exp10(2.0 - libm::floor(libm::log10(value)));
-    if unit.is_finite() && unit > 0.0 { libm::round(value * unit) / unit } else { value }
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
