@@ -77,7 +77,8 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
         found.flat_map(|wasm| [wasm.script.to_owned(), wasm.file()]).collect()
     };
     let all = [of("lsystem"), of("tools"), vec!["gallery.json".to_owned(), "exercises.json".to_owned()]].concat();
-    let (drawing, marking, playing) = (of("lsystem"), [of("lsystem"), of("course")].concat(), of("film"));
+    let marking = [of("lsystem"), of("course"), vec!["exercises.json".to_owned()]].concat();
+    let (drawing, playing) = (of("lsystem"), of("film"));
     let maker = &one_file::Maker { site: &site, bundler: &esbuild };
     let single = [
         (index, "playground.html", all),

@@ -127,26 +127,25 @@ test('what plays goes on', () =>
         },
     ));
 
-test('step by step fills the screen, in type that grows with it', () =>
-    withPage({ hash: ALGAE, options: HALL }, async (page) => {
-        await page.click('#open-steps');
-        await page.waitForSelector('#steps[open]');
-        assert.equal(await fills(page, '#steps'), false);
-        await page.click('#steps-project');
-        await until(() => fills(page, '#steps'), 'the dialog fills the screen');
-        await page.click('#steps-on');
-        await areRead(page, '.family .parent', '.family .children code', '#steps-words');
-        await page.click('#steps-single');
-        await areRead(page, '#steps-table td code');
-        await page.click('#steps-turtle');
-        await areRead(page, '#steps-string .symbol', '#steps-state');
-        await page.setViewportSize({ width: 1024, height: 576 });
-        await areRead(page, '#steps-string .symbol', '#steps-words');
-        // The focus is on a radio button, which nobody types into.
-        await page.keyboard.press('f');
-        await until(async () => !(await fills(page, '#steps')), 'it ends');
-        assert.ok(await page.isVisible('#steps'));
-    }));
+for (const viewport of [HALL.viewport, { width: 1280, height: 720 }])
+    test(`step by step fills the screen, in type that grows with it: ${viewport.width} x ${viewport.height}`, () =>
+        withPage({ hash: ALGAE, options: { viewport } }, async (page) => {
+            await page.click('#open-steps');
+            await page.waitForSelector('#steps[open]');
+            assert.equal(await fills(page, '#steps'), false);
+            await page.click('#steps-project');
+            await until(() => fills(page, '#steps'), 'the dialog fills the screen');
+            await page.click('#steps-on');
+            await areRead(page, '.family .parent', '.family .children code', '#steps-words');
+            await page.click('#steps-single');
+            await areRead(page, '#steps-table td code');
+            await page.click('#steps-turtle');
+            await areRead(page, '#steps-string .symbol', '#steps-state');
+            // The focus is on a radio button, which nobody types into.
+            await page.keyboard.press('f');
+            await until(async () => !(await fills(page, '#steps')), 'it ends');
+            assert.ok(await page.isVisible('#steps'));
+        }));
 
 test('the mathematics fills the screen, follows n, and returns to its place', () =>
     withPage({ hash: ALGAE, options: HALL }, async (page) => {
