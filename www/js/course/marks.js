@@ -45,7 +45,7 @@ const VARIANT = 'Variant';
 
 export function createMarks() {
     addElements(markup, [styles, own]);
-    const dialog = byId('marks', HTMLDialogElement);
+    const dialog = byId('class-marks', HTMLDialogElement);
     const answers = byId('marks-answers', HTMLTextAreaElement);
     const file = input('marks-file');
     const table = dialog.querySelector('table');

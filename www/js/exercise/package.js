@@ -184,9 +184,11 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         keep();
         if (!isSent) {
             const why = failed ?? 'it does not keep the answers';
-            tell(`The learning system has not saved your last answers (${why}). ${here()}. Trying again.`, {
-                isTrouble: true,
-            });
+            const told =
+                attempt.parts.length === 0
+                    ? `The learning system does not save (${why}).`
+                    : `The learning system has not saved your last answers (${why}). ${here()}.`;
+            tell(`${told} Trying again.`, { isTrouble: true });
             return later(send);
         }
         wait = FIRST_WAIT;

@@ -68,7 +68,7 @@ for (const [name, options] of /** @type {const} */ ([
             assert.match(table, /^\ufeffname,by,solved,/);
             assert.equal(table.trim().split('\n').length, 6);
             const edges = await page.evaluate(() => {
-                const dialog = document.getElementById('marks')?.getBoundingClientRect();
+                const dialog = document.getElementById('class-marks')?.getBoundingClientRect();
                 return [dialog?.left ?? -1, (dialog?.right ?? 1e9) - innerWidth];
             });
             assert.ok((edges[0] ?? -1) >= 0 && (edges[1] ?? 1) <= 0, `${edges}`);
