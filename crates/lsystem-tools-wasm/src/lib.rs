@@ -16,11 +16,10 @@ mod invent;
 #[cfg(test)]
 mod tables;
 
+#[cfg(feature = "class")]
+pub use course::{ClassMarking, variants_of, write_exercise};
 #[cfg(feature = "course")]
-pub use course::{
-    ClassMarking, OpenExercise, check_output, growth, one_by_one, step_rows, turtle_trace, variant_of, variants_of,
-    write_exercise,
-};
+pub use course::{OpenExercise, check_output, growth, one_by_one, step_rows, turtle_trace, variant_of};
 #[cfg(feature = "export")]
 pub use export::{make_file, make_package};
 #[cfg(feature = "film")]

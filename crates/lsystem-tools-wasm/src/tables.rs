@@ -2,8 +2,8 @@
 //! tables` writes the file.
 
 use crate::course::check::CheckReport;
-use crate::course::class::{AboutClass, MarkedAnswer, MistakeReport, VariantReport};
-use crate::course::exercise::{AboutExercise, MarkReport};
+use crate::course::class::{AboutClass, MarkedAnswer, MistakeReport};
+use crate::course::exercise::{AboutExercise, MarkReport, VariantReport};
 use crate::course::growth::GrowthReport;
 use crate::export::ExportReport;
 use crate::film::preset::PresetObject;

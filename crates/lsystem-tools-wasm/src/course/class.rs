@@ -1,7 +1,8 @@
-//! The answers of a class, marked.
+//! What teachers need: exercises written, their variants, and the answers of a class marked.
 
+use super::exercise::undrawable;
 use crate::{from_js, to_js};
-use lsystem_course::{Answer, Class, Exercise, Marked, Varied, answers, exercise_in, mistakes};
+use lsystem_course::{Answer, Class, Exercise, Marked, Marker, Varied, answers, exercise_in, mistakes};
 use serde::Serialize;
 use std::collections::VecDeque;
 use ts_rs::TS;
@@ -141,24 +142,6 @@ fn is_bare(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_')
 }
 
-/// An exercise for one student: its value of `x` and the number of the variant, from 1.
-#[derive(Serialize, TS)]
-pub(crate) struct VariantReport {
-    text: String,
-    variant: usize,
-}
-
-/// The exercise with the variant of a student alone, as the value of `x` in a link.
-///
-/// # Errors
-/// Throws a sentence if the exercise is damaged.
-#[wasm_bindgen(js_name = variantOf)]
-pub fn variant_of(text: &str, student: &str) -> Result<JsValue, JsValue> {
-    let exercise = read(text)?;
-    let number = exercise.variant_of(student);
-    to_js(&VariantReport { text: exercise.variant(number).write(), variant: number + 1 })
-}
-
 /// The variants of an exercise that differ from its target in some properties.
 ///
 /// # Errors
@@ -170,6 +153,14 @@ pub fn variants_of(exercise: JsValue, varied: JsValue) -> Result<JsValue, JsValu
     to_js(&exercise.with_variants(&varied).variants)
 }
 
-fn read(text: &str) -> Result<Exercise, JsValue> {
-    Exercise::read(text).map_err(|wrong| JsValue::from(format!("The exercise {wrong}.")))
+/// Writes an exercise as the value of `x` in a link.
+///
+/// # Errors
+/// Throws a sentence if the exercise cannot be drawn.
+#[wasm_bindgen(js_name = writeExercise)]
+pub fn write_exercise(exercise: JsValue) -> Result<String, JsValue> {
+    let exercise = from_js::<Exercise>(exercise)?.within_limits();
+    let text = exercise.write();
+    Marker::new(exercise).map_err(|errors| undrawable(&errors))?;
+    Ok(text)
 }

@@ -72,13 +72,17 @@ pub struct OpenExercise {
 
 #[wasm_bindgen]
 impl OpenExercise {
-    /// Opens the exercise in the value of `x` in a link.
+    /// Opens the exercise in the value of `x` in a link, or one variant of it, as [`variant_of`] names it.
     ///
     /// # Errors
     /// Throws a sentence if the exercise is damaged or cannot be drawn.
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str) -> Result<Self, JsValue> {
-        let exercise = Exercise::read(text).map_err(|wrong| JsValue::from(format!("The exercise {wrong}.")))?;
+        let (text, variant) = text.split_once('.').unwrap_or((text, ""));
+        let mut exercise = Exercise::read(text).map_err(|wrong| JsValue::from(format!("The exercise {wrong}.")))?;
+        if let Ok(number) = variant.parse() {
+            exercise = exercise.variant(number);
+        }
         let marker = Marker::new(exercise).map_err(|errors| undrawable(&errors))?;
         Ok(Self { marker, marking: None, is_solved: false })
     }
@@ -172,19 +176,25 @@ impl OpenExercise {
     }
 }
 
-/// Writes an exercise as the value of `x` in a link.
-///
-/// # Errors
-/// Throws a sentence if the exercise cannot be drawn.
-#[wasm_bindgen(js_name = writeExercise)]
-pub fn write_exercise(exercise: JsValue) -> Result<String, JsValue> {
-    let exercise = from_js::<Exercise>(exercise)?.within_limits();
-    let text = exercise.write();
-    Marker::new(exercise).map_err(|errors| undrawable(&errors))?;
-    Ok(text)
+/// An exercise for one student: its value of `x` and the number of the variant, from 1.
+#[derive(Serialize, TS)]
+pub(crate) struct VariantReport {
+    text: String,
+    variant: usize,
 }
 
-fn undrawable(errors: &[Diagnostic]) -> JsValue {
+/// The exercise with the variant of a student alone: the value of `x` in a link, a full stop and the variant's number.
+///
+/// # Errors
+/// Throws a sentence if the exercise is damaged.
+#[wasm_bindgen(js_name = variantOf)]
+pub fn variant_of(text: &str, student: &str) -> Result<JsValue, JsValue> {
+    let exercise = Exercise::read(text).map_err(|wrong| JsValue::from(format!("The exercise {wrong}.")))?;
+    let number = exercise.variant_of(student);
+    to_js(&VariantReport { text: format!("{text}.{number}"), variant: number + 1 })
+}
+
+pub(super) fn undrawable(errors: &[Diagnostic]) -> JsValue {
     let words: Vec<String> = errors.iter().map(|error| format!("{}.", error.message())).collect();
     JsValue::from(format!("The exercise cannot be drawn: {}", words.join(" ")))
 }

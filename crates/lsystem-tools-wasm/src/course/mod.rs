@@ -1,13 +1,15 @@
 //! Exercises, checks, growth and single steps.
 
 pub(crate) mod check;
+#[cfg(feature = "class")]
 pub(crate) mod class;
 pub(crate) mod exercise;
 pub(crate) mod growth;
 mod steps;
 
 pub use check::check_output;
-pub use class::{ClassMarking, variant_of, variants_of};
-pub use exercise::{OpenExercise, write_exercise};
+#[cfg(feature = "class")]
+pub use class::{ClassMarking, variants_of, write_exercise};
+pub use exercise::{OpenExercise, variant_of};
 pub use growth::growth;
 pub use steps::{one_by_one, step_rows, turtle_trace};
