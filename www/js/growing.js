@@ -31,7 +31,7 @@ export function duration(iterations) {
  * @param {{begins: () => void, present: (show: import('./playback.js').Show | null) => void}} page `begins` is called
  *   before growth begins; `present` shows growth on the playback bar, or the segments again
  */
-export function createGrowing(store, engine, { begins, present }) {
+export function createGrowing(store, engine, page) {
     /** The time of the last frame. */
     let before = 0;
     /** The generation, with the part of the next one that has grown. */
@@ -44,6 +44,11 @@ export function createGrowing(store, engine, { begins, present }) {
     let seconds = 0;
     /** Called when growth ends. */
     let ended = () => {};
+    /** Whether a new visitor is greeted: nothing but the plant moves. */
+    let isGreeting = false;
+    const present = (/** @type {import('./playback.js').Show | null} */ shown) => {
+        if (!isGreeting) page.present(shown);
+    };
     const iterations = () => store.state.iterations;
 
     /** @param {number} now */
@@ -69,7 +74,7 @@ export function createGrowing(store, engine, { begins, present }) {
     }
 
     function start(lasts = duration(iterations())) {
-        begins();
+        page.begins();
         seconds = lasts;
         animation.begin();
         asked = 0;
@@ -89,6 +94,7 @@ export function createGrowing(store, engine, { begins, present }) {
             ended();
             ended = () => {};
             present(null);
+            isGreeting = false;
         },
         draw: () => engine.define(definitionOf(store.state)),
     });
@@ -124,6 +130,7 @@ export function createGrowing(store, engine, { begins, present }) {
         },
         /** Grows once, quickly. Any input ends it. */
         greet() {
+            isGreeting = true;
             start(GREETING);
             const over = new AbortController();
             for (const input of ['pointerdown', 'keydown', 'wheel'])

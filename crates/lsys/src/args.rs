@@ -1,6 +1,6 @@
 //! The command line as a value.
 
-use crate::cli::{Changes, Cli, FilmOptions, GrowthFormat, Look, ScormOptions, TileOptions, Verb};
+use crate::cli::{Changes, Cli, ExhibitOptions, FilmOptions, GrowthFormat, Look, ScormOptions, TileOptions, Verb};
 use crate::find::Known;
 use crate::view::ViewOptions;
 use clap::error::ErrorKind;
@@ -47,6 +47,8 @@ pub(crate) enum Command {
     Surprise { seed: Option<u32> },
     /// Write children of one or two systems.
     Breed { files: Vec<PathBuf>, to: PathBuf, seed: Option<u32>, count: u32 },
+    /// Write a page with drawings.
+    Exhibit { files: Vec<PathBuf>, to: PathBuf, options: ExhibitOptions },
     /// Mark answers to an exercise.
     Mark { exercise: String, answers: Vec<String>, csv: bool, html: Option<PathBuf> },
     /// Write a package for learning systems.
@@ -137,6 +139,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             _ => Err(explain("breed", "standard input (-) can be read only once".to_owned())),
         },
         Verb::Mark { exercise, answers, csv, html } => Ok(Command::Mark { exercise, answers, csv, html }),
+        Verb::Exhibit { files, to, options } => Ok(Command::Exhibit { files, to, options }),
         Verb::Scorm { exercises, to, options } => Ok(Command::Scorm { exercises, to, options }),
         Verb::Completions { shell } => {
             let mut script = Vec::new();
@@ -310,7 +313,12 @@ mod tests {
             }
             Ok(Command::View { file, options, changes }) => format!("view {file:?} {options:?} {}", with(changes)),
             Ok(Command::Link { file, page, changes }) => format!("link {file:?} {page:?} {}", with(changes)),
-            Ok(command @ (Command::Surprise { .. } | Command::Breed { .. } | Command::Scorm { .. })) => {
+            Ok(
+                command @ (Command::Surprise { .. }
+                | Command::Breed { .. }
+                | Command::Exhibit { .. }
+                | Command::Scorm { .. }),
+            ) => {
                 format!("{command:?}")
             }
             Err(error) => error.split("\n\n").next().unwrap_or_default().to_owned(),

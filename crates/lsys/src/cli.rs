@@ -269,6 +269,20 @@ pub(crate) enum Verb {
         #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
         html: Option<PathBuf>,
     },
+    /// Write a page that shows the drawings of a class
+    ///
+    /// Each FILE is a system, or a folder with systems. The page is one file of HTML, without names unless
+    /// they are asked for.
+    #[command(verbatim_doc_comment)]
+    Exhibit {
+        #[arg(help = "File, or folder with files", value_name = "FILE", value_hint = ValueHint::AnyPath, required = true)]
+        files: Vec<PathBuf>,
+        /// Page to write, with the ending .html
+        #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, allow_hyphen_values = true)]
+        to: PathBuf,
+        #[command(flatten)]
+        options: ExhibitOptions,
+    },
     /// Write a package for Moodle, ILIAS, OLAT, Canvas and other learning systems (SCORM)
     ///
     /// Each EXERCISE is the link of an exercise, or a file with the link. The learning system gets the
@@ -339,6 +353,26 @@ pub(crate) struct Look {
     pub(crate) compact: bool,
     #[command(flatten)]
     pub(crate) flags: FileFlags,
+}
+
+/// The options of an exhibition.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+pub(crate) struct ExhibitOptions {
+    /// Heading of the page
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    pub(crate) title: String,
+    /// Show the titles of the systems, not numbers
+    #[arg(long)]
+    pub(crate) names: bool,
+    /// Order by votes: a file with lines such as koch,12 [default: order of the files]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(crate) votes: Option<PathBuf>,
+    /// Order by chance, 0 to 4294967295: the same for the same seed
+    #[arg(long, conflicts_with = "votes", value_parser = |text: &str| whole(text, u32::MAX))]
+    pub(crate) seed: Option<u32>,
+    /// Address of the playground, to which the drawings are linked
+    #[arg(long, value_name = "ADDRESS")]
+    pub(crate) page: Option<String>,
 }
 
 /// The options of a package for learning systems.

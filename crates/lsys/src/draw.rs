@@ -9,7 +9,7 @@ use crate::pending::{Pending, with_extension};
 use crate::progress::DelayedBar;
 use crate::{CommandFailure, cores, memory, print};
 use lsystem::drawing::why_empty;
-use lsystem::files::{FileLimits, FileTask, FileView, Format, Owner, PngOptions, Sink, make};
+use lsystem::files::{FileLimits, FileOptions, FileTask, FileView, Format, Owner, PngOptions, Sink, make};
 use lsystem::render::BAND_PIXEL;
 use lsystem::syntax::{Halt, visible};
 use std::io::{self, IsTerminal, Write};
@@ -53,7 +53,8 @@ fn draw_one(
         Destination::Print(format) => {
             let wrong = |error: io::Error| CommandFailure::io("standard output", &error);
             limits.make(|shares| {
-                let write = |out: &mut dyn Write| write_file(&input, format, look, shares, say, out, &wrong);
+                let write =
+                    |out: &mut dyn Write| write_file(&input, format, &look.flags.options(), shares, say, out, &wrong);
                 within(|write| print(|out| write(out)), write)
             })
         }
@@ -64,7 +65,9 @@ fn draw_one(
                 let path = with_extension(base, format.ending);
                 let wrong = |error: io::Error| CommandFailure::io(path.display(), &error);
                 let file = limits.make(|shares| {
-                    let write = |out: &mut dyn Write| write_file(&input, format, look, shares, say, out, &wrong);
+                    let write = |out: &mut dyn Write| {
+                        write_file(&input, format, &look.flags.options(), shares, say, out, &wrong)
+                    };
                     within(|write| Pending::write(&path, |out| write(out)).map_err(wrong), write)
                 })?;
                 pending.push(file);
@@ -73,6 +76,23 @@ fn draw_one(
                 .try_for_each(|file| file.commit().map_err(|error| CommandFailure::io(base.display(), &error)))
         }
     }
+}
+
+/// A picture of pixels, within one of `shares` equal shares of the limits.
+///
+/// # Errors
+/// The limit that the drawing exceeds.
+pub(crate) fn picture(
+    input: &InputSystem,
+    size: [u32; 2],
+    shares: u64,
+    say: Say<'_>,
+) -> Result<Vec<u8>, CommandFailure> {
+    let Some(png) = Format::named("png") else { return Ok(Vec::new()) };
+    let (options, mut bytes) = (FileOptions { size: Some(size), ..FileOptions::default() }, Vec::new());
+    let wrong = |error: io::Error| CommandFailure::io("memory", &error);
+    write_file(input, png, &options, shares, say, &mut bytes, &wrong)?;
+    Ok(bytes)
 }
 
 /// The most segments of a mesh: some hundred megabytes, and more than most programs open.
@@ -110,13 +130,12 @@ impl Owner for Stream<'_> {
 fn write_file(
     input: &InputSystem,
     format: &'static Format,
-    look: &Look,
+    options: &FileOptions,
     shares: u64,
     say: Say<'_>,
     out: &mut dyn Write,
     wrong: &dyn Fn(io::Error) -> CommandFailure,
 ) -> Result<(), CommandFailure> {
-    let options = look.flags.options();
     if format.name == "png" {
         let pixels = options.size.unwrap_or(USUAL_SIZE).map(u64::from).iter().product::<u64>();
         memory::check(PAINTING + pixels.min(PngOptions::default().band.into()) * BAND_PIXEL)?;
@@ -127,7 +146,7 @@ fn write_file(
         definition: &input.definition,
         system: &input.system,
         format,
-        options: &options,
+        options,
         view: FileView::default(),
         limits: FileLimits {
             drawing: input.drawing_limits(),

@@ -9,6 +9,7 @@ mod check;
 mod cli;
 mod cores;
 mod draw;
+mod exhibit;
 mod export;
 mod file_flags;
 mod find;
@@ -113,6 +114,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Surprise { seed } => invent::print_surprise(seed),
         Command::Breed { files, to, seed, count } => invent::breed_into(&files, seed, count, &to),
         Command::Mark { exercise, answers, csv, html } => mark::mark(&exercise, &answers, csv, html.as_deref()),
+        Command::Exhibit { files, to, options } => exhibit::exhibit(&files, &to, &options),
         Command::Scorm { exercises, to, options } => scorm::package(&exercises, &to, &options),
         Command::Info { files, growth: Some(format), changes, .. } => growth::print_growth(&files, format, &changes),
         Command::Info { files, json, growth: None, changes } => info::info(&files, json, &changes),

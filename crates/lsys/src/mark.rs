@@ -2,6 +2,8 @@
 
 mod page;
 
+pub(crate) use page::escaped;
+
 use crate::answers::{answers, class};
 use crate::pending::Pending;
 use crate::progress::DelayedBar;

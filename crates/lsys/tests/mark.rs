@@ -65,14 +65,14 @@ fn answers_are_marked() {
         &expect![[r#"
             Some(0)
             name            by        solved  agrees  symbols  remark
-            answers, row 1  Ada       yes    100.0 %        9  The picture is the same.
+            answers, row 1  Ada       yes    100.0 %        9  The picture is the same, at every number of iterations.
             Noether                   no       3.7 %        9  3.7 % of the ink agrees. Your drawing is a mirror image: left and right are exchanged.
             1912            Ada       no       1.2 %        2  1.2 % of the ink agrees. All that you draw is right, but 63 segments are missing.
             answers, row 4  =1+1 <b>  no      63.9 %        9  63.9 % of the ink agrees. The same after one more iteration.
             answers, row 5  Emmy      no       0.0 %        1  This `(` is never closed
             answers, row 6  Mary      no                       an answer to another exercise
             answers, row 7  Grace     no                       an answer to another exercise
-            own                       yes    100.0 %        9  The picture is the same.
+            own                       yes    100.0 %        9  The picture is the same, at every number of iterations.
             2 of 8 solved.
         "#]],
     );
@@ -82,7 +82,7 @@ fn answers_are_marked() {
         &expect![[r#"
             Some(0)
             name,by,solved,agreement_percent,symbols,target_segments,own_segments,remark,link
-            link,"Ada, at home",yes,100.0,9,64,64,The picture is the same.,https://example.org/exercise.html#v=1&x=eNpNj81Og0AAhGFLysJCgUBYu_wYbWpsjDGe9GBCCi3Q7gLVblPrptTE6LGv4KtLL6bHLzOZL_NEiekAmGXFTcmHejsOIlvUAw-5GERBuksAaws2zRwj5GlgfDlzZiuhrphFKdz3-nWkdPltUwmsMr70wPGhXoj6bpmUhx_y63lHicjYGkIfyQDpF_CTWjo4-dbpQJ4Rcu-oCLJtppvR9hB0rGpQOuNryvNeCBWxWPEZTfmkY78PfFy0IGMf-4Ty5DltVBvL3O1V_3td_222WdPjmuULZlixhgHSTn4pP7R2JRSZdn_Ii2TadgizTXHZpNX39ArJ0Gdby9Biw612fBJYeh81Atsxi4L5ahRHYxQRBRVlvtrM949_Q0M5og&n=3&rules=%46%20%2D%3E%20%46%2B%46%2D%2D%46%2B%46&by=%41%64%61%2C%20%61%74%20%68%6F%6D%65
+            link,"Ada, at home",yes,100.0,9,64,64,"The picture is the same, at every number of iterations.",https://example.org/exercise.html#v=1&x=eNpNj81Og0AAhGFLysJCgUBYu_wYbWpsjDGe9GBCCi3Q7gLVblPrptTE6LGv4KtLL6bHLzOZL_NEiekAmGXFTcmHejsOIlvUAw-5GERBuksAaws2zRwj5GlgfDlzZiuhrphFKdz3-nWkdPltUwmsMr70wPGhXoj6bpmUhx_y63lHicjYGkIfyQDpF_CTWjo4-dbpQJ4Rcu-oCLJtppvR9hB0rGpQOuNryvNeCBWxWPEZTfmkY78PfFy0IGMf-4Ty5DltVBvL3O1V_3td_222WdPjmuULZlixhgHSTn4pP7R2JRSZdn_Ii2TadgizTXHZpNX39ArJ0Gdby9Biw612fBJYeh81Atsxi4L5ahRHYxQRBRVlvtrM949_Q0M5og&n=3&rules=%46%20%2D%3E%20%46%2B%46%2D%2D%46%2B%46&by=%41%64%61%2C%20%61%74%20%68%6F%6D%65
         "#]],
     );
     told(

@@ -20,6 +20,7 @@ mod actions;
 mod check;
 mod class;
 mod compiled;
+mod correspondence;
 mod difference;
 mod exercise;
 mod fit;

@@ -1,7 +1,9 @@
 //! Marks of answers to exercises.
 
 use crate::compiled::compiled;
+use crate::correspondence::draw_alike;
 use crate::exercise::{Asks, Exercise};
+use crate::repair::{drawn, ink, is_of};
 
 use crate::same::Outline;
 use crate::sample::{Sample, Sampling};
@@ -21,6 +23,10 @@ const LIMITS: Limits =
     Limits { symbols: 4 << 20, modules: 1 << 20, segments: u32::MAX as u64, work: 16 << 20, memory: 48 << 20 };
 /// The first seeds of both samples.
 const SEEDS: [u32; 2] = [0, 1_000];
+
+/// The most generations, and the most segments of each, that are compared besides the one that is asked for.
+const MOST_GENERATIONS: u32 = 12;
+const MOST_COMPARED: u64 = 20_000;
 
 /// The usual size of a shown picture, in CSS pixels.
 const SHOWN: f64 = 320.0;
@@ -271,12 +277,30 @@ impl Marker {
                 let has_ink = is_same == Some(true) || !own.mask.is_empty();
                 let agreement = if has_ink { agreement } else { 0.0 };
                 let words = match is_same {
-                    Some(true) => "The picture is the same.".to_owned(),
+                    Some(true) => format!("The picture is the same{}.", self.reach(&marking.whole)),
                     _ => format!("{} of the ink agrees.", percent(agreement)),
                 };
                 self.marked(marking, own, agreement, is_same, words)
             }
         }
+    }
+
+    /// For which numbers of iterations an answer that is right is right, too; empty if that is not known.
+    fn reach(&self, whole: &Definition) -> String {
+        let target = &self.exercise.target;
+        let n = target.iterations;
+        if whole.iterations != n || n == 0 {
+            return String::new();
+        }
+        if draw_alike(whole, target) {
+            return ", at every number of iterations".to_owned();
+        }
+        let at = |definition: &Definition, n: u32| Definition { iterations: n, ..definition.clone() };
+        let is_same_at = |n: u32| {
+            let ink = ink(&at(target, n), MOST_COMPARED);
+            ink.zip(drawn(&at(whole, n), MOST_COMPARED)).is_some_and(|(mut ink, own)| is_of(&mut ink, &own))
+        };
+        if n <= MOST_GENERATIONS && (0..n).all(is_same_at) { format!(", for n up to {n}") } else { String::new() }
     }
 
     /// Whether a drawing is the same picture as the target; `None` if unknown.

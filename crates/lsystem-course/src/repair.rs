@@ -176,7 +176,7 @@ fn is_turn(action: Action) -> bool {
     matches!(action, TurnLeft(_) | TurnRight(_) | TurnRound | PitchDown(_) | PitchUp(_) | RollLeft(_) | RollRight(_))
 }
 
-fn drawn(definition: &Definition, most: u64) -> Option<Figure> {
+pub(crate) fn drawn(definition: &Definition, most: u64) -> Option<Figure> {
     let mut thin = definition.clone();
     (thin.style.width, thin.style.width_factor) = (0.0, 1.0);
     let limits = Limits { segments: most, ..LIMITS };
@@ -185,11 +185,11 @@ fn drawn(definition: &Definition, most: u64) -> Option<Figure> {
     Some(figure)
 }
 
-fn ink(definition: &Definition, most: u64) -> Option<Outline> {
+pub(crate) fn ink(definition: &Definition, most: u64) -> Option<Outline> {
     let (segments, sides) = lists(&drawn(definition, most)?)?;
     Outline::new(&segments, &sides)
 }
 
-fn is_of(ink: &mut Outline, figure: &Figure) -> bool {
+pub(crate) fn is_of(ink: &mut Outline, figure: &Figure) -> bool {
     lists(figure).is_some_and(|(segments, sides)| ink.is_of(&segments, &sides) == Some(true))
 }

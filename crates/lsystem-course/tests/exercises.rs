@@ -325,3 +325,27 @@ fn wind_does_not_change_the_mark() {
     let grade = Marker::new(windy).unwrap().mark(&Definition { sway: [3.0, 0.0], ..student });
     assert!(grade.is_solved && grade.is_same == Some(true), "{grade:?}");
 }
+
+#[test]
+fn an_answer_tells_for_which_generations_it_is_right() {
+    let plant = exercise(&system("X", "X -> F[+X]-X\nF -> FF", 25.0, 4));
+    let two = exercise(&system("F", "F -> F+F--F+F", 60.0, 2));
+    let every = "The picture is the same, at every number of iterations.";
+    for (exercise, rules, words) in [
+        (&plant, "X -> F[+X]-X\nF -> FF", every),
+        (&plant, "F -> FF\nX -> F[+Y]-X\nY -> F[+X]-Y", every),
+        (&plant, "X -> F[+qX]-X\nF -> FF", every),
+        // Another order of branches is another word.
+        (&exercise_of_two_branches(), "X -> F[-X][+X]", "The picture is the same, for n up to 4."),
+        // Right at n = 2 only.
+        (&two, "F -> K+K--K+K\nK -> F+F--F+F", "The picture is the same."),
+        (&two, "F -> KKKK\nK -> F", "of the ink agrees."),
+    ] {
+        let grade = mark(exercise, rules);
+        assert!(grade.words.contains(words), "{rules}: {grade:?}");
+    }
+}
+
+fn exercise_of_two_branches() -> Exercise {
+    exercise(&system("X", "X -> F[+X][-X]", 25.0, 4))
+}

@@ -76,12 +76,12 @@ export function createMarks() {
             make('td', {}, name),
             make('td', {}, row.by),
             make('td', { class: row.isSolved ? 'yes' : '' }, row.isSolved ? 'yes' : 'no'),
-            make('td', { class: 'number' }, row.percent),
-            make('td', { class: 'number' }, row.symbols === null ? '' : String(row.symbols)),
+            make('td', { class: 'figure' }, row.percent),
+            make('td', { class: 'figure' }, row.symbols === null ? '' : String(row.symbols)),
             make('td', {}, ...(picture ? [canvasOf(picture)] : [])),
             make('td', {}, make('pre', {}, row.rules)),
             make('td', {}, row.words),
-            ...(hasVariants ? [make('td', { class: 'number' }, String(row.variant))] : []),
+            ...(hasVariants ? [make('td', { class: 'figure' }, String(row.variant))] : []),
         );
     }
 

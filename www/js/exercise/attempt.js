@@ -27,7 +27,7 @@ export const fieldsIn = (link) =>
     link
         .replace(/^[^#]*#/, '')
         .split('&')
-        .filter((field) => !/^(v|x|hand|away|k|mark)=/.test(field))
+        .filter((field) => !/^(v|x|hand|away|fill|k|mark)=/.test(field))
         .join('&');
 
 /** The link of an answer. @param {Part} part */

@@ -76,7 +76,9 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     if (about.variants > 0 && name.value === '') return askName(about.title);
     if (parent !== window) {
         document.body.classList.add('framed');
-        new ResizeObserver(() => needs(html('app').offsetHeight)).observe(html('app'));
+        // A page that gives the frame a height asks to fill it.
+        if (/(^|[#&])fill=1(&|$)/.test(location.hash)) document.body.classList.add('filling');
+        else new ResizeObserver(() => needs(html('app').offsetHeight)).observe(html('app'));
     }
     for (const id of ['exercise', 'target', 'mark']) html(id).hidden = false;
     setText(html('exercise-title'), about.title || 'Exercise');
@@ -141,6 +143,11 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     async function mark() {
         marking.abort();
         const own = (marking = new AbortController());
+        if (about.asks === 'statistics') {
+            // Until the mark is known, that of the answer before would look like this one's.
+            setText(html('mark-percent'), '');
+            setText(html('mark-words'), 'Comparing 400 seeds…');
+        }
         try {
             const { mark, pixels } = await tool.call(
                 'mark',

@@ -64,6 +64,12 @@ for (const [at, task] of tasks.entries()) {
         task.addEventListener('change', (event) => detail(event).by === 'visitor' && done(at));
 }
 document.body.classList.toggle('alone', steps.length === 1);
+// Beside the text, a task is as high as the window: all of it is in sight.
+if (matchMedia('(min-width: 62rem) and (min-height: 34rem)').matches) {
+    document.body.classList.add('beside');
+    for (const task of tasks)
+        if (task.classList.contains('task')) task.setAttribute('link', `${task.getAttribute('link') ?? '#v=1'}&fill=1`);
+}
 
 /** The package that keeps all; null for the site's lesson, which keeps its place here. @type {ReturnType<typeof createPackage> | null} */
 let packed = null;

@@ -240,3 +240,22 @@ test('a printed sheet has a place for name, date and answer', () =>
         const name = (await page.locator('#student-name').boundingBox())?.y ?? 999;
         assert.ok(name < ((await page.locator('#exercise-title').boundingBox())?.y ?? 0), 'the name stands above');
     }));
+
+test('every task of the lesson is in sight as a whole on a small laptop', () =>
+    withPage(
+        { address: ADDRESS, hash: 'course.html', drawing: null, options: { viewport: { width: 1280, height: 657 } } },
+        async (page) => {
+            for (let step = 1; step <= 11; step++) {
+                await page.goto(`${ADDRESS}course.html#step-${step}`);
+                const task = page.locator('.step.now l-system.task');
+                if ((await task.count()) === 0) continue;
+                const frame = page.frameLocator('.step.now l-system.task >> iframe');
+                await frame.locator('#mark-percent:not(:empty)').waitFor();
+                const hidden = await frame.locator('html').evaluate((root) => root.scrollHeight - root.clientHeight);
+                const box = await task.boundingBox();
+                assert.ok(box && box.y + box.height <= 657 && hidden <= 0, `${step}: ${JSON.stringify(box)} ${hidden}`);
+                const scrolled = await page.evaluate(() => document.documentElement.scrollTop);
+                assert.equal(scrolled, 0, `${step}`);
+            }
+        },
+    ));

@@ -192,8 +192,9 @@ for (const [name, options] of /** @type {const} */ ([
                 await page.selectOption('select[name=line-1]', 'hidden');
                 await page.selectOption('select[name=n]', 'hidden');
                 await page.fill('#maker-symbols', '8');
-                await page.check('#maker-answer');
+                // The dialog grows by the link, which moves what is above.
                 await page.waitForSelector('#maker-made:visible');
+                await page.check('#maker-answer');
                 const before = await page.inputValue('#maker-link');
                 await page.fill('#maker-title', 'A weed to find');
                 const link = await until(async () => {

@@ -238,7 +238,9 @@ test('on the first visit the plant grows once, and any input ends it', () =>
     withPage({ options: { ...DESKTOP, reducedMotion: 'no-preference' } }, async (page) => {
         const grows = async () => (await page.getAttribute('#grow', 'aria-pressed')) === 'true';
         assert.ok(await grows());
+        assert.ok(!(await page.isVisible('#playback')), 'without the playback bar');
         await until(async () => !(await grows()), 'it ends by itself');
+        assert.ok(!(await page.isVisible('#playback')));
         await until(async () => (await text(page, '#segments')) === '3,125', 'the whole plant is counted');
         assert.ok(!(await page.isEnabled('#undo')), 'nothing is to be undone');
         await page.reload();

@@ -71,7 +71,8 @@ fn row(one: &Marked, picture: &[u8]) -> String {
     )
 }
 
-fn escaped(text: &str) -> String {
+/// A text for HTML.
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
