@@ -17,10 +17,15 @@ const LEAST = 0.3;
 
 /** The height of the capital letters of shown elements, in degrees of sight. @param {Page} page @param {string} selector */
 async function degrees(page, selector) {
-    const size = await page
-        .locator(selector)
-        .first()
-        .evaluate((element) => parseFloat(getComputedStyle(element).fontSize));
+    // An element that was just replaced has no style.
+    const size = await until(
+        () =>
+            page
+                .locator(selector)
+                .first()
+                .evaluate((element) => parseFloat(getComputedStyle(element).fontSize)),
+        `${selector} has a size`,
+    );
     const metres = (size * CAPITAL * WIDE) / (page.viewportSize()?.width ?? 0);
     return (Math.atan(metres / AWAY) * 180) / Math.PI;
 }
