@@ -324,6 +324,7 @@ fn an_empty_drawing_is_explained() {
     let file = "\n --> standard input\n";
     assert_eq!(said("X", "X -> XX", "svg"), format!("warning: {NOTHING}{file}"));
     assert_eq!(said("X", "X -> XX", "txt"), "");
+    assert_eq!(said("XY", "X -> XX", "svg"), format!("warning: Write a rule for Y: nothing replaces it.{file}"));
     assert_eq!(
         said("f", "f -> f+f", "csv"),
         format!("warning: f moves without a line: write a capital F to draw.{file}")

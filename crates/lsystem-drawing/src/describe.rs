@@ -231,6 +231,13 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
         let (small, large) = (letter.symbol, letter.symbol.to_ascii_uppercase());
         return Some(format!("{small} moves without a line: write a capital {large} to draw."));
     }
+    let mut first = system.rules.axiom.letters.iter().map(|&letter| usize::from(letter));
+    let unwritten = |&letter: &usize| {
+        system.rules.letters[letter].symbol.is_alphabetic() && system.rules.by_letter[letter].is_empty()
+    };
+    if let Some(letter) = first.find(unwritten) {
+        return Some(format!("Write a rule for {}: nothing replaces it.", system.rules.letters[letter].symbol));
+    }
     Some(
         "No symbol of this system draws: use one that does (F in most dialects), or give one a meaning such as \
          `X: draw`."

@@ -1,5 +1,6 @@
 /** A page of steps, one shown at a time: the lesson of the site, or a package in a learning system. */
 
+import { copyText } from '../copy.js';
 import { html, button, make, setText } from '../dom.js';
 import { createPackage } from './package.js';
 
@@ -8,6 +9,8 @@ const KEY = 'l-system-lesson';
 
 const steps = [...document.querySelectorAll('.step')];
 const tasks = [...document.querySelectorAll('[data-step]')].filter((task) => task instanceof HTMLElement);
+/** The steps that have the tasks, by number of task. Other steps are only read. */
+const places = tasks.map((task) => steps.findIndex((step) => step.contains(task)));
 const [back, onward] = [button('back'), button('onward')];
 /** @type {{at: number, done: number[]}} */
 let kept = { at: 0, done: [] };
@@ -15,7 +18,8 @@ const { package: id, scorm } = document.documentElement.dataset;
 
 const links = steps.map((step, at) => {
     const title = step.querySelector('h2')?.textContent ?? '';
-    const link = make('a', { href: `#${step.id}`, title }, String(at + 1));
+    const link = make('a', { href: `#${step.id}`, title }, step.id.replace('step-', ''));
+    link.classList.toggle('read', !places.includes(at));
     html('places').append(make('li', {}, link));
     return link;
 });
@@ -57,12 +61,20 @@ function done(at) {
 back.addEventListener('click', () => go(kept.at - 1));
 onward.addEventListener('click', () => go(kept.at + 1));
 for (const event of ['hashchange', 'popstate']) addEventListener(event, () => named() >= 0 && show(named()));
-for (const [at, task] of tasks.entries()) {
+for (const [number, task] of tasks.entries()) {
+    const at = places[number] ?? 0;
     const detail = (/** @type {Event} */ event) => /** @type {CustomEvent} */ (event).detail;
     task.addEventListener('mark', (event) => detail(event).solved && done(at));
     if (task.classList.contains('own'))
         task.addEventListener('change', (event) => detail(event).by === 'visitor' && done(at));
 }
+// The own plant leaves by its link; packages have no playground to take it to.
+const own = /** @type {(HTMLElement & {state: string | null}) | null} */ (document.querySelector('l-system.own'));
+const plant = () => new URL(own?.state ?? '', new URL('./', location.href)).href;
+document.getElementById('take')?.addEventListener('click', () => open(plant(), '_blank', 'noopener'));
+document.getElementById('copy')?.addEventListener('click', async () => {
+    setText(html('told'), (await copyText(plant())) ? 'The link is copied.' : plant());
+});
 document.body.classList.toggle('alone', steps.length === 1);
 // Beside the text, a task is as high as the window: all of it is in sight.
 if (matchMedia('(min-width: 62rem) and (min-height: 34rem)').matches) {
@@ -77,7 +89,7 @@ let packed = null;
 function keep() {
     if (id !== undefined) return packed?.moved(kept.at);
     try {
-        localStorage.setItem(KEY, JSON.stringify(kept));
+        localStorage.setItem(KEY, JSON.stringify({ ...kept, steps: steps.length }));
     } catch {
         // Storage may be forbidden.
     }
@@ -90,14 +102,17 @@ if (id !== undefined)
         tasks,
         above: /** @type {Element} */ (steps[0]),
         restored(at, done) {
-            kept = { at, done };
+            kept = { at, done: done.map((number) => places[number] ?? 0) };
             show(at);
         },
     });
 else
     try {
         const read = JSON.parse(localStorage.getItem(KEY) ?? 'null');
-        if (Number.isInteger(read?.at) && Array.isArray(read?.done)) kept = read;
+        // Pages without a number of steps began with step 1.
+        const shift = read?.steps === undefined ? 1 : 0;
+        if (Number.isInteger(read?.at) && Array.isArray(read?.done))
+            kept = { at: read.at + shift, done: read.done.map((/** @type {number} */ at) => at + shift) };
     } catch {
         // As above.
     }

@@ -259,3 +259,46 @@ test('every task of the lesson is in sight as a whole on a small laptop', () =>
             }
         },
     ));
+
+test('every step of the lesson has its field in sight on a phone', () =>
+    withPage({ address: ADDRESS, hash: 'course.html', drawing: null, options: PHONE }, async (page) => {
+        for (const step of [0, 1, 2, 3, 4, 7, 8, 9, 10, 11, 12]) {
+            await page.goto(`${ADDRESS}course.html#step-${step}`);
+            const field = page.frameLocator('.step.now l-system >> iframe').locator('#rules');
+            await field.waitFor();
+            const box = await field.boundingBox();
+            const height = page.viewportSize()?.height ?? 0;
+            assert.ok(box && box.y + 30 < height, `${step}: ${JSON.stringify(box)} of ${height}`);
+        }
+    }));
+
+test('the lesson begins with a plant and ends with an own one, which goes to the playground', () =>
+    withPage({ address: ADDRESS, hash: 'course.html', drawing: null, also: ADDRESS }, async (page) => {
+        const frame = page.frameLocator('.step.now l-system >> iframe');
+        await frame.locator('#stage.inked').waitFor();
+        assert.match(await frame.locator('#rules').inputValue(), /^X -> F/);
+        await page.click('#onward');
+        assert.equal(await page.textContent('.step.now h2'), '1. One rule');
+        await page.click('.places li:last-child a');
+        await frame.locator('#rules').fill('X -> F[+X]F[-X]X\nF -> FF');
+        await page.waitForFunction(() => /** @type {any} */ (document.querySelector('.own'))?.state?.includes('X%5DX'));
+        const [opened] = await Promise.all([page.waitForEvent('popup'), page.click('#take')]);
+        await opened.locator('#stage.inked').waitFor();
+        assert.equal(await opened.inputValue('#rules'), 'X -> F[+X]F[-X]X\nF -> FF');
+    }));
+
+test('a lesson that was begun when it had no step 0 goes on where it was', () =>
+    withPage({ address: ADDRESS, hash: 'course.html', drawing: null }, async (page) => {
+        await page.evaluate(() => localStorage.setItem('l-system-lesson', '{"at":3,"done":[0,2]}'));
+        await page.goto(`${ADDRESS}course.html`);
+        assert.equal(await page.textContent('.step.now h2'), '4. Two letters');
+        assert.deepEqual(await page.locator('.places .done').allTextContents(), ['1', '3']);
+    }));
+
+test('an exercise that draws nothing yet says which rule to write', () => {
+    const x = EXERCISES.find(({ id }) => id === 'twigs')?.x;
+    return withPage({ address: `${ADDRESS}exercise.html`, hash: `#v=1&x=${x}`, drawing: null }, async (page) => {
+        await page.locator('#empty:visible').waitFor();
+        assert.match((await page.textContent('#empty')) ?? '', /^Write a rule for X: /);
+    });
+});

@@ -428,9 +428,11 @@ test('the opener of a window of its own may be the learning system', () =>
 
 test('the lesson keeps its place, its answers and the own plant', () =>
     inSystem({ kind: 'lesson' }, async (page) => {
+        assert.equal(await outer(page).locator('.keep').count(), 0, 'a package has no playground');
+        await outer(page).locator('.places a').nth(1).click();
         await answer(page, 'F -> FF');
         await becomes(page, 'cmi.core.score.raw', '9');
-        await outer(page).locator('.places a').nth(11).click();
+        await outer(page).locator('.places a').nth(12).click();
         const plant = 'X -> F[+X]F[-X]X\nF -> FF';
         await answer(page, plant);
         await until(async () => /k=own/.test((await stored(page))['cmi.suspend_data'] ?? ''), 'the plant is kept');
