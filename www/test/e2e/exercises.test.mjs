@@ -274,6 +274,7 @@ test('strings stand beside each other, with what differs', () =>
 
 test('the lesson works from a disk', () =>
     withPage({ address: new URL('course.html', DIST).href, also: DIST.href, drawing: null }, async (page) => {
+        await page.click('#onward');
         await page.frameLocator('.step.now iframe').locator('#rules').fill('F -> FF', { timeout: 15_000 });
         await until(async () => /Done/.test((await page.textContent('#told')) ?? ''), 'the first step is done', 15_000);
     }));
@@ -368,6 +369,7 @@ for (const [name, options] of /** @type {const} */ ([
                 ['#rules', "F -> F['!+F]F['!-F]F"],
                 ['#rules', 'X -> F[+X]F[-X]X\nF -> FF'],
             ];
+            await page.click('#onward');
             for (const [at, [field, text]] of fills.entries()) {
                 assert.match((await page.textContent('.step.now h2')) ?? '', new RegExp(`^${at + 1}\\. `));
                 const frame = page.frameLocator('.step.now iframe');
