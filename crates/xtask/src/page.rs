@@ -64,6 +64,13 @@ pub(crate) fn end_to_end(workspace: &Workspace, kind: Kind, names: &[&str], repo
     result
 }
 
+/// Runs the tests of the page's core in Firefox.
+pub(crate) fn firefox(workspace: &Workspace, firefox: &Path) -> Result<()> {
+    with_page(workspace, Kind::Shipped, |node| {
+        node.args(["--test", "test/firefox/core.test.mjs"]).current_dir(workspace.www()).env("FIREFOX", firefox)
+    })
+}
+
 /// Runs a script of `www` that measures the page as it is shipped.
 pub(crate) fn bench(workspace: &Workspace, script: &str) -> Result<()> {
     self::script(workspace, &format!("test/bench/{script}"), &[])

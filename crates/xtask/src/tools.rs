@@ -64,7 +64,7 @@ pub(crate) fn browser() -> Result<Browser> {
     if !here.can_install() || found.is_ok() && here.find(None, &[SHELL]).is_some() {
         return found;
     }
-    let installed = install();
+    let installed = install(&[SHELL, "chromium-driver"]);
     // A failed installation of the headless shell is ignored if there is another Chromium; tests only take longer.
     if found.is_err() {
         installed?;
@@ -72,15 +72,29 @@ pub(crate) fn browser() -> Result<Browser> {
     find_browser(&here)
 }
 
-fn install() -> Result<()> {
-    println!("installing Chromium and ChromeDriver: apt-get install {SHELL} chromium-driver");
+/// Finds Firefox, for the tests of the page's core. Installs it if this runs as root on Debian.
+pub(crate) fn firefox() -> Option<PathBuf> {
+    let here = Surroundings::here();
+    let variable = std::env::var_os("FIREFOX").filter(|value| !value.is_empty());
+    let find = || here.find(variable.as_deref(), &[FIREFOX, "firefox"]);
+    find().or_else(|| {
+        let may = here.can_install() && variable.is_none();
+        (may && install(&[FIREFOX]).is_ok()).then(find)?
+    })
+}
+
+/// Debian's package of Firefox.
+pub(crate) const FIREFOX: &str = "firefox-esr";
+
+fn install(packages: &[&str]) -> Result<()> {
+    println!("installing with apt-get: {}", packages.join(" "));
     let apt = || {
         let mut command = Command::new("apt-get");
         command.env("DEBIAN_FRONTEND", "noninteractive");
         command
     };
     output(apt().arg("update"))?;
-    output(apt().args(["install", "--yes", "--no-install-recommends", SHELL, "chromium-driver"])).map(drop)
+    output(apt().args(["install", "--yes", "--no-install-recommends"]).args(packages)).map(drop)
 }
 
 /// Chromium without a user interface: it opens a page in half the time, with a third of the processor time.

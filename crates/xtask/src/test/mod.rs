@@ -11,13 +11,15 @@ mod wasm;
 use crate::build::{self, Kind};
 use crate::report::Report;
 use crate::workspace::Workspace;
-use crate::{fuzz, lint, monkey, outside, package, page, size};
+use crate::{fuzz, lint, monkey, outside, package, page, size, tools};
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use native::Built;
 use passed::{Passed, fingerprint};
 use std::path::PathBuf;
 use std::thread;
+
+const FIREFOX: &str = "core of the page in Firefox";
 
 /// A part of the test.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -178,6 +180,13 @@ fn run_page(workspace: &Workspace, options: &TestOptions, passed: &Passed, repor
     step("end-to-end tests of the page", &["www", "dist", "crates/lsystem/tests/data"], &|workspace| {
         page::end_to_end(workspace, Kind::Shipped, &[], report)
     });
+    match tools::firefox() {
+        Some(firefox) => step(FIREFOX, &["www/test/firefox", "dist"], &|workspace| page::firefox(workspace, &firefox)),
+        None => report.skip(format!(
+            "{FIREFOX}: Firefox is missing; put it on the PATH, or set FIREFOX to where it is (Debian: apt-get install {})",
+            tools::FIREFOX
+        )),
+    }
     if options.thorough {
         let one_minute = monkey::MonkeyOptions::one_minute();
         step("a minute of the monkey", &["dist"], &|workspace| monkey::run(workspace, &one_minute));
