@@ -162,11 +162,14 @@ export function createMarks() {
             outline = last;
             draw();
         },
-        /** @param {FittedPose | null} next */
+        /** Returns where the turtle is seen: from the stage's left edge and lower edge, as parts of width and height. @param {FittedPose | null} next @returns {[number, number] | null} */
         turtle(next) {
-            if (pose === null && next === null) return;
+            if (pose === null && next === null) return null;
             pose = next;
             draw();
+            if (!pose || !viewpoint) return null;
+            const [x = 0, y = 0] = seen(pose.at);
+            return [x / viewpoint.size.width, 1 - y / viewpoint.size.height];
         },
     };
 }

@@ -5,6 +5,7 @@ import { grouped, shortText } from './numerals.js';
 import { createClock } from './playback/clock.js';
 import { createPace } from './playback/pace.js';
 import { createSegmentField } from './playback/segment-field.js';
+import { createSound } from './playback/sound.js';
 import { REACH, portion, ratio, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
 import { createToggled } from './toggled.js';
@@ -16,7 +17,7 @@ const SLIDER_POSITIONS = 10_000;
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{turtle: (pose: import('./marks.js').FittedPose | null) => void, offered?: () => boolean}} page
+ * @param {{turtle: (pose: import('./marks.js').FittedPose | null) => [number, number] | null, offered?: () => boolean}} page
  */
 export function createPlayback(engine, { turtle, offered = () => true }) {
     /** The number of segments that can be played, null while unknown, and the exact number of segments. @type {bigint | null} */
@@ -31,6 +32,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
     const pace = createPace(() => total);
     const clock = createClock({ perSecond: pace.perSecond, advance });
     const bar = createBar({ play: toggle, changed: (open) => (open ? show() : close()), seek });
+    const sound = createSound();
     const field = createSegmentField({ total: () => total, shown, seek: pauseAt });
 
     function show() {
@@ -110,6 +112,12 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         show();
     }
 
+    /** Shows where the turtle is. @param {import('./protocol.js').Pose} pose */
+    function follow(pose) {
+        sound.at(turtle({ at: pose.fitted, heading: pose.heading }));
+        setText(html('play-pose'), poseText(pose));
+    }
+
     html('drawing').addEventListener('keydown', (event) => {
         if (event.key !== ' ' || !offered() || event.ctrlKey || event.metaKey || event.altKey) return;
         event.preventDefault();
@@ -158,10 +166,8 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 
         /** @param {import('./engine.js').Drawn} picture */
         drawn({ pose, upto: drawn }) {
-            if (upto === null || drawn === null) return turtle(null);
-            if (!pose) return;
-            turtle({ at: pose.fitted, heading: pose.heading });
-            setText(html('play-pose'), poseText(pose));
+            if (upto === null || drawn === null) turtle(null);
+            else if (pose) follow(pose);
         },
     };
 }

@@ -124,13 +124,19 @@ export function createStage(
         { ...moves, zoom },
         { space: () => space, side: () => Math.min(size.width, size.height), changes: keys },
     );
+    /** From the middle, in CSS pixels. @param {number} x @param {number} y @returns {[number, number]} */
+    const fromMiddle = (x, y) => {
+        const { left, top } = frame.getBoundingClientRect();
+        return [x - left - size.width / 2, y - top - size.height / 2];
+    };
+    // The buttons then zoom about the line that was clicked: all of the drawing can be reached without dragging.
+    canvas.addEventListener('click', ({ clientX, clientY }) => hold.click(fromMiddle(clientX, clientY)));
     listenToGestures(canvas, {
         takes,
         drag: moves.drag,
         zoom(factor, x, y) {
-            const box = frame.getBoundingClientRect();
-            const at = /** @type {const} */ ([x - box.left - size.width / 2, y - box.top - size.height / 2]);
-            const held = hold.at([...at]);
+            const at = fromMiddle(x, y);
+            const held = hold.at(at);
             if (held) moves.zoomOn(factor, held);
             else moves.zoomAt(factor, ...at);
         },

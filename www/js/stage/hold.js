@@ -22,6 +22,20 @@ export function createHold({ pick, seen, pointBetween }) {
     /** The held place. @type {number[] | null} */
     let held = null;
 
+    /** The search for the line that was clicked last. @type {Promise<void> | null} */
+    let clicked = null;
+
+    /** @param {Offset} at @param {number} reach in CSS pixels */
+    async function find(at, reach) {
+        try {
+            const { stroke } = await pick(at, reach);
+            held = stroke && nearest(stroke, at, { seen, pointBetween });
+        } catch {
+            // The worker was replaced; no line is held.
+            held = null;
+        }
+    }
+
     const ask = latest(pick, ({ stroke }, at) => (held = stroke && nearest(stroke, at, { seen, pointBetween })));
 
     return {
@@ -34,16 +48,13 @@ export function createHold({ pick, seen, pointBetween }) {
 
         /** The place to hold while zooming in the middle; null if no line is within `reach` CSS pixels. @param {number} reach @returns {Promise<number[] | null>} */
         async inMiddle(reach) {
-            if (held && apart(seen(held), [0, 0]) < reach) return held;
-            try {
-                const { stroke } = await pick([0, 0], reach);
-                held = stroke && nearest(stroke, [0, 0], { seen, pointBetween });
-            } catch {
-                // The worker was replaced; the middle is zoomed.
-                held = null;
-            }
+            await clicked;
+            if (!held || apart(seen(held), [0, 0]) >= reach) await find([0, 0], reach);
             return held;
         },
+
+        /** Holds the line that was clicked, if one is near. @param {Offset} at */
+        click: (at) => (clicked = find(at, NEAR)),
 
         /** The drawing has changed. */
         forget: () => (held = null),
