@@ -577,7 +577,7 @@ test('a line that was clicked stays in place while the buttons zoom, so that not
                     context.drawImage(/** @type {HTMLCanvasElement} */ (canvas), 0, 0);
                     const ratio = width / canvas.clientWidth;
                     return new Set(
-                        new Uint32Array(context.getImageData(x * ratio - 4, y * ratio - 4, 9, 9).data.buffer),
+                        new Uint32Array(context.getImageData(x * ratio - 8, y * ratio - 8, 17, 17).data.buffer),
                     ).size;
                 },
                 [x, y],
