@@ -595,5 +595,5 @@ test('a line that was clicked stays in place while the buttons zoom, so that not
             await stillPicture(page);
         }
         assert.ok((await pixels(left, middle)) > 1, 'the line is where it was');
-        assert.match(page.url(), /view=-/);
+        await until(async () => /view=-/.test(page.url()), 'the link has the view');
     }));
