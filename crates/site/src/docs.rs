@@ -9,7 +9,7 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 17] = [
+const PAGES: [&str; 18] = [
     "lesson",
     "notation",
     "links",
@@ -25,6 +25,7 @@ const PAGES: [&str; 17] = [
     "meshes",
     "about",
     "security",
+    "access",
     "imports",
     "scale",
 ];

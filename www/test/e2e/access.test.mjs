@@ -597,3 +597,32 @@ test('a line that was clicked stays in place while the buttons zoom, so that not
         assert.ok((await pixels(left, middle)) > 1, 'the line is where it was');
         await until(async () => /view=-/.test(page.url()), 'the link has the view');
     }));
+
+for (const [name, options] of /** @type {[string, import('playwright-core').BrowserContextOptions][]} */ ([
+    ['a small laptop', { viewport: { width: 1280, height: 657 } }],
+    ['a phone', PHONE],
+]))
+    test(`what has the focus is never hidden behind something: ${name}`, () =>
+        withPage({ hash: TREE, options }, async (page) => {
+            await page.focus('#skip');
+            let seen = 0;
+            for (let press = 0; press < 120; press++) {
+                await page.keyboard.press('Tab');
+                const state = await page.evaluate(() => {
+                    const element = document.activeElement;
+                    if (!element || element === document.body || element.id === 'skip') return null;
+                    const box = element.getBoundingClientRect();
+                    const shown = [0.1, 0.5, 0.9].some((part) => {
+                        const top = document.elementFromPoint(box.x + box.width * part, box.y + box.height / 2);
+                        return top !== null && (element.contains(top) || top.contains(element));
+                    });
+                    // A field of choice may be drawn by its label.
+                    const label = element.closest('label') ?? document.querySelector(`label[for="${element.id}"]`);
+                    return { shown: shown || label !== null, name: element.id || element.outerHTML.slice(0, 80) };
+                });
+                if (!state) break;
+                seen += 1;
+                assert.ok(state.shown, `${state.name} is hidden`);
+            }
+            assert.ok(seen > 15, `${seen} controls`);
+        }));

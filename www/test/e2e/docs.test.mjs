@@ -19,6 +19,7 @@ const at = (name) => ({ address: `${ADDRESS}docs/${name}`, also: ADDRESS, drawin
 test('the documents for readers are pages, and no others', () => {
     assert.deepEqual(NAMES, [
         'about.html',
+        'access.html',
         'classroom.html',
         'embedding.html',
         'exercises.html',
@@ -40,6 +41,7 @@ test('the documents for readers are pages, and no others', () => {
 
 /** The documents that the line of links does not name. */
 const UNLISTED = [
+    'access.html',
     'classroom.html',
     'security.html',
     'imports.html',
