@@ -1,4 +1,4 @@
-/** Code for other pages: an iframe, the web component, or a link in Markdown. Pure functions. */
+/** Code for other pages: an iframe, the web component, or a link in Markdown. Pure functions, but for the address. */
 
 import { writeFields } from './link.js';
 
@@ -13,6 +13,16 @@ export const SIZES = { small: [320, 240], medium: [480, 360], large: [640, 480] 
 /** The limits of a side, in CSS pixels. */
 const SHORTEST = 200;
 const LONGEST = 4000;
+
+/**
+ * The address of a file for pages elsewhere, which stays when the site changes. A page in a single file has its
+ * neighbours beside it.
+ * @param {string} file
+ */
+export function stable(file) {
+    const folder = document.querySelector('link[rel=manifest]') ? 'v1/' : '';
+    return new URL(folder + file, location.href).href;
+}
 
 /** Kept apart from the brackets, because a literal script tag would end the script of a single-file page. */
 const SCRIPT = 'script';
