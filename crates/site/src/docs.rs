@@ -10,7 +10,7 @@ pub(crate) use markdown::{escape, shortened};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 17] = [
+const PAGES: [&str; 19] = [
     "lesson",
     "notation",
     "links",
@@ -26,9 +26,13 @@ const PAGES: [&str; 17] = [
     "meshes",
     "about",
     "security",
+    "hosting",
+    "assistants",
     "imports",
     "scale",
 ];
+/// The document that the site also has as Markdown, as `llms.txt` names it.
+const PLAIN: &str = "assistants";
 /// The pages in the navigation line, with their names there.
 const NAVIGATION: [(&str, &str); 6] = [
     ("lesson", "Lesson"),
@@ -59,6 +63,9 @@ pub(crate) fn write_pages(docs: &Path, template: &Path, site: &Path) -> Result<(
             body: &document.body,
         };
         fs::write(out.join(format!("{name}.html")), page.fill(&template)?)?;
+        if name == PLAIN {
+            fs::write(out.join(format!("{name}.md")), &text)?;
+        }
         for image in &document.images {
             fs::copy(docs.join(image), out.join(image))?;
         }
@@ -145,6 +152,7 @@ mod tests {
         assert!(text.ends_with(concat!("|", env!("CARGO_PKG_VERSION"))), "{text}");
         assert_eq!(fs::read_to_string(site.join("docs/leaf.svg")).unwrap(), "<svg/>");
         assert!(!site.join("docs/worker.html").exists());
+        assert!(site.join("docs/assistants.md").exists() && !site.join("docs/links.md").exists());
     }
 
     #[test]

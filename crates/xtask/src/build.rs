@@ -48,9 +48,8 @@ pub(crate) struct BuildOptions {
 
 impl BuildOptions {
     /// The public address, if the site names it.
-    pub(crate) fn address(&self, workspace: &Workspace) -> Result<Option<Address>> {
-        let given = self.site.as_deref();
-        given.map(|given| Address::new(&Address::placeholder(workspace)?, given)).transpose()
+    pub(crate) fn address(&self) -> Result<Option<Address>> {
+        self.site.as_deref().map(Address::new).transpose()
     }
 }
 
@@ -156,14 +155,14 @@ fn page(www: &Path, site: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest.
+/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest, `llms.txt`.
 fn is_shipped(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let is_folder = path.extension().is_none();
     if is_folder {
         name == "icons"
     } else {
-        ["html", "svg", "png", "webmanifest"].iter().any(|end| name.ends_with(end))
+        ["html", "svg", "png", "webmanifest", "txt"].iter().any(|end| name.ends_with(end))
     }
 }
 
@@ -181,7 +180,7 @@ mod tests {
 
     #[test]
     fn ships_the_page_and_nothing_of_its_development() {
-        for path in ["index.html", "icons", "icons/leaf.svg", "icons/leaf.png", "manifest.webmanifest"] {
+        for path in ["index.html", "icons", "icons/leaf.svg", "icons/leaf.png", "manifest.webmanifest", "llms.txt"] {
             assert!(is_shipped(Path::new(path)), "{path}");
         }
         for path in

@@ -97,7 +97,7 @@ fn run() -> Result<()> {
     let command = Command::parse();
     let workspace = &Workspace::find()?;
     match command {
-        Command::Build(options) => build::build(workspace, build::Kind::Shipped, options.address(workspace)?.as_ref()),
+        Command::Build(options) => build::build(workspace, build::Kind::Shipped, options.address()?.as_ref()),
         Command::Program => program::program(workspace),
         Command::Serve(options) => serve::serve(workspace, &options),
         Command::Test(options) => test::test(workspace, &options),

@@ -10,8 +10,8 @@ use std::path::Path;
 const WORKER: &str = "service-worker.js";
 /// Files that are useless offline or that repeat the others.
 const LEFT_OUT: [&str; 4] = [WORKER, "playground.html", "sitemap.xml", "llms.txt"];
-/// Folders of such files: pages for those who do not know the playground yet, and pictures for installers.
-const FOLDERS_LEFT_OUT: [&str; 2] = ["gallery/", "icons/screens/"];
+/// How the paths of such files begin: pages for those who do not know the playground yet, and pictures for installers.
+const BEGINNINGS_LEFT_OUT: [&str; 2] = ["gallery/", "icons/screen-"];
 
 /// What the first screen needs, besides the page and its scripts.
 const FIRST: [&str; 6] =
@@ -23,7 +23,7 @@ pub(crate) fn list_files(site: &Path, scripts: &[String]) -> Result<()> {
     let (mut hashes, mut sizes) = (Map::new(), Map::new());
     for file in files::list(site, |_| true)? {
         let path = file.strip_prefix(site)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
-        if LEFT_OUT.contains(&&*path) || FOLDERS_LEFT_OUT.iter().any(|folder| path.starts_with(folder)) {
+        if LEFT_OUT.contains(&&*path) || BEGINNINGS_LEFT_OUT.iter().any(|start| path.starts_with(start)) {
             continue;
         }
         // Some hosts serve the first page only at the folder's address.

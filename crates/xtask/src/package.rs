@@ -58,8 +58,13 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
     let carried = notices::notices(workspace, &[BOUNDARY.0], tools::WASM_TARGET, false)?;
     files::write(&package.join(notices::FILE), carried)?;
     let list = package.join("package.json");
-    // As text, because the order of conditions in `exports` counts.
-    let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    // As text, because the order of conditions in `exports` counts. Provenance needs the repository.
+    let version = format!(
+        "\"version\": \"{}\",\n  \"homepage\": \"{}\",\n  \"repository\": {{ \"type\": \"git\", \"url\": \"git+{}.git\" }}",
+        env!("CARGO_PKG_VERSION"),
+        env!("CARGO_PKG_HOMEPAGE"),
+        env!("CARGO_PKG_REPOSITORY"),
+    );
     files::write(&list, fs::read_to_string(&list)?.replacen("\"version\": \"0.0.0\"", &version, 1))?;
     let test = workspace.target.join("npm/test.mjs");
     copy(&source.join("test.mjs"), &test)?;

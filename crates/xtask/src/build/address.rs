@@ -2,8 +2,7 @@
 
 use crate::files;
 use crate::html::rewrite;
-use crate::workspace::Workspace;
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 use fs_err as fs;
 use lol_html::element;
 use lol_html::html_content::{ContentType, Element};
@@ -12,34 +11,26 @@ use std::path::Path;
 /// The picture that a link to the page shows, and its size in pixels.
 const PICTURE: (&str, &str, &str) = ("gallery/abop-1.24b.png", "1200", "630");
 
-/// An address with a slash at its end, and the one that the documents name in its place.
-pub(crate) struct Address {
-    own: String,
-    placeholder: String,
-}
+/// The address in Cargo.toml, which the documents name.
+const PLACEHOLDER: &str = env!("CARGO_PKG_HOMEPAGE");
+
+/// An address with a slash at its end.
+pub(crate) struct Address(String);
 
 impl Address {
-    /// The address in Cargo.toml.
-    pub(crate) fn placeholder(workspace: &Workspace) -> Result<String> {
-        let metadata = workspace.metadata()?;
-        let mut homes = metadata["packages"].as_array().into_iter().flatten().map(|package| &package["homepage"]);
-        Ok(homes.find_map(|home| home.as_str()).context("no crate has a homepage")?.to_owned())
-    }
-
-    /// A given address, or the placeholder if nothing is given.
-    pub(crate) fn new(placeholder: &str, given: &str) -> Result<Self> {
-        let own = if given.is_empty() { placeholder } else { given };
+    /// A given address, or that of Cargo.toml if nothing is given.
+    pub(crate) fn new(given: &str) -> Result<Self> {
+        let own = if given.is_empty() { PLACEHOLDER } else { given };
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "-._~:/%".contains(c);
         ensure!(
             (own.starts_with("https://") || own.starts_with("http://")) && own.chars().all(is_plain),
             "an address is like https://example.org/l-systems/, without ? and #: {own}"
         );
-        let own = format!("{}/", own.trim_end_matches('/'));
-        Ok(Self { own, placeholder: placeholder.to_owned() })
+        Ok(Self(format!("{}/", own.trim_end_matches('/'))))
     }
 
     pub(crate) fn as_str(&self) -> &str {
-        &self.own
+        &self.0
     }
 
     /// Names the address in the finished page and in the documents.
@@ -60,7 +51,7 @@ impl Address {
              <meta property=\"og:title\" content=\"L-systems\"><meta property=\"og:url\" content=\"{own}\">\
              <meta property=\"og:image\" content=\"{own}{picture}\"><meta property=\"og:image:width\" content=\"{width}\">\
              <meta property=\"og:image:height\" content=\"{height}\"><meta name=\"twitter:card\" content=\"summary_large_image\">",
-            own = self.own
+            own = self.0
         );
         let add = |description: &mut Element<'_, '_>| {
             let words = description.get_attribute("content").unwrap_or_default();
@@ -74,27 +65,27 @@ impl Address {
         Ok(named)
     }
 
-    /// A document with this address and its origin in place of the placeholder's.
+    /// A document with this address and its origin in place of those of Cargo.toml. The origin stands in quotes, as a text
+    /// of a program.
     fn document(&self, text: &str) -> String {
-        let origin = |address: &str| address.splitn(4, '/').take(3).collect::<Vec<_>>().join("/");
-        let text = text.replace(&self.placeholder, &self.own);
-        // The origin stands in quotes, as a text of a program.
-        let quoted = |address: &str, quote: &str| format!("{quote}{}{quote}", origin(address));
-        ["'", "&#39;", "&#x27;"]
-            .iter()
-            .fold(text, |text, quote| text.replace(&quoted(&self.placeholder, quote), &quoted(&self.own, quote)))
+        let quoted = |address| format!("'{}'", origin(address));
+        text.replace(PLACEHOLDER, &self.0).replace(&quoted(PLACEHOLDER), &quoted(&self.0))
     }
+}
+
+/// The address without its path.
+fn origin(address: &str) -> &str {
+    let path = address.match_indices('/').nth(2).map_or(address.len(), |(at, _)| at);
+    &address[..path]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const PLACEHOLDER: &str = "https://example.org/l-systems/";
-
     #[test]
     fn addresses_end_with_a_slash_and_hold_nothing_else() {
-        let own = |given| Address::new(PLACEHOLDER, given).map(|address| address.own);
+        let own = |given| Address::new(given).map(|address| address.0);
         assert_eq!(own("").unwrap(), PLACEHOLDER);
         assert_eq!(own("https://a.example").unwrap(), "https://a.example/");
         assert_eq!(own("http://localhost:8080/l/").unwrap(), "http://localhost:8080/l/");
@@ -104,14 +95,8 @@ mod tests {
     }
 
     #[test]
-    fn the_crates_have_an_address() {
-        let found = Address::placeholder(&Workspace::find().unwrap()).unwrap();
-        assert_eq!(Address::new(&found, "").unwrap().own, found);
-    }
-
-    #[test]
     fn pages_and_documents_name_the_address() {
-        let address = Address::new(PLACEHOLDER, "https://a.example/b").unwrap();
+        let address = Address::new("https://a.example/b").unwrap();
         let page = address.page("<head><meta name=\"description\" content='A \"plant\"'></head>").unwrap();
         for part in [
             "og:description\" content=\"A &quot;plant&quot;\">",
@@ -121,8 +106,9 @@ mod tests {
             assert!(page.contains(part), "{part}: {page}");
         }
         assert!(address.page("<head></head>").is_err());
-        let text = "<a href=\"https://example.org/l-systems/v1/\"> const SITE = 'https://example.org'; https://example.org/other";
-        let named = "<a href=\"https://a.example/b/v1/\"> const SITE = 'https://a.example'; https://example.org/other";
-        assert_eq!(address.document(text), named);
+        let own = origin(PLACEHOLDER);
+        let text = format!("<a href=\"{PLACEHOLDER}v1/\"> const SITE = '{own}'; {own}/other");
+        let named = format!("<a href=\"https://a.example/b/v1/\"> const SITE = 'https://a.example'; {own}/other");
+        assert_eq!(address.document(&text), named);
     }
 }

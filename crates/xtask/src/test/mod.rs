@@ -106,6 +106,7 @@ fn compile(workspace: &Workspace, options: &TestOptions, report: &Report) -> Opt
     if options.has(Part::Lint) {
         lint::formatting(workspace, report);
         lint::scripts(workspace, report);
+        lint::workflows(workspace, report);
     }
     if options.has(Part::Native) || options.has(Part::Outside) || options.has(Part::Fuzz) {
         report.step(workspace, "compiling natively", |workspace, _| {
