@@ -1,5 +1,6 @@
 /** Code for other pages: an iframe, the web component, or a link in Markdown. Pure functions, but for the address. */
 
+import { isWhole } from './files.js';
 import { writeFields } from './link.js';
 
 /** @typedef {import('./state.js').State} State */
@@ -20,8 +21,7 @@ const LONGEST = 4000;
  * @param {string} file
  */
 export function stable(file) {
-    const folder = document.querySelector('link[rel=manifest]') ? 'v1/' : '';
-    return new URL(folder + file, location.href).href;
+    return new URL(isWhole() ? file : `v1/${file}`, location.href).href;
 }
 
 /** Kept apart from the brackets, because a literal script tag would end the script of a single-file page. */

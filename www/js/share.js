@@ -102,7 +102,8 @@ export function createShare(page) {
         const framed = wanted !== 'markdown';
         html('embed-options').hidden = !framed;
         html('embed-shown').hidden = !framed || onDisk;
-        if (part.open && framed && !onDisk && dialog.open) preview.show(frameAddress(best, address('embed.html'), chosen), chosen);
+        if (part.open && framed && !onDisk && dialog.open)
+            preview.show(frameAddress(best, address('embed.html'), chosen), chosen);
         else preview.hide();
     }
 
