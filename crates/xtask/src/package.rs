@@ -132,6 +132,18 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_citation_names_this_version_and_its_addresses() {
+        let text = fs::read_to_string(Workspace::find().unwrap().root.join("CITATION.cff")).unwrap();
+        for line in [
+            concat!("version: ", env!("CARGO_PKG_VERSION")),
+            concat!("repository-code: ", env!("CARGO_PKG_REPOSITORY")),
+            concat!("url: ", env!("CARGO_PKG_HOMEPAGE")),
+        ] {
+            assert!(text.lines().any(|own| own == line), "{line}");
+        }
+    }
+
+    #[test]
     fn every_crate_for_others_is_published() {
         let crates = published(&Workspace::find().unwrap()).unwrap();
         let names: Vec<_> = crates.iter().map(|package| package.name.as_str()).collect();

@@ -11,8 +11,8 @@ use std::path::Path;
 /// The picture that a link to the page shows, and its size in pixels.
 const PICTURE: (&str, &str, &str) = ("gallery/abop-1.24b.png", "1200", "630");
 
-/// The address in Cargo.toml, which the documents name.
-const PLACEHOLDER: &str = env!("CARGO_PKG_HOMEPAGE");
+/// The address that the documents name in place of the site's.
+const PLACEHOLDER: &str = "https://example.org/l-systems/";
 
 /// An address with a slash at its end.
 pub(crate) struct Address(String);
@@ -20,7 +20,7 @@ pub(crate) struct Address(String);
 impl Address {
     /// A given address, or that of Cargo.toml if nothing is given.
     pub(crate) fn new(given: &str) -> Result<Self> {
-        let own = if given.is_empty() { PLACEHOLDER } else { given };
+        let own = if given.is_empty() { env!("CARGO_PKG_HOMEPAGE") } else { given };
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "-._~:/%".contains(c);
         ensure!(
             (own.starts_with("https://") || own.starts_with("http://")) && own.chars().all(is_plain),
@@ -86,7 +86,7 @@ mod tests {
     #[test]
     fn addresses_end_with_a_slash_and_hold_nothing_else() {
         let own = |given| Address::new(given).map(|address| address.0);
-        assert_eq!(own("").unwrap(), PLACEHOLDER);
+        assert_eq!(own("").unwrap(), env!("CARGO_PKG_HOMEPAGE"));
         assert_eq!(own("https://a.example").unwrap(), "https://a.example/");
         assert_eq!(own("http://localhost:8080/l/").unwrap(), "http://localhost:8080/l/");
         for wrong in ["a.example", "https://a.example/#v=1", "https://a.example/?a", "https://a.example/\"b"] {
@@ -106,6 +106,10 @@ mod tests {
             assert!(page.contains(part), "{part}: {page}");
         }
         assert!(address.page("<head></head>").is_err());
+        let root = crate::workspace::Workspace::find().unwrap().root;
+        for document in ["docs/embedding.md", "docs/assistants.md", "www/llms.txt"] {
+            assert!(fs::read_to_string(root.join(document)).unwrap().contains(PLACEHOLDER), "{document}");
+        }
         let own = origin(PLACEHOLDER);
         let text = format!("<a href=\"{PLACEHOLDER}v1/\"> const SITE = '{own}'; {own}/other");
         let named = format!("<a href=\"https://a.example/b/v1/\"> const SITE = 'https://a.example'; {own}/other");
