@@ -1,6 +1,6 @@
 //! The cases of `docs/assistants.md`, the notation in one page.
 
-use lsystem::{Definition, Limits, System, count_segments, expand};
+use lsystem::{Definition, Figure, Limits, System, expand};
 
 /// A block of the page: the system, the string, and the number of lines if it is named.
 fn read(block: &str) -> (Definition, String, Option<String>) {
@@ -33,7 +33,8 @@ fn the_cases_of_the_page_are_right() {
         let n = definition.iterations;
         assert_eq!(expand(&system, n, &Limits::default()).as_deref(), Ok(&*string), "{block}");
         if let Some(lines) = lines {
-            assert_eq!(count_segments(&system, n).unwrap().to_string(), lines, "{block}");
+            let figure = Figure::draw(&system, n, &Limits::default()).unwrap();
+            assert_eq!(figure.segment_count().to_string(), lines, "{block}");
         }
     }
 }

@@ -19,12 +19,14 @@ const at = (name) => ({ address: `${ADDRESS}docs/${name}`, also: ADDRESS, drawin
 test('the documents for readers are pages, and no others', () => {
     assert.deepEqual(NAMES, [
         'about.html',
+        'assistants.html',
         'classroom.html',
         'embedding.html',
         'exercises.html',
         'films.html',
         'find.html',
         'growth.html',
+        'hosting.html',
         'imports.html',
         'lesson.html',
         'links.html',
@@ -40,6 +42,8 @@ test('the documents for readers are pages, and no others', () => {
 
 /** The documents that the line of links does not name. */
 const UNLISTED = [
+    'assistants.html',
+    'hosting.html',
     'classroom.html',
     'security.html',
     'imports.html',
