@@ -234,8 +234,8 @@ impl<'a> Landing<'a> {
              <p class=\"doors\"><a class=\"door\" href=\"{link}\">Open in the playground</a>\n{exercise}</p>\n\
              <h2>Rules</h2>\n\
              <pre class=\"block\" role=\"group\" aria-label=\"Rules\" tabindex=\"0\"><code>{rules}</code></pre>\n\
-             <div class=\"table\"><table><tbody>\n{facts}</tbody></table></div>\n\
-             {words}<h2>Symbols</h2>\n<div class=\"table\"><table><thead><tr><th>symbol</th><th>what it does</th></tr></thead>\
+             <div class=\"table\" role=\"group\" aria-label=\"Values\" tabindex=\"0\"><table><tbody>\n{facts}</tbody></table></div>\n\
+             {words}<h2>Symbols</h2>\n<div class=\"table\" role=\"group\" aria-label=\"Symbols\" tabindex=\"0\"><table><thead><tr><th>symbol</th><th>what it does</th></tr></thead>\
              <tbody>\n{symbols}</tbody></table></div>\n",
             shelf = escape(self.shelf),
             title = escape(self.title),

@@ -20,6 +20,9 @@ pub(crate) struct PackageOptions {
     /// The git revision with which the crates' interfaces are compared; the last tag `v*` if none is named
     #[arg(long)]
     baseline: Option<String>,
+    /// Only the npm package
+    #[arg(long)]
+    npm: bool,
 }
 
 /// Makes and tests the npm package, and packs, compares and documents the crates.
@@ -27,6 +30,10 @@ pub(crate) fn package(workspace: &Workspace, options: &PackageOptions) -> Result
     tools::wasm_target()?;
     wasms::compile_one(workspace, Kind::Shipped, BOUNDARY.0, None)?;
     npm(workspace)?;
+    if options.npm {
+        println!("npm package: {}", folder(workspace).display());
+        return Ok(());
+    }
     let crates = published(workspace)?;
     dry_run(workspace)?;
     semver(workspace, options, &crates)?;
