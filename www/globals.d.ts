@@ -7,6 +7,13 @@ declare const SIZES: Record<string, number>;
 /** The paths of the files that the first screen needs. */
 declare const FIRST: string[];
 
+/** Files that an installed page is asked to open. */
+interface Window {
+    readonly launchQueue?: {
+        setConsumer(consumer: (launched: { readonly files: readonly FileSystemFileHandle[] }) => void): void;
+    };
+}
+
 /** Files that esbuild bundles as texts. */
 declare module '*.html' {
     const text: string;

@@ -12,6 +12,8 @@
     const scope = worker.registration.scope;
     const prefix = `l-systems ${scope} `;
     const name = prefix + BUILD;
+    /** Where other programs send what is shared with the page (manifest.webmanifest), and the cache that keeps it. */
+    const SHARED = `${scope}shared`;
 
     worker.addEventListener('install', (event) => event.waitUntil(keepFirst()));
     worker.addEventListener('activate', (event) => event.waitUntil(forgetOthers().then(() => worker.clients.claim())));
@@ -23,6 +25,8 @@
         if (event.data === 'keep all' && port) event.waitUntil(keepAll(port));
     });
     worker.addEventListener('fetch', (event) => {
+        const { method, url } = event.request;
+        if (method === 'POST' && url === SHARED) return event.respondWith(take(event.request));
         const path = pathOf(event.request);
         if (path !== null) event.respondWith(answer(path, event.request));
     });
@@ -35,6 +39,17 @@
         if (method !== 'GET' || !address.href.startsWith(scope)) return null;
         const path = decodeURIComponent(address.href.slice(scope.length)).replace(/^index\.html$/, '');
         return Object.hasOwn(FILES, path) ? path : null;
+    }
+
+    /** Keeps a shared file, or else the text, until the page opens it (js/shared.js). @param {Request} request */
+    async function take(request) {
+        const form = await request.formData();
+        const words = ['title', 'text', 'url'].map((key) => form.get(key)).filter(Boolean);
+        const given = form.get('file');
+        const file = given instanceof File ? given : new File([words.join('\n')], '', { type: 'text/plain' });
+        const cache = await caches.open(SHARED);
+        await cache.put(SHARED, new Response(file, { headers: { name: encodeURIComponent(file.name) } }));
+        return Response.redirect(`${scope}?shared`, 303);
     }
 
     /** @param {string} path @param {Request} request */

@@ -120,6 +120,9 @@ const dialogs = createDialogs({
 });
 savePanel(store, dialogs);
 followPasting(dialogs);
+if (location.search === '?shared') void dialogs.open('shared');
+// Files that the installed page is asked to open.
+window.launchQueue?.setConsumer(async ({ files: [file] }) => file && dialogs.open('file', await file.getFile()));
 html('mathematics').addEventListener('toggle', () => void dialogs.open('mathematics'));
 const film = filmIn(location.hash);
 if (film) void dialogs.open('film', film);

@@ -18,6 +18,7 @@ import { createKeeping } from './keeping.js';
 import { createProjector } from './projector.js';
 import { createSave } from './save/save.js';
 import { createShare } from './share.js';
+import { createShared } from './shared.js';
 import { createShortcuts } from './shortcuts.js';
 import { createStepsDialog } from './steps/dialog.js';
 import { createSurprise } from './surprise.js';
@@ -31,6 +32,7 @@ export const PARTS = {
     mathematics: createMathematics,
     save: createSave,
     share: createShare,
+    shared: createShared,
     favourites: createFavourites,
     file: createFileOpening,
     film: createFilms,

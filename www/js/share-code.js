@@ -1,5 +1,6 @@
-/** Code for other pages: an iframe, the web component, or a link in Markdown. Pure functions. */
+/** Code for other pages: an iframe, the web component, or a link in Markdown. Pure functions, but for the address. */
 
+import { isWhole } from './files.js';
 import { writeFields } from './link.js';
 
 /** @typedef {import('./state.js').State} State */
@@ -13,6 +14,15 @@ export const SIZES = { small: [320, 240], medium: [480, 360], large: [640, 480] 
 /** The limits of a side, in CSS pixels. */
 const SHORTEST = 200;
 const LONGEST = 4000;
+
+/**
+ * The address of a file for pages elsewhere, which stays when the site changes. A page in a single file has its
+ * neighbours beside it.
+ * @param {string} file
+ */
+export function stable(file) {
+    return new URL(isWhole() ? file : `v1/${file}`, location.href).href;
+}
 
 /** Kept apart from the brackets, because a literal script tag would end the script of a single-file page. */
 const SCRIPT = 'script';

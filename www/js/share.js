@@ -8,7 +8,7 @@ import { addElements } from './late.js';
 import { LONGEST } from './link.js';
 import { bestLink, shortestLink } from './packed.js';
 import { qrFile, showQrPicture } from './qr.js';
-import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName } from './share-code.js';
+import { SIZES, elementCode, frameAddress, frameCode, markdownCode, readSide, sizeName, stable } from './share-code.js';
 import markup from './share.html';
 import { createShareAs } from './share-as.js';
 import { createPreview } from './share-preview.js';
@@ -89,10 +89,10 @@ export function createShare(page) {
     function showCode(state, best) {
         const chosen = embedding();
         // The page may be a single file under any name, so these addresses are relative to its folder.
-        const page = address('embed.html');
+        const page = stable('embed.html');
         const codes = {
             frame: () => frameCode(state, best, page, chosen),
-            element: () => elementCode(state, address('l-system.js'), chosen),
+            element: () => elementCode(state, stable('l-system.js'), chosen),
             markdown: () => markdownCode(state, address(best)),
         };
         const wanted = /** @type {keyof typeof codes} */ (form());
@@ -102,7 +102,8 @@ export function createShare(page) {
         const framed = wanted !== 'markdown';
         html('embed-options').hidden = !framed;
         html('embed-shown').hidden = !framed || onDisk;
-        if (part.open && framed && !onDisk && dialog.open) preview.show(frameAddress(best, page, chosen), chosen);
+        if (part.open && framed && !onDisk && dialog.open)
+            preview.show(frameAddress(best, address('embed.html'), chosen), chosen);
         else preview.hide();
     }
 

@@ -3,6 +3,7 @@
 mod access;
 mod annotated;
 mod assertions;
+mod assistants;
 mod boundary;
 mod compact;
 mod contexts;

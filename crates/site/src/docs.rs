@@ -5,11 +5,12 @@ mod markdown;
 
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
-use markdown::{Document, Site, escape};
+use markdown::Site;
+pub(crate) use markdown::{escape, shortened};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 18] = [
+const PAGES: [&str; 20] = [
     "lesson",
     "notation",
     "links",
@@ -26,9 +27,13 @@ const PAGES: [&str; 18] = [
     "about",
     "security",
     "access",
+    "hosting",
+    "assistants",
     "imports",
     "scale",
 ];
+/// The document that the site also has as Markdown, as `llms.txt` names it.
+const PLAIN: &str = "assistants";
 /// The pages in the navigation line, with their names there.
 const NAVIGATION: [(&str, &str); 6] = [
     ("lesson", "Lesson"),
@@ -50,7 +55,18 @@ pub(crate) fn write_pages(docs: &Path, template: &Path, site: &Path) -> Result<(
     for name in PAGES {
         let text = fs::read_to_string(docs.join(format!("{name}.md")))?;
         let document = markdown::render(&text, &rules).with_context(|| format!("in docs/{name}.md"))?;
-        fs::write(out.join(format!("{name}.html")), page(&template, name, &document)?)?;
+        let page = Page {
+            docs: "",
+            name,
+            title: &document.title,
+            description: &document.summary,
+            head: "",
+            body: &document.body,
+        };
+        fs::write(out.join(format!("{name}.html")), page.fill(&template)?)?;
+        if name == PLAIN {
+            fs::write(out.join(format!("{name}.md")), &text)?;
+        }
         for image in &document.images {
             fs::copy(docs.join(image), out.join(image))?;
         }
@@ -58,25 +74,44 @@ pub(crate) fn write_pages(docs: &Path, template: &Path, site: &Path) -> Result<(
     Ok(())
 }
 
-/// A whole page: the template around a document.
-fn page(template: &str, name: &str, document: &Document) -> Result<String> {
-    let navigation: String = NAVIGATION
-        .iter()
-        .map(|(page, words)| {
-            let current = if *page == name { " aria-current=\"page\"" } else { "" };
-            format!("<li><a href=\"{page}.html\"{current}>{words}</a></li>\n")
-        })
-        .collect();
-    fill(
-        template,
-        &[
-            ("title", &escape(&document.title)),
-            ("description", &escape(&document.summary)),
-            ("navigation", &navigation),
-            ("body", &document.body),
-            ("version", env!("CARGO_PKG_VERSION")),
-        ],
-    )
+/// A page of text: what stands in the template `www/docs/page.html`.
+pub(crate) struct Page<'a> {
+    /// The way from the page's folder to `docs/`: empty, or with a slash at its end.
+    pub(crate) docs: &'a str,
+    /// The name in the navigation line; empty for none.
+    pub(crate) name: &'a str,
+    pub(crate) title: &'a str,
+    pub(crate) description: &'a str,
+    /// Further elements of the head, as HTML.
+    pub(crate) head: &'a str,
+    /// The text, as HTML.
+    pub(crate) body: &'a str,
+}
+
+impl Page<'_> {
+    /// The template around the text.
+    pub(crate) fn fill(&self, template: &str) -> Result<String> {
+        let Page { docs, name, title, description, head, body } = self;
+        let navigation: String = NAVIGATION
+            .iter()
+            .map(|(page, words)| {
+                let current = if page == name { " aria-current=\"page\"" } else { "" };
+                format!("<li><a href=\"{docs}{page}.html\"{current}>{words}</a></li>\n")
+            })
+            .collect();
+        fill(
+            template,
+            &[
+                ("title", &escape(title)),
+                ("description", &escape(description)),
+                ("head", head),
+                ("docs", docs),
+                ("navigation", &navigation),
+                ("body", body),
+                ("version", env!("CARGO_PKG_VERSION")),
+            ],
+        )
+    }
 }
 
 /// Replaces `{{name}}` by the value of this name. Values are not searched for names.
@@ -109,7 +144,7 @@ mod tests {
         }
         fs::write(docs.join("about.md"), "# About\n\n![A leaf](leaf.svg)\n").unwrap();
         fs::write(docs.join("leaf.svg"), "<svg/>").unwrap();
-        fs::write(&template, "{{title}}|{{description}}|{{navigation}}|{{body}}|{{version}}").unwrap();
+        fs::write(&template, "{{title}}|{{description}}|{{head}}{{docs}}{{navigation}}|{{body}}|{{version}}").unwrap();
         write_pages(&docs, &template, &site).unwrap();
         let text = fs::read_to_string(site.join("docs/links.html")).unwrap();
         assert!(text.starts_with("The links|A &amp; b.|<li><a href=\"lesson.html\">"), "{text}");
@@ -118,6 +153,7 @@ mod tests {
         assert!(text.ends_with(concat!("|", env!("CARGO_PKG_VERSION"))), "{text}");
         assert_eq!(fs::read_to_string(site.join("docs/leaf.svg")).unwrap(), "<svg/>");
         assert!(!site.join("docs/worker.html").exists());
+        assert!(site.join("docs/assistants.md").exists() && !site.join("docs/links.md").exists());
     }
 
     #[test]

@@ -33,7 +33,7 @@ pub(crate) fn exercises(file: &Path, gallery: &Value) -> Result<Vec<Value>> {
 }
 
 /// Marks the target as an answer to its own exercise, and the start. Returns the string to derive, if it is asked for.
-fn try_out(exercise: &Exercise) -> Result<Option<String>> {
+pub(crate) fn try_out(exercise: &Exercise) -> Result<Option<String>> {
     let words = |errors: Vec<Diagnostic>| errors.iter().map(Diagnostic::message).collect::<Vec<_>>().join(" ");
     let mut marker = Marker::new(exercise.clone()).map_err(|errors| anyhow::anyhow!(words(errors)))?;
     let mut answer = exercise.target.clone();

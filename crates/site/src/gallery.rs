@@ -8,26 +8,42 @@ use lsystem::{Definition, Diagnostic, Figure, Limits, System, read_json, render_
 use serde_json::{Value, json};
 use std::path::Path;
 
+/// A system of the gallery.
+pub(crate) struct Entry {
+    /// The file's path below `data_in`, with slashes.
+    pub(crate) path: String,
+    pub(crate) definition: Definition,
+    pub(crate) system: System,
+    pub(crate) figure: Figure,
+}
+
 /// An array of `{path, kinds, solid, definition}` for the JSON files below `folder`, sorted by path. The shelves stand in
 /// `www/js/shelves.js`.
 pub(crate) fn gallery(folder: &Path) -> Result<Value> {
+    let entry = |entry: Entry| {
+        json!({
+            "path": entry.path,
+            "kinds": kind(&entry.system).split(", ").collect::<Vec<_>>(),
+            "solid": entry.figure.is_solid(),
+            "definition": entry.definition,
+        })
+    };
+    systems(folder)?.map(|found| found.map(entry)).collect()
+}
+
+/// The systems of the JSON files below `folder`, sorted by path, each drawn when it is its turn.
+pub(crate) fn systems(folder: &Path) -> Result<impl Iterator<Item = Result<Entry>>> {
     let mut files = walkdir::WalkDir::new(folder).into_iter().collect::<Result<Vec<_>, _>>()?;
     files.retain(|file| file.path().extension().is_some_and(|ending| ending == "json"));
     files.sort_by(|a, b| a.path().cmp(b.path()));
-    let entries = files.iter().map(|file| {
+    Ok(files.into_iter().map(move |file| {
         let path = file.path().strip_prefix(folder)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
         let (definition, system) = read(&path, &fs::read_to_string(file.path())?)?;
         let Ok(figure) = Figure::draw(&system, definition.iterations, &Limits::default()) else {
             bail!("{path} grows too large for the gallery");
         };
-        Ok(json!({
-            "path": path,
-            "kinds": kind(&system).split(", ").collect::<Vec<_>>(),
-            "solid": figure.is_solid(),
-            "definition": definition,
-        }))
-    });
-    entries.collect()
+        Ok(Entry { path, definition, system, figure })
+    }))
 }
 
 /// Reads one file. A system with errors fails the build.

@@ -5,12 +5,14 @@
 //!   SITE, and completes links to exercises in `course.html` there.
 //! - `site documents ROOT SITE` writes the pages of `docs/`. All other pages must be in SITE, because documents link to
 //!   them.
+//! - `site landing ROOT SITE ADDRESS` writes the pages of the gallery for a site with this address.
 
 mod docs;
 mod exercises;
 mod gallery;
+mod landing;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use fs_err as fs;
 use std::path::{Path, PathBuf};
 
@@ -21,7 +23,12 @@ fn main() -> Result<()> {
         [what, root, site] if what == Path::new("documents") => {
             docs::write_pages(&root.join("docs"), &root.join("www/docs/page.html"), site)
         }
-        _ => bail!("usage: site systems|documents ROOT SITE"),
+        [what, root, site, address] if what == Path::new("landing") => {
+            let address = address.to_str().context("an address that is not UTF-8")?;
+            println!("{}", landing::write(&landing::Sources { root, site, address })?);
+            Ok(())
+        }
+        _ => bail!("usage: site systems|documents ROOT SITE, or site landing ROOT SITE ADDRESS"),
     }
 }
 

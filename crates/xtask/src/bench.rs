@@ -64,7 +64,7 @@ pub(crate) fn bench(workspace: &Workspace, parts: &[Part]) -> Result<()> {
     }
     let mut scripts = PAGE.into_iter().filter(|(part, _)| has(*part)).peekable();
     if scripts.peek().is_some() {
-        build::build(workspace, build::Kind::Shipped)?;
+        build::build(workspace, build::Kind::Shipped, None)?;
     }
     scripts.try_for_each(|(_, script)| page::bench(workspace, script))
 }

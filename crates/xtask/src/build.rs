@@ -1,8 +1,12 @@
 //! `cargo xtask build`: the page, the worker and the wasm in one folder that any static host can serve.
 
+mod address;
+mod stable;
+
 use crate::esbuild::{Bundler as _, Esbuild};
 use crate::workspace::Workspace;
 use crate::{files, html, joined, notices, offline, one_file, steps_page, tools, wasms};
+pub(crate) use address::Address;
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
 use std::path::{Path, PathBuf};
@@ -33,19 +37,35 @@ const SCRIPTS: [&str; 4] = ["js/theme-early.js", "js/exercise/lesson.js", "l-sys
 /// The styles of the documents: those that they share with the playground, then their own.
 const DOCUMENT_STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 
-/// Compiles the core, and builds the site.
-pub(crate) fn build(workspace: &Workspace, kind: Kind) -> Result<()> {
+/// The options of the command.
+#[derive(clap::Args)]
+pub(crate) struct BuildOptions {
+    /// Also make the pages of the gallery with their pictures, and name the public address everywhere: ADDRESS, or else
+    /// `homepage` of Cargo.toml
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "")]
+    site: Option<String>,
+}
+
+impl BuildOptions {
+    /// The public address, if the site names it.
+    pub(crate) fn address(&self) -> Result<Option<Address>> {
+        self.site.as_deref().map(Address::new).transpose()
+    }
+}
+
+/// Compiles the core, and builds the site, for a public address if it is known.
+pub(crate) fn build(workspace: &Workspace, kind: Kind, address: Option<&Address>) -> Result<()> {
     thread::scope(|scope| {
         let core = scope.spawn(|| compile_core(workspace, kind));
         wasms::compile(workspace, kind)?;
         joined(core)
     })?;
-    bundle(workspace, kind)
+    bundle(workspace, kind, address)
 }
 
 /// Builds the site from the compiled core, and replaces its folder as a whole, so that readers find either the old site
 /// or the new one.
-pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
+pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address>) -> Result<()> {
     let place = kind.folder(workspace);
     let parent = place.parent().context("a folder without a parent")?;
     let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(parent)?;
@@ -95,11 +115,17 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind) -> Result<()> {
     })?;
     // Nobody fetches what the page of films carries.
     playing.iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
+    stable::write(&site)?;
     make("documents")?;
     let documents = site.join("docs");
-    files::list(&documents, |path| path.extension().is_none_or(|ending| ending == "html"))?
-        .iter()
-        .try_for_each(|file| include_index(file))?;
+    if let Some(address) = address {
+        workspace.run(Command::new(&core).arg("landing").arg(&workspace.root).arg(&site).arg(address.as_str()))?;
+        address.name(&site)?;
+    }
+    [&documents, &site.join("gallery")].into_iter().try_for_each(|folder| {
+        let pages = files::list(folder, |path| path.extension().is_some_and(|ending| ending == "html"))?;
+        pages.iter().try_for_each(|file| include_index(file))
+    })?;
     files::write(&documents.join("docs.css"), esbuild.styles(&DOCUMENT_STYLES.map(str::to_owned))?)?;
     let scripts = joined::join(&site, index, &esbuild)?;
     let carried = notices::notices(workspace, &wasms::PACKAGES, tools::WASM_TARGET, true)?;
@@ -129,14 +155,14 @@ fn page(www: &Path, site: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest.
+/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest, `llms.txt`.
 fn is_shipped(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let is_folder = path.extension().is_none();
     if is_folder {
         name == "icons"
     } else {
-        ["html", "svg", "png", "webmanifest"].iter().any(|end| name.ends_with(end))
+        ["html", "svg", "png", "webmanifest", "txt"].iter().any(|end| name.ends_with(end))
     }
 }
 
@@ -154,7 +180,7 @@ mod tests {
 
     #[test]
     fn ships_the_page_and_nothing_of_its_development() {
-        for path in ["index.html", "icons", "icons/leaf.svg", "icons/leaf.png", "manifest.webmanifest"] {
+        for path in ["index.html", "icons", "icons/leaf.svg", "icons/leaf.png", "manifest.webmanifest", "llms.txt"] {
             assert!(is_shipped(Path::new(path)), "{path}");
         }
         for path in

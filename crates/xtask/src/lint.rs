@@ -1,10 +1,10 @@
-//! Formatting, clippy, documentation, and biome for scripts and styles: warnings are errors.
+//! Formatting, clippy, documentation, biome for scripts and styles, and actionlint for workflows: warnings are errors.
 
 use crate::report::Report;
 use crate::wasms::PACKAGES;
 use crate::workspace::Workspace;
-use crate::{page, tools};
-use anyhow::Result;
+use crate::{files, page, tools};
+use anyhow::{Result, ensure};
 use std::process::Command;
 
 const STRICT: [&str; 3] = ["--", "-D", "warnings"];
@@ -14,6 +14,7 @@ pub(crate) fn lint(workspace: &Workspace) -> Result<()> {
     let report = Report::new(workspace, "lint");
     formatting(workspace, &report);
     scripts(workspace, &report);
+    workflows(workspace, &report);
     native(workspace, &report);
     wasm(workspace, &report);
     report.finish()
@@ -32,6 +33,17 @@ pub(crate) fn scripts(workspace: &Workspace, report: &Report) {
         let biome = workspace.www().join("node_modules/@biomejs/biome/bin/biome");
         let words = ["ci", "--error-on-warnings", "--colors=off"];
         workspace.run(Command::new(tools::node()?).arg(biome).args(words).current_dir(&workspace.root))
+    });
+}
+
+/// The workflows of GitHub, by actionlint.
+pub(crate) fn workflows(workspace: &Workspace, report: &Report) {
+    report.step(workspace, "workflows", |workspace, _| {
+        let folder = workspace.root.join("crates/xtask/workflows");
+        page::packages(&folder)?;
+        let flows = files::list(&workspace.root.join(".github/workflows"), |_| true)?;
+        ensure!(!flows.is_empty(), "there are no workflows");
+        workspace.run(Command::new(tools::node()?).arg(folder.join("lint.mjs")).args(flows))
     });
 }
 

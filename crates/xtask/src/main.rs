@@ -43,7 +43,7 @@ use workspace::Workspace;
 #[command(name = "cargo xtask")]
 enum Command {
     /// The page, ready to be put on any static host under any path: dist/
-    Build,
+    Build(build::BuildOptions),
     /// The page, and the program lsys with pages inside: target/release/lsys
     Program,
     /// Build a draft of the page quickly, and serve it on this machine
@@ -97,7 +97,7 @@ fn run() -> Result<()> {
     let command = Command::parse();
     let workspace = &Workspace::find()?;
     match command {
-        Command::Build => build::build(workspace, build::Kind::Shipped),
+        Command::Build(options) => build::build(workspace, build::Kind::Shipped, options.address()?.as_ref()),
         Command::Program => program::program(workspace),
         Command::Serve(options) => serve::serve(workspace, &options),
         Command::Test(options) => test::test(workspace, &options),
@@ -124,9 +124,14 @@ mod tests {
     #[test]
     fn the_command_line_is_well_formed() {
         Command::command().debug_assert();
-        for right in
-            ["test quick", "test page native --all --thorough", "serve --port 80 --watch", "mutants --shard 3/9"]
-        {
+        for right in [
+            "test quick",
+            "test page native --all --thorough",
+            "serve --port 80 --watch",
+            "mutants --shard 3/9",
+            "build --site",
+            "build --site https://a.example/l/",
+        ] {
             Command::try_parse_from(["xtask"].into_iter().chain(right.split(' '))).unwrap();
         }
         for wrong in ["test pages", "serve now", "fuzz --minutes x", "monkey --actions 3"] {

@@ -38,7 +38,7 @@ impl MonkeyOptions {
 
 /// Builds the page and runs the monkey on it.
 pub(crate) fn monkey(workspace: &Workspace, options: &MonkeyOptions) -> Result<()> {
-    build::build(workspace, build::Kind::Shipped)?;
+    build::build(workspace, build::Kind::Shipped, None)?;
     run(workspace, options)
 }
 

@@ -9,7 +9,9 @@ use std::path::Path;
 
 const WORKER: &str = "service-worker.js";
 /// Files that are useless offline or that repeat the others.
-const LEFT_OUT: [&str; 2] = [WORKER, "playground.html"];
+const LEFT_OUT: [&str; 4] = [WORKER, "playground.html", "sitemap.xml", "llms.txt"];
+/// How the paths of such files begin: pages for those who do not know the playground yet, and pictures for installers.
+const BEGINNINGS_LEFT_OUT: [&str; 2] = ["gallery/", "icons/screen-"];
 
 /// What the first screen needs, besides the page and its scripts.
 const FIRST: [&str; 6] =
@@ -21,7 +23,7 @@ pub(crate) fn list_files(site: &Path, scripts: &[String]) -> Result<()> {
     let (mut hashes, mut sizes) = (Map::new(), Map::new());
     for file in files::list(site, |_| true)? {
         let path = file.strip_prefix(site)?.to_str().context("a name that is not UTF-8")?.replace('\\', "/");
-        if LEFT_OUT.contains(&&*path) {
+        if LEFT_OUT.contains(&&*path) || BEGINNINGS_LEFT_OUT.iter().any(|start| path.starts_with(start)) {
             continue;
         }
         // Some hosts serve the first page only at the folder's address.
@@ -51,7 +53,13 @@ mod tests {
     fn lists_all_files_by_their_hashes() {
         let folder = tempfile::tempdir().unwrap();
         let site = folder.path();
-        for (name, text) in [("index.html", ""), ("page.js", "abc"), ("playground.html", "x"), (WORKER, "work()")] {
+        for (name, text) in [
+            ("index.html", ""),
+            ("page.js", "abc"),
+            ("playground.html", "x"),
+            ("gallery/a.png", "x"),
+            (WORKER, "work()"),
+        ] {
             files::write(&site.join(name), text).unwrap();
         }
         let list_files = |site: &Path| list_files(site, &["page.js".to_owned()]);
@@ -71,7 +79,7 @@ mod tests {
         ] {
             assert!(worker.contains(part), "{part}: {worker}");
         }
-        assert!(!worker.contains("playground"), "{worker}");
+        assert!(!worker.contains("playground") && !worker.contains("gallery"), "{worker}");
         files::write(&site.join(WORKER), "work()").unwrap();
         files::write(&site.join("page.js"), "abd").unwrap();
         list_files(site).unwrap();

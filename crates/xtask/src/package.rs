@@ -20,6 +20,9 @@ pub(crate) struct PackageOptions {
     /// The git revision with which the crates' interfaces are compared; the last tag `v*` if none is named
     #[arg(long)]
     baseline: Option<String>,
+    /// Only the npm package
+    #[arg(long)]
+    npm: bool,
 }
 
 /// Makes and tests the npm package, and packs, compares and documents the crates.
@@ -27,6 +30,10 @@ pub(crate) fn package(workspace: &Workspace, options: &PackageOptions) -> Result
     tools::wasm_target()?;
     wasms::compile_one(workspace, Kind::Shipped, BOUNDARY.0, None)?;
     npm(workspace)?;
+    if options.npm {
+        println!("npm package: {}", folder(workspace).display());
+        return Ok(());
+    }
     let crates = published(workspace)?;
     dry_run(workspace)?;
     semver(workspace, options, &crates)?;
@@ -58,8 +65,13 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
     let carried = notices::notices(workspace, &[BOUNDARY.0], tools::WASM_TARGET, false)?;
     files::write(&package.join(notices::FILE), carried)?;
     let list = package.join("package.json");
-    // As text, because the order of conditions in `exports` counts.
-    let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    // As text, because the order of conditions in `exports` counts. Provenance needs the repository.
+    let version = format!(
+        "\"version\": \"{}\",\n  \"homepage\": \"{}\",\n  \"repository\": {{ \"type\": \"git\", \"url\": \"git+{}.git\" }}",
+        env!("CARGO_PKG_VERSION"),
+        env!("CARGO_PKG_HOMEPAGE"),
+        env!("CARGO_PKG_REPOSITORY"),
+    );
     files::write(&list, fs::read_to_string(&list)?.replacen("\"version\": \"0.0.0\"", &version, 1))?;
     let test = workspace.target.join("npm/test.mjs");
     copy(&source.join("test.mjs"), &test)?;
@@ -125,6 +137,18 @@ fn copy(from: &Path, to: &Path) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_citation_names_this_version_and_its_addresses() {
+        let text = fs::read_to_string(Workspace::find().unwrap().root.join("CITATION.cff")).unwrap();
+        for line in [
+            concat!("version: ", env!("CARGO_PKG_VERSION")),
+            concat!("repository-code: ", env!("CARGO_PKG_REPOSITORY")),
+            concat!("url: ", env!("CARGO_PKG_HOMEPAGE")),
+        ] {
+            assert!(text.lines().any(|own| own == line), "{line}");
+        }
+    }
 
     #[test]
     fn every_crate_for_others_is_published() {

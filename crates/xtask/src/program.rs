@@ -14,7 +14,7 @@ const PAGES: [&str; 3] = ["playground.html", "exercise.html", "package.html"];
 
 /// Builds the page, then the program.
 pub(crate) fn program(workspace: &Workspace) -> Result<()> {
-    build::build(workspace, Kind::Shipped)?;
+    build::build(workspace, Kind::Shipped, None)?;
     let (site, pages) = (Kind::Shipped.folder(workspace), workspace.root.join("crates/lsys/pages"));
     for name in PAGES {
         let (size, packed) = pack(&site.join(name), &pages.join(format!("{name}.gz")))?;

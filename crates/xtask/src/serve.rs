@@ -26,7 +26,7 @@ pub(crate) struct ServeOptions {
 /// Serves until the program is stopped.
 pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()> {
     let before = Times::now(workspace)?;
-    build::build(workspace, Kind::Draft)?;
+    build::build(workspace, Kind::Draft, None)?;
     let listener = listen(options.port)?;
     println!("http://{}/", listener.local_addr()?);
     let server =
@@ -52,8 +52,8 @@ fn watch(workspace: &Workspace, version: &Version, mut built: Times) -> Result<(
         }
         let start = Instant::now();
         let made = match now.crates == built.crates {
-            true => build::bundle(workspace, Kind::Draft),
-            false => build::build(workspace, Kind::Draft),
+            true => build::bundle(workspace, Kind::Draft, None),
+            false => build::build(workspace, Kind::Draft, None),
         };
         built = now;
         match made {

@@ -10,7 +10,7 @@ import { addElements } from '../late.js';
 import { ASKS } from '../late-tables.js';
 import { exerciseIn } from '../exercise/open.js';
 import { showQrPicture } from '../qr.js';
-import { exerciseCode, frameCode } from '../share-code.js';
+import { exerciseCode, frameCode, stable } from '../share-code.js';
 import { definitionOf } from '../state.js';
 import markup from './maker.html';
 import { createOthers } from './others.js';
@@ -185,12 +185,12 @@ export function createMaker({ store, engine }) {
         html('maker-try').setAttribute('href', address);
         const title = input('maker-title').value.trim() || 'Exercise';
         code.value = input('maker-frame').checked
-            ? frameCode({ ...store.state, title }, `#v=1&x=${made}`, new URL('exercise.html', location.href).href, {
+            ? frameCode({ ...store.state, title }, `#v=1&x=${made}`, stable('exercise.html'), {
                   controls: [],
                   theme: '',
                   ...SIZE,
               })
-            : exerciseCode(title, address, new URL('l-system.js', location.href).href, SIZE.width);
+            : exerciseCode(title, address, stable('l-system.js'), SIZE.width);
         const modules = await engine.qr(address).catch(() => null);
         if (own !== turn) return;
         qr.toggleAttribute('hidden', modules === null);

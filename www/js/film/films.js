@@ -8,7 +8,7 @@ import { showFailure } from '../failure.js';
 import { isWhole } from '../files.js';
 import { addElements } from '../late.js';
 import { bestLink } from '../packed.js';
-import { SIZES as FRAMES } from '../share-code.js';
+import { SIZES as FRAMES, stable } from '../share-code.js';
 import { definitionOf } from '../state.js';
 import { Cancelled } from '../tool.js';
 import { createAdder } from './adder.js';
@@ -208,7 +208,7 @@ export function createFilms({ store, stage }) {
         const { width, height } = script;
         const [most = width] = FRAMES.large ?? [];
         const scale = Math.min(1, most / width);
-        const page = new URL('film.html', location.href).href;
+        const page = stable('film.html');
         const code = filmCode(
             store.state,
             await bestLink(store.state),

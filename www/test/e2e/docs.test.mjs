@@ -20,12 +20,14 @@ test('the documents for readers are pages, and no others', () => {
     assert.deepEqual(NAMES, [
         'about.html',
         'access.html',
+        'assistants.html',
         'classroom.html',
         'embedding.html',
         'exercises.html',
         'films.html',
         'find.html',
         'growth.html',
+        'hosting.html',
         'imports.html',
         'lesson.html',
         'links.html',
@@ -42,6 +44,8 @@ test('the documents for readers are pages, and no others', () => {
 /** The documents that the line of links does not name. */
 const UNLISTED = [
     'access.html',
+    'assistants.html',
+    'hosting.html',
     'classroom.html',
     'security.html',
     'imports.html',

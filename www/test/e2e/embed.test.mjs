@@ -691,3 +691,25 @@ test('a frame accepts messages only from its host, and answers only a known orig
         },
         { expected: /does not match the recipient window's origin/ },
     ));
+
+test('the addresses of version 1 lead to the drawing', () =>
+    withHost(
+        `<script src="${ADDRESS}v1/l-system.js"></script><l-system axiom="F" n="3" angle="25"><pre>F -&gt; F[+F]F</pre></l-system><iframe title="A drawing" sandbox="allow-scripts" src="${ADDRESS}v1/embed.html#${WEED.replaceAll('&', '&amp;')}"></iframe>`,
+        async (page) => {
+            await page.evaluate(
+                () =>
+                    new Promise((resolve) => {
+                        const element = /** @type {any} */ (document.querySelector('l-system'));
+                        if (element.ready) resolve(null);
+                        else element.addEventListener('ready', resolve, { once: true });
+                    }),
+            );
+            const got = await page.evaluate(() => /** @type {any} */ (document.querySelector('l-system')).get());
+            assert.equal(got.segments, '27');
+            for (const index of [0, 1]) {
+                const frame = await drawn(page, index);
+                assert.doesNotMatch(frame.url(), /v1/);
+                assert.ok((await picture(frame)).ink > 0.002);
+            }
+        },
+    ));

@@ -284,3 +284,53 @@ test('a development server’s page caches nothing', () =>
             [0, 0],
         );
     }));
+
+/**
+ * Sends a form to the address of the share target, as a system does that shares something with the installed page.
+ * @param {Page} page
+ * @param {{text?: string, file?: {name: string, mimeType: string, buffer: Buffer}}} what
+ */
+async function shareWith(page, { text = '', file }) {
+    await page.goto('about:blank');
+    await page.setContent(
+        `<form action="${origin}shared" method="post" enctype="multipart/form-data"><input name="title"><textarea name="text"></textarea>${file ? '<input name="file" type="file">' : ''}<button>Share</button></form>`,
+    );
+    await page.fill('textarea', text);
+    if (file) await page.setInputFiles('input[type=file]', file);
+    await page.click('button');
+    await page.waitForURL((url) => url.href.startsWith(origin) && !url.pathname.endsWith('shared'));
+    await ready(page);
+    assert.doesNotMatch(page.url(), /shared/);
+}
+
+test('what other programs share opens: a picture in the search of rules, a text in the importer, a file as a system', () =>
+    withSite(() =>
+        withPage(how(), async (page) => {
+            await kept(page);
+            const buffer = await readFile(join(site, 'icons/icon-192.png'));
+            await shareWith(page, { file: { name: 'leaf.png', mimeType: 'image/png', buffer } });
+            await page.waitForSelector('#find[open]');
+            await shareWith(page, { text: 'Dragon {\n  Angle 4\n  Axiom FX\n  F=\n  y=+FX--FY+\n  x=-FX++FY-\n}' });
+            await page.waitForSelector('#import[open]');
+            const system = {
+                name: 'sent',
+                title: 'Sent',
+                initial: 'F',
+                rules: ['F -> F+F'],
+                num_iters: 2,
+                angle_deg: 90,
+            };
+            const own = {
+                name: 'sent.json',
+                mimeType: 'application/json',
+                buffer: Buffer.from(JSON.stringify(system)),
+            };
+            await shareWith(page, { file: own });
+            await until(async () => (await page.textContent('#caption-title')) === 'Sent', 'the file opens');
+            // What was opened is not kept.
+            assert.equal(
+                await page.evaluate(async () => (await caches.keys()).some((name) => /shared$/.test(name))),
+                false,
+            );
+        }),
+    ));

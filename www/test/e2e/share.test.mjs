@@ -151,7 +151,7 @@ test('embed code has the state and the chosen controls', () =>
                 return { src: String(element?.getAttribute('src')), title: element?.title };
             }, frame);
             assert.equal(parsed.title, '"Koch" <&>');
-            assert.ok(parsed.src.startsWith(`${ADDRESS}embed.html#v=1&`));
+            assert.ok(parsed.src.startsWith(`${ADDRESS}v1/embed.html#v=1&`));
             const state = (await openLink(new URL(parsed.src).hash))?.state;
             assert.equal(state?.title, '"Koch" <&>');
             assert.equal(state?.overrides, 'X: turn left 90\nY: move');
@@ -175,7 +175,7 @@ test('embed code has the state and the chosen controls', () =>
                 await page.inputValue('#embed-code'),
             );
             assert.deepEqual(element, {
-                script: `${ADDRESS}l-system.js`,
+                script: `${ADDRESS}v1/l-system.js`,
                 rules: 'F -> F+F--F+F',
                 attributes: {
                     caption: '"Koch" <&>',

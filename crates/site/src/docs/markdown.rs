@@ -253,7 +253,7 @@ fn plain(events: &[Event]) -> String {
 }
 
 /// The first whole words of a text.
-fn shortened(text: &str) -> String {
+pub(crate) fn shortened(text: &str) -> String {
     if text.chars().count() <= LONGEST_SUMMARY {
         return text.to_owned();
     }
@@ -263,7 +263,7 @@ fn shortened(text: &str) -> String {
 }
 
 /// A text as part of HTML, also inside quotes.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

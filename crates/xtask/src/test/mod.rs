@@ -108,6 +108,7 @@ fn compile(workspace: &Workspace, options: &TestOptions, report: &Report) -> Opt
     if options.has(Part::Lint) {
         lint::formatting(workspace, report);
         lint::scripts(workspace, report);
+        lint::workflows(workspace, report);
     }
     if options.has(Part::Native) || options.has(Part::Outside) || options.has(Part::Fuzz) {
         report.step(workspace, "compiling natively", |workspace, _| {
@@ -125,7 +126,7 @@ fn compile(workspace: &Workspace, options: &TestOptions, report: &Report) -> Opt
 fn compile_wasm(workspace: &Workspace, options: &TestOptions, report: &Report) -> bool {
     let mut site = false;
     if options.has(Part::Size) || options.has(Part::Page) {
-        site = report.step(workspace, "building the page", |workspace, _| build::build(workspace, Kind::Shipped));
+        site = report.step(workspace, "building the page", |workspace, _| build::build(workspace, Kind::Shipped, None));
     }
     if options.has(Part::Wasm) {
         report.step(workspace, "compiling for the browser", |workspace, _| wasm::build(workspace).map(drop));

@@ -53,7 +53,7 @@ pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Re
     report.step(workspace, "the page opens and draws", |workspace, _| {
         let print = fingerprint([workspace.www().as_path()])?;
         passed.once(report, "quick pages", &print, || {
-            build::build(workspace, Kind::Draft)?;
+            build::build(workspace, Kind::Draft, None)?;
             page::end_to_end(workspace, Kind::Draft, &PAGES, report)
         })
     });
