@@ -48,7 +48,7 @@ pub use csv::write_csv;
 pub use embed::{FileContent, read_file, text_of};
 pub use formats::{Content, FORMATS, Format, Notes, Purpose, Written};
 pub use gltf::write_glb;
-pub use json::read_json;
+pub use json::{read_fields, read_json};
 pub use json_write::write_json;
 pub use link::{Link, LinkProblem, read_link};
 pub use link_write::write_link;
