@@ -32,6 +32,7 @@ mod obj;
 mod option_table;
 mod options;
 pub mod packed;
+mod page_limits;
 mod paper;
 mod pen;
 mod plot_svg;
