@@ -22,8 +22,6 @@ const PICTURES: u64 = 84 * MIB;
 const REST: u64 = 16 * MIB;
 /// Smaller pictures, in pixels, are not reduced: most of their memory does not depend on the number of pixels.
 const FEWEST: u32 = 1 << 18;
-/// The bytes of a segment in [`SegmentArrays`](lsystem::SegmentArrays): four coordinates, a colour, a level.
-const ARRAY_SEGMENT: u64 = 4 * 4 + 4 + 2;
 
 /// The limits of the page.
 pub(crate) const LIMITS: Limits = Limits::PAGE;
@@ -33,11 +31,6 @@ pub(crate) const HISTORY: Limits = Limits { memory: 24 * MIB, ..LIMITS };
 
 /// The limits of a small picture's drawing. The rest of its 70 MiB is for pixels and tiles.
 pub(crate) const SMALL: Limits = Limits { memory: 32 * MIB, ..LIMITS };
-
-/// The most segments in arrays: 352 MiB, and as much again while JavaScript copies them. Such arrays are not for the page,
-/// but for programs, whose instance holds nothing else.
-pub(crate) const ARRAY_SEGMENTS: u64 = 16 << 20;
-const _: () = assert!(ARRAY_SEGMENTS * ARRAY_SEGMENT == 352 * MIB);
 
 /// The bytes for pictures of a drawing of `drawing` bytes.
 pub(crate) fn picture_room(drawing: u64) -> u64 {

@@ -7,8 +7,7 @@
 //! [`Session::pick`]), and several sessions may make one picture in space together ([`Session::hand_out`]). All of them
 //! stay within a budget of memory (`budget.rs`).
 //!
-//! Functions without a session translate texts: [`notation`], [`site_of`], [`read_file`], [`expand`], [`segments`],
-//! [`qr_code`]. Types that implement `Serialize` are messages to the page: their names become those of JavaScript.
+//! Functions without a session translate texts: [`notation`], [`site_of`], [`read_file`], [`qr_code`]. Types that implement `Serialize` are messages to the page: their names become those of JavaScript.
 //!
 //! ```
 //! use lsystem::render::Pane;
@@ -44,7 +43,6 @@ mod files;
 mod mates;
 mod notation;
 mod pace;
-mod plain;
 mod plane;
 mod qr;
 mod reading;
@@ -61,7 +59,6 @@ pub use files::{FileRead, read_file};
 pub use mates::{Outcome, PaneStep, SharedPane};
 pub use notation::{ConstantSpan, Notation, Site, notation, site_of};
 pub use pace::STEP;
-pub use plain::{ThrownProblems, expand, segments};
 pub use qr::qr_code;
 pub use reading::{
     AncestryLink, Descendants, Direction, Picked, Place, PolygonFacts, Pose, SegmentFacts, StringPage, SymbolFacts,

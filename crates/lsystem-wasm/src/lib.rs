@@ -1,18 +1,18 @@
 //! The boundary between the core and JavaScript. This crate only translates.
 //!
-//! Two plain functions, [`expand`](fn@expand) and [`draw`](fn@draw), turn a definition into a string and into typed
-//! arrays. [`Playground`] is the page's handle: a [`Session`](lsystem_session::Session) that paints an `OffscreenCanvas`.
+//! [`Playground`] is the page's handle: a [`Session`](lsystem_session::Session) that paints an `OffscreenCanvas`.
 //! A definition is a plain object with the fields of [`lsystem::Definition`] in camel case; missing fields have their
 //! defaults. Results are plain objects with the fields of Rust's types; `None` is null. Errors and warnings are structured
-//! values ([`lsystem_session::Problem`]) with UTF-16 spans. The plain functions throw them as `{diagnostics: [..]}`.
+//! values ([`lsystem_session::Problem`]) with UTF-16 spans. Programs of others have a boundary of their own,
+//! `lsystem-library-wasm`.
 
 mod canvas;
-mod plain;
 mod playground;
+mod seed;
 mod texts;
 
-pub use plain::{Segments, draw, expand, fresh_seed};
 pub use playground::Playground;
+pub use seed::fresh_seed;
 pub use texts::{notation, qr_code, read_file, site_of};
 
 use serde::Serialize;

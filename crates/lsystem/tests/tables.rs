@@ -2,6 +2,8 @@
 //! fields in `README.md` and `docs/links.md`, of choices for plots in `docs/plotting.md`, and of notations in
 //! `docs/imports.md`. `cargo xtask tables` updates them.
 
+mod library;
+
 use expect_test::expect_file;
 use lsystem::base::MAX_PICTURE_SIDE;
 use lsystem::base::number::number;
