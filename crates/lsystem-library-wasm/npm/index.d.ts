@@ -45,6 +45,9 @@ export interface Drawing {
     levels: Uint16Array;
 }
 
+/** A former name. */
+export type Segments = Drawing;
+
 /** A segment of a drawing; two or three coordinates at each end. */
 export interface Segment {
     from: number[];
@@ -82,20 +85,20 @@ export class LSystemError extends Error {
 export interface Options extends FileOptions {
     /** The generation; the system's own `iterations` if it is left out. */
     n?: number;
-    /** Where a PNG in the plane looks: offsets from the centre in heights of the drawing, and a magnification. */
-    view?: { x: number; y: number; zoom: number };
+    /** Where a PNG in the plane looks: offsets from the centre in longer sides of the drawing, and a magnification. */
+    view?: { x?: number; y?: number; zoom?: number };
     /** From where a drawing in space is seen: degrees, a magnification and the centre. */
     camera?: {
-        azimuth: number;
-        elevation: number;
-        zoom: number;
-        x: number;
-        y: number;
-        z: number;
-        perspective: boolean;
-        fade: number;
+        azimuth?: number;
+        elevation?: number;
+        zoom?: number;
+        x?: number;
+        y?: number;
+        z?: number;
+        perspective?: boolean;
+        fade?: number;
     };
-    /** Device pixels in a CSS pixel of a PNG, which scale its least width of strokes. */
+    /** Device pixels in a CSS pixel of a PNG, 0.01 to 100, which scale its least width of strokes. */
     ratio?: number;
 }
 

@@ -86,15 +86,22 @@ export function segments(system, n) {
 /** The parts of all pages of a reader. The reader is freed at the end, or when the loop is left. */
 function* pages(reader, parts) {
     try {
-        for (let page = reader.next(); page.length > 0; page = reader.next()) yield* parts(page, reader);
+        for (let page = reader.page(); page.length > 0; page = reader.page()) yield* parts(page, reader);
     } finally {
         reader.free();
     }
 }
 
-export function file(system, format, { n, view, camera, ratio, ...values } = {}) {
-    if (Array.isArray(values.size)) values.size = values.size.join('x');
+export function file(system, format, { n, view, camera, ratio, ...others } = {}) {
+    const given = Object.entries(others).filter(([, value]) => value !== undefined);
+    const values = Object.fromEntries(given.map(([name, value]) => [name, option(value)]));
     return opened(system, n, (handle) => handle.file(format, { values, view, camera, ratio }));
+}
+
+/** A size as a text; values of other types as texts, which are refused with what is expected. */
+function option(value) {
+    if (Array.isArray(value)) return value.join('x');
+    return typeof value === 'boolean' || typeof value === 'number' ? value : String(value);
 }
 
 export const svg = (system, options) => file(system, 'svg', options);
@@ -111,6 +118,7 @@ export function check(system) {
     try {
         return readBytes(bytes(system)).problems;
     } catch (thrown) {
+        if (!thrown?.diagnostics) throw thrown;
         return thrown.diagnostics;
     }
 }

@@ -177,6 +177,11 @@ test('files are made and read back', () => {
     assert.ok(!svg(plant, { bare: true }).includes('F[+X]'));
     assert.equal(refusal(() => png(plant, { dip: 3 })).message, 'png has no option `dip`: did you mean `dpi`?');
     assert.match(refusal(() => file(plant, 'jpeg')).message, /no format `jpeg`/);
+    const camera = (camera) => () => png({ axiom: 'F[&F]' }, { camera, transparent: undefined });
+    assert.notDeepEqual(camera({ azimuth: 90 })(), camera({ azimuth: 0 })());
+    assert.match(refusal(camera({ azimut: 90 })).message, /did you mean `azimuth`/);
+    assert.match(refusal(camera(7)).message, /./);
+    assert.match(refusal(() => png(plant, { size: {} })).message, /size: expected a width and a height/);
     assert.match(refusal(() => read('{}')).message, /keys `initial` and `rules`/);
 });
 

@@ -13,7 +13,7 @@ use js_sys::{JsString, Uint8Array};
 use lsystem_files::Format;
 use opened::{OpenSystem, Refusal};
 use segments::{SegmentPages, draw};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use strings::SymbolPages;
 use wasm_bindgen::prelude::*;
 
@@ -67,8 +67,8 @@ impl System {
     ///
     /// # Errors
     /// Throws a refusal if the string is too long to be read.
-    pub fn symbols(&self) -> Result<Symbols, JsValue> {
-        SymbolPages::new(&self.0).map(Symbols).map_err(thrown)
+    pub fn symbols(&self) -> Result<SymbolReader, JsValue> {
+        SymbolPages::new(&self.0).map(SymbolReader).map_err(thrown)
     }
 
     /// All segments as arrays.
@@ -101,8 +101,9 @@ impl System {
     pub fn file(&self, format: &str, options: JsValue) -> Result<JsValue, JsValue> {
         let format =
             Format::named(format).ok_or_else(|| thrown(Refusal::words(format!("there is no format `{format}`"))))?;
-        let options = serde_wasm_bindgen::from_value(options)?;
-        let bytes = files::make(&self.0, format, options).map_err(thrown)?;
+        let request =
+            serde_wasm_bindgen::from_value(options).map_err(|error| thrown(Refusal::words(error.to_string())))?;
+        let bytes = files::make(&self.0, format, &request).map_err(thrown)?;
         if format.is_binary {
             return Ok(Uint8Array::from(&*bytes).into());
         }
@@ -113,12 +114,12 @@ impl System {
 /// Reads a string page by page.
 #[wasm_bindgen]
 #[derive(Debug)]
-pub struct Symbols(SymbolPages);
+pub struct SymbolReader(SymbolPages);
 
 #[wasm_bindgen]
-impl Symbols {
+impl SymbolReader {
     /// The next symbols; empty at the end.
-    pub fn next(&mut self) -> String {
+    pub fn page(&mut self) -> String {
         self.0.next_page()
     }
 
@@ -138,7 +139,7 @@ pub struct SegmentReader(SegmentPages);
 impl SegmentReader {
     /// Eight numbers for each of the next segments: three coordinates of each end, the colour, the level. Empty at the
     /// end.
-    pub fn next(&mut self) -> Vec<f64> {
+    pub fn page(&mut self) -> Vec<f64> {
         self.0.next_page()
     }
 
@@ -180,18 +181,4 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
 #[expect(clippy::needless_pass_by_value, reason = "the error of a result")]
 fn thrown(refusal: Refusal) -> JsValue {
     to_js(&refusal).unwrap_or_else(|error| error)
-}
-
-/// The options of a file.
-#[derive(Default, Deserialize)]
-struct FileRequest {
-    /// The choices of [`lsystem_files::FILE_OPTIONS`], by name.
-    #[serde(default)]
-    values: std::collections::BTreeMap<String, lsystem_files::OptionValue>,
-    /// The place of pictures of pixels in the plane; the whole drawing if it is missing.
-    view: Option<lsystem_render::PageView>,
-    /// The camera on drawings in space; the page's first one if it is missing.
-    camera: Option<lsystem_render::PageCamera>,
-    /// Device pixels in a CSS pixel, for pictures of pixels.
-    ratio: Option<f64>,
 }
