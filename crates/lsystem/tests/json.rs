@@ -181,7 +181,7 @@ fn wrong_names_and_values_of_scripts_are_told() {
     "#]]
     .assert_eq(&said(r#"{"axiom": "F", "iterations": 2.5, "angle": null, "rules": 3, "start": [1], "ink": "blue"}"#));
     assert!(FIELDS.iter().all(|spec| !said(&format!(r#"{{"axiom": "F", "{}": [[]]}}"#, spec.name)).is_empty()));
-    assert!(said("[]").contains("must hold an object") && said("3 4").contains("nexpected"));
+    assert!(["[]", "null"].iter().all(|text| said(text).contains("must hold an object")));
 }
 
 #[test]

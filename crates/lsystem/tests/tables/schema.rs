@@ -4,6 +4,7 @@
 use super::default_of;
 use expect_test::expect_file;
 use lsystem::base::MAX_PALETTE;
+use lsystem::read_json;
 use lsystem::syntax::fields::Section;
 use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value as Held};
 use serde_json::{Map, Value, json};
@@ -72,7 +73,7 @@ fn properties(section: Section) -> Map<String, Value> {
 }
 
 /// An object with these keys. Keys of unused data are of any form, as for the reader.
-fn object(properties: Map<String, Value>) -> Value {
+fn object(properties: &Map<String, Value>) -> Value {
     json!({
         "type": "object",
         "properties": properties,
@@ -83,10 +84,10 @@ fn object(properties: Map<String, Value>) -> Value {
 
 fn schema() -> Value {
     let mut file = properties(Section::File);
-    file.insert("turtle".into(), object(properties(Section::Turtle)));
-    file.insert("style".into(), object(properties(Section::Style)));
+    file.insert("turtle".into(), object(&properties(Section::Turtle)));
+    file.insert("style".into(), object(&properties(Section::Style)));
     file.insert("stochastic".into(), json!({"type": "boolean", "description": "without effect: the rules decide"}));
-    let mut schema = object(file);
+    let mut schema = object(&file);
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     schema["title"] = json!("L-system");
     schema["description"] = json!("a system of the L-system playground; written by `cargo xtask tables`, not by hand");
@@ -122,4 +123,18 @@ fn sorted(value: Value) -> Value {
 fn the_schema_of_files_is_that_of_the_fields() {
     let text = serde_json::to_string_pretty(&sorted(schema())).unwrap() + "\n";
     expect_file!["../../../../www/schema/v1/system.json"].assert_eq(&text);
+}
+
+/// The schema is tried on the same files by `www/test/unit/schema.test.mjs`.
+#[test]
+fn the_reader_takes_what_the_schema_accepts_and_tells_what_it_refuses() {
+    let files: Value = serde_json::from_str(include_str!("../../../../www/test/unit/schema-files.json")).unwrap();
+    let each = |kind: &str| files[kind].as_array().unwrap().clone();
+    for right in each("right") {
+        let (definition, diagnostics) = read_json(&right["file"].to_string());
+        assert!(definition.is_some() && diagnostics.is_empty(), "{}: {diagnostics:?}", right["why"]);
+    }
+    for wrong in each("wrong") {
+        assert!(!read_json(&wrong["file"].to_string()).1.is_empty(), "{}", wrong["why"]);
+    }
 }
