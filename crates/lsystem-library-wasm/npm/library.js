@@ -93,6 +93,11 @@ function* pages(reader, parts) {
 }
 
 export function file(system, format, { n, view, camera, ratio, ...others } = {}) {
+    for (const [name, value] of Object.entries({ view, camera })) {
+        if (value != null && typeof value !== 'object') {
+            throw new LSystemError({ message: `${name} must be an object`, diagnostics: [] });
+        }
+    }
     const given = Object.entries(others).filter(([, value]) => value !== undefined);
     const values = Object.fromEntries(given.map(([name, value]) => [name, option(value)]));
     return opened(system, n, (handle) => handle.file(format, { values, view, camera, ratio }));

@@ -1,7 +1,7 @@
 //! Files of systems.
 
 use crate::opened::{OpenSystem, Refusal};
-use lsystem_files::{FileLimits, FileOptions, FileTask, FileView, Format, OptionValue, Sink};
+use lsystem_files::{FORMATS, FileLimits, FileOptions, FileTask, FileView, Format, OptionValue, Sink};
 use lsystem_render::{Camera, View};
 use lsystem_syntax::fields::field;
 use lsystem_syntax::message::expected_words;
@@ -35,7 +35,7 @@ struct Members(BTreeMap<String, Value>);
 pub(crate) fn make(open: &OpenSystem, format: &'static Format, request: &FileRequest) -> Result<Vec<u8>, Refusal> {
     let FileRequest { values, view, camera, ratio } = request;
     if let Some(name) = values.keys().find(|name| !format.options.contains(&name.as_str())) {
-        return Err(no_option(format.name, name, format.options.iter().copied()));
+        return Err(unknown(&format!("{} has no option", format.name), name, format.options.iter().copied()));
     }
     let options = FileOptions::from_values(values).map_err(Refusal::words)?;
     let view = view.as_ref().map_or(Ok(View::default()), Members::view)?;
@@ -51,14 +51,20 @@ pub(crate) fn make(open: &OpenSystem, format: &'static Format, request: &FileReq
     Ok(bytes)
 }
 
-/// The refusal of an option that `owner` does not have.
-fn no_option(owner: &str, name: &str, known: impl Iterator<Item = &'static str> + Clone) -> Refusal {
+/// The format with this name.
+pub(crate) fn format(name: &str) -> Result<&'static Format, Refusal> {
+    let known = FORMATS.iter().map(|format| format.name);
+    Format::named(name).ok_or_else(|| unknown("there is no format", name, known))
+}
+
+/// The refusal of a name that is not known.
+fn unknown(what: &str, name: &str, known: impl Iterator<Item = &'static str> + Clone) -> Refusal {
     let help = match (similar(name, known.clone()), known.collect::<Vec<_>>()) {
-        (Some(near), _) => format!("did you mean `{near}`?"),
-        (None, known) if known.is_empty() => "it has no options".to_owned(),
-        (None, known) => format!("it has {}", known.join(", ")),
+        (Some(near), _) => format!(": did you mean `{near}`?"),
+        (None, known) if known.is_empty() => String::new(),
+        (None, known) => format!("; known are {}", known.join(", ")),
     };
-    Refusal::words(format!("{owner} has no option `{name}`: {help}"))
+    Refusal::words(format!("{what} `{name}`{help}"))
 }
 
 impl Members {
@@ -93,7 +99,7 @@ impl Members {
         let Some(Expected::Record(known)) = field(owner).map(|spec| spec.expected) else { return Ok(()) };
         for (name, value) in &self.0 {
             let Some((_, expected)) = known.iter().find(|(known, _)| known == name) else {
-                return Err(no_option(owner, name, known.iter().map(|(name, _)| *name)));
+                return Err(unknown(&format!("{owner} has no option"), name, known.iter().map(|(name, _)| *name)));
             };
             if !expected.admits_value(value) {
                 return Err(Refusal::words(format!("{owner}.{name} must be {}", expected_words(*expected))));
@@ -106,7 +112,6 @@ impl Members {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lsystem_files::FORMATS;
 
     fn open(n: u32) -> OpenSystem {
         OpenSystem::read(r#"{"axiom": "F", "rules": "F -> F[+F]F"}"#, Some(n.into())).unwrap()
@@ -129,8 +134,9 @@ mod tests {
             make(&open(2), Format::named(format).unwrap(), &request).unwrap_err().message
         };
         assert_eq!(told("png", "dip", 3.0), "png has no option `dip`: did you mean `dpi`?");
-        assert_eq!(told("svg", "pen", 3.0), "svg has no option `pen`: it has transparent, bare");
-        assert_eq!(told("csv", "pen", 3.0), "csv has no option `pen`: it has no options");
+        assert_eq!(told("svg", "pen", 3.0), "svg has no option `pen`; known are transparent, bare");
+        assert_eq!(told("csv", "pen", 3.0), "csv has no option `pen`");
+        assert_eq!(format("svgg").unwrap_err().message, "there is no format `svgg`: did you mean `svg`?");
         assert_eq!(told("png", "dpi", -3.0), "dpi: expected a number from 0 to 100000");
     }
 

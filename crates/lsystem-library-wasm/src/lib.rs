@@ -10,7 +10,6 @@ mod segments;
 mod strings;
 
 use js_sys::{JsString, Uint8Array};
-use lsystem_files::Format;
 use opened::{OpenSystem, Refusal};
 use segments::{SegmentPages, draw};
 use serde::Serialize;
@@ -99,8 +98,7 @@ impl System {
     /// # Errors
     /// Throws a refusal if there is no such format or option, or if a limit is exceeded.
     pub fn file(&self, format: &str, options: JsValue) -> Result<JsValue, JsValue> {
-        let format =
-            Format::named(format).ok_or_else(|| thrown(Refusal::words(format!("there is no format `{format}`"))))?;
+        let format = files::format(format).map_err(thrown)?;
         let request =
             serde_wasm_bindgen::from_value(options).map_err(|error| thrown(Refusal::words(error.to_string())))?;
         let bytes = files::make(&self.0, format, &request).map_err(thrown)?;
