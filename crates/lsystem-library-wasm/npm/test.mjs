@@ -222,23 +222,37 @@ test("the README's first lines draw a plant in Node.js", () => {
     assert.ok(picture.length > 10_000);
 });
 
-test("the README's first lines draw a plant in a page", async () => {
-    const program = firstProgram().replace("from 'lsystem'", "from './node_modules/lsystem/index.js'");
-    const page = `<!doctype html><title>Plant</title><body><script type="module">${program}</script>`;
-    const types = { js: 'text/javascript', wasm: 'application/wasm' };
+/** The elements of a page of the project, after its scripts have run. */
+async function rendered(page, name = 'index.html') {
+    const types = { js: 'text/javascript', wasm: 'application/wasm', html: 'text/html' };
     const server = createServer((request, response) => {
-        const name = request.url.slice(1);
-        const ending = types[name.split('.').at(-1)];
-        response.setHeader('Content-Type', ending ?? 'text/html');
-        response.end(ending ? readFileSync(name) : page);
+        const file = request.url.slice(1);
+        response.setHeader('Content-Type', types[file.split('.').at(-1)] ?? 'text/plain');
+        response.end(file === 'index.html' ? page : existsSync(file) ? readFileSync(file) : '');
     });
     await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
-    const address = `http://127.0.0.1:${server.address().port}/`;
+    const address = `http://127.0.0.1:${server.address().port}/${name}`;
     const flags = ['--headless', '--no-sandbox', '--disable-gpu', '--virtual-time-budget=20000', '--dump-dom'];
     try {
-        const { stdout } = await promisify(execFile)(process.env.CHROMIUM, [...flags, address], { maxBuffer: 1 << 26 });
-        assert.match(stdout, /<\/script>\s*<svg [^]*<path [^]*<\/svg>/);
+        return (await promisify(execFile)(process.env.CHROMIUM, [...flags, address], { maxBuffer: 1 << 26 })).stdout;
     } finally {
         server.close();
     }
+}
+
+test("the README's first lines draw a plant in a page", async () => {
+    const program = firstProgram().replace("from 'lsystem'", "from './node_modules/lsystem/index.js'");
+    const page = `<!doctype html><title>Plant</title><body><script type="module">${program}</script>`;
+    assert.match(await rendered(page), /<\/script>\s*<svg [^]*<path [^]*<\/svg>/);
+});
+
+test('scripts that are no modules have the functions, too', async () => {
+    const call = "lsystem.ready.then(({ expand }) => document.write(expand({ axiom: 'F', rules: { F: 'F+F' } }, 2)))";
+    const page = `<!doctype html><script src="node_modules/lsystem/global.js"></script><script>${call}</script>`;
+    assert.match(await rendered(page), /F\+F\+F\+F/);
+});
+
+test('the notebook draws', async () => {
+    const drawn = await rendered('', 'node_modules/lsystem/examples/notebook.html');
+    assert.match(drawn, /25 degrees, \d{4,} segments/);
 });
