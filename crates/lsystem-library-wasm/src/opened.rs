@@ -67,16 +67,18 @@ impl Reading {
     fn new(definition: Option<Definition>, mut diagnostics: Vec<Diagnostic>, json: &str) -> Self {
         let (system, more) = definition.as_ref().map(System::new).unwrap_or_default();
         diagnostics.extend(more);
-        let is_refused = diagnostics.iter().any(Diagnostic::is_error);
-        let (definition, system) = (definition.filter(|_| !is_refused), system.filter(|_| !is_refused));
-        let texts = definition.clone().unwrap_or_else(|| read_fields(json).0.unwrap_or_default());
-        let mut shown = shown(&diagnostics, &texts, json);
-        if definition.is_none() && !is_refused {
+        let has_errors = diagnostics.iter().any(Diagnostic::is_error);
+        let mut problems = shown(&diagnostics, definition.as_ref().unwrap_or(&Definition::default()), json);
+        if definition.is_none() && !has_errors {
             // Unknown keys are the only warnings that refuse a system.
             let unknown = diagnostics.iter().map(|diagnostic| matches!(diagnostic.kind, Kind::UnknownKey { .. }));
-            shown.iter_mut().zip(unknown).filter(|(_, is_unknown)| *is_unknown).for_each(|(shown, _)| shown.refuse());
+            problems
+                .iter_mut()
+                .zip(unknown)
+                .filter(|(_, is_unknown)| *is_unknown)
+                .for_each(|(shown, _)| shown.refuse());
         }
-        Self { definition, system, problems: shown }
+        Self { definition: definition.filter(|_| !has_errors), system: system.filter(|_| !has_errors), problems }
     }
 
     /// The problems of a system that was not read.

@@ -1,5 +1,5 @@
-//! The JSON Schema of files: `www/schema/v1/system.json`. Unlike the reader, which skips unknown keys with a warning, the
-//! schema refuses them, so that editors mark them.
+//! The JSON Schema of files: `www/schema/v1/system.json`. The reader skips unknown keys with a warning; the schema
+//! refuses them, so that editors mark them.
 
 use super::default_of;
 use expect_test::expect_file;
@@ -47,7 +47,8 @@ fn values(expected: Expected) -> Value {
 fn forms(spec: &FieldSpec) -> Value {
     let most = json!({"type": "string", "maxLength": if let Expected::Text(most) = spec.expected { most } else { 0 }});
     let lines = json!({"type": "array", "items": {"type": "string"}});
-    let by_symbol = |value| json!({"type": "object", "propertyNames": {"minLength": 1, "maxLength": 1}, "additionalProperties": value});
+    let symbol = json!({"minLength": 1, "maxLength": 1});
+    let by_symbol = |value| json!({"type": "object", "propertyNames": symbol, "additionalProperties": value});
     match spec.name {
         "axiom" => most,
         "rules" => json!({"anyOf": [by_symbol(json!({"$ref": "#/definitions/successor"})), lines, most]}),
