@@ -1,6 +1,6 @@
 //! Links the wasm with a maximum of memory.
 
-/// The most bytes of one instance: a backstop. `src/export/budget.rs` shares out half of this.
+/// The most bytes of one instance: a backstop. `FileLimits::PAGE` shares out half of this.
 const MOST_MEMORY: u32 = 512 << 20;
 
 fn main() {

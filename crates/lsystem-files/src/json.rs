@@ -15,6 +15,8 @@
 //! `{"G": "move", "A": "draw 10"}`, or a list of lines `"G: move"`.
 //!
 //! Unknown keys are reported and skipped.
+//!
+//! Scripts hold a system as one flat object with the names of [`FIELDS`]. [`read_fields`] reads such an object, too.
 
 mod value;
 
@@ -26,7 +28,7 @@ use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_
 use lsystem_base::sorted::repeated;
 use lsystem_base::{LimitName, MAX_FILE};
 use lsystem_syntax::Value as Held;
-use lsystem_syntax::fields::{Section, field};
+use lsystem_syntax::fields::{FieldSpec, Section, field};
 use lsystem_syntax::notes::{Notes, excerpt, similar};
 use lsystem_syntax::{
     Definition, Diagnostic, Dialect, Expected, FIELDS, Field, Grammar, JsonError, Kind, Module, Production, Style,
@@ -59,21 +61,53 @@ const WEIGHT: Expected = Expected::Between(0.0, 1e100);
 /// errors in its texts, which [`System::new`](lsystem_drawing::System::new) reports.
 #[must_use]
 pub fn read_json(text: &str) -> (Option<Definition>, Vec<Diagnostic>) {
-    let mut file = JsonFile { notes: Notes::new(Field::File), base: 0 };
-    let definition = file.read(text);
+    read(text, |_| Names::Keys)
+}
+
+/// Reads a system from an object as scripts hold it, as a JSON text: with the names of [`FIELDS`], or with the keys of a
+/// file. An object with `initial`, `turtle` or `style`, and without `axiom`, is one of a file. `rules` and `overrides`
+/// have the same forms in both; beside an object of rules, `axiom` is plain characters, too.
+///
+/// The definition is also `None` if a key is unknown. Keys of a file that resemble no known key may be those of others.
+#[must_use]
+pub fn read_fields(text: &str) -> (Option<Definition>, Vec<Diagnostic>) {
+    let mut is_flat = true;
+    let (definition, diagnostics) = read(text, |object| {
+        let has = |key: &&str| last(object, key).is_some();
+        is_flat = has(&"axiom") || !["initial", "turtle", "style"].iter().any(has);
+        if is_flat { Names::Fields } else { Names::Keys }
+    });
+    let is_unknown =
+        |d: &Diagnostic| matches!(d.kind, Kind::UnknownKey { similar, .. } if is_flat || similar.is_some());
+    (definition.filter(|_| !diagnostics.iter().any(is_unknown)), diagnostics)
+}
+
+fn read(text: &str, names: impl FnOnce(&Object<'_>) -> Names) -> (Option<Definition>, Vec<Diagnostic>) {
+    let mut file = JsonFile { notes: Notes::new(Field::File), base: 0, names: Names::Keys };
+    let definition = file.read(text, names);
     let diagnostics = file.notes.finish();
     let definition = definition.filter(|_| !diagnostics.iter().any(Diagnostic::is_error));
     (definition, diagnostics)
+}
+
+/// The names of fields in an object.
+#[derive(Clone, Copy, PartialEq)]
+enum Names {
+    /// The keys of files.
+    Keys,
+    /// The names of [`FIELDS`].
+    Fields,
 }
 
 struct JsonFile {
     notes: Notes,
     /// The bytes of the byte order mark, which the parser does not see.
     base: usize,
+    names: Names,
 }
 
 impl JsonFile {
-    fn read(&mut self, text: &str) -> Option<Definition> {
+    fn read(&mut self, text: &str, names: impl FnOnce(&Object<'_>) -> Names) -> Option<Definition> {
         if text.len() > MAX_FILE {
             self.notes.add(Kind::Limit { limit: LimitName::Text, value: MAX_FILE as u64, largest: None }, 0..0);
             return None;
@@ -89,12 +123,10 @@ impl JsonFile {
         };
         match parse_to_ast(body, &CollectOptions::default(), &options) {
             Ok(parsed) => match parsed.value {
-                Some(Value::Object(object)) if SYSTEM_KEYS.iter().all(|key| last(&object, key).is_none()) => {
-                    let span = self.span(&object);
-                    self.notes.add(Kind::Json(JsonError::NoSystem), span.start..span.start + 1);
-                    None
+                Some(Value::Object(object)) => {
+                    self.names = names(&object);
+                    self.system(&object)
                 }
-                Some(Value::Object(object)) => Some(self.definition(&object)),
                 Some(other) => {
                     self.wrong_type("", Expected::Object, &other);
                     None
@@ -111,6 +143,18 @@ impl JsonFile {
                 None
             }
         }
+    }
+
+    fn system(&mut self, object: &Object<'_>) -> Option<Definition> {
+        if self.names == Names::Fields {
+            return Some(self.flat(object));
+        }
+        if SYSTEM_KEYS.iter().all(|key| last(object, key).is_none()) {
+            let span = self.span(object);
+            self.notes.add(Kind::Json(JsonError::NoSystem), span.start..span.start + 1);
+            return None;
+        }
+        Some(self.definition(object))
     }
 
     fn definition(&mut self, object: &Object<'_>) -> Definition {
@@ -140,16 +184,40 @@ impl JsonFile {
         definition
     }
 
-    /// Reads all fields of an object except those in [`OWN_FORMS`].
+    /// Reads an object with the names of [`FIELDS`].
+    fn flat(&mut self, object: &Object<'_>) -> Definition {
+        let mut definition = Definition::default();
+        let defined = || FIELDS.iter().filter(|spec| spec.is_defined());
+        self.check_keys(object, &defined().map(|spec| spec.name).collect::<Vec<_>>());
+        for spec in defined() {
+            match last(object, spec.name) {
+                Some(Value::NullKeyword(_)) if spec.optional => {}
+                _ => self.field(object, spec, spec.name, &mut definition),
+            }
+        }
+        self.rules(object, &mut definition);
+        self.overrides(object, &mut definition);
+        definition
+    }
+
+    /// Reads all fields of an object of a file.
     fn section(&mut self, object: &Object<'_>, section: Section, definition: &mut Definition) {
-        for spec in FIELDS.iter().filter(|spec| !OWN_FORMS.contains(&spec.name)) {
+        for spec in &FIELDS {
             if let Some((place, key)) = spec.file
                 && place == section
-                && let Some(value) = last(object, key)
-                && let Some(value) = self.value(key, spec.expected, value)
             {
-                spec.set(definition, &value);
+                self.field(object, spec, key, definition);
             }
+        }
+    }
+
+    /// Reads a field, unless it is one of [`OWN_FORMS`].
+    fn field(&mut self, object: &Object<'_>, spec: &FieldSpec, key: &str, definition: &mut Definition) {
+        if !OWN_FORMS.contains(&spec.name)
+            && let Some(value) = last(object, key)
+            && let Some(value) = self.value(key, spec.expected, value)
+        {
+            spec.set(definition, &value);
         }
     }
 
@@ -167,6 +235,7 @@ impl JsonFile {
     fn rules(&mut self, object: &Object<'_>, definition: &mut Definition) {
         let mut grammar = Grammar::default();
         match last(object, "rules") {
+            None if self.names == Names::Fields => return,
             None => {}
             Some(Value::Object(rules)) => self.plain_rules(rules, &mut grammar),
             Some(other) => {
@@ -176,7 +245,8 @@ impl JsonFile {
                 return;
             }
         }
-        if let Some(initial) = last(object, "initial") {
+        let key = if self.names == Names::Keys { "initial" } else { "axiom" };
+        if let Some(initial) = last(object, key) {
             grammar.axiom = self.plain_word(&definition.axiom, initial);
         }
         definition.axiom = self.text("axiom", print_axiom(&grammar), object);

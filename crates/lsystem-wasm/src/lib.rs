@@ -4,7 +4,8 @@
 //! arrays. [`Playground`] is the page's handle: a [`Session`](lsystem_session::Session) that paints an `OffscreenCanvas`.
 //! A definition is a plain object with the fields of [`lsystem::Definition`] in camel case; missing fields have their
 //! defaults. Results are plain objects with the fields of Rust's types; `None` is null. Errors and warnings are structured
-//! values ([`lsystem_session::Problem`]) with UTF-16 spans. The plain functions throw them as `{diagnostics: [..]}`.
+//! values ([`lsystem_session::Problem`]) with UTF-16 spans. The plain functions throw them as `{diagnostics: [..]}`. Programs
+//! of others have a boundary of their own, `lsystem-library-wasm`.
 
 mod canvas;
 mod plain;

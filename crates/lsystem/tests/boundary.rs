@@ -19,5 +19,5 @@ fn only_boundary_crates_depend_on_wasm_bindgen() {
         }
     }
     boundaries.sort();
-    assert_eq!(boundaries, ["lsystem-tools-wasm", "lsystem-wasm"]);
+    assert_eq!(boundaries, ["lsystem-library-wasm", "lsystem-tools-wasm", "lsystem-wasm"]);
 }

@@ -1,7 +1,8 @@
 //! JSON files: written files read back as the same, and no text causes a panic.
 
 use expect_test::expect;
-use lsystem::syntax::{Colour, ColourBy, Ink};
+use lsystem::files::read_fields;
+use lsystem::syntax::{Colour, ColourBy, FIELDS, Ink};
 use lsystem::{Definition, Diagnostic, Dialect, Style, System, read_json, render_diagnostic, write_json};
 use proptest::prelude::*;
 use std::path::Path;
@@ -102,6 +103,14 @@ proptest! {
     }
 
     #[test]
+    fn objects_of_fields_and_of_files_are_read_as_scripts_hold_them(definition in definition()) {
+        for text in [serde_json::to_string_pretty(&definition).unwrap(), write_json(&definition)] {
+            let (read, diagnostics) = read_fields(&text);
+            prop_assert_eq!(read.as_ref(), Some(&definition), "{}\n{:?}", text, diagnostics);
+        }
+    }
+
+    #[test]
     fn files_are_json_for_others_too(definition in definition()) {
         prop_assert!(serde_json::from_str::<serde_json::Value>(&write_json(&definition)).is_ok());
     }
@@ -114,10 +123,65 @@ proptest! {
     ]) {
         let (definition, diagnostics) = read_json(&text);
         prop_assert_eq!(definition.is_none(), diagnostics.iter().any(Diagnostic::is_error));
-        for diagnostic in diagnostics {
+        for diagnostic in diagnostics.into_iter().chain(read_fields(&text).1) {
             prop_assert!(text.get(diagnostic.span.clone()).is_some(), "{:?}", diagnostic);
         }
     }
+}
+
+#[test]
+fn rules_of_scripts_have_the_forms_of_files() {
+    let read = |text: &str| {
+        let (definition, diagnostics) = read_fields(text);
+        assert_eq!(diagnostics, [], "{text}");
+        let Definition { axiom, rules, overrides, dialect, .. } = definition.unwrap();
+        (axiom, rules, overrides, dialect)
+    };
+    let texts =
+        |axiom: &str, rules: &str, overrides: &str| (axiom.into(), rules.into(), overrides.into(), Dialect::Abop);
+    let plain = r#"{"axiom": "F(2)", "rules": {"F": [{"p": 0.5, "e": "FF"}, {"p": 0.5, "e": "F"}]}}"#;
+    assert_eq!(read(plain), texts("F`(`2`)`", "F -> FF : 0.5\nF -> F : 0.5", ""));
+    let lines = r#"{"axiom": "F(2)", "rules": ["F -> FF", "G -> F"], "overrides": {"G": "move"}, "rightAngle": null}"#;
+    assert_eq!(read(lines), texts("F(2)", "F -> FF\nG -> F", "G: move"));
+    assert_eq!(read(r#"{"axiom": "F(2)"}"#), texts("F(2)", "", ""));
+    assert_eq!(read(r#"{"initial": "F", "rules": {"F": "FF"}}"#).3, Dialect::EveryLetter);
+}
+
+#[test]
+fn wrong_names_and_values_of_scripts_are_told() {
+    let said = |text: &str| -> String {
+        let shown = |d: &Diagnostic| format!("{} | {}\n", d.message(), d.hint().unwrap_or_default());
+        read_fields(text).1.iter().map(shown).collect()
+    };
+    for (key, meant) in [
+        ("angel", "angle"),
+        ("productions", "rules"),
+        ("initial", "axiom"),
+        ("n", "iterations"),
+        ("num_iters", "iterations"),
+        ("right_angle_deg", "rightAngle"),
+        ("right_angle", "rightAngle"),
+        ("delta", "angle"),
+        ("bg", "background"),
+        ("lengthfactor", "lengthFactor"),
+    ] {
+        let text = format!(r#"{{"axiom": "F", "{key}": 1}}"#);
+        assert_eq!(said(&text), format!("Unknown key `{key}` | Did you mean `{meant}`?\n"));
+        assert_eq!(read_fields(&text).0, None, "{key}");
+    }
+    let of_others = |key: &str| read_fields(&format!(r#"{{"initial": "F", "{key}": 1}}"#)).0.is_some();
+    assert!(of_others("author") && !of_others("angel_deg") && !of_others("angle"));
+    assert_eq!(said(r#"{"axiom": "F", "moon": 1, "$schema": "", "rules_old": 1}"#), "Unknown key `moon` | \n");
+    expect![[r#"
+        `iterations` must be a whole number from 0 to 1,000 | 
+        `angle` must be a number, not null | 
+        `rules` must be an object or a list of lines, not a number | 
+        `start` must be a list of 2 values, each a number from -1,000,000,000 to 1,000,000,000, not a list | 
+        `ink` must be one of `auto`, `solid`, `density` | 
+    "#]]
+    .assert_eq(&said(r#"{"axiom": "F", "iterations": 2.5, "angle": null, "rules": 3, "start": [1], "ink": "blue"}"#));
+    assert!(FIELDS.iter().all(|spec| !said(&format!(r#"{{"axiom": "F", "{}": [[]]}}"#, spec.name)).is_empty()));
+    assert!(["[]", "null"].iter().all(|text| said(text).contains("must hold an object")));
 }
 
 #[test]

@@ -1,6 +1,9 @@
 //! The tables of the core in other files must equal the core's: `www/js/tables.js` and `late-tables.js`, the tables of
 //! fields in `README.md` and `docs/links.md`, of choices for plots in `docs/plotting.md`, and of notations in
-//! `docs/imports.md`. `cargo xtask tables` updates them.
+//! `docs/imports.md`. Two more are in `tables/`. `cargo xtask tables` updates them.
+
+mod library;
+mod schema;
 
 use expect_test::expect_file;
 use lsystem::base::MAX_PICTURE_SIDE;

@@ -155,14 +155,15 @@ fn page(www: &Path, site: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest, `llms.txt`.
+/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest, `llms.txt`, the schema of files.
 fn is_shipped(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let is_folder = path.extension().is_none();
     if is_folder {
-        name == "icons"
+        ["icons", "schema", "v1"].contains(&&*name)
     } else {
         ["html", "svg", "png", "webmanifest", "txt"].iter().any(|end| name.ends_with(end))
+            || path.ends_with("v1/system.json")
     }
 }
 
@@ -180,7 +181,10 @@ mod tests {
 
     #[test]
     fn ships_the_page_and_nothing_of_its_development() {
-        for path in ["index.html", "icons", "icons/leaf.svg", "icons/leaf.png", "manifest.webmanifest", "llms.txt"] {
+        let schema = ["schema", "schema/v1", "schema/v1/system.json", "llms.txt"];
+        for path in
+            ["index.html", "icons", "icons/leaf.svg", "icons/leaf.png", "manifest.webmanifest"].iter().chain(&schema)
+        {
             assert!(is_shipped(Path::new(path)), "{path}");
         }
         for path in

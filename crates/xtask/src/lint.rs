@@ -1,5 +1,6 @@
 //! Formatting, clippy, documentation, biome for scripts and styles, and actionlint for workflows: warnings are errors.
 
+use crate::package::LIBRARY;
 use crate::report::Report;
 use crate::wasms::PACKAGES;
 use crate::workspace::Workspace;
@@ -67,7 +68,7 @@ pub(crate) fn clippy(workspace: &Workspace, packages: &[&str]) -> Result<()> {
 pub(crate) fn wasm(workspace: &Workspace, report: &Report) {
     report.step(workspace, "clippy for wasm", |workspace, _| {
         tools::wasm_target()?;
-        let packages = PACKAGES.into_iter().chain(["bench"]).flat_map(|name| ["--package", name]);
+        let packages = PACKAGES.into_iter().chain([LIBRARY, "bench"]).flat_map(|name| ["--package", name]);
         let words = ["clippy", "--lib", "--tests", "--profile=draft", "--target", tools::WASM_TARGET];
         workspace.run(workspace.cargo(words.into_iter().chain(packages)).args(STRICT))
     });

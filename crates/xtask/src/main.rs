@@ -57,8 +57,8 @@ enum Command {
     /// The npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/; their
     /// interfaces compared with an older revision, and their documentation as docs.rs makes it
     Package(package::PackageOptions),
-    /// Update the tables in www/js from the tables of the core, and www/js/messages.d.ts from the messages of the
-    /// boundary; tests fail when the files are out of date
+    /// Update the tables in www/js, the JSON Schema of files and the types of the npm package from the tables of the core,
+    /// and www/js/messages.d.ts from the messages of the boundary; tests fail when the files are out of date
     Tables,
     /// Try random inputs
     Fuzz(fuzz::FuzzOptions),

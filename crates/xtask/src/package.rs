@@ -2,7 +2,7 @@
 
 use crate::build::Kind;
 use crate::workspace::{Workspace, output};
-use crate::{bindgen, files, notices, tools, wasms};
+use crate::{bindgen, files, notices, page, tools, wasms};
 use anyhow::{Context, Result};
 use fs_err as fs;
 use serde_json::Value;
@@ -11,8 +11,10 @@ use std::process::Command;
 
 /// The version of cargo-semver-checks. It must know the documentation that the compiler in use writes as JSON.
 const SEMVER_CHECKS: &str = "0.51.0";
-/// The boundary crate and its library.
-const BOUNDARY: (&str, &str) = ("lsystem-wasm", "lsystem_wasm");
+/// The boundary crate of the npm package.
+pub(crate) const LIBRARY: &str = "lsystem-library-wasm";
+/// Tests of the package, which are not part of it.
+const TESTS: [&str; 2] = ["test.mjs", "types.test.mts"];
 
 /// The options of the command.
 #[derive(clap::Args)]
@@ -27,8 +29,7 @@ pub(crate) struct PackageOptions {
 
 /// Makes and tests the npm package, and packs, compares and documents the crates.
 pub(crate) fn package(workspace: &Workspace, options: &PackageOptions) -> Result<()> {
-    tools::wasm_target()?;
-    wasms::compile_one(workspace, Kind::Shipped, BOUNDARY.0, None)?;
+    compile(workspace)?;
     npm(workspace)?;
     if options.npm {
         println!("npm package: {}", folder(workspace).display());
@@ -47,22 +48,59 @@ fn folder(workspace: &Workspace) -> PathBuf {
     workspace.target.join("npm/node_modules/lsystem")
 }
 
-/// Makes the npm package from the compiled wasm, and runs its test, which imports it as any program does.
+/// Compiles the wasm of the npm package.
+pub(crate) fn compile(workspace: &Workspace) -> Result<()> {
+    tools::wasm_target()?;
+    wasms::compile_one(workspace, Kind::Shipped, LIBRARY, None)
+}
+
+/// The compiled wasm of the npm package.
+pub(crate) fn compiled(workspace: &Workspace) -> PathBuf {
+    let folder = workspace.target.join(tools::WASM_TARGET).join("wasm");
+    folder.join(format!("{}.wasm", LIBRARY.replace('-', "_")))
+}
+
+/// Makes the npm package from the compiled wasm, and tests it in a project of its own, as its users have it.
 pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
-    let source = workspace.root.join("crates/lsystem-wasm/npm");
+    let source = workspace.root.join("crates").join(LIBRARY).join("npm");
+    make(workspace, &source)?;
+    let project = tempfile::tempdir()?;
+    let npm = |words: &[&str], folder: &Path| {
+        workspace.run(Command::new(tools::npm()?).args(words).args(["--offline", "--silent"]).current_dir(folder))
+    };
+    let destination = project.path().to_string_lossy();
+    npm(&["pack", "--pack-destination", &destination], &folder(workspace))?;
+    files::write(&project.path().join("package.json"), "{ \"private\": true, \"type\": \"module\" }\n")?;
+    let packed = format!("./lsystem-{}.tgz", env!("CARGO_PKG_VERSION"));
+    npm(&["install", "--no-audit", "--no-fund", &packed], project.path())?;
+    for test in TESTS {
+        copy(&source.join(test), &project.path().join(test))?;
+    }
+    let www = workspace.www();
+    page::packages(&www)?;
+    let (node, words) =
+        (tools::node()?, ["--noEmit", "--strict", "--module", "nodenext", "--target", "es2023", TESTS[1]]);
+    let compiler = www.join("node_modules/typescript/bin/tsc");
+    workspace.run(Command::new(&node).arg(compiler).args(words).current_dir(project.path()))?;
+    let mut test = Command::new(node);
+    test.args(["--test", TESTS[0]]).current_dir(project.path());
+    workspace.run(test.env("CHROMIUM", tools::browser()?.chromium))
+}
+
+/// Makes the folder of the npm package.
+fn make(workspace: &Workspace, source: &Path) -> Result<()> {
     let package = folder(workspace);
     if package.is_dir() {
         fs::remove_dir_all(&package)?;
     }
-    let compiled = workspace.target.join(tools::WASM_TARGET).join("wasm").join(format!("{}.wasm", BOUNDARY.1));
-    bindgen::generate_module(&compiled, &package, "lsystem")?;
-    for path in files::list(&source, |path| !path.ends_with("test.mjs"))? {
-        copy(&path, &package.join(path.strip_prefix(&source)?))?;
+    bindgen::generate_module(&compiled(workspace), &package, "lsystem")?;
+    for path in files::list(source, |path| !TESTS.iter().any(|name| path.ends_with(name)))? {
+        copy(&path, &package.join(path.strip_prefix(source)?))?;
     }
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
         copy(&workspace.root.join(licence), &package.join(licence))?;
     }
-    let carried = notices::notices(workspace, &[BOUNDARY.0], tools::WASM_TARGET, false)?;
+    let carried = notices::notices(workspace, &[LIBRARY], tools::WASM_TARGET, false)?;
     files::write(&package.join(notices::FILE), carried)?;
     let list = package.join("package.json");
     // As text, because the order of conditions in `exports` counts. Provenance needs the repository.
@@ -72,10 +110,7 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
         env!("CARGO_PKG_HOMEPAGE"),
         env!("CARGO_PKG_REPOSITORY"),
     );
-    files::write(&list, fs::read_to_string(&list)?.replacen("\"version\": \"0.0.0\"", &version, 1))?;
-    let test = workspace.target.join("npm/test.mjs");
-    copy(&source.join("test.mjs"), &test)?;
-    workspace.run(Command::new(tools::node()?).arg("--test").arg(&test))
+    files::write(&list, fs::read_to_string(&list)?.replacen("\"version\": \"0.0.0\"", &version, 1))
 }
 
 /// A crate for others.

@@ -16,12 +16,22 @@ impl JsonFile {
             if repeated {
                 self.notes.add(Kind::DuplicateKey { key: excerpt(key) }, span);
             } else if !known.is_empty() && !known.contains(&key) && !is_disused(key) {
-                let alias = ALIASES.iter().find(|(alias, _)| *alias == key).map(|&(_, key)| key);
                 let near = || if self.notes.is_full() { None } else { similar(key, known.iter().copied()) };
-                let similar = alias.filter(|key| known.contains(key)).or_else(near);
+                let similar = self.other_name(key).filter(|key| known.contains(key)).or_else(near);
                 self.notes.add(Kind::UnknownKey { key: excerpt(key), similar }, span);
             }
         }
+    }
+
+    /// The name here of a field that other programs, files or links call `key`.
+    fn other_name(&self, key: &str) -> Option<&'static str> {
+        let alias = ALIASES.iter().find(|(alias, _)| *alias == key).map(|&(_, key)| key);
+        if self.names == Names::Keys {
+            return alias;
+        }
+        let is_meant = |spec: &&FieldSpec| spec.file.is_some_and(|(_, here)| here == alias.unwrap_or(key));
+        let by_link = || FIELDS.iter().find(|spec| spec.link == key);
+        FIELDS.iter().find(is_meant).or_else(by_link).map(|spec| spec.name)
     }
 
     /// The symbol that is a property's key; a key that is not one symbol is noted.
@@ -89,6 +99,7 @@ impl JsonFile {
     /// A field's text in a special form, if it is within the field's range; otherwise it is noted.
     pub(super) fn text(&mut self, name: &str, text: String, object: &Object<'_>) -> String {
         let Some((spec, (_, key))) = field(name).and_then(|spec| Some((spec, spec.file?))) else { return text };
+        let key = if self.names == Names::Keys { key } else { spec.name };
         let text = Held::Text(text);
         if !spec.admits(&text)
             && let Some(value) = last(object, key)

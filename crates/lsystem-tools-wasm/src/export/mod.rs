@@ -3,7 +3,6 @@
 //! A file is made from a definition by one call, and handed on piece by piece, so that the wasm never holds a whole
 //! file.
 
-mod budget;
 mod maker;
 mod scorm;
 

@@ -128,6 +128,9 @@ fn compile_wasm(workspace: &Workspace, options: &TestOptions, report: &Report) -
     if options.has(Part::Size) || options.has(Part::Page) {
         site = report.step(workspace, "building the page", |workspace, _| build::build(workspace, Kind::Shipped, None));
     }
+    if options.has(Part::Page) {
+        report.step(workspace, "compiling the npm package", |workspace, _| package::compile(workspace));
+    }
     if options.has(Part::Wasm) {
         report.step(workspace, "compiling for the browser", |workspace, _| wasm::build(workspace).map(drop));
     }
@@ -176,7 +179,8 @@ fn run_page(workspace: &Workspace, options: &TestOptions, passed: &Passed, repor
     let step = |name: &str, reads: &[&str], step: &dyn Fn(&Workspace) -> Result<()>| {
         report.step(workspace, name, |workspace, _| passed.once(report, name, &below(reads)?, || step(workspace)));
     };
-    step("npm package", &["dist/lsystem.wasm", "crates/lsystem-wasm/npm"], &package::npm);
+    let library = package::compiled(workspace).to_string_lossy().into_owned();
+    step("npm package", &[&library, "crates/lsystem-library-wasm/npm"], &package::npm);
     step(page::UNIT, &["www", "data_in"], &|workspace| page::unit(workspace, options.cases()));
     step("end-to-end tests of the page", &["www", "dist", "crates/lsystem/tests/data"], &|workspace| {
         page::end_to_end(workspace, Kind::Shipped, &[], report)

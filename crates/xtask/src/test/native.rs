@@ -18,7 +18,16 @@ pub(super) const CRATES: [&str; 3] = ["--workspace", "--exclude", "bench"];
 /// The programs that tests run. Not this one, which would be linked anew while it runs.
 const PROGRAMS: [&str; 5] = ["build", "--bin=lsys", "--bin=lsystem-fuzz", "--bin=outside", "--bin=site"];
 /// What native tests read beside what is compiled into them.
-const DATA: [&str; 6] = ["data_in", "docs", "README.md", "www/js/tables.js", "www/js/messages.d.ts", "crates/fuzz"];
+const DATA: [&str; 8] = [
+    "data_in",
+    "docs",
+    "README.md",
+    "www/js/tables.js",
+    "www/js/messages.d.ts",
+    "www/schema",
+    "crates/lsystem-library-wasm/npm",
+    "crates/fuzz",
+];
 /// Tests that read the sources or manifests of all crates: they always run.
 const READS_SOURCES: [&str; 2] = ["assertions", "boundary"];
 /// In the quick test, groups that took longer are left out, in seconds.

@@ -3,4 +3,4 @@ import init from './lsystem.js';
 
 await init({ module_or_path: new URL('./lsystem_bg.wasm', import.meta.url) });
 
-export { draw, expand } from './lsystem.js';
+export * from './library.js';

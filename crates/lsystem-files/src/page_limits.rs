@@ -1,4 +1,4 @@
-//! The memory budget of one instance, which makes one file at a time.
+//! The memory budget of one wasm instance, which makes one file at a time.
 //!
 //! | MiB | for |
 //! |---|---|
@@ -7,8 +7,8 @@
 //! | 16 | counts of any size ([`lsystem_base::MAX_COUNTING`]) |
 //! | 16 | texts, compiled systems, and the piece of the file that waits for the page |
 
+use crate::FileLimits;
 use lsystem_base::Limits;
-use lsystem_files::FileLimits;
 use lsystem_render::BAND_PIXEL;
 
 /// The most bytes of a remembered derivation. A string that is read by counts takes at most 16 MiB.
@@ -21,18 +21,20 @@ const MESH: u64 = 42 << 20;
 /// The most pixels of a picture that are painted at a time. A band takes up to 48 MiB.
 const BAND: u32 = 1 << 21;
 
-/// The limits of a file: what the page shows can be saved. A text file has at most 2,000,000 segments, more than any
-/// program opens.
-pub(crate) const LIMITS: FileLimits = FileLimits {
-    drawing: Limits::PAGE,
-    drawing_bytes: Limits::PAGE.memory,
-    string: Limits { memory: HISTORY, ..Limits::PAGE },
-    remembers: true,
-    segments: 2_000_000,
-    held: FEW_SEGMENTS,
-    mesh: [FEW_SEGMENTS, MESH],
-    band: BAND,
-};
+impl FileLimits {
+    /// The limits of a file that JavaScript asks for: what the page shows can be saved. A text file has at most
+    /// 2,000,000 segments, more than any program opens.
+    pub const PAGE: Self = Self {
+        drawing: Limits::PAGE,
+        drawing_bytes: Limits::PAGE.memory,
+        string: Limits { memory: HISTORY, ..Limits::PAGE },
+        remembers: true,
+        segments: 2_000_000,
+        held: FEW_SEGMENTS,
+        mesh: [FEW_SEGMENTS, MESH],
+        band: BAND,
+    };
+}
 
 // The drawing and what is made of it fit into their shares.
 const _: () = assert!(BAND as u64 * BAND_PIXEL <= Limits::PAGE.memory);

@@ -4,4 +4,4 @@ import { initSync } from './lsystem.js';
 
 initSync({ module: readFileSync(new URL('./lsystem_bg.wasm', import.meta.url)) });
 
-export { draw, expand } from './lsystem.js';
+export * from './library.js';
