@@ -1,0 +1,44 @@
+"""The package in a notebook, which is run without a browser."""
+
+import unittest
+
+import nbformat
+from nbclient import NotebookClient
+
+CELLS = [
+    "import lsystem_playground as ls",
+    'weed = ls.System(axiom="F", rules="F -> F[+F]F[-F]F", angle=25.7, n=4)\nweed',
+    "weed.draw().segments.shape",
+    'live = weed.widget(controls=["n"])\nlive',
+    "live.n = 3\nlive.system.count()",
+    "live.system = weed.replace(angle=60)\nlive.angle, live.system.angle",
+]
+
+
+class Notebook(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cells = [nbformat.v4.new_code_cell(cell) for cell in CELLS]
+        notebook = nbformat.v4.new_notebook(cells=cells)
+        NotebookClient(notebook, timeout=60, kernel_name="python3").execute()
+        cls.results = [[output["data"] for output in cell.outputs if "data" in output] for cell in notebook.cells]
+
+    def test_a_cell_draws(self):
+        [[picture]] = [self.results[1]]
+        self.assertIn("<svg", picture["image/svg+xml"])
+
+    def test_arrays(self):
+        self.assertEqual(self.results[2][0]["text/plain"], "(625, 2, 2)")
+
+    def test_the_widget_is_shown_and_has_a_picture_for_other_viewers(self):
+        [[shown]] = [self.results[3]]
+        self.assertIn("application/vnd.jupyter.widget-view+json", shown)
+        self.assertIn("image/svg+xml", shown)
+
+    def test_the_widget_follows_python(self):
+        self.assertEqual(self.results[4][0]["text/plain"], "Counts(symbols=311, segments=125)")
+        self.assertEqual(self.results[5][0]["text/plain"], "(60.0, 60)")
+
+
+if __name__ == "__main__":
+    unittest.main()
