@@ -1,6 +1,7 @@
 """The live drawing for notebooks: the playground's page for embedding, in a frame."""
 
 import gzip
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 
@@ -35,13 +36,13 @@ class Widget(anywidget.AnyWidget):
     height = traitlets.Int(400).tag(sync=True)
     #: The address of a folder with the page `embed.html`; nothing for the page in this package.
     base = traitlets.Unicode("").tag(sync=True)
-    #: The picture in words, after it was drawn.
-    description = traitlets.Unicode("").tag(sync=True)
     #: The message of a problem; nothing if there is none.
     error = traitlets.Unicode("").tag(sync=True)
 
     def __init__(self, system, **traits):
+        self._is_told = True
         super().__init__(**{"link": system.link, "n": system.n, "angle": system.angle, "seed": system.seed} | traits)
+        self._is_told = False
         self.on_msg(self._answer)
 
     @property
@@ -51,8 +52,34 @@ class Widget(anywidget.AnyWidget):
 
     @system.setter
     def system(self, system):
-        with self.hold_sync():
+        with self._told():
             self.link, self.n, self.angle, self.seed = system.link, system.n, system.angle, system.seed
+        self.send({"lsystem": "open", "link": self.link})
+
+    @contextmanager
+    def _told(self):
+        """The frame knows what is assigned meanwhile."""
+        self._is_told = True
+        try:
+            yield
+        finally:
+            self._is_told = False
+
+    def set_state(self, sync_data):
+        """Takes what the frame tells."""
+        with self._told():
+            super().set_state(sync_data)
+
+    # A message, since the notebook's copy of a trait may be an echo of what the frame told some time ago.
+    @traitlets.observe("n", "angle", "seed")
+    def _set(self, change):
+        if not self._is_told:
+            self.send({"lsystem": "set", "values": {change.name: change.new}})
+
+    @traitlets.observe("link")
+    def _open(self, change):
+        if not self._is_told:
+            self.system = System.read(change.new)
 
     def _answer(self, _, message, __):
         """Sends the page or a still picture to the notebook, which keeps neither in its file."""

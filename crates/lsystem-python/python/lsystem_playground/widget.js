@@ -47,10 +47,13 @@ async function render({ model, el }) {
     resize();
     el.replaceChildren(frame);
 
-    /** The last values that the frame told. */
-    let told = {};
+    /** Messages of Python that the frame cannot hear yet. */
+    let waiting = [];
     let isGreeted = false;
-    const say = (message) => isGreeted && frame.contentWindow?.postMessage(message, '*');
+    const say = (message) => {
+        if (isGreeted) frame.contentWindow?.postMessage(message, '*');
+        else waiting.push(message);
+    };
     const theme = () => model.get('theme') || (isDark(el) ? 'dark' : 'light');
 
     const hear = ({ data, source }) => {
@@ -58,40 +61,32 @@ async function render({ model, el }) {
         if (data.lsystem === 'hello') {
             isGreeted = true;
             clearTimeout(refused);
-            say({ lsystem: 'hello' });
+            for (const message of [{ lsystem: 'hello' }, ...waiting]) say(message);
+            waiting = [];
+            return;
         }
         if (data.values) {
-            told = { ...data.values, link: data.link };
-            for (const name of [...NUMBERS, 'link']) model.set(name, told[name]);
-            model.set('error', '');
+            for (const name of NUMBERS) model.set(name, data.values[name]);
+            model.set('link', data.link);
         }
-        if (data.description) model.set('description', data.description);
-        if (data.lsystem === 'error') model.set('error', data.message);
+        model.set('error', data.lsystem === 'error' ? data.message : '');
         model.save_changes();
     };
     addEventListener('message', hear);
 
-    const changed = () => {
-        const link = model.get('link');
-        if (link !== told.link) say({ lsystem: 'open', link });
-        const values = NUMBERS.filter((name) => model.get(name) !== told[name]);
-        if (values.length > 0)
-            say({ lsystem: 'set', values: Object.fromEntries(values.map((name) => [name, model.get(name)])) });
-    };
     const listeners = {
-        'change:link': changed,
+        'msg:custom': (message) => message.lsystem && say(message),
         'change:controls': () => say({ lsystem: 'controls', controls: model.get('controls') }),
         'change:theme': () => say({ lsystem: 'theme', theme: theme() }),
         'change:height': resize,
     };
-    for (const name of NUMBERS) listeners[`change:${name}`] = changed;
     for (const [event, listener] of Object.entries(listeners)) model.on(event, listener);
 
     /** A still picture, where the notebook allows no such frame. */
     const still = async () => {
         clearTimeout(refused);
         const image = new Image();
-        image.alt = model.get('description') || 'L-system';
+        image.alt = 'L-system';
         image.style.cssText = `max-width: 100%; max-height: ${model.get('height')}px`;
         const draw = async () => {
             let text = '';
@@ -111,7 +106,10 @@ async function render({ model, el }) {
     const home = await address(model);
     refused = setTimeout(still, PATIENCE);
     const fields = NUMBERS.map((name) => [name, model.get(name)]);
-    const own = new URLSearchParams([...fields, ['controls', model.get('controls').join(',')], ['theme', theme()]]);
+    fields.push(['controls', model.get('controls').join(',')], ['theme', theme()]);
+    // The package has no playground to open.
+    if (!model.get('base')) fields.push(['away', 0]);
+    const own = new URLSearchParams(fields);
     frame.src = `${home}${model.get('link') || '#v=1'}&${own}`;
 
     return () => {
