@@ -308,8 +308,8 @@ import { ATTRIBUTES } from './js/tables.js';
     }
 
     /**
-     * The rules of a text, and the fields on labelled lines above them, such as `n: 6`. A line with an arrow is a
-     * production with a name. The core reads the same texts (crates/lsystem-import/src/labelled.rs).
+     * The rules of a text, and the fields on labelled lines above them, such as `n: 6`. The core reads the same texts
+     * (crates/lsystem-import/src/labelled.rs).
      * @param {string} text
      * @returns {Record<string, string>} by link keys
      */
@@ -319,12 +319,13 @@ import { ATTRIBUTES } from './js/tables.js';
         /** @type {Record<string, string>} */
         const fields = {};
         for (;;) {
-            const [, name, value = ''] = rules[0]?.match(/^([a-z]+):\s*(.*)$/) ?? [];
-            const key = LABELS.get(name ?? '');
-            if (!key || key === 'rules' || /->|=>|→/.test(value)) return { ...fields, rules: rules.join('\n') };
+            const [, name = '', value = ''] = rules[0]?.match(/^([a-z]+):\s*(.*)$/) ?? [];
+            const key = LABELS.get(name);
+            if (key) rules.shift();
+            if (key === 'rules' && value !== '') rules.unshift(value);
+            if (!key || (key === 'rules' && value !== '')) return { ...fields, rules: rules.join('\n') };
             // Custom symbols are lines; of any other field, the last value counts.
-            fields[key] = key === 'do' && fields.do ? `${fields.do}\n${value}` : value;
-            rules.shift();
+            if (key !== 'rules') fields[key] = key === 'do' && fields.do ? `${fields.do}\n${value}` : value;
         }
     }
 

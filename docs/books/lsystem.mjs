@@ -9,6 +9,9 @@ const HOME = process.env.LSYSTEM_HOME ?? 'https://example.org/l-systems/';
 /** Attributes of the element whose keys in links are other ones. */
 const KEYS = { caption: 'title', stroke: 'width' };
 
+/** Labels that belong to the rules. */
+const RULES = ['ignore', 'consider', 'draw', 'homomorphism', 'interpretation'];
+
 /** The hash of a link. */
 function link(text) {
     const rules = text
@@ -18,8 +21,7 @@ function link(text) {
     const fields = new Map();
     for (;;) {
         const [, name, value] = rules[0]?.match(/^([a-z]+):\s*(.*)$/) ?? [];
-        if (!name || ['ignore', 'consider', 'draw', 'homomorphism', 'interpretation'].includes(name)) break;
-        if (/->|=>|→/.test(value)) break;
+        if (!name || RULES.includes(name)) break;
         const key = KEYS[name] ?? name;
         fields.set(key, key === 'do' && fields.has(key) ? `${fields.get(key)}\n${value}` : value);
         rules.shift();

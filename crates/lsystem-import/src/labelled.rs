@@ -30,11 +30,13 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let mut fields: BTreeMap<&str, String> = BTreeMap::new();
     let mut rules = Vec::new();
     for line in all.lines().map(str::trim).filter(|line| !line.is_empty()) {
-        let Some((key, value)) = field(line).filter(|_| rules.is_empty()) else {
-            draft.read(draft.place(line), line);
-            rules.push(line);
-            continue;
-        };
+        let field = field(line).filter(|_| rules.is_empty());
+        let rule = field.map_or(line, |(key, value)| if key == "rules" { value } else { "" });
+        if !rule.is_empty() {
+            draft.read(draft.place(rule), rule);
+            rules.push(rule);
+        }
+        let Some((key, value)) = field.filter(|(key, _)| *key != "rules") else { continue };
         if OTHERS.contains(&key) {
             draft.pass(draft.place(line));
             continue;
@@ -53,24 +55,24 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
             None => drop(fields.insert(key, written)),
         }
     }
-    if !fields.contains_key("axiom") || rules.is_empty() {
+    // Other texts leave the number of iterations to the reader.
+    if !["axiom", "n"].iter().all(|key| fields.contains_key(key)) || rules.is_empty() {
         return None;
     }
     draft.definition = read_fields(fields.iter().map(|(key, value)| (*key, &**value))).definition;
     draft.definition.rules = rules.join("\n");
     draft.definition.style.auto |= !LOOK.iter().any(|key| fields.contains_key(key));
-    (draft.has_iterations, draft.is_ours) = (fields.contains_key("n"), true);
+    (draft.has_iterations, draft.is_ours) = (true, true);
     draft.covers(place);
     // Running text may begin like this, too.
     let is_ours = !System::new(&draft.definition).1.iter().any(lsystem_syntax::Diagnostic::is_error);
     is_ours.then(|| vec![draft])
 }
 
-/// The key in links and the value of a line such as `n: 6`. A line with an arrow is a production with a name.
+/// The key in links and the value of a line such as `n: 6`.
 fn field(line: &str) -> Option<(&'static str, &str)> {
-    let (name, value) = line.split_once(':').filter(|_| !["->", "=>", "→"].iter().any(|arrow| line.contains(arrow)))?;
-    let own = FIELDS.iter().filter(|spec| spec.link != "rules");
-    let key = own.clone().find(|spec| spec.attribute() == name || spec.link == name).map(|spec| spec.link);
+    let (name, value) = line.split_once(':')?;
+    let key = FIELDS.iter().find(|spec| spec.attribute() == name || spec.link == name).map(|spec| spec.link);
     Some((key.or_else(|| OTHERS.into_iter().find(|other| *other == name))?, value.trim()))
 }
 
@@ -94,20 +96,21 @@ mod tests {
                   F -> FF : 0.5"#]],
         );
         check(
-            "```lsystem\naxiom: A\ndo: A: draw\ndo: B: move\nn: 3000\nn: F -> FF\nA -> AB\n```",
+            "```lsystem\naxiom: A\ndo: A: draw\ndo: B: move\nn: 3000\nrules:\np1: A -> AB\n```",
             expect![[r#"
                 our own notation
                 []
                 n 1000, angle 0, heading 90, abop
                   A
-                  n: F -> FF
-                  A -> AB
+                  p1: A -> AB
                   | A: draw
                   | B: move
                 note 5 "3000": The value of `n` must be a whole number from 0 to 1,000; the nearest value was taken"#]],
         );
-        // Capitals, words that are no rules, and a text without an axiom are for other readers.
-        for text in ["Axiom: F\nn: 3\nF -> FF", "axiom: F\nn: 3\nF -> FF\nThat is all.", "n: 3\nF -> FF"] {
+        // Capitals, words that are no rules, and a text without an axiom or iterations are for other readers.
+        for text in
+            ["Axiom: F\nn: 3\nF -> FF", "axiom: F\nn: 3\nF -> FF\nThat is all.", "n: 3\nF -> FF", "axiom: F\nF -> FF"]
+        {
             assert_ne!(import(text).map(|found| found.notation), Some("our own notation"), "{text}");
         }
     }
