@@ -9,11 +9,13 @@ use markdown::{Document, Site, escape};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 17] = [
+const PAGES: [&str; 19] = [
     "lesson",
     "notation",
     "links",
     "embedding",
+    "books",
+    "notebooks",
     "exercises",
     "marking",
     "classroom",
