@@ -33,3 +33,17 @@ pub(crate) fn prepare(workspace: &Workspace) -> Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_package_carries_the_notices_of_what_it_is_compiled_from() -> Result<()> {
+        let workspace = Workspace::find()?;
+        prepare(&workspace)?;
+        let carried = fs::read_to_string(workspace.root.join("crates/lsystem-python/NOTICES.txt"))?;
+        assert!(["pyo3 ", "wasm-bindgen ", "libm "].iter().all(|name| carried.contains(name)), "{carried}");
+        Ok(())
+    }
+}
