@@ -1,5 +1,6 @@
 /**
- * <l-system axiom="X" angle="25" n="5" controls="angle,n">X -> F[+X]-X</l-system>: a live drawing in any page.
+ * <l-system axiom="X" angle="25" n="5" controls="angle,n">X -> F[+X]-X</l-system>: a live drawing in any page. The text
+ * may also give the fields, on lines such as `axiom: X` above the rules.
  *
  * The script is built into one classic script, because other sites may not import our modules. The drawing is
  * embed.html in an iframe, from the folder of this script. Attributes are sent to the frame as messages, and its
@@ -24,6 +25,11 @@ import { ATTRIBUTES } from './js/tables.js';
 
     /** Attributes that are values of the drawing, and their link keys. */
     const KEYS = new Map(Object.entries(ATTRIBUTES));
+    /** The names of labelled lines, and their keys: attributes, keys in links, and those of the frame. @type {Map<string, string>} */
+    const LABELS = new Map(KEYS);
+    for (const key of [...KEYS.values(), 'controls', 'theme']) LABELS.set(key, key);
+    /** Fields that `auto` chooses: a text that gives one of them has the look that it says. */
+    const LOOK = ['auto', 'colour', 'width', 'thinner'];
     /** Changes within this time are sent together, in milliseconds. */
     const PAUSE = 40;
 
@@ -54,6 +60,8 @@ import { ATTRIBUTES } from './js/tables.js';
         #observer = new MutationObserver(() => this.#changed());
         /** The theme that was sent to the frame. */
         #theme = '';
+        /** The controls that were sent to the frame. */
+        #controls = '';
         /** Host pages switch their scheme with an attribute of their root or body. */
         #schemes = new MutationObserver(() => this.#recolour());
 
@@ -87,7 +95,7 @@ import { ATTRIBUTES } from './js/tables.js';
             if (before === now || !this.#frame) return;
             if (name === 'link') this.#load();
             else if (name === 'theme') this.#recolour();
-            else if (name === 'controls') this.#say({ lsystem: 'controls', controls: now ?? '' });
+            else if (name === 'controls') this.#showControls();
             else if (name === 'loading') this.#frame.loading = now === 'eager' ? 'eager' : 'lazy';
             else this.#changed();
         }
@@ -163,7 +171,7 @@ import { ATTRIBUTES } from './js/tables.js';
 
         /** The theme that is asked for, or else the host page's. */
         #themeNow() {
-            const asked = this.getAttribute('theme');
+            const asked = this.getAttribute('theme') ?? labelled(textIn(this)).theme;
             return asked === 'light' || asked === 'dark' ? asked : schemeOf(declaredScheme(this), system.matches);
         }
 
@@ -174,6 +182,17 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#say({ lsystem: 'theme', theme });
         };
 
+        #controlsNow() {
+            return this.getAttribute('controls') ?? labelled(textIn(this)).controls ?? '';
+        }
+
+        #showControls() {
+            const controls = this.#controlsNow();
+            if (controls === this.#controls) return;
+            this.#controls = controls;
+            this.#say({ lsystem: 'controls', controls });
+        }
+
         /** Sets the frame's address, which contains all values. */
         #load() {
             if (!this.#frame) return;
@@ -182,9 +201,10 @@ import { ATTRIBUTES } from './js/tables.js';
             this.#frame.title = name ? `L-system: ${name}` : 'L-system';
             const link = hashOf(this.getAttribute('link') ?? '').replace(/^#/, '');
             this.#theme = this.#themeNow();
+            this.#controls = this.#controlsNow();
             const fields = {
                 ...this.#sent,
-                controls: this.getAttribute('controls') ?? '',
+                controls: this.#controls,
                 theme: this.#theme,
                 host: location.origin === 'null' ? '' : location.origin,
             };
@@ -207,8 +227,10 @@ import { ATTRIBUTES } from './js/tables.js';
                 ),
             );
             if (values.rules === undefined) {
-                const text = rulesIn(this);
-                if (text !== '') values.rules = text;
+                const { controls: _, theme: __, ...fields } = labelled(textIn(this));
+                for (const [key, value] of Object.entries(fields)) if (value !== '') values[key] ??= value;
+                // A text with an axiom stands for a whole system, which is drawn as the playground opens it.
+                if (fields.axiom !== undefined && !LOOK.some((key) => key in values)) values.auto = '1';
             }
             // Links write colours without `#`.
             for (const key of ['bg', 'palette'])
@@ -221,6 +243,7 @@ import { ATTRIBUTES } from './js/tables.js';
             if (!this.#frame) return;
             clearTimeout(this.#timer);
             this.#timer = window.setTimeout(() => {
+                this.#showControls();
                 const given = this.#attributeValues();
                 // A removed attribute returns to its default, which needs a new address.
                 if (Object.keys(this.#sent).some((key) => !(key in given))) return this.#load();
@@ -276,17 +299,34 @@ import { ATTRIBUTES } from './js/tables.js';
         return address.includes('#') ? address.slice(address.indexOf('#')) : address;
     }
 
-    /** The rules in the element: the text of a `pre`, which is also shown without JavaScript, or else the element's own text. @param {HTMLElement} element */
-    function rulesIn(element) {
+    /** The text of a `pre` in the element, which is also shown without JavaScript, or else the element's own text. @param {HTMLElement} element */
+    function textIn(element) {
         const own = [...element.childNodes]
             .filter((node) => node.nodeType === Node.TEXT_NODE)
             .map((node) => node.textContent ?? '');
-        const text = element.querySelector('pre')?.textContent ?? own.join('\n');
-        return text
-            .split('\n')
-            .map((line) => line.trim())
-            .filter((line) => line !== '')
-            .join('\n');
+        return element.querySelector('pre')?.textContent ?? own.join('\n');
+    }
+
+    /**
+     * The rules of a text, and the fields on labelled lines above them, such as `n: 6`. The core reads the same texts
+     * (crates/lsystem-import/src/labelled.rs).
+     * @param {string} text
+     * @returns {Record<string, string>} by link keys
+     */
+    function labelled(text) {
+        const lines = text.split('\n').map((line) => line.trim());
+        const rules = lines.filter((line) => line !== '');
+        /** @type {Record<string, string>} */
+        const fields = {};
+        for (;;) {
+            const [, name = '', value = ''] = rules[0]?.match(/^([a-z]+):\s*(.*)$/) ?? [];
+            const key = LABELS.get(name);
+            if (key) rules.shift();
+            if (key === 'rules' && value !== '') rules.unshift(value);
+            if (!key || (key === 'rules' && value !== '')) return { ...fields, rules: rules.join('\n') };
+            // Custom symbols are lines; of any other field, the last value counts.
+            if (key !== 'rules') fields[key] = key === 'do' && fields.do ? `${fields.do}\n${value}` : value;
+        }
     }
 
     if (!customElements.get('l-system')) customElements.define('l-system', LSystem);

@@ -359,6 +359,7 @@ function showProblem(words) {
 
 /** Links to the playground with the current state. */
 async function address() {
+    if (html('open').hidden) return;
     // Without a server, a folder address does not open its page.
     const place = new URL(location.protocol === 'file:' ? 'playground.html' : './', location.href);
     const state = store.state;

@@ -3,15 +3,15 @@
 use lsystem::Definition;
 use lsystem::syntax::{FIELDS, FieldSpec, Value};
 
-/// The definition with fields set by name. A name is that of the page (`colourBy`), of files (`colour_by`) or of links
-/// (`colour`), in this order. A value is JSON, or else a text.
+/// The definition with fields set by name. A name is any of [`FieldSpec::called`]. A value is JSON, or else
+/// a text.
 ///
 /// # Errors
 /// A message if there is no such field or the field does not take the value.
 pub(crate) fn apply(definition: &Definition, settings: &[(String, String)]) -> Result<Definition, String> {
     let mut changed = definition.clone();
     for (name, text) in settings {
-        let Some(spec) = spec(name) else {
+        let Some(spec) = FieldSpec::called(name) else {
             return Err(format!("--set: there is no field `{name}`; the fields are {}", known().join(", ")));
         };
         let value = match serde_json::from_str(text) {
@@ -26,19 +26,9 @@ pub(crate) fn apply(definition: &Definition, settings: &[(String, String)]) -> R
     Ok(changed)
 }
 
-fn spec(name: &str) -> Option<&'static FieldSpec> {
-    let called = |of: fn(&FieldSpec) -> &str| FIELDS.iter().find(|spec| spec.is_defined() && of(spec) == name);
-    called(|spec| spec.name).or_else(|| called(key)).or_else(|| called(|spec| spec.link))
-}
-
-/// The field's key in files.
-fn key(spec: &FieldSpec) -> &str {
-    spec.file.map_or("", |(_, key)| key)
-}
-
 /// The keys of all fields in files, sorted.
 fn known() -> Vec<&'static str> {
-    let mut keys: Vec<_> = FIELDS.iter().filter(|spec| spec.is_defined()).map(key).collect();
+    let mut keys: Vec<_> = FIELDS.iter().filter(|spec| spec.is_defined()).map(FieldSpec::key).collect();
     keys.sort_unstable();
     keys
 }

@@ -210,7 +210,7 @@ impl<'a> Draft<'a> {
         }
         let Self { mut definition, remarks, marks, is_ours, .. } = self;
         // A text that says nothing about colours and widths gets a look that suits the drawing.
-        definition.style.auto = !is_ours && definition.style == Style::default();
+        definition.style.auto |= !is_ours && definition.style == Style::default();
         let refused = remarks.iter().any(|remark| remark.refused);
         (Entry { name: definition.name.clone(), definition: (!refused).then_some(definition), remarks }, marks)
     }

@@ -27,6 +27,7 @@ mod fractint;
 mod groimp;
 mod houdini;
 mod keys;
+mod labelled;
 mod link;
 mod objects;
 mod own;
@@ -107,6 +108,7 @@ type Reader = for<'a> fn(Source<'a>) -> Option<Vec<Draft<'a>>>;
 const READERS: &[(&str, Reader)] = &[
     (OWN_JSON, own::read),
     ("a link", link::read),
+    ("our own notation", labelled::read),
     ("TikZ", tikz::read),
     ("cpfg", cpfg::read_cpfg),
     ("L-Py", cpfg::read_lpy),

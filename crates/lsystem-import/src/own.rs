@@ -46,7 +46,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
 }
 
 /// The text between the fences of Markdown, if they enclose all of a text; else the text itself.
-fn body(text: &str) -> &str {
+pub(super) fn body(text: &str) -> &str {
     let inside = text.strip_prefix("```").and_then(|rest| rest.strip_suffix("```"));
     let inside = inside.and_then(|inside| inside.split_once('\n')).filter(|(name, _)| !name.contains('{'));
     inside.map_or(text, |(_, inside)| inside.trim())

@@ -91,6 +91,20 @@ struct Access {
 }
 
 impl FieldSpec {
+    /// The field of a definition with this name: that of the page (`colourBy`), of files (`colour_by`) or of links
+    /// (`colour`), in this order.
+    #[must_use]
+    pub fn called(name: &str) -> Option<&'static Self> {
+        let by = |of: fn(&Self) -> &str| FIELDS.iter().find(|spec| spec.is_defined() && of(spec) == name);
+        by(|spec| spec.name).or_else(|| by(Self::key)).or_else(|| by(|spec| spec.link))
+    }
+
+    /// The field's key in files; empty for a field of links only.
+    #[must_use]
+    pub fn key(&self) -> &'static str {
+        self.file.map_or("", |(_, key)| key)
+    }
+
     /// The field's attribute of the `<l-system>` element: the key in links, unless HTML gives the key another meaning.
     #[must_use]
     pub fn attribute(&self) -> &'static str {

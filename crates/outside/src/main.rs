@@ -6,7 +6,8 @@
 //! - `outside plots ROOT FOLDER LSYS` prints plots of `lsys` beside those of vpype.
 //!
 //! `lsys` makes files of a few systems ([`made`]). The checks ask programs for figures of these files and compare them
-//! ([`plane`], [`paper`], [`space`], [`film`], [`data`]). Node.js and Python libraries are installed
+//! ([`plane`], [`paper`], [`space`], [`film`], [`data`]). The Python package is
+//! built, installed and tested ([`python`]). Node.js and Python libraries are installed
 //! ([`programs`]); a program of the system that is missing is named as not checked.
 
 mod asked;
@@ -17,6 +18,7 @@ mod paper;
 mod plane;
 mod plots;
 mod programs;
+mod python;
 mod space;
 
 use anyhow::{Context, Result, bail};
@@ -75,6 +77,7 @@ fn check(options: &Options) -> Result<()> {
     space::ask(&made, &mut asked)?;
     film::ask(&made, &mut asked)?;
     data::ask(&made, &mut asked)?;
+    python::ask(options, &mut asked)?;
     let (right, wrong) = asked.finish()?;
     programs.missing().iter().for_each(|line| println!("not checked: {line}"));
     println!("{right} outputs are read as `lsys` tells");

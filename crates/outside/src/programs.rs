@@ -10,11 +10,12 @@ use std::process::{Command, Stdio};
 
 /// Programs of the system, the outputs that they open, and their packages in Debian. They are used where they are
 /// installed.
-const OPTIONAL: [(&str, &str, &str); 5] = [
+const OPTIONAL: [(&str, &str, &str); 6] = [
     ("ffprobe", "frames of films", "ffmpeg"),
     ("pdftoppm", "ink of PDF and of TikZ pictures", "poppler-utils"),
     ("pdflatex", "TikZ pictures and systems in LaTeX", "texlive-latex-recommended texlive-pictures"),
     ("bibtex", "BibTeX entries", "texlive-binaries"),
+    ("pandoc", "fences in books of Quarto", "pandoc"),
     ("kpsewhich", "whether LaTeX has TikZ", "texlive-binaries"),
 ];
 
@@ -39,6 +40,11 @@ impl Programs {
             needed.iter().all(|file| output(Command::new(program).arg(file)).is_ok())
         });
         Ok(programs)
+    }
+
+    /// Python, with the libraries of `requirements.txt`.
+    pub(crate) fn python(&self) -> &Path {
+        &self.python
     }
 
     /// A program of the system, if it is installed.
@@ -102,7 +108,7 @@ pub(crate) fn python(options: &Options) -> Result<PathBuf> {
         .context("making a virtual environment of Python (Debian: apt-get install python3-venv)")?;
     let words = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary=:all:"];
     output(Command::new(&python).args(words).arg("--require-hashes").arg("--requirement").arg(&list)).context(
-        "installing vpype, trimesh, Pillow, pypdf and markdown-it, which needs PyPI and Python 3.11 or newer",
+        "installing vpype, trimesh, Pillow, maturin, nbclient and others, which needs PyPI and Python 3.11 or newer",
     )?;
     fs::write(&installed, wanted)?;
     Ok(python)

@@ -10,11 +10,13 @@ pub(crate) use markdown::{escape, shortened};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 20] = [
+const PAGES: [&str; 22] = [
     "lesson",
     "notation",
     "links",
     "embedding",
+    "books",
+    "notebooks",
     "exercises",
     "marking",
     "classroom",

@@ -18,6 +18,7 @@ mod outside;
 mod package;
 mod page;
 mod program;
+mod python;
 mod report;
 mod serve;
 mod server;
@@ -57,6 +58,8 @@ enum Command {
     /// The npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/; their
     /// interfaces compared with an older revision, and their documentation as docs.rs makes it
     Package(package::PackageOptions),
+    /// The page, and the Python package ready for `maturin build`: crates/lsystem-python/
+    Python,
     /// Update the tables in www/js, the JSON Schema of files and the types of the npm package from the tables of the core,
     /// and www/js/messages.d.ts from the messages of the boundary; tests fail when the files are out of date
     Tables,
@@ -104,6 +107,7 @@ fn run() -> Result<()> {
         Command::Lint => lint::lint(workspace),
         Command::Outside => test::test(workspace, &test::TestOptions::only(test::Part::Outside)),
         Command::Package(options) => package::package(workspace, &options),
+        Command::Python => python::python(workspace),
         Command::Tables => {
             let packages = ["--package=lsystem-playground", "--package=lsystem-tools-wasm"];
             let tests = ["test", "--lib", "--test=all", "tables::"].into_iter().chain(packages);

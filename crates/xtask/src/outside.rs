@@ -1,7 +1,7 @@
 //! `cargo xtask outside`, `cargo xtask bench plot`: the crate `outside`, which opens files with programs of other people.
 
-use crate::page;
 use crate::workspace::Workspace;
+use crate::{page, python};
 use anyhow::{Context, Result};
 use std::path::Path;
 use std::process::Command;
@@ -10,6 +10,7 @@ use std::process::Command;
 pub(crate) fn run(workspace: &Workspace, program: &Path, what: &str, lsys: &Path) -> Result<()> {
     page::packages(&workspace.root.join("crates/outside"))
         .context("installing the glTF validator, which needs the npm registry")?;
+    python::prepare(workspace)?;
     let folder = workspace.target.join("outside");
     workspace.run(Command::new(program).arg(what).args([&workspace.root, &folder]).arg(lsys))
 }

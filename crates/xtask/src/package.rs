@@ -193,7 +193,7 @@ mod tests {
         for entry in fs::read_dir(Workspace::find().unwrap().root.join("crates")).unwrap() {
             let folder = entry.unwrap();
             let name = folder.file_name().into_string().unwrap();
-            let is_inner = development.contains(&name.as_str()) || name.ends_with("-wasm");
+            let is_inner = development.contains(&name.as_str()) || name.ends_with("-wasm") || name.ends_with("-python");
             let manifest = fs::read_to_string(folder.path().join("Cargo.toml")).unwrap();
             let is_published = names.iter().any(|name| manifest.contains(&format!("[package]\nname = \"{name}\"\n")));
             assert_ne!(is_inner, is_published, "{name}");

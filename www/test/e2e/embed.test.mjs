@@ -482,6 +482,43 @@ test('printing shows picture and system, without controls', () =>
         },
     ));
 
+test('an element draws a whole system from its text', () =>
+    withHost(
+        `<l-system n="3"><pre>caption: Weed
+            axiom: F
+            n: 4
+            angle: 25
+            palette: #aa3300, #0033aa
+            do: X: move
+            do: Y: draw
+            controls: n
+
+            // a comment
+            F -&gt; F[+F]F</pre></l-system>
+        <l-system><pre>axiom: F&#10;stroke: 0.2&#10;rules:&#10;p1: F -&gt; FF</pre></l-system>`,
+        async (page) => {
+            const frame = await drawn(page);
+            await drawn(page, 1);
+            assert.ok((await frame.isVisible('#iterations')) && !(await frame.isVisible('#angle')));
+            const values = await page.$$eval('l-system', (elements) =>
+                elements.map((element) => /** @type {any} */ (element).values),
+            );
+            const [{ title, axiom, n, angle, auto, rules, do: meanings, palette }, second] = values;
+            // Attributes override the text.
+            assert.deepEqual([title, axiom, n, angle, auto], ['Weed', 'F', 3, 25, true]);
+            assert.deepEqual([rules, meanings], ['// a comment\nF -> F[+F]F', 'X: move\nY: draw']);
+            assert.deepEqual(palette, ['#aa3300', '#0033aa']);
+            assert.deepEqual([second.rules, second.width, second.auto], ['p1: F -> FF', 0.2, false]);
+            await page.$eval('l-system', (element) => {
+                const text = element.querySelector('pre');
+                if (text) text.textContent = 'axiom: F\nn: 4\nangle: 30\ncontrols: angle\nF -> FF';
+            });
+            await until(async () => await frame.isVisible('#angle'), 'other controls');
+            assert.equal(await frame.inputValue('#angle'), '30');
+        },
+        { head: ELEMENT },
+    ));
+
 test('an element draws from attributes and text, which can be changed', () =>
     withHost(
         `<l-system caption="Weed" axiom="F" angle="25" n="4" controls="n" stroke="0.2">
