@@ -1,5 +1,6 @@
 /** Opens the parts of the page that load late (parts.js): by keys, and by elements with `data-opens` that name a part. */
 
+import { html } from './dom.js';
 import { createLate } from './late.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
@@ -22,14 +23,16 @@ import { createLate } from './late.js';
 /** @typedef {typeof import('./parts.js').PARTS} Rows */
 /** @typedef {{[K in keyof Rows]: ReturnType<Rows[K]>}} Parts */
 
-/** The part that a key opens outside of dialogs, if any. @param {KeyboardEvent} event @returns {keyof Parts | null} */
-function partOfKey(event) {
+/** The entry whether keys without Ctrl act everywhere. Whoever speaks to the machine may type them unawares. */
+export const PLAIN_KEYS = 'plain-keys';
+
+/** The part that a key opens outside of dialogs, if any. @param {KeyboardEvent} event @param {import('./storage.js').SafeStorage} storage @returns {keyof Parts | null} */
+function partOfKey(event, storage) {
     const command = event.ctrlKey || event.metaKey;
     if (event.altKey) return null;
-    if (!command && !isTypedInto(event.target)) {
-        if (event.key === '?') return 'shortcuts';
-        if (event.key.toLowerCase() === 'f') return 'projector';
-    }
+    const plain = event.key === '?' ? 'shortcuts' : event.key.toLowerCase() === 'f' ? 'projector' : null;
+    if (plain && !command && !isTypedInto(event.target))
+        return event.target === html('drawing') || storage.read(PLAIN_KEYS) !== false ? plain : null;
     return event.key.toLowerCase() === 's' && command && !event.shiftKey ? 'save' : null;
 }
 
@@ -87,7 +90,7 @@ export function createDialogs(own) {
         void open(/** @type {keyof Parts} */ (opener.dataset['opens']));
     });
     addEventListener('keydown', (event) => {
-        const name = partOfKey(event);
+        const name = partOfKey(event, page.storage);
         // A dialog, too, may fill the screen.
         const isFree = name === 'projector' || !document.querySelector('dialog[open]');
         if (!name || (name === 'shortcuts' && !isFree)) return;

@@ -1,13 +1,18 @@
 /** The dialog of keys and gestures. */
 
 import styles from '../css/shortcuts.css';
-import { byId, closes } from './dom.js';
+import { PLAIN_KEYS } from './dialogs.js';
+import { byId, closes, input } from './dom.js';
 import { addElements } from './late.js';
 import markup from './shortcuts.html';
 
-export function createShortcuts() {
+/** @param {import('./dialogs.js').Page} page */
+export function createShortcuts({ storage }) {
     addElements(markup, [styles]);
     const dialog = byId('shortcuts', HTMLDialogElement);
     closes(dialog, 'close-shortcuts');
+    const plain = input('plain-keys');
+    plain.checked = storage.read(PLAIN_KEYS) !== false;
+    plain.addEventListener('change', () => storage.write(PLAIN_KEYS, plain.checked));
     return { open: () => dialog.showModal() };
 }

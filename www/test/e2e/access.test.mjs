@@ -294,7 +294,21 @@ test('the dialog of keys opens with ? and its button, and closes with Escape', (
         assert.equal(await page.evaluate(() => document.activeElement?.id), 'drawing');
         await page.click('#open-shortcuts');
         assert.match((await page.textContent('#shortcuts')) ?? '', /Shift.*Alt/s);
+        await page.uncheck('#plain-keys');
         await page.click('#close-shortcuts');
+        await page.focus('#open-gallery');
+        await page.keyboard.press('?');
+        await page.keyboard.press('f');
+        assert.ok(!(await page.isVisible('dialog[open], .projecting')), 'plain keys are switched off');
+        await page.focus('#drawing');
+        await page.keyboard.press('?');
+        await page.waitForSelector('#shortcuts:visible');
+        assert.ok(!(await page.isChecked('#plain-keys')));
+        await page.check('#plain-keys');
+        await page.keyboard.press('Escape');
+        await page.focus('#open-gallery');
+        await page.keyboard.press('?');
+        await page.waitForSelector('#shortcuts:visible');
     }));
 
 test('every control can be reached and left with the keyboard', () =>
