@@ -8,15 +8,12 @@ import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { Cancelled } from '../tool.js';
 import markup from './marks.html';
+import { createTextIntake } from './text-intake.js';
 import { courseTool as tool } from './tool.js';
 
 /** @typedef {import('../protocol.js').MarkedAnswer} MarkedAnswer */
 /** @typedef {{row: MarkedAnswer, element: HTMLTableRowElement, number: number}} Line */
 
-/** Longer texts are not read, in characters. */
-const LONGEST = 16 << 20;
-/** A change waits for a pause of this length, in milliseconds. */
-const PAUSE = 300;
 /** The mistakes that are listed. */
 const MOST_MISTAKES = 8;
 /** The side of a picture's pixels, and their colours: none, ink of both, missing, too much. */
@@ -46,13 +43,8 @@ const VARIANT = 'Variant';
 export function createMarks() {
     addElements(markup, [styles, own]);
     const dialog = byId('class-marks', HTMLDialogElement);
-    const answers = byId('marks-answers', HTMLTextAreaElement);
-    const file = input('marks-file');
     const table = dialog.querySelector('table');
     const [head, body] = [table?.tHead?.rows[0], table?.tBodies[0]];
-    /** The whole text of an opened file, of which the field shows the beginning; null if the field has all. @type {string | null} */
-    let whole = null;
-    let timer = 0;
     let marking = new AbortController();
     /** @type {Line[]} */
     let lines = [];
@@ -154,17 +146,22 @@ export function createMarks() {
         );
     }
 
-    async function mark() {
+    /** Ends marking, and shows no result. */
+    function clear() {
         marking.abort();
-        const turn = (marking = new AbortController());
-        const text = whole ?? answers.value;
+        marking = new AbortController();
         lines = [];
         [chosen, csv] = [null, ''];
         html('marks-result').hidden = true;
-        const status = html('marks-status');
-        status.replaceChildren();
+        html('marks-status').replaceChildren();
+    }
+
+    /** @param {string} text */
+    async function mark(text) {
+        clear();
         if (text.trim() === '') return;
-        if (text.length > LONGEST) return setText(status, 'The text has more than 16 MiB.');
+        const turn = marking;
+        const status = html('marks-status');
         setText(status, 'Marking…');
         let all = 0;
         let hasVariants = false;
@@ -194,48 +191,25 @@ export function createMarks() {
             arrange();
         } catch (error) {
             if (error instanceof Cancelled || turn !== marking) return;
-            showFailure(status, error, () => void mark());
+            showFailure(status, error, () => void mark(text));
         }
     }
 
-    function later() {
-        clearTimeout(timer);
-        timer = window.setTimeout(() => void mark(), PAUSE);
-    }
-
-    /** @param {File | undefined} given */
-    async function read(given) {
-        if (!given) return;
-        if (given.size > LONGEST) return setText(html('marks-status'), 'The file has more than 16 MiB.');
-        whole = await given.text();
-        // A text field with megabytes is slow, so it shows the beginning.
-        answers.value = whole.slice(0, 20_000);
-        await mark();
-    }
-
-    answers.addEventListener('input', () => {
-        whole = null;
-        later();
+    const intake = createTextIntake({
+        dialog,
+        field: byId('marks-answers', HTMLTextAreaElement),
+        file: input('marks-file'),
+        opener: button('marks-open'),
+        taken: (text) => void mark(text),
+        refused: (words) => {
+            clear();
+            setText(html('marks-status'), words);
+        },
     });
-    input('marks-exercise').addEventListener('input', later);
+    input('marks-exercise').addEventListener('input', intake.later);
     byId('marks-shown', HTMLSelectElement).addEventListener('change', arrange);
     input('marks-search').addEventListener('input', arrange);
     byId('marks-asked', HTMLFormElement).addEventListener('submit', (event) => event.preventDefault());
-    button('marks-open').addEventListener('click', () => file.click());
-    file.addEventListener('change', () => {
-        void read(file.files?.[0]);
-        file.value = '';
-    });
-    dialog.addEventListener('dragover', (event) => event.preventDefault());
-    dialog.addEventListener('drop', (event) => {
-        event.preventDefault();
-        event.stopPropagation();
-        const [dropped] = event.dataTransfer?.files ?? [];
-        if (dropped) return void read(dropped);
-        whole = null;
-        answers.value = event.dataTransfer?.getData('text/plain') ?? '';
-        void mark();
-    });
     button('marks-save').addEventListener('click', () => {
         // Spreadsheets take the text for UTF-8 only with this mark.
         if (csv !== '') download(new Blob(['\ufeff', csv], { type: 'text/csv' }), 'marks.csv');
@@ -246,7 +220,7 @@ export function createMarks() {
     return {
         open() {
             dialog.showModal();
-            if (lines.length === 0) void mark();
+            if (lines.length === 0) intake.take();
         },
     };
 }
