@@ -335,14 +335,13 @@ impl Marker {
         let words = match is_same {
             true => "The string is the same.".to_owned(),
             false => {
-                let symbols = if found == 1 { "symbol" } else { "symbols" };
                 let [found, most] = [found, most].map(|count| counted(&Tally::from(count as u128)));
                 let start = match same {
                     0 => "The first symbol differs.".to_owned(),
                     1 => "The first symbol agrees, the second differs.".to_owned(),
                     same => format!("The first {} symbols agree.", counted(&Tally::from(same as u128))),
                 };
-                format!("{start} Your string has {found} {symbols}, the target {most}.")
+                format!("{start} Your string has {found} symbols, the target {most}.")
             }
         };
         self.own_text = Some(text);
