@@ -8,7 +8,6 @@ import { createDialogs } from './dialogs.js';
 import { button, html, reducedMotion, setText } from './dom.js';
 import { createEngine } from './engine.js';
 import { createStored } from './favourites/stored.js';
-import { filmIn } from './film/embed-code.js';
 import { createGrowing } from './growing.js';
 import { createHover } from './hover.js';
 import { withThemeScheme, hasScheme, themeScheme, isDark } from './colour-schemes.js';
@@ -124,8 +123,7 @@ if (location.search === '?shared') void dialogs.open('shared');
 // Files that the installed page is asked to open.
 window.launchQueue?.setConsumer(async ({ files: [file] }) => file && dialogs.open('file', await file.getFile()));
 html('mathematics').addEventListener('toggle', () => void dialogs.open('mathematics'));
-const film = filmIn(location.hash);
-if (film) void dialogs.open('film', film);
+if (/[#&]film=./.test(location.hash)) void dialogs.open('film', location.hash);
 engine.share(createMates(matesOn(navigator)));
 themeButton((next) => {
     // A system in the theme's default colours, and the opening plant, take the new theme's colours.

@@ -21,6 +21,7 @@ import { createShare } from './share.js';
 import { createShared } from './shared.js';
 import { createShortcuts } from './shortcuts.js';
 import { createStepsDialog } from './steps/dialog.js';
+import { createSound } from './playback/sound.js';
 import { createSurprise } from './surprise.js';
 
 export const PARTS = {
@@ -43,5 +44,6 @@ export const PARTS = {
     marks: createMarks,
     shortcuts: createShortcuts,
     projector: createProjector,
+    sound: createSound,
     offline: createKeeping,
 };

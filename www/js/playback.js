@@ -5,7 +5,6 @@ import { grouped, shortText } from './numerals.js';
 import { createClock } from './playback/clock.js';
 import { createPace } from './playback/pace.js';
 import { createSegmentField } from './playback/segment-field.js';
-import { createSound } from './playback/sound.js';
 import { REACH, portion, ratio, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
 import { createToggled } from './toggled.js';
@@ -32,7 +31,6 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
     const pace = createPace(() => total);
     const clock = createClock({ perSecond: pace.perSecond, advance });
     const bar = createBar({ play: toggle, changed: (open) => (open ? show() : close()), seek });
-    const sound = createSound();
     const field = createSegmentField({ total: () => total, shown, seek: pauseAt });
 
     function show() {
@@ -114,7 +112,8 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 
     /** Shows where the turtle is. @param {import('./protocol.js').Pose} pose */
     function follow(pose) {
-        sound.at(turtle({ at: pose.fitted, heading: pose.heading }));
+        const place = turtle({ at: pose.fitted, heading: pose.heading });
+        if (place) html('drawing').dispatchEvent(new CustomEvent('turtle', { detail: place }));
         setText(html('play-pose'), poseText(pose));
     }
 

@@ -12,7 +12,7 @@ import { SIZES as FRAMES, stable } from '../share-code.js';
 import { definitionOf } from '../state.js';
 import { Cancelled } from '../tool.js';
 import { createAdder } from './adder.js';
-import { filmCode } from './embed-code.js';
+import { filmCode, filmIn } from './embed-code.js';
 import { createFilmTool } from './frames.js';
 import markup from './films.html';
 import { createOptions } from './options.js';
@@ -235,12 +235,12 @@ export function createFilms({ store, stage }) {
     }
 
     return {
-        /** @param {string} [next] the film to open */
-        async open(next) {
+        /** @param {string} [hash] of a link that may hold a film */
+        async open(hash = '') {
             const { view } = store.state;
             const camera = stage.space ? stage.camera() : null;
             film = { ...film, definition: definitionOf(store.state), view: stage.space ? null : view, camera };
-            wanted = next ?? '';
+            wanted = filmIn(hash);
             setText(problem, '');
             presets.show();
             if (!dialog.open) dialog.showModal();

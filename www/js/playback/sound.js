@@ -1,6 +1,6 @@
 /** The drawing as a sound while it is played: the turtle's height is the pitch, its place from left to right the side. */
 
-import { button } from '../dom.js';
+import { button, html } from '../dom.js';
 
 /** The pitch of the middle, in Hertz, and the octaves from the lowest to the highest place. */
 const [MIDDLE, OCTAVES] = [330, 3];
@@ -21,7 +21,6 @@ export function createSound() {
     /** @type {{context: AudioContext, tone: OscillatorNode, side: StereoPannerNode, loudness: GainNode} | null} */
     let voice = null;
     let timer = 0;
-    listen.hidden = !('AudioContext' in window);
 
     /** Browsers let a page sound only after the button was pressed. */
     function start() {
@@ -39,26 +38,27 @@ export function createSound() {
         voice?.loudness.gain.setTargetAtTime(0, voice.context.currentTime, GLIDE);
     }
 
-    listen.addEventListener('click', () => {
-        const on = voice === null;
-        listen.setAttribute('aria-pressed', String(on));
-        if (on) return start();
+    // The turtle is seen at x to the right and y upwards, from 0 to 1.
+    html('drawing').addEventListener('turtle', (event) => {
+        if (!voice) return;
+        const [x, y] = /** @type {CustomEvent<[number, number]>} */ (event).detail;
+        const now = voice.context.currentTime;
+        voice.tone.frequency.setTargetAtTime(pitchAt(y), now, GLIDE);
+        voice.side.pan.setTargetAtTime(sideAt(x), now, GLIDE);
+        voice.loudness.gain.setTargetAtTime(LOUDNESS, now, GLIDE);
         clearTimeout(timer);
-        voice?.context.close();
-        voice = null;
+        timer = window.setTimeout(hush, STILL);
     });
 
     return {
-        /** The turtle is seen here: x to the right and y upwards, from 0 to 1. @param {[number, number] | null} place */
-        at(place) {
-            if (!voice || !place) return;
-            const [x, y] = place;
-            const now = voice.context.currentTime;
-            voice.tone.frequency.setTargetAtTime(pitchAt(y), now, GLIDE);
-            voice.side.pan.setTargetAtTime(sideAt(x), now, GLIDE);
-            voice.loudness.gain.setTargetAtTime(LOUDNESS, now, GLIDE);
+        /** Begins to sound, or ends. */
+        open() {
+            const on = voice === null;
+            listen.setAttribute('aria-pressed', String(on));
+            if (on) return start();
             clearTimeout(timer);
-            timer = window.setTimeout(hush, STILL);
+            voice?.context.close();
+            voice = null;
         },
     };
 }
