@@ -3,7 +3,7 @@
 use crate::{Detail, Effort, Pane, Pass, Quality, Renderer, SolidRenderer, Spent, Vantage, Viewport};
 use lsystem_base::Progress;
 use lsystem_drawing::Figure;
-use lsystem_syntax::Style;
+use lsystem_syntax::{Ink, Style};
 
 /// The side of a cell, in pixels. Panes that begin at multiples of this have the same subsamples as the whole picture.
 const CELL: u32 = 16;
@@ -133,7 +133,9 @@ impl FigureRenderer {
         self.is_begun = true;
         match (self.is_solid, pass) {
             (true, Pass::Only) => self.space.begin(style, *viewport, &vantage.camera, *quality),
-            (true, _) => self.space.begin_pane(style, *viewport, &vantage.camera, pane, self.effort.budget()),
+            (true, _) => {
+                self.space.begin_pane(style, *viewport, &vantage.camera, (pane, pass), self.effort.budget());
+            }
             (false, Pass::Only) => {
                 let detail = if *quality > Quality::MOVING { Detail::Fine } else { Detail::Coarse };
                 self.plane.begin_with(style, *viewport, vantage.view, detail, *upto);
@@ -194,7 +196,8 @@ fn parts(picture: &PictureOptions, is_solid: bool) -> Vec<(Pane, Pass)> {
     }
     let panes = SolidRenderer::panes(viewport);
     let round = |pass| panes.iter().map(move |&pane| (pane, pass));
-    round(Pass::Count).chain(round(Pass::Show)).collect()
+    let survey = (style.ink == Ink::Density).then(|| (Pane::whole(viewport), Pass::Survey));
+    survey.into_iter().chain(round(Pass::Count)).chain(round(Pass::Show)).collect()
 }
 
 #[cfg(test)]
@@ -202,7 +205,7 @@ mod tests {
     use super::*;
     use lsystem_base::{Limits, MAX_PALETTE};
     use lsystem_drawing::{System, draw};
-    use lsystem_syntax::{Colour, Definition, Ink};
+    use lsystem_syntax::{Colour, Definition};
 
     /// All rows of a picture.
     fn paint(renderer: &mut FigureRenderer, picture: PictureOptions) -> Vec<u8> {

@@ -5,7 +5,8 @@ use crate::pace::{Deadline, HURRIED_EFFORT, MOVING_WORK, Pace, WORK, is_long};
 use crate::sharing::{NextAction, Sharing};
 use crate::surface::{Clock, Surface};
 use crate::viewer::{Drawn, Only, PictureSettings, Viewer};
-use lsystem::render::{Effort, Pane, Quality, Spent};
+use lsystem::render::{Effort, Pane, Pass, Quality, Spent};
+use lsystem::syntax::Ink;
 use lsystem::{Drawing, Progress, Solid, SolidRenderer, Viewport};
 use std::sync::Arc;
 
@@ -88,7 +89,8 @@ impl<S: Surface> Viewer<S> for SolidView {
             if self.moving && self.deadline.has_passed(self.spent) {
                 self.renderer.hurry(HURRIED_EFFORT);
             }
-            let is_long = self.quality == Quality::FINEST && is_long(self.spent);
+            // The tone of additive ink depends on the whole picture.
+            let is_long = settings.style.ink != Ink::Density && self.quality == Quality::FINEST && is_long(self.spent);
             if is_long && settings.mates > 0 && drawing.is_memoised() {
                 self.shared = true;
                 self.effort = Effort::new(self.quality, self.viewport);
@@ -154,7 +156,13 @@ impl SolidView {
     pub(crate) fn begin_pane(&mut self, settings: PictureSettings, pane: Pane, budget: f32) {
         self.renderer.play(settings.upto);
         let settings = self.within_room(settings);
-        self.renderer.begin_pane(&settings.style, settings.viewport, &settings.vantage.camera, pane, budget);
+        self.renderer.begin_pane(
+            &settings.style,
+            settings.viewport,
+            &settings.vantage.camera,
+            (pane, Pass::Show),
+            budget,
+        );
     }
 
     /// On a mate: continues the pane. Returns the effort spent when the pane is complete.
@@ -193,7 +201,7 @@ impl SolidView {
                     &settings.style,
                     viewport,
                     &settings.vantage.camera,
-                    pane,
+                    (pane, Pass::Show),
                     self.effort.budget(),
                 );
             }

@@ -57,8 +57,7 @@ pub enum Ink {
     Auto,
     /// Opaque: later strokes cover earlier ones.
     Solid,
-    /// Additive: ink adds up, and the picture shows its amount. Vector files and pictures of drawings in space do not
-    /// support this.
+    /// Additive: ink adds up, and the picture shows its amount. Vector files do not support this.
     Density,
 }
 

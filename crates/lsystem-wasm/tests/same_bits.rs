@@ -37,13 +37,14 @@ const CORPUS: [(&str, &str, u32); 12] = [
     ("turtle-blog/1.24e", include_str!("../../../data_in/turtle-blog/1.24e.json"), 7),
 ];
 
-/// Files that leave the plane: with shared blocks, with `$`, with a tropism.
-const SOLID: [(&str, &str, u32); 6] = [
+/// Files that leave the plane: with shared blocks, with `$`, with a tropism, with additive ink.
+const SOLID: [(&str, &str, u32); 7] = [
     ("abop/1.19", include_str!("../../../data_in/abop/1.19.json"), 3),
     ("abop/1.25", include_str!("../../../data_in/abop/1.25.json"), 6),
     ("abop/2.6a", include_str!("../../../data_in/abop/2.6a.json"), 9),
     ("abop/2.8c", include_str!("../../../data_in/abop/2.8c.json"), 6),
     ("practical-1/tree3d1", include_str!("../../../data_in/practical-1/tree3d1.json"), 3),
+    ("garden/jellyfish", include_str!("../../../data_in/garden/jellyfish.json"), 9),
     (
         "trees-and-turtles/of-trees-and-turtles",
         include_str!("../../../data_in/trees-and-turtles/of-trees-and-turtles.json"),

@@ -3,7 +3,7 @@
 use lsystem::base::{LimitName, MAX_FILE, Meter};
 use lsystem::drawing::{Outlook, expand_symbol};
 use lsystem::files::SvgForm;
-use lsystem::render::{Detail, Effort, Pointer, Quality, Spent};
+use lsystem::render::{Detail, Effort, Pass, Pointer, Quality, Spent};
 use lsystem::syntax::{ColourBy, Expected, Ink, Kind};
 use lsystem::{
     Camera, Definition, Drawer, Figure, Limits, Mesh, Plane, Progress, Renderer, Solid, SolidRenderer, Style,
@@ -415,7 +415,7 @@ fn panes_of_wide_strokes_in_space_are_the_picture() {
     loop {
         let mut spent = Spent::default();
         for pane in SolidRenderer::panes(viewport) {
-            renderer.begin_pane(&definition.style, viewport, &camera, pane, effort.budget());
+            renderer.begin_pane(&definition.style, viewport, &camera, (pane, Pass::Show), effort.budget());
             while renderer.step(1 << 20) == Progress::More {}
             spent.add(renderer.effort_spent());
             for (y, row) in renderer.pixels().chunks(pane.width as usize * 4).enumerate() {

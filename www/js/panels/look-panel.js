@@ -48,17 +48,18 @@ export function lookPanel(store) {
 
     /** @param {import('../state.js').State} state */
     const showInk = (state) => {
-        const adds = state.ink !== 'solid' && !space;
-        setChoice(inkKind, space ? 'solid' : state.ink);
-        inkKind.disabled = space;
+        const isDensity = state.ink === 'density';
+        const adds = isDensity || (state.ink !== 'solid' && !space);
+        setChoice(inkKind, space && !isDensity ? 'solid' : state.ink);
+        for (const option of inkKind.options) if (option.value === 'auto') option.disabled = space;
         html('exposure-row').hidden = !adds;
-        html('shadows-row').hidden = !space;
+        html('shadows-row').hidden = !space || isDensity;
         setText(
             html('ink-note'),
-            space
-                ? 'Drawings in space are opaque.'
-                : state.ink === 'density'
-                  ? 'Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.'
+            isDensity
+                ? `Overlapping strokes add up${space ? ', and nothing is hidden' : ''}. PNG pictures keep this; SVG files are opaque.`
+                : space
+                  ? ''
                   : adds
                     ? 'Opaque, but strokes finer than a pixel add up. SVG files are opaque.'
                     : '',

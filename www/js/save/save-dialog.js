@@ -179,7 +179,6 @@ export function createSaveDialog({ store, stage, remembered, exports, files, can
         advised.clear();
         if (
             store.state.ink === 'density' &&
-            !stage.space &&
             isStrokes(rowOf({ ...choices, purpose: 'screen' }, groups).name)
         )
             advised.set('screen', { name: 'png', why: 'PNG, because files of strokes lose the glow of additive ink.' });

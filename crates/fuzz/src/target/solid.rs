@@ -2,7 +2,8 @@
 use super::drawing::drawn_in_space;
 use crate::gauge::WORK;
 use crate::{Gauge, Source, make};
-use lsystem::render::{Effort, Pane, Quality, Spent, camera_axes, fitted_scale};
+use lsystem::render::{Effort, Pane, Pass, Quality, Spent, camera_axes, fitted_scale};
+use lsystem::syntax::Ink;
 use lsystem::{Figure, Progress, SolidRenderer, Style};
 
 /// Pictures in space: at all qualities, in a hurry, and in panes.
@@ -32,7 +33,8 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
     });
     assert_eq!(renderer.pixels().len(), 4 * (viewport.width * viewport.height) as usize);
     gauge.reach("picture");
-    if quality != Quality::FINEST || source.once_in(2) {
+    // Panes of additive ink have the tone of all panes, which are counted before.
+    if quality != Quality::FINEST || style.ink == Ink::Density || source.once_in(2) {
         return;
     }
     let mut whole = SolidRenderer::new();
@@ -45,7 +47,9 @@ pub(super) fn solid(source: &mut Source<'_>, gauge: &mut Gauge) {
     loop {
         let (mut spent, mut same) = (Spent::default(), true);
         for pane in SolidRenderer::panes(viewport) {
-            gauge.call("begin pane", || renderer.begin_pane(&style, viewport, &camera, pane, effort.budget()));
+            gauge.call("begin pane", || {
+                renderer.begin_pane(&style, viewport, &camera, (pane, Pass::Show), effort.budget());
+            });
             gauge.steps("pane", WORK, || {
                 let before = renderer.spent();
                 (renderer.step(WORK), renderer.spent() - before)

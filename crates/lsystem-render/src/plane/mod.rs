@@ -94,11 +94,13 @@ mod sample;
 mod tests;
 
 pub(crate) use amount::Amount;
+pub(crate) use density::{Grid, Pigment, Print, Sheet, Tone, pigment};
 pub(crate) use exact::{fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
 pub use pane::{Pane, Pass};
 pub(crate) use pick::pick;
 pub use pyramid::{Pyramid, Share, TilePlace, TileRenderer, Tiles};
+pub(crate) use room::TONE_BYTES;
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};
 pub use search::{Pick, Pointer, Target};
 pub use view::{Detail, View, Viewport, fit};

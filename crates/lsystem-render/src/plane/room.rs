@@ -12,7 +12,7 @@ use lsystem_syntax::{ColourBy, Ink, Style};
 /// The bytes of all lists without a limit of their own: the stack of nodes, the polygon being filled.
 const LISTS: u64 = 2 << 20;
 /// The bytes of the tables of tones.
-const TONE_BYTES: u64 = 2 << 20;
+pub(crate) const TONE_BYTES: u64 = 2 << 20;
 
 impl Renderer {
     /// The most bytes that a renderer takes for pictures of this size in this detail, without the drawing. Only rich

@@ -75,7 +75,7 @@ pub(super) struct LocalLight {
     /// The part of the light that reaches the place.
     open: f32,
     /// The part of the background in the colour.
-    haze: f32,
+    pub(super) haze: f32,
 }
 
 /// The mean of the directions of many sticks.
@@ -295,6 +295,12 @@ impl Bundle {
             sum as f32
         };
         Self { spread: [entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)] }
+    }
+
+    /// The mean square of the sticks' parts along a direction.
+    pub(super) fn along(&self, [x, y, z]: [f32; 3]) -> f32 {
+        let [xx, yy, zz, xy, xz, yz] = self.spread;
+        x * x * xx + y * y * yy + z * z * zz + 2.0 * (x * y * xy + x * z * xz + y * z * yz)
     }
 
     /// Adds another bundle, times `weight`.

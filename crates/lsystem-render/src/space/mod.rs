@@ -15,6 +15,7 @@
 //! A picture at rest has more light: ambient occlusion, soft shadows, a shade on the ground. All of it follows from two
 //! depth pictures of the whole drawing, from the eye and from the sun, which come before the picture.
 
+mod additive;
 mod camera;
 mod effort;
 mod face;
@@ -51,11 +52,11 @@ pub use effort::{Effort, Spent};
 pub(crate) use opening::opening_camera;
 pub(crate) use pick::pick;
 
-use crate::{Pane, RenderStats, Viewport};
+use crate::{Pane, Pass, RenderStats, Viewport};
 use lighting::Lighting;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Solid};
-use lsystem_syntax::Style;
+use lsystem_syntax::{Ink, Style};
 use picture::Picture;
 use scene::Scene;
 use std::sync::Arc;
@@ -93,7 +94,7 @@ impl Quality {
 
     /// Whether a picture has shadows. Moving pictures have none, because shadows take another picture of the drawing.
     fn has_shadows(self, style: &Style) -> bool {
-        self >= Self::FINEST && style.shadows
+        self >= Self::FINEST && style.shadows && style.ink != Ink::Density
     }
 
     /// The extent in samples below which blocks are dots.
@@ -174,8 +175,17 @@ struct Plan {
     viewport: Viewport,
     camera: Camera,
     quality: Quality,
-    /// If given, only this pane is made, with this budget.
-    pane: Option<(Pane, f32)>,
+    /// If given, only this pane is made.
+    pane: Option<PlannedPane>,
+}
+
+/// A pane of a picture that is made in several.
+#[derive(Clone, Copy)]
+struct PlannedPane {
+    pane: Pane,
+    pass: Pass,
+    /// The budget that all panes share.
+    budget: f32,
 }
 
 impl SolidRenderer {
@@ -234,11 +244,19 @@ impl SolidRenderer {
         Pane::all(viewport, quality.tile(viewport).map(|side| (side / quality.samples()) as u32))
     }
 
-    /// Starts one of [`SolidRenderer::panes`] of the finest picture, or of the [best](Quality::BEST), which has the
-    /// same panes, with the budget that all panes share. The pixels are those of the pane. The sum of what all panes
+    /// Starts a pass on one of [`SolidRenderer::panes`] of the finest picture, or of the [best](Quality::BEST), which has
+    /// the same panes, with the budget that all panes share. Only additive ink has a survey, which forgets earlier
+    /// counts, and needs all panes counted before the first is shown. The pixels are those of the pane. The sum of what all panes
     /// [took](Self::effort_spent) shows [`Effort`] whether the budget was too small.
-    pub fn begin_pane(&mut self, style: &Style, viewport: Viewport, camera: &Camera, pane: Pane, budget: f32) {
-        let pane = Some((pane, budget));
+    pub fn begin_pane(
+        &mut self,
+        style: &Style,
+        viewport: Viewport,
+        camera: &Camera,
+        (pane, pass): (Pane, Pass),
+        budget: f32,
+    ) {
+        let pane = Some(PlannedPane { pane, pass, budget });
         self.at = 2;
         self.plan = Some(Plan { style: style.clone(), viewport, camera: *camera, quality: Quality::FINEST, pane });
     }
@@ -277,7 +295,7 @@ impl SolidRenderer {
                     return Progress::More;
                 }
             }
-            meter.charge(self.pictures[self.at].begin(drawing, plan, self.is_transparent));
+            meter.charge(self.pictures[self.at].begin(drawing, plan, self.is_transparent, self.scene.only_ink()));
             self.plan = None;
         }
         self.pictures[self.at].step(&self.scene, &self.lighting, meter)

@@ -81,7 +81,7 @@ impl OpenNode {
         let mut kept = 0;
         for (lane, weighs) in weights.iter_mut().enumerate().take(count) {
             let [x, y, r] = [0, 1, 2].map(|i| open.balls[i][lane]);
-            let reach = r + widest;
+            let reach = r + widest + setup.slack;
             let within = |low: [f64; 2], high: [f64; 2]| {
                 let [low, high] = [low, high].map(|corner| corner.map(|c| c as f32));
                 x + reach >= low[0] && x - reach <= high[0] && y + reach >= low[1] && y - reach <= high[1]

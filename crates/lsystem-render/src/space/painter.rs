@@ -1,5 +1,6 @@
 //! Paints sticks, triangles and dots on a tile, band by band.
 
+use super::additive::Additive;
 use super::camera::NEAR;
 use super::face::Face;
 use super::light::{LIGHT, LightKind};
@@ -7,6 +8,8 @@ use super::setup::Setup;
 use super::stroke::{Dot, Painted, Stick};
 use super::tile::ScreenTile;
 use crate::RenderStats;
+use crate::plane::Amount;
+use lsystem_base::Meter;
 use lsystem_drawing::Widths;
 use lsystem_drawing::rotation::{Vector, cross, dot, minus, norm};
 use std::collections::VecDeque;
@@ -40,6 +43,8 @@ pub(super) struct TilePainter {
     /// The part of the tile that the present primitive has covered so far.
     layer: f64,
     pub stats: RenderStats,
+    /// Where ink adds up. Then nothing is painted on the tile.
+    pub additive: Option<Box<Additive>>,
 }
 
 impl TilePainter {
@@ -47,6 +52,10 @@ impl TilePainter {
     pub(super) fn begin(&mut self, setup: &Setup, corner: [f64; 2], size: [usize; 2]) {
         self.corner = corner;
         (self.layers, self.layer) = (0.0, 0.0);
+        if self.additive.is_some() {
+            self.tile.size = size;
+            return;
+        }
         self.tile.leans = setup.samples == 4;
         self.tile.reset(size, setup.side, setup.background);
     }
@@ -70,9 +79,16 @@ impl TilePainter {
             return 1;
         }
         // The normal points towards the viewer.
+        let spot = setup.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
+        if let Some(additive) = &mut self.additive {
+            let corners = corners.map(|corner| {
+                let [x, y, _] = lens.project(corner);
+                [x - self.corner[0], y - self.corner[1]]
+            });
+            return additive.triangle(corners, f64::from(1.0 - spot.haze), ink);
+        }
         let sign = if normal[2] > 0.0 { -1.0 } else { 1.0 };
         let normal = normal.map(|n| sign * n / size);
-        let spot = setup.light.spot([0, 1, 2].map(|i| (a[i] + b[i] + c[i]) / 3.0));
         let colour = if setup.light.kind == LightKind::Full {
             setup.light.leaf(ink, &spot, normal)
         } else {
@@ -91,12 +107,13 @@ impl TilePainter {
         thicker: f32,
         ink: [f32; 3],
     ) -> i64 {
+        if self.additive.is_some() {
+            return self.strokes(setup, ends, widths, Amount::new(thicker.into()), ink);
+        }
         self.stats.strokes += 1;
         let Some(parts) = setup.lens.before_eye(ends) else { return 1 };
-        let [first, last] = widths.ends();
-        let radius = |(end, place): (Vector, f64)| {
-            let width = first + place * (last - first);
-            let own = (width * setup.lens.step * setup.lens.factor(end[2]) / 2.0).max(setup.hairline);
+        let radius = |part: (Vector, f64)| {
+            let own = radius(setup, widths, part);
             (own * f64::from(thicker)).min(THICKER * setup.samples as f64).max(own)
         };
         let stick = Stick {
@@ -106,6 +123,26 @@ impl TilePainter {
             spots: parts.map(|(end, _)| setup.light.spot(end)),
         };
         self.primitive(setup, Primitive::Stick(stick))
+    }
+
+    /// Adds the ink of so many strokes in one place.
+    pub(super) fn strokes(
+        &mut self,
+        setup: &Setup,
+        ends: [Vector; 2],
+        widths: Widths,
+        times: Amount,
+        ink: [f32; 3],
+    ) -> i64 {
+        self.stats.strokes += 1;
+        let (Some(parts), Some(additive)) = (setup.lens.before_eye(ends), &mut self.additive) else { return 1 };
+        let clear = parts.iter().map(|(end, _)| 0.5 * (1.0 - setup.light.spot(*end).haze)).sum::<f32>();
+        let places = parts.map(|(end, _)| {
+            let [x, y, _] = setup.lens.project(end);
+            [x - self.corner[0], y - self.corner[1]]
+        });
+        let widths = parts.map(|part| 2.0 * radius(setup, widths, part));
+        additive.stroke(places, widths, times.times(clear.into()), ink)
     }
 
     /// Paints a dot.
@@ -127,13 +164,18 @@ impl TilePainter {
 
     /// Paints the next band of an unfinished primitive; `None` if there is none.
     #[inline]
-    pub(super) fn go_on(&mut self, setup: &Setup) -> Option<i64> {
+    pub(super) fn go_on(&mut self, setup: &Setup, meter: &mut Meter) -> Option<i64> {
+        if let Some(additive) = &mut self.additive {
+            return additive.go_on(meter);
+        }
         let (primitive, from) = self.primitives.pop_front()?;
         let Painted { looked, rest } = self.band(setup, &primitive, from);
         if let Some(from) = rest {
             self.primitives.push_front((primitive, from));
         }
-        Some(looked as i64 / SAMPLES_WORK)
+        let cost = looked as i64 / SAMPLES_WORK;
+        meter.charge(cost.unsigned_abs());
+        Some(cost)
     }
 
     /// Paints a band of a primitive, from the row `from` on.
@@ -152,4 +194,12 @@ impl TilePainter {
         }
         painted
     }
+}
+
+/// Half the width of a stroke at an end of its visible part, in samples.
+#[inline]
+fn radius(setup: &Setup, widths: Widths, (end, place): (Vector, f64)) -> f64 {
+    let [first, last] = widths.ends();
+    let width = first + place * (last - first);
+    (width * setup.lens.step * setup.lens.factor(end[2]) / 2.0).max(setup.hairline)
 }

@@ -8,14 +8,16 @@ use super::open_node::{Entry, OpenNode};
 use super::painter::{LINE_WORK, TilePainter};
 use super::pixels::Pixels;
 use super::place::Place;
-use super::scene::{Scene, SceneNode};
+use super::scene::{MainLine, Scene, SceneNode};
 use super::setup::Setup;
 use super::shares::UNLIMITED;
 use super::stand_in::{self, Disc};
-use crate::plane::{Pane, Shade};
+use crate::plane::{Pane, Pass, Pigment, Shade};
 use crate::{RenderStats, Viewport};
 use lsystem_base::{Meter, Progress};
+use lsystem_drawing::rotation::{combine, minus};
 use lsystem_drawing::{Drawing, Solid};
+use lsystem_syntax::Ink;
 
 /// Nodes with a larger radius than this, in samples, are checked for being hidden.
 const LEAST_HIDDEN: f32 = 3.0;
@@ -57,16 +59,33 @@ impl Picture {
         self.pixels.fits(viewport)
     }
 
-    /// Starts a picture, or the pane of it that the plan asks for. Returns the units of work.
-    pub(super) fn begin(&mut self, drawing: &Drawing<Solid>, plan: &Plan, is_transparent: bool) -> u64 {
+    /// Starts a picture, or the pane of it that the plan asks for; `only_ink` is the pigment of a drawing in one ink.
+    /// Returns the units of work.
+    pub(super) fn begin(
+        &mut self,
+        drawing: &Drawing<Solid>,
+        plan: &Plan,
+        is_transparent: bool,
+        only_ink: Option<Pigment>,
+    ) -> u64 {
         let Plan { style, viewport, camera, quality, pane: only } = plan;
         let (viewport, quality) = (*viewport, *quality);
-        let pane = only.map_or(Pane::whole(viewport), |(pane, _)| pane.within(viewport));
-        let budget = only.map(|(_, budget)| budget);
+        let (pane, pass) =
+            only.map_or((Pane::whole(viewport), Pass::Only), |only| (only.pane.within(viewport), only.pass));
+        let budget = only.map(|only| only.budget);
         let [r, g, b] = style.background.rgb;
         let paper = if is_transparent { [0; 4] } else { [r, g, b, u8::MAX] };
-        self.setup = Some(Setup::new(drawing, style, viewport, camera, quality, (pane, budget), paper));
-        let size = self.pixels.begin(pane, paper);
+        let setup = Setup::new(drawing, style, viewport, camera, quality, (pane, budget), paper);
+        let size = if style.ink == Ink::Density {
+            self.pixels.outline(pane);
+            self.setup = Some(setup.additive(pane));
+            let additive = self.painter.additive.get_or_insert_default();
+            additive.begin((style, is_transparent), viewport, (pane, pass), only_ink) as usize * 1024
+        } else {
+            self.painter.additive = None;
+            self.setup = Some(setup);
+            self.pixels.begin(pane, paper)
+        };
         self.stack.clear();
         self.painter.stop();
         self.painter.stats = RenderStats::default();
@@ -109,7 +128,7 @@ impl Picture {
 
     /// The picture so far.
     pub(super) fn pixels(&self) -> &[u8] {
-        &self.pixels.bytes
+        self.painter.additive.as_ref().map_or(&self.pixels.bytes, |additive| additive.pixels())
     }
 
     pub(super) fn stats(&self) -> RenderStats {
@@ -133,12 +152,18 @@ impl Picture {
         (self.work, self.lacks_budget) = (0, false);
         self.next = 0;
         self.pixels.begin_again();
+        if let Some(additive) = &mut self.painter.additive {
+            additive.begin_again();
+        }
         true
     }
 
     /// Goes on with the picture, in a light that is ready if the picture has shadows.
     pub(super) fn step(&mut self, scene: &Scene, lighting: &Lighting, meter: &mut Meter) -> Progress {
         let Some(setup) = self.setup else { return Progress::Done };
+        if self.painter.additive.is_some() {
+            return self.step_additive(scene, &setup, meter);
+        }
         // Pixels along the sides of a tile.
         let side = setup.side.map(|side| side / setup.samples);
         let across = self.pixels.width.div_ceil(side[0]);
@@ -179,6 +204,32 @@ impl Picture {
         Progress::More
     }
 
+    /// Goes on with a picture in additive ink, which has a single tile.
+    fn step_additive(&mut self, scene: &Scene, setup: &Setup, meter: &mut Meter) -> Progress {
+        let Some(additive) = &mut self.painter.additive else { return Progress::Done };
+        if additive.paints() && self.next == 0 {
+            let most = || stand_in::most(scene, setup);
+            if !self.painting {
+                if additive.prepare(most, meter) == Progress::More {
+                    return Progress::More;
+                }
+                self.painting = true;
+                self.before = self.work;
+                self.painter.begin(setup, setup.corner, setup.side);
+                self.enter(scene, setup);
+            }
+            if self.paint(scene, setup, meter) == Progress::More {
+                return Progress::More;
+            }
+            self.painting = false;
+            if self.starts_again() {
+                return Progress::More;
+            }
+            self.next = 1;
+        }
+        self.painter.additive.as_mut().map_or(Progress::Done, |additive| additive.resolve(meter))
+    }
+
     /// Puts the whole drawing on the stack.
     fn enter(&mut self, scene: &Scene, setup: &Setup) {
         let Some(root) = scene.root else { return };
@@ -211,15 +262,14 @@ impl Picture {
     /// Goes on with a tile.
     fn paint(&mut self, scene: &Scene, setup: &Setup, meter: &mut Meter) -> Progress {
         while !meter.is_spent() {
-            if self.exceeds_work(setup, 2) {
+            if self.painter.additive.is_none() && self.exceeds_work(setup, 2) {
                 // Most of the remaining nodes are hidden, because the nearest come first.
                 self.painter.stop();
                 self.stack.clear();
                 return Progress::Done;
             }
-            if let Some(cost) = self.painter.go_on(setup) {
+            if let Some(cost) = self.painter.go_on(setup, meter) {
                 self.work += cost;
-                meter.charge(cost.unsigned_abs());
                 continue;
             }
             let Some(open) = self.stack.last_mut() else { return Progress::Done };
@@ -278,7 +328,7 @@ impl Picture {
             open.spare -= more;
             share += more;
         }
-        let (Some(across), Some(down)) = disc.spans(&self.painter.tile) else {
+        let (Some(across), Some(down)) = disc.spans(&self.painter.tile, setup.slack) else {
             open.spare += share;
             return 1;
         };
@@ -291,13 +341,33 @@ impl Picture {
             share = 0.0;
         }
         let lacks_budget = is_short(share);
-        if !fine || lacks_budget && ball <= 0.5 * LARGEST_DOT * setup.detail {
+        let is_dot = !fine || lacks_budget && ball <= 0.5 * LARGEST_DOT * setup.detail;
+        if let Some(additive) = &mut self.painter.additive
+            && (is_dot || over_work)
+        {
+            open.spare += (share - 1.0).clamp(0.0, UNLIMITED);
+            self.painter.stats.stamps += 1;
+            let clear = 1.0 - setup.light.spot(open.place.point(node.centre(lane))).haze;
+            let amount = stand_in::amount(scene, open, (node, lane), disc).times(clear.into());
+            let MainLine { from, to, .. } = inner.summary.main_line;
+            let [x, y, _] = combine(&open.place.inside(link).axes, minus(to, from));
+            return additive.dot(
+                disc.at,
+                (2.0 * f64::from(stroke), [x, y]),
+                amount,
+                scene.mean(link.node, shade, path),
+            );
+        }
+        if is_dot {
             open.spare += (share - 1.0).clamp(0.0, UNLIMITED);
             self.painter.stats.stamps += 1;
             let dot = stand_in::dot(scene, setup, self.painter.corner, (open, node, lane), disc, (shade, path));
             return self.painter.dot(setup, dot);
         }
-        if ball + stroke > LEAST_HIDDEN && self.painter.tile.hides(across, down, near - stroke) {
+        if self.painter.additive.is_none()
+            && ball + stroke > LEAST_HIDDEN
+            && self.painter.tile.hides(across, down, near - stroke)
+        {
             open.spare += share;
             return LINE_WORK;
         }

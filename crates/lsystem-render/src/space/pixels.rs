@@ -46,6 +46,11 @@ impl Pixels {
         size
     }
 
+    /// Takes the size of a pane whose pixels are kept elsewhere.
+    pub(super) fn outline(&mut self, pane: Pane) {
+        *self = Self { width: pane.width as usize, height: pane.height as usize, ..Self::default() };
+    }
+
     /// Starts the same picture again.
     pub(super) fn begin_again(&mut self) {
         self.wiped = 0;

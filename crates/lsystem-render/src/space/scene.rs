@@ -66,6 +66,13 @@ pub(super) struct SceneNode {
     pub(super) summary: Summary,
 }
 
+impl SceneNode {
+    /// The centre of the ball around a content.
+    pub(super) fn centre(&self, lane: usize) -> Vector {
+        [0, 1, 2].map(|i| f64::from(self.balls[i][lane]))
+    }
+}
+
 /// The facts about a node that are used without looking into it.
 #[derive(Clone, Copy)]
 pub(super) struct Summary {
@@ -74,9 +81,11 @@ pub(super) struct Summary {
     radius: f64,
     /// The length of all strokes and of the longest sides of triangles.
     pub(super) length: f32,
+    /// The length of all strokes, and the area of all triangles: without a limit.
+    pub(super) whole: [Amount; 2],
     /// The area of all triangles.
     area: f32,
-    bundle: Bundle,
+    pub(super) bundle: Bundle,
     /// The change of the width at entry to an upper bound of all widths inside.
     pub(super) widest: WidthChange,
     pub(super) main_line: MainLine,

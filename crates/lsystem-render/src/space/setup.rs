@@ -6,7 +6,7 @@ use super::effort::Effort;
 use super::light::{Light, LightKind};
 use crate::{Pane, Viewport};
 use lsystem_drawing::{Drawing, Solid, Widths};
-use lsystem_syntax::Style;
+use lsystem_syntax::{Ink, Style};
 
 /// The settings of a picture, which only change when its budget does.
 #[derive(Clone, Copy)]
@@ -33,6 +33,8 @@ pub(super) struct Setup {
     /// Half the smallest stroke width, in samples.
     pub hairline: f64,
     pub widths: Widths,
+    /// How far a primitive reaches beyond its outline, in samples.
+    pub slack: f32,
 }
 
 impl Setup {
@@ -46,12 +48,19 @@ impl Setup {
         (pane, budget): (Pane, Option<f32>),
         background: [u8; 4],
     ) -> Self {
-        let samples = quality.samples();
+        let is_additive = style.ink == Ink::Density;
+        let samples = if is_additive { 1 } else { quality.samples() };
         let lens = Lens::new(drawing, viewport, camera, samples as f64);
         let size = [viewport.width, viewport.height].map(|pixels| f64::from(pixels) * samples as f64);
         let side = quality.tile(viewport);
         let effort = Effort::new(quality, viewport);
-        let kind = if quality.has_shadows(style) { LightKind::Full } else { LightKind::Simple };
+        let kind = if is_additive {
+            LightKind::None
+        } else if quality.has_shadows(style) {
+            LightKind::Full
+        } else {
+            LightKind::Simple
+        };
         Self {
             lens,
             light: Light::new(style, &lens, camera.fade, kind),
@@ -66,6 +75,7 @@ impl Setup {
             corner: [pane.x, pane.y].map(|pixels| f64::from(pixels) * samples as f64),
             hairline: viewport.least_width(style) * samples as f64 / 2.0,
             widths: Widths::new(drawing.width),
+            slack: 0.0,
         }
     }
 
@@ -93,6 +103,7 @@ impl Setup {
             corner: [0.0; 2],
             hairline: (viewport.least_width(style) * scale / 2.0).max(0.5),
             widths: Widths::new(drawing.width),
+            slack: 0.0,
         }
     }
 }

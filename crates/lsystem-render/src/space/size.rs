@@ -4,6 +4,7 @@ use super::SolidRenderer;
 use super::lighting::Lighting;
 use super::scene::{Link, SampleStroke, SceneLine, SceneNode};
 use crate::Viewport;
+use crate::plane::TONE_BYTES;
 use lsystem_drawing::{Drawing, SceneSize, Solid};
 
 // The sizes with which a drawing counts the memory of its scene are large enough.
@@ -27,11 +28,15 @@ impl SolidRenderer {
     pub fn most_bytes(viewport: Viewport) -> u64 {
         /// The bytes of a pixel.
         const PIXEL: u64 = 4;
+        /// The bytes of a pixel's sums of ink.
+        const SUMS: u64 = 16;
         let tile = |samples: u64| SAMPLE_BYTES * samples + samples / 8;
         let pixels = u64::from(viewport.width) * u64::from(viewport.height);
         // A tile has at most 1024 samples each way at rest, and 2048 while the camera moves.
         let (rest, moving) = (tile(1 << 20), |pixels: u64| tile(pixels.clamp(1 << 20, 1 << 22)));
         let walk = |pixels: u64| PIXEL * pixels + moving(pixels);
-        walk(pixels) + walk(pixels / 4) + PIXEL * pixels + rest + Lighting::most_bytes(viewport)
+        let opaque = walk(pixels) + walk(pixels / 4) + PIXEL * pixels + rest + Lighting::most_bytes(viewport);
+        let additive = |pixels: u64| (PIXEL + SUMS) * pixels + TONE_BYTES;
+        opaque.max(2 * additive(pixels) + additive(pixels / 4))
     }
 }

@@ -1,13 +1,15 @@
 //! Stand-ins for a node that is not looked into: a dot, its main line, or some of its strokes.
 
+use super::camera::NEAR;
 use super::open_node::{Entry, OpenNode};
 use super::painter::TilePainter;
 use super::path::Stretch;
-use super::scene::{Scene, SceneNode};
+use super::place::Place;
+use super::scene::{SampleStroke, Scene, SceneNode, Summary};
 use super::setup::Setup;
 use super::stroke::{Dot, span};
 use super::tile::ScreenTile;
-use crate::plane::Shade;
+use crate::plane::{Amount, Shade};
 use lsystem_drawing::rotation::{minus, norm};
 
 /// A main line stands out if it is longer than this factor times the mean length of the sample strokes.
@@ -30,8 +32,8 @@ pub(super) struct Disc {
 impl Disc {
     /// The columns and the rows of a tile in which the node may be; `None` if the node is outside.
     #[inline(always)]
-    pub(super) fn spans(&self, tile: &ScreenTile) -> (Option<[usize; 2]>, Option<[usize; 2]>) {
-        let reach = f64::from(self.radius + self.stroke);
+    pub(super) fn spans(&self, tile: &ScreenTile, slack: f32) -> (Option<[usize; 2]>, Option<[usize; 2]>) {
+        let reach = f64::from(self.radius + self.stroke + slack);
         let aside = reach + tile.slack();
         let [x, y] = self.at;
         let [width, height] = tile.size.map(|side| side as f64);
@@ -51,8 +53,7 @@ pub(super) fn dot(
 ) -> Dot {
     let Disc { at: [px, py], radius: ball, near, stroke: radius, factor } = disc;
     let link = &scene.links[node.first_link as usize + lane];
-    let [bx, by, bz] = [0, 1, 2].map(|i| f64::from(node.balls[i][lane]));
-    let spot = setup.light.spot(open.place.point([bx, by, bz]));
+    let spot = setup.light.spot(open.place.point(node.centre(lane)));
     let ink = scene.mean(link.node, shade, path);
     let [light, view] = open.towards;
     let colour = setup.light.bundle(ink, &spot, &link.bundle, view, light);
@@ -69,13 +70,42 @@ pub(super) fn dot(
     }
 }
 
+/// An upper bound of a picture's ink, as an amount in layers times samples.
+pub(super) fn most(scene: &Scene, setup: &Setup) -> Amount {
+    let Some(root) = scene.root else { return Amount::default() };
+    let Summary { whole: [length, area], widest, .. } = scene.nodes[root as usize].summary;
+    let scale = Place::root(&setup.lens).scale / NEAR;
+    let width = (setup.widths.widest(widest) * setup.lens.step / NEAR).max(2.0 * setup.hairline);
+    length.times(scale).times(width).plus(area.times(scale).times(scale))
+}
+
+/// The ink of the content `lane` of the open `node`, as an amount in layers times samples.
+pub(super) fn amount(scene: &Scene, open: &OpenNode, (node, lane): (&SceneNode, usize), disc: Disc) -> Amount {
+    let link = &scene.links[node.first_link as usize + lane];
+    let [length, area] = scene.nodes[link.node as usize].summary.whole;
+    let scale = open.place.inside(link).scale * disc.factor;
+    let view = open.towards[1];
+    // The mean of a stick's length as it is seen.
+    let seen = f64::from((1.0 - link.bundle.along(view)).max(0.0)).sqrt();
+    let strokes = length.times(scale * seen).times(2.0 * f64::from(disc.stroke));
+    // A triangle in a random direction shows half its area.
+    strokes.plus(area.times(scale).times(0.5 * scale))
+}
+
 /// Paints the main line of a node in the node's mean colour.
 #[inline(always)]
 pub(super) fn main_line(painter: &mut TilePainter, scene: &Scene, setup: &Setup, id: u32, entry: Entry) -> i64 {
     let Entry { place, shade, path, widths, .. } = entry;
-    let main_line = &scene.nodes[id as usize].summary.main_line;
+    let Summary { main_line, whole, .. } = &scene.nodes[id as usize].summary;
     let ink = scene.mean(id, shade, path);
     let parts = main_line.parts(widths);
+    if painter.additive.is_some() {
+        let length = norm(minus(main_line.to, main_line.from));
+        let times = if length > 0.0 { whole[0].times(1.0 / length) } else { Amount::ONE };
+        return parts
+            .map(|(ends, widths)| painter.strokes(setup, ends.map(|end| place.point(end)), widths, times, ink))
+            .sum();
+    }
     parts.map(|(ends, widths)| painter.stick(setup, ends.map(|end| place.point(end)), widths, 1.0, ink)).sum()
 }
 
@@ -88,6 +118,17 @@ pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, i
     let outstanding = norm(minus(main_line.to, main_line.from)) > OUTSTANDING * f64::from(own.sampled);
     let count = (share as usize).max(1);
     let all = scene.samples(id);
+    if painter.additive.is_some() {
+        // All of them in any view, so that nothing flickers while the camera moves.
+        let times = own.whole[0].times(1.0 / (f64::from(own.sampled) * all.len() as f64).max(f64::MIN_POSITIVE));
+        let stroke = |sample: &SampleStroke| {
+            let ends = [sample.from, sample.to].map(|end| place.point(end.map(f64::from)));
+            let style = sample.style();
+            let ink = scene.ink(scene.choice.then(shade, scene.choice.shade(&style)), path, f64::from(sample.before));
+            painter.strokes(setup, ends, widths.after(&style), times, ink)
+        };
+        return all.iter().map(stroke).sum();
+    }
     let count = count.min(all.len());
     let order = place.facing(all.len());
     let samples = order.into_iter().take(count - usize::from(outstanding)).filter_map(|k| all.get(usize::from(k)));

@@ -1,10 +1,11 @@
 use super::camera::Lens;
 use super::light::LIGHT;
 use super::*;
+use crate::{FigureRenderer, Painted, PictureOptions, Vantage, fitted_ends, fitted_scale};
 use lsystem_base::Limits;
 use lsystem_drawing::rotation::{Vector, dot};
-use lsystem_drawing::{Solid, System, draw};
-use lsystem_syntax::{ColourBy, Definition, Dialect};
+use lsystem_drawing::{Figure, Solid, System, draw};
+use lsystem_syntax::{Colour, ColourBy, Definition, Dialect};
 
 pub(super) const SIZE: Viewport = Viewport { width: 160, height: 120, ratio: 1.0 };
 
@@ -180,7 +181,7 @@ fn cameras() -> [Camera; 4] {
 
 /// Styles without shadows.
 fn styles() -> [Style; 3] {
-    let dark = lsystem_syntax::Colour { rgb: [12, 16, 24] };
+    let dark = Colour { rgb: [12, 16, 24] };
     let plain = Style { shadows: false, ..Style::default() };
     [
         Style { width: 0.25, colour_by: ColourBy::Level, ..plain.clone() },
@@ -330,7 +331,7 @@ fn in_panes(drawing: &Arc<Drawing<Solid>>, style: &Style, viewport: Viewport, ca
         let mut spent = Spent::default();
         for (number, pane) in SolidRenderer::panes(viewport).into_iter().rev().enumerate() {
             let renderer = &mut renderers[number % 2];
-            renderer.begin_pane(style, viewport, camera, pane, effort.budget());
+            renderer.begin_pane(style, viewport, camera, (pane, Pass::Show), effort.budget());
             while renderer.step(10_000) == Progress::More {}
             spent.add(renderer.effort_spent());
             for (y, row) in renderer.pixels().chunks(pane.width as usize * 4).enumerate() {
@@ -453,7 +454,7 @@ fn the_whole_drawing_is_shown() {
 /// A straight line of any number of segments is red at its foot and blue at its top.
 #[test]
 fn colours_go_along_the_path() {
-    let ends = [[255, 0, 0], [0, 0, 255]].map(|rgb| lsystem_syntax::Colour { rgb });
+    let ends = [[255, 0, 0], [0, 0, 255]].map(|rgb| Colour { rgb });
     let style = Style { palette: ends.to_vec(), colour_by: ColourBy::Path, ..Style::default() };
 
     for n in [5, 9, 40, 1000] {
@@ -526,4 +527,88 @@ fn long_blocks_are_made_ready_in_steps() {
         assert!(most <= 1000 + Meter::PIECE, "{most}");
     }
     assert!(renderer.stats().strokes > 0);
+}
+
+/// A drawing in additive ink that lies in one plane and faces the eye, beside the picture of the same drawing in the plane.
+fn flat_and_solid(rules: &str, n: u32, style: &Style, viewport: Viewport) -> [Vec<u8>; 2] {
+    let definition = |axiom: &str| Definition {
+        axiom: axiom.to_owned(),
+        rules: rules.to_owned(),
+        angle: 25.0,
+        ..Definition::default()
+    };
+    let figure = |axiom| Figure::draw(&System::new(&definition(axiom)).0.unwrap(), n, &Limits::default()).unwrap();
+    let (flat, solid) = (figure("A"), figure("/(0)A"));
+    let camera = Camera { azimuth: 0.0, elevation: 0.0, perspective: false, fade: 0.0, ..Camera::default() };
+    // The same scale and the same middle, by the first segment, which points up.
+    let of = |figure: &Figure, vantage: &Vantage| {
+        let [from, to] = fitted_ends(figure, 0).unwrap();
+        (fitted_scale(figure, viewport, vantage), [from[0], from[1]], to[1] - from[1])
+    };
+    let (scale, start, length) = of(&flat, &Vantage::default());
+    let (other, place, own) = of(&solid, &camera.into());
+    let zoom = scale * length / (other * own);
+    let target = [0, 1].map(|i| place[i] - start[i] * own / length);
+    let camera = Camera { zoom, target: [target[0], target[1], 0.0], ..camera };
+    [(flat, Vantage::default()), (solid, camera.into())].map(|(figure, vantage)| {
+        let mut renderer = FigureRenderer::new();
+        renderer.load(&figure);
+        let (style, quality, band) = (style.clone(), Quality::FINEST, u32::MAX);
+        renderer.begin(PictureOptions { style, viewport, vantage, upto: None, quality, band });
+        while renderer.step(10_000) != Painted::All {}
+        renderer.pixels().to_vec()
+    })
+}
+
+#[test]
+fn additive_ink_is_that_of_the_plane() {
+    let viewport = Viewport { width: 200, height: 200, ratio: 1.0 };
+    let colours = [[200, 40, 20], [20, 120, 200], [40, 160, 60]].map(|rgb| Colour { rgb });
+    let one = Style { ink: Ink::Density, ..Style::default() };
+    let many = Style { palette: colours.to_vec(), colour_by: ColourBy::Level, ..one.clone() };
+    let ramp = Style { colour_by: ColourBy::Density, ..many.clone() };
+    let wide = Style { min_width: 9.0, ..many.clone() };
+    for (rules, n) in [
+        ("A -> F[+A][-A]FA\nF -> FF", 5),
+        ("A -> F[+A][-A]FA\nF -> FF", 30),
+        ("A -> F[+A]F[-A]+A\nF -> FF", 8),
+        ("A -> FF-[-A+F+F]+[+A-F-F]{-F+F+F}\nF -> FF", 6),
+    ] {
+        let deep = n == 30;
+        for (name, style) in
+            [("one", &one), ("many", &many), ("ramp", &ramp), ("wide", if deep { &many } else { &wide })]
+        {
+            let [flat, solid] = flat_and_solid(rules, n, style, viewport);
+            let paper = [flat[0], flat[1], flat[2]];
+            let inked = flat.chunks_exact(4).filter(|pixel| pixel[..3] != paper).count();
+            let (mean, _) = difference(&flat, &solid, 255);
+            let share = inked as f64 / (200.0 * 200.0);
+            assert!(inked > 1000 && mean < 9.0 * share, "{name} {rules} {n}: mean {mean} of {share}");
+        }
+    }
+}
+
+#[test]
+fn additive_panes_have_the_tone_of_the_whole() {
+    let viewport = Viewport { width: 600, height: 400, ratio: 1.0 };
+    for (system, n) in [(tree(), 3), (bush(), 7), (bush(), 20)] {
+        let mut renderer = FigureRenderer::new();
+        renderer.load(&Figure::Space(drawing(&system, n)));
+        let mut paint = |band| {
+            let style = Style { ink: Ink::Density, ..Style::default() };
+            let (vantage, quality) = (Vantage::default(), Quality::BEST);
+            renderer.begin(PictureOptions { style, viewport, vantage, upto: None, quality, band });
+            let mut pixels = vec![];
+            loop {
+                match renderer.step(10_000) {
+                    Painted::Nothing => {}
+                    Painted::Rows => pixels.extend_from_slice(renderer.pixels()),
+                    Painted::All => return pixels,
+                }
+            }
+        };
+        let (whole, panes) = (paint(u32::MAX), paint(600 * 48));
+        let (mean, _) = difference(&whole, &panes, 255);
+        assert!(whole.len() == panes.len() && mean < 1.0, "n = {n}: {mean}");
+    }
 }

@@ -17,7 +17,7 @@ const CHUNKS: [usize; 2] = [16, 7];
 
 /// The size of the places of sums.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(in crate::plane) struct Grid {
+pub(crate) struct Grid {
     /// Pixels along the side of a place.
     pub side: u32,
     /// Places on each side of the picture that have sums as well, so that pixels at its edge lie between places.
@@ -31,7 +31,7 @@ pub(in crate::plane) struct Grid {
 }
 
 impl Grid {
-    pub(in crate::plane) fn new(ink: Ink, viewport: Viewport, detail: Detail) -> Self {
+    pub(crate) fn new(ink: Ink, viewport: Viewport, detail: Detail) -> Self {
         let coarse = if detail == Detail::Coarse { COARSE_SIDE } else { 1 };
         if ink != Ink::Auto {
             return Self { side: coarse, margin: 0, dot: 1.0, points: 2.0, chunks: CHUNKS[0] };

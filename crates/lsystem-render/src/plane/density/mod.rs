@@ -28,13 +28,15 @@ use super::shape::Shape;
 use super::{Pane, Pass, RenderStats};
 use deposit::Deposits;
 use facts::Facts;
-pub(super) use grid::Grid;
+pub(crate) use grid::Grid;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::ColourBy;
 use picture::Picture;
+pub(crate) use pigment::pigment;
+pub(crate) use sheet::{Pigment, Sheet};
 pub(super) use tile::tile_bytes;
-use tone::Tone;
+pub(crate) use tone::{Print, Tone};
 
 /// Makes pictures in which ink adds up ([`Ink::Density`](lsystem_syntax::Ink)).
 #[derive(Default)]
@@ -85,7 +87,8 @@ impl Density {
 
     /// Makes room for the pixels. Returns the units of work.
     pub(super) fn open(&mut self, plan: &Plan) -> u64 {
-        self.tone.begin(plan, grid(plan))
+        let print = Print { style: &plan.style, pane: plan.pane, pass: plan.pass, is_transparent: plan.is_transparent };
+        self.tone.begin(&print, grid(plan))
     }
 
     /// Adds up the ink.

@@ -325,7 +325,7 @@ impl Picture {
         let (widths, pigment) = (pen.widths.ends().map(|width| self.measure.width(width)), self.pigments.of(pen.shade));
         self.filled = node.canvas;
         let sheet = &mut self.sheets[node.canvas];
-        let work = sheet.stroke(ends, widths, self.grid.points, pigment);
+        let work = sheet.stroke(ends, widths, (sheet.layer(), self.grid.points), pigment);
         self.dots.work += work;
         work
     }

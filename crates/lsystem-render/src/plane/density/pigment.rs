@@ -15,7 +15,7 @@ const LEAST_LIGHT: f64 = 1.0 / 512.0;
 
 /// How much one layer of ink darkens each channel (Beer's law): the natural logarithm of the paper's light over the
 /// ink's light. For an ink lighter than the paper: minus the logarithm of the ratio of the light that each lacks.
-pub(super) fn pigment(ink: Colour, paper: Colour) -> Pigment {
+pub(crate) fn pigment(ink: Colour, paper: Colour) -> Pigment {
     [0, 1, 2].map(|channel| {
         let [ink, paper] = [ink, paper].map(|colour| f64::from(colour.rgb[channel]) / 255.0);
         let part = |ink: f64, paper: f64| libm::log(paper.max(LEAST_LIGHT) / ink.max(LEAST_LIGHT));

@@ -9,7 +9,7 @@ use core::ops::Range;
 use lsystem_base::{Meter, Progress};
 
 /// The colour of ink: how much one layer darkens red, green and blue ([`super::pigment`]).
-pub(super) type Pigment = [f32; 3];
+pub(crate) type Pigment = [f32; 3];
 
 /// Strokes wider than this, in pixels, are filled as polygons. Others are put together from lines of points.
 pub(super) const BROAD: f64 = 4.0;
@@ -27,7 +27,7 @@ const PARTS: usize = 4;
 
 /// Sums of ink by pixel, row by row. Coordinates are pixels, y down.
 #[derive(Default)]
-pub(super) struct Sheet {
+pub(crate) struct Sheet {
     pub width: usize,
     pub height: usize,
     /// Numbers of a pixel: 1 (the ink), or 4 (the ink, and the ink times its pigments).
@@ -108,7 +108,7 @@ impl Sheet {
     }
 
     /// Empties the sheet in pieces.
-    pub(super) fn empty(&mut self, [width, height]: [usize; 2], planes: usize, meter: &mut Meter) -> Progress {
+    pub(crate) fn empty(&mut self, [width, height]: [usize; 2], planes: usize, meter: &mut Meter) -> Progress {
         if (self.width, self.height, self.planes) != (width, height, planes) {
             (self.width, self.height, self.planes) = (width, height, planes);
             self.values.clear();
@@ -145,12 +145,12 @@ impl Sheet {
     }
 
     /// The number of values.
-    pub(super) fn numbers(&self) -> usize {
+    pub(crate) fn numbers(&self) -> usize {
         self.width * self.height * self.planes
     }
 
     /// One layer of ink, in units of this sheet.
-    pub(super) fn layer(&self) -> f64 {
+    pub(crate) fn layer(&self) -> f64 {
         libm::scalbn(1.0, self.exponent.saturating_neg()).max(LEAST_INK)
     }
 
@@ -180,7 +180,7 @@ impl Sheet {
 
     /// Adds `weight`, in units of this sheet, at a point.
     #[inline]
-    pub(super) fn dot(&mut self, [x, y]: [f64; 2], weight: f32, pigment: Pigment) {
+    pub(crate) fn dot(&mut self, [x, y]: [f64; 2], weight: f32, pigment: Pigment) {
         let (left, top) = ((x - 0.5).floor(), (y - 0.5).floor());
         if !(left >= -1.0 && top >= -1.0 && left < self.width as f64 && top < self.height as f64) {
             return;
@@ -199,10 +199,16 @@ impl Sheet {
         }
     }
 
-    /// Adds a layer of a stroke with flat ends, as lines of at least `points` points a pixel. Its widths at the ends are in
-    /// pixels; a width below 1 adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of work.
-    pub(super) fn stroke(&mut self, ends: [[f64; 2]; 2], widths: [f64; 2], points: f64, pigment: Pigment) -> u64 {
-        let layer = self.layer();
+    /// Adds `layer` units of ink along a stroke with flat ends, as lines of at least `points` points a pixel. Its widths at
+    /// the ends are in pixels; a width below 1 adds less ink. [`Sheet::go_on`] fills a broad stroke. Returns the units of
+    /// work.
+    pub(crate) fn stroke(
+        &mut self,
+        ends: [[f64; 2]; 2],
+        widths: [f64; 2],
+        (layer, points): (f64, f64),
+        pigment: Pigment,
+    ) -> u64 {
         let broadest = widths[0].max(widths[1]);
         let Some([(from, first), (to, last)]) = self.clipped(ends, broadest) else { return 1 };
         let width_at = |place: f64| widths[0] + place * (widths[1] - widths[0]);
@@ -272,7 +278,7 @@ impl Sheet {
 
     /// Starts to add `layer` units of ink inside an outline, where its winding number is not 0. [`Sheet::go_on`] does
     /// the filling. Returns the units of work.
-    pub(super) fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, layer: f64, pigment: Pigment) -> u64 {
+    pub(crate) fn fill(&mut self, vertices: impl Iterator<Item = [f64; 2]>, layer: f64, pigment: Pigment) -> u64 {
         let filling = &mut self.filling;
         filling.vertices.clear();
         filling.vertices.extend(vertices);
@@ -289,12 +295,12 @@ impl Sheet {
     }
 
     /// Whether no polygon is unfinished.
-    pub(super) fn is_filled(&self) -> bool {
+    pub(crate) fn is_filled(&self) -> bool {
         self.filling.parts.is_empty()
     }
 
     /// Goes on with the unfinished polygon, a part of a row at a time.
-    pub(super) fn go_on(&mut self, meter: &mut Meter) {
+    pub(crate) fn go_on(&mut self, meter: &mut Meter) {
         let mut filling = core::mem::take(&mut self.filling);
         while !meter.is_spent()
             && let Some(part) = filling.parts.next()

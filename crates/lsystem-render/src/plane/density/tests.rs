@@ -296,7 +296,7 @@ fn inks_mix_by_how_much_there_is_of_each() {
     assert_eq!(sums.planes, 4);
     let total = |plane: usize| sums.values.iter().skip(plane).step_by(4).map(|&v| f64::from(v)).sum::<f64>();
     let (ink, pigments) = (total(0), [total(1), total(2), total(3)]);
-    let [red, blue] = [0, 1].map(|i| pigment::pigment(style.palette[i], style.background).map(f64::from));
+    let [red, blue] = [0, 1].map(|i| pigment(style.palette[i], style.background).map(f64::from));
     for (channel, sum) in pigments.into_iter().enumerate() {
         let expected = ink * (2.0 * red[channel] + blue[channel]) / 3.0;
         assert!((sum - expected).abs() <= 0.01 * ink, "{channel}: {sum} {expected}");

@@ -10,10 +10,9 @@ use super::pigment::{light, pigment};
 use super::sheet::{Pigment, Sheet};
 use crate::plane::alpha::least_opaque;
 use crate::plane::fineness::Shading;
-use crate::plane::picture::Plan;
-use crate::plane::{Pass, smooth};
+use crate::plane::{Pane, Pass, smooth};
 use lsystem_base::{Meter, Progress};
-use lsystem_syntax::{Colour, ColourBy};
+use lsystem_syntax::{Colour, ColourBy, Style};
 use shade::Memory;
 
 /// The number of keys. A key is the exponent of an `f32` and the first 8 bits of its fraction, so sums with the same
@@ -61,7 +60,7 @@ const DARKEST: f64 = 8.0;
 
 /// The finished pixels and the way to them.
 #[derive(Default)]
-pub(super) struct Tone {
+pub(crate) struct Tone {
     width: usize,
     height: usize,
     grid: Grid,
@@ -72,7 +71,7 @@ pub(super) struct Tone {
     is_transparent: bool,
     exposure: f64,
     /// The parts to which the sums shade an opaque picture, instead of making one of their own.
-    pub shading: Option<Shading>,
+    pub(in crate::plane) shading: Option<Shading>,
     /// The background and the palette, if colours follow the density.
     ramp: Option<Vec<[u8; 3]>>,
     pixels: Vec<u8>,
@@ -111,6 +110,15 @@ enum Stage {
     Done,
 }
 
+/// The pixels that are made of sums.
+pub(crate) struct Print<'a> {
+    pub style: &'a Style,
+    pub pane: Pane,
+    pub pass: Pass,
+    /// Whether the background is left out.
+    pub is_transparent: bool,
+}
+
 /// The key of a sum.
 fn key(sum: f32) -> usize {
     (sum.to_bits() >> SHIFT) as usize & (KEYS - 1)
@@ -123,9 +131,9 @@ fn sum(key: usize) -> f64 {
 
 impl Tone {
     /// Starts a pane. Returns the units of work.
-    pub(super) fn begin(&mut self, plan: &Plan, grid: Grid) -> u64 {
-        let (style, pane, pass) = (&plan.style, plan.pane, plan.pass);
-        self.is_transparent = plan.is_transparent;
+    pub(crate) fn begin(&mut self, print: &Print<'_>, grid: Grid) -> u64 {
+        let &Print { style, pane, pass, is_transparent } = print;
+        self.is_transparent = is_transparent;
         let mut work = 1;
         let size = if pass.shows() { (pane.width as usize, pane.height as usize) } else { (0, 0) };
         if (self.width, self.height) != size {
@@ -174,12 +182,12 @@ impl Tone {
         work
     }
 
-    pub(super) fn pixels(&self) -> &[u8] {
+    pub(crate) fn pixels(&self) -> &[u8] {
         &self.pixels
     }
 
     /// Goes on towards the pixels, or shades those of an opaque picture; `pigment` is used in a picture of one ink.
-    pub(super) fn step(
+    pub(crate) fn step(
         &mut self,
         sums: &Sheet,
         pigment: Pigment,

@@ -1,13 +1,19 @@
 //! The colours of nodes.
 
 use super::*;
+use crate::plane::pigment;
+use lsystem_syntax::Ink;
 
 impl Scene {
     /// Goes on making the mean colours for a style.
     pub(in crate::space) fn dye(&mut self, style: &Style, meter: &mut Meter) -> Progress {
         let choice = Choice::new(style, &self.styles);
         let colours = choice.colours;
-        let palette: Vec<[f32; 3]> = (0..colours).map(|ink| style.ink(ink).rgb.map(f32::from)).collect();
+        // Pigments of additive ink, so that means are those of mixed ink.
+        let additive = style.ink == Ink::Density;
+        let colour =
+            |ink| if additive { pigment(style.ink(ink), style.background) } else { style.ink(ink).rgb.map(f32::from) };
+        let palette: Vec<[f32; 3]> = (0..colours).map(colour).collect();
         if choice != self.choice || palette != self.palette || self.means.is_empty() && !self.along {
             (self.choice, self.palette) = (choice, palette);
             // Unfolded drawings enter each node once, so one mean for each node is enough.
@@ -55,6 +61,11 @@ impl Scene {
             }
         }
         Progress::Done
+    }
+
+    /// The only ink of a picture; `None` if there may be several.
+    pub(in crate::space) fn only_ink(&self) -> Option<[f32; 3]> {
+        self.palette.first().copied().filter(|_| self.palette.len() == 1)
     }
 
     /// The shade of a style.
