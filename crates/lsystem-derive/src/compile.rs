@@ -58,7 +58,7 @@ impl Rules {
             false => Rewrite::outline(letter as LetterId, rules),
         };
         let rewrites = by_letter.iter().enumerate().map(rewrite).collect();
-        Ok(Self { letters, considered, cuts, by_letter, images, rewrites, axiom, spans, plain })
+        Ok(Self { letters, considered, cuts, by_letter, images, rewrites, axiom, spans, plain, interpreter: None })
     }
 }
 
@@ -118,7 +118,7 @@ impl Compiler<'_> {
             let at = names.partition_point(|&(own, _)| own < name);
             match names.get(at).filter(|(own, _)| *own == name) {
                 Some(&(_, slot)) => Some(Meaning::Slot(slot as u16)),
-                None => self.constants.of(name).map(Meaning::Constant),
+                None => self.constants.meaning(name),
             }
         };
         Code::new(expr, &meaning, randoms)

@@ -29,6 +29,7 @@ mod rewrite;
 mod rules;
 
 mod access;
+mod asking;
 mod counts;
 mod derivation;
 mod key;
@@ -41,6 +42,7 @@ mod rewriting;
 mod testing;
 
 pub use access::{Ancestor, Part, Word};
+pub use asking::{Answer, Interpret, Interpretation, Interpreter};
 pub use counts::{Counter, weigh_until};
 pub use derivation::{derive_once, derive_string, derive_symbol, fault};
 pub use key::{Key, Varied};

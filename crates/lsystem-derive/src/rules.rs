@@ -1,8 +1,9 @@
 //! Compiled productions.
 
+use crate::asking::Interpreter;
 use crate::rewrite::Rewrite;
 use core::ops::Range;
-use lsystem_syntax::Code;
+use lsystem_syntax::{Code, Query};
 
 /// A letter's index in [`Rules::letters`].
 pub type LetterId = u16;
@@ -38,6 +39,8 @@ pub struct Rules {
     /// may be shorter.
     pub spans: Vec<Range<usize>>,
     pub(crate) plain: bool,
+    /// The interpreter that answers the queries; `None` if there are none.
+    pub interpreter: Option<Interpreter>,
 }
 
 /// A compiled production.
@@ -142,6 +145,19 @@ impl Rules {
     pub fn is_cutting(&self) -> bool {
         let made = self.by_letter.iter().flatten().map(|rule| &rule.successor).chain([&self.axiom]);
         made.flat_map(|template| &template.letters).any(|&letter| self.cuts[usize::from(letter)])
+    }
+
+    /// By letter: the query that its modules ask, if any.
+    #[must_use]
+    pub fn query(&self, letter: LetterId) -> Option<Query> {
+        let Letter { symbol, arity } = self.letters[usize::from(letter)];
+        Query::of_symbol(symbol).filter(|_| arity > 0)
+    }
+
+    /// Whether any letter asks about its place.
+    #[must_use]
+    pub fn asks(&self) -> bool {
+        (0..self.letters.len()).any(|letter| self.query(letter as LetterId).is_some())
     }
 
     /// Whether any letter has parameters.

@@ -44,6 +44,7 @@ pub use segments::BlockFrame;
 pub(crate) use segments::SegmentIter;
 pub use shape::{Line, Shape};
 pub(crate) use solid_reader::{SolidMark, SolidReader};
+pub(crate) use unfold::TurtleInterpreter;
 
 use self::block::Contents;
 use crate::Plane;

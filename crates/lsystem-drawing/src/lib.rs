@@ -32,6 +32,7 @@ mod sway;
 mod turtle;
 
 mod look;
+mod neighbours;
 mod system;
 
 mod drawn;

@@ -1,11 +1,12 @@
 //! A system ready for derivation and drawing.
 
+use crate::drawing::TurtleInterpreter;
 use crate::space::Tropism;
 use crate::sway::Sway;
 use crate::{Look, Turtle};
 use lsystem_base::sorted::{set, sort};
 use lsystem_base::{LimitName, MAX_LETTERS};
-use lsystem_derive::{Letter, Rules};
+use lsystem_derive::{Interpreter, Letter, Rules};
 use lsystem_syntax::lint::warnings;
 use lsystem_syntax::notation;
 use lsystem_syntax::{
@@ -58,7 +59,7 @@ impl System {
         let apart = grammar.images.iter().any(|image| actions.are_many(image));
         // A failure here already has a diagnostic from `notation::read`.
         let Ok(rules) = Rules::new(grammar, places.collect(), cuts, apart) else { return (None, diagnostics) };
-        let rules = Arc::new(rules);
+        let mut rules = Arc::new(rules);
         actions.polygons = rules.letters.iter().any(|&Letter { symbol, .. }| {
             let drawn = image_of(&reading.grammar, &images, symbol).map_or(&[][..], |image| &image.successor);
             let opens = |symbol: char| actions.of(symbol).contains(&Action::OpenPolygon);
@@ -94,6 +95,11 @@ impl System {
         };
         turtle.take_style(&definition.style);
         let grammar = reading.grammar;
+        if rules.asks()
+            && let Some(rules) = Arc::get_mut(&mut rules)
+        {
+            rules.interpreter = Some(Interpreter(Arc::new(TurtleInterpreter::new(&turtle))));
+        }
         let mut system = Self { grammar, rules, turtle, style: definition.style.clone(), seed: definition.seed };
         if system.style.auto {
             let style = system.look().applied(&system.style, &system.acting());

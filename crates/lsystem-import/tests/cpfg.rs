@@ -188,7 +188,8 @@ fn symbols_of_cpfg() {
     refused(&cpfg("axiom: F@M(3,4,0)F\nF --> FF"), "place of its own");
     refused(&cpfg("axiom: F@R(1,0,0)F\nF --> FF"), "heading in space");
     refused(&cpfg("axiom: @Gs F@Gc(3)F@Ge\nF --> FF"), "Generalized cylinders");
-    refused(&cpfg("axiom: F?P(0,0,0)\nF --> FF"), "state of the turtle");
+    let asking = "derivation length: 2\naxiom: FF?P(0,0,0)?H(0,0,0)A\n?P(x,y,z) < ?H(a,b,c) : y > 1 --> [-F]?H(a,b,c)";
+    assert_eq!(word(&cpfg(asking)), "FF?P(0,2,0)[-F][-F]?H(0,1,0)A");
     refused(&cpfg("derivation length: 1\naxiom: F[+D][-F]\nF > [+D=] --> FV"), "`=` in a context");
     refused(&cpfg("derivation length: 1\naxiom: AB\nAB --> F"), "Several symbols as predecessor");
     refused(&cpfg("derivation length: 1\naxiom: A(1)B\nA(x)B --> F"), "Several symbols as predecessor");
@@ -263,7 +264,7 @@ fn symbols_of_lpy() {
     refused(&lpy("F ~l(name.x)", "~l(x) --> F"), "The arguments of `~l`");
     refused(&lpy("F MoveTo(1,2,3) F", "A --> F"), "place of its own");
     refused(&lpy("F Sweep(c,s,1,1) F", "A --> F"), "Sweeps");
-    refused(&lpy("F?P(x,y,z)", "A --> F"), "state of the turtle");
+    assert_eq!(word(&lpy("FF?P(0,0,0)GetHead(0,0,0)", "A --> F")), "FF?P(0,2,0)?H(0,1,0)");
     // Names that the text declares are single modules, and other letters are single.
     assert_eq!(word(&format!("module Apex, Leaf\n{}", lpy("Apex Leaf", "Apex --> F Apex"))), "Fbc");
     assert_eq!(word(&lpy("AB", "A --> F\nB --> f")), "Ff");

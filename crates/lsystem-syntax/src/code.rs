@@ -1,6 +1,8 @@
 //! Compiled expressions: common forms directly, all others as postfix operations.
 
 use crate::expr::{Expr, Function, Operator};
+use crate::shape::Shape;
+use std::sync::Arc;
 
 /// A compiled expression.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +20,7 @@ pub enum Code {
 }
 
 /// One operation on a stack of values.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Op {
     /// Push a number onto the stack.
     Number(f64),
@@ -39,16 +41,20 @@ pub enum Op {
     /// A normal random number: the mean and the standard deviation are on top, and two random numbers make it. This is
     /// the index of the first.
     NormalRandom(u16),
+    /// The signed distance of the point on top from a shape.
+    Distance(Arc<Shape>),
 }
 
 /// The most values on the stack. Deeper expressions do not compile.
 pub(crate) const STACK: usize = 32;
 
 /// The meaning of a name.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Meaning {
     /// A named constant.
     Constant(f64),
+    /// A named shape.
+    Shape(Arc<Shape>),
     /// The parameter with this index, 0-based.
     Slot(u16),
 }
@@ -96,10 +102,11 @@ impl Code {
         }
     }
 
-    /// The number of operations.
+    /// The number of operations, with those of shapes.
     #[must_use]
     pub fn length(&self) -> u64 {
-        if let Self::Postfix(ops) = self { ops.len() as u64 } else { 1 }
+        let of = |op: &Op| if let Op::Distance(shape) = op { 8 * shape.work() } else { 1 };
+        if let Self::Postfix(ops) = self { ops.iter().map(of).sum() } else { 1 }
     }
 
     /// Whether the expression contains a random number.
@@ -114,9 +121,9 @@ fn run(ops: &[Op], slots: &[f64], random: &impl Fn(u16) -> f64) -> f64 {
     let mut top = 0;
     for op in ops {
         // `compile` keeps the stack within bounds and never lets it run empty.
-        let (value, used) = match *op {
-            Op::Number(value) => (value, 0),
-            Op::Slot(slot) => (slots[usize::from(slot)], 0),
+        let (value, used) = match op {
+            Op::Number(value) => (*value, 0),
+            Op::Slot(slot) => (slots[usize::from(*slot)], 0),
             Op::Negative => (-stack[top - 1], 1),
             Op::Not => (f64::from(u8::from(stack[top - 1] == 0.0)), 1),
             Op::Binary(operator) => (operator.apply(stack[top - 2], stack[top - 1]), 2),
@@ -124,12 +131,13 @@ fn run(ops: &[Op], slots: &[f64], random: &impl Fn(u16) -> f64) -> f64 {
             Op::Call2(function) => (function.apply(stack[top - 2], stack[top - 1]), 2),
             Op::Random(place) => {
                 let (from, to) = (stack[top - 2], stack[top - 1]);
-                (from + (to - from) * random(place), 2)
+                (from + (to - from) * random(*place), 2)
             }
             Op::NormalRandom(place) => {
                 let (mean, deviation) = (stack[top - 2], stack[top - 1]);
-                (mean + deviation * normal(random(place), random(place.wrapping_add(1))), 2)
+                (mean + deviation * normal(random(*place), random(place.wrapping_add(1))), 2)
             }
+            Op::Distance(shape) => (shape.distance([stack[top - 3], stack[top - 2], stack[top - 1]]), 3),
         };
         top -= used;
         stack[top] = value;
@@ -161,7 +169,8 @@ fn compile(
         Expr::Name(name) => match meaning(name) {
             Some(Meaning::Constant(value)) => ops.push(Op::Number(value)),
             Some(Meaning::Slot(slot)) => ops.push(Op::Slot(slot)),
-            None => return Err(Unusable::Unknown(name.clone())),
+            // A shape is no number.
+            Some(Meaning::Shape(_)) | None => return Err(Unusable::Unknown(name.clone())),
         },
         Expr::Negative(a) => {
             compile(a, meaning, randoms, ops, held)?;
@@ -175,6 +184,26 @@ fn compile(
             compile(a, meaning, randoms, ops, held)?;
             compile(b, meaning, randoms, ops, held + 1)?;
             ops.push(Op::Binary(*operator));
+        }
+        Expr::Call(function @ (Function::Inside | Function::Distance), arguments) => {
+            let shape = match arguments.first() {
+                Some(Expr::Name(name)) => match meaning(name) {
+                    Some(Meaning::Shape(shape)) => shape,
+                    _ => return Err(Unusable::Unknown(name.clone())),
+                },
+                _ => return Err(Unusable::Unknown(String::new())),
+            };
+            for index in 0..3 {
+                match arguments.get(index + 1) {
+                    Some(argument) => compile(argument, meaning, randoms, ops, held + index)?,
+                    // In the plane.
+                    None => ops.push(Op::Number(0.0)),
+                }
+            }
+            ops.push(Op::Distance(shape));
+            if *function == Function::Inside {
+                ops.extend([Op::Number(0.0), Op::Binary(Operator::LessOrEqual)]);
+            }
         }
         Expr::Call(function, arguments) => {
             for (index, argument) in arguments.iter().enumerate() {
@@ -194,6 +223,7 @@ fn compile(
             });
         }
     }
+    // A distance from constants has a comparison after it and is not the last operation.
     let constant = |op: &Op| matches!(op, Op::Number(_));
     if let [arguments @ .., last] = &ops[start..]
         && !arguments.is_empty()

@@ -326,6 +326,30 @@ pub enum Kind {
         /// The number of arguments given.
         found: usize,
     },
+    /// A function of a shape whose first argument is not the name of one.
+    ShapeExpected {
+        /// The text in place of the name.
+        found: String,
+    },
+    /// A shape that no rule names.
+    ShapeUnused {
+        /// The shape's name.
+        name: String,
+    },
+    /// In a shape: something else in place of a solid with its numbers.
+    SolidExpected {
+        /// The text there; empty at the end of the line.
+        found: String,
+    },
+    /// A solid with a wrong number of numbers.
+    SolidNumbers {
+        /// The solid's name.
+        name: &'static str,
+        /// How many it has; `None` for an even number of 6 or more.
+        expected: Option<usize>,
+        /// How many are given.
+        found: usize,
+    },
     /// `a < b < c`.
     ComparisonChain,
     /// A comparison in a weight.
@@ -644,6 +668,7 @@ impl Diagnostic {
             | Kind::NeverApplies { .. }
             | Kind::MixedWeights { .. }
             | Kind::ConstantUnused { .. }
+            | Kind::ShapeUnused { .. }
             | Kind::OverrideTwice { .. }
             | Kind::EmptyAxiom
             | Kind::UnmatchedClose { .. }

@@ -155,11 +155,15 @@ pub enum Function {
     Random,
     /// `nran(m, s)`: a normal random number with mean `m` and standard deviation `s`, as in cpfg.
     NormalRandom,
+    /// `inside(shape, x, y, z)`: whether a point is in a named shape; in the plane without z.
+    Inside,
+    /// `distance(shape, x, y, z)`: the signed distance of a point from a named shape, negative inside.
+    Distance,
 }
 
 impl Function {
     /// All functions.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::Sin,
         Self::Cos,
         Self::Tan,
@@ -177,6 +181,8 @@ impl Function {
         Self::Max,
         Self::Random,
         Self::NormalRandom,
+        Self::Inside,
+        Self::Distance,
     ];
 
     /// The function's name in the notation.
@@ -200,20 +206,29 @@ impl Function {
             Self::Max => "max",
             Self::Random => "random",
             Self::NormalRandom => "nran",
+            Self::Inside => "inside",
+            Self::Distance => "distance",
         }
     }
 
-    /// The number of arguments: 1 or 2.
+    /// Whether the first argument is the name of a shape.
+    #[must_use]
+    pub fn takes_shape(self) -> bool {
+        matches!(self, Self::Inside | Self::Distance)
+    }
+
+    /// The number of arguments: 1, 2 or 4. A function of a shape may also have 3, for a point in the plane.
     #[must_use]
     pub fn arity(self) -> usize {
         match self {
+            Self::Inside | Self::Distance => 4,
             Self::Atan2 | Self::Min | Self::Max | Self::Random | Self::NormalRandom => 2,
             _ => 1,
         }
     }
 
-    /// The function's value; functions of one argument ignore `b`. Random numbers give NaN here, because `Code`
-    /// computes them.
+    /// The function's value; functions of one argument ignore `b`. Random numbers and functions of shapes give NaN here,
+    /// because `Code` computes them.
     pub fn apply(self, a: f64, b: f64) -> f64 {
         match self {
             Self::Sin => crate::Heading::from_degrees(a).cos_sin().1 + 0.0 * a,
@@ -234,7 +249,7 @@ impl Function {
             Self::Ceil => a.ceil(),
             Self::Min => a.min(b),
             Self::Max => a.max(b),
-            Self::Random | Self::NormalRandom => f64::NAN,
+            Self::Random | Self::NormalRandom | Self::Inside | Self::Distance => f64::NAN,
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use crate::code::{Code, Meaning};
 use crate::expr::Expr;
+use crate::shape::Shape;
 use lsystem_base::sorted::{set, sort};
+use std::sync::Arc;
 
 /// An L-system's grammar: axiom, productions and named constants, in the order of the text.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,6 +18,8 @@ pub struct Grammar {
     pub images: Vec<Production>,
     /// Named constants in text order. A constant may use earlier constants.
     pub constants: Vec<Constant>,
+    /// Named shapes in text order.
+    pub shapes: Vec<NamedShape>,
     /// The symbols that contexts see.
     pub seen: Seen,
 }
@@ -70,8 +74,8 @@ impl SeenSymbols {
     }
 }
 
-/// The values of constants, sorted by name for fast look-up.
-pub struct Values<'a>(Vec<(&'a str, usize, f64)>);
+/// The values of constants and the shapes, sorted by name for fast look-up.
+pub struct Values<'a>(Vec<(&'a str, usize, f64)>, &'a [NamedShape]);
 
 impl Values<'_> {
     /// The value of a constant.
@@ -80,9 +84,16 @@ impl Values<'_> {
         self.0.get(at).filter(|&&(known, ..)| known == name).map(|&(.., value)| value)
     }
 
+    /// The meaning of a name.
+    #[must_use]
+    pub fn meaning(&self, name: &str) -> Option<Meaning> {
+        let shape = || self.1.iter().find(|shape| shape.name == name).map(|found| Meaning::Shape(found.shape.clone()));
+        self.of(name).map(Meaning::Constant).or_else(shape)
+    }
+
     /// The value of an expression of constants; `None` if it has parameters, random numbers or unknown names.
     pub fn value(&self, expr: &Expr) -> Option<f64> {
-        match Code::new(expr, &|name: &str| self.of(name).map(Meaning::Constant), &mut 0) {
+        match Code::new(expr, &|name: &str| self.meaning(name), &mut 0) {
             Ok(Code::Constant(value)) => Some(value),
             _ => None,
         }
@@ -132,6 +143,15 @@ pub struct Constant {
     pub name: String,
     /// The value, always finite.
     pub value: f64,
+}
+
+/// `shape name = ball(0, 10, 0, 5) - …`
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedShape {
+    /// The name, as that of a constant.
+    pub name: String,
+    /// The shape.
+    pub shape: Arc<Shape>,
 }
 
 impl From<char> for Module {
@@ -199,7 +219,8 @@ impl Grammar {
         // Sorted by name, then by place.
         let mut order: Vec<(&str, usize)> = constants.map(|(at, constant)| (constant.name.as_str(), at)).collect();
         sort(&mut order);
-        Values(order.into_iter().map(|(name, at)| (name, at, self.constants[at].value)).collect())
+        let values = order.into_iter().map(|(name, at)| (name, at, self.constants[at].value));
+        Values(values.collect(), &self.shapes)
     }
 
     /// The value of an expression of constants; `None` if it has parameters, random numbers or unknown names.

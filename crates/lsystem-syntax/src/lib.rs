@@ -46,6 +46,8 @@ pub mod message;
 pub mod notes;
 mod place;
 mod problem;
+mod query;
+mod shape;
 mod work;
 
 pub use action::{Action, CIRCLE_SIDES};
@@ -68,6 +70,8 @@ pub use overrides::{parse_overrides, print_overrides};
 pub use place::{byte_offset, line_of, render_diagnostic, utf16_letters, utf16_span, visible};
 pub use print::{print_axiom, print_module, print_rules};
 pub use problem::{Problem, problems};
+pub use query::Query;
+pub use shape::Shape;
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
 pub use value::Value;
 pub use work::{Halt, Work, run_steps};

@@ -371,8 +371,39 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 Function::Random => "`random(a, b)` is a number from a up to b.".into(),
                 Function::NormalRandom => "`nran(m, s)` has the mean m and the standard deviation s.".into(),
                 Function::Atan2 => "`atan2(y, x)` is the angle of the point (x, y).".into(),
+                Function::Inside | Function::Distance => {
+                    format!("Write it as in `{}(crown, x, y, z)`.", function.name())
+                }
                 _ if *expected == 2 => format!("Write it as in `{}(a, b)`.", function.name()),
                 _ => format!("Write it as in `{}(a)`.", function.name()),
+            },
+        ),
+        Kind::ShapeExpected { found } => hinted(
+            if found.is_empty() {
+                "The name of a shape is missing".into()
+            } else {
+                format!("`{found}` is not the name of a shape")
+            },
+            "Define one in a line above, as in `shape crown = ball(0, 10, 0, 5)`.".into(),
+        ),
+        Kind::ShapeUnused { name } => {
+            hinted(format!("Nothing uses the shape `{name}`"), format!("Use it as in `inside({name}, x, y, z)`."))
+        }
+        Kind::SolidExpected { found } => hinted(
+            if found.is_empty() { "A solid is missing".into() } else { format!("`{found}` is not a solid with its numbers") },
+            "Solids are ball(x, y, z, r), box, cylinder, cone, half and outline, joined by +, - or &.".into(),
+        ),
+        Kind::SolidNumbers { name, expected, found } => hinted(
+            match expected {
+                Some(expected) => format!("`{name}` takes {}, not {found}", plural(*expected, "number")),
+                None => format!("`{name}` takes two numbers for each corner, for three corners or more"),
+            },
+            match *name {
+                "ball" => "`ball(x, y, z, r)` has a centre and a radius.".into(),
+                "box" => "`box(x, y, z, x, y, z)` has two opposite corners.".into(),
+                "cylinder" | "cone" => format!("`{name}(x, y, z, x, y, z, r)` has two ends and a radius."),
+                "half" => "`half(x, y, z, a, b, c)` has a point of its plane, and a direction out of it.".into(),
+                _ => "`outline(x, y, x, y, x, y)` has its corners in order.".into(),
             },
         ),
         Kind::ComparisonChain => hinted(

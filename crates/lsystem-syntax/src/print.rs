@@ -1,8 +1,9 @@
 //! Printing a grammar in the notation, as text that reads back as the same grammar.
 
 use crate::characters::{is_blank, is_invisible, look_alike};
+use crate::grammar::NamedShape;
 use crate::notation::token::disc;
-use crate::{Expr, Grammar, Module, Pattern, Production, Seen};
+use crate::{Expr, Grammar, Module, Pattern, Production, Query, Seen};
 use core::fmt::Write;
 use lsystem_base::number::number;
 
@@ -21,6 +22,9 @@ pub fn print_rules(grammar: &Grammar) -> String {
     let mut lines = Vec::new();
     for constant in &grammar.constants {
         lines.push(format!("{} = {}", constant.name, number(constant.value)));
+    }
+    for NamedShape { name, shape } in &grammar.shapes {
+        lines.push(format!("shape {name} = {shape}"));
     }
     match &grammar.seen {
         Seen::All => {}
@@ -95,7 +99,9 @@ fn patterns(patterns: &[Pattern], out: &mut String) {
 }
 
 fn pattern(pattern: &Pattern, quote: bool, out: &mut String) {
-    symbol(pattern.symbol, quote || matches!(pattern.symbol, '<' | '>' | '#'), out);
+    if !query(pattern.symbol, pattern.parameters.len(), out) {
+        symbol(pattern.symbol, quote || matches!(pattern.symbol, '<' | '>' | '#'), out);
+    }
     if !pattern.parameters.is_empty() {
         out.push('(');
         out.push_str(&pattern.parameters.join(", "));
@@ -115,7 +121,9 @@ fn word(modules: &[Module], out: &mut String) {
             };
         // A slash and a star would begin a comment.
         let comment = module.symbol == '*' && out.ends_with('/');
-        symbol(module.symbol, alone || comment, out);
+        if !query(module.symbol, module.arguments.len(), out) {
+            symbol(module.symbol, alone || comment, out);
+        }
         for (at, argument) in module.arguments.iter().enumerate() {
             out.push(if at == 0 { '(' } else { ',' });
             expression(argument, 0, out);
@@ -129,7 +137,9 @@ fn word(modules: &[Module], out: &mut String) {
 /// Appends one module of a derived word: the symbol, then the arguments in parentheses as the shortest decimals that
 /// read back as the same numbers.
 pub fn print_module(ch: char, arguments: &[f64], out: &mut String) {
-    symbol(ch, false, out);
+    if !query(ch, arguments.len(), out) {
+        symbol(ch, false, out);
+    }
     for (at, argument) in arguments.iter().enumerate() {
         // Writing to a string never fails.
         let _ = write!(out, "{}{}", if at == 0 { '(' } else { ',' }, number(*argument));
@@ -139,12 +149,20 @@ pub fn print_module(ch: char, arguments: &[f64], out: &mut String) {
     }
 }
 
+/// Appends a query with its letter, if the symbol is one and has arguments. Returns whether it is.
+fn query(symbol: char, arguments: usize, out: &mut String) -> bool {
+    let query = Query::of_symbol(symbol).filter(|_| arguments > 0);
+    out.extend(query.into_iter().flat_map(|query| ['?', query.letter()]));
+    query.is_some()
+}
+
 /// Appends one symbol, in backquotes if it would be misread or if `quote`.
 pub(crate) fn symbol(symbol: char, quote: bool, out: &mut String) {
     if is_blank(symbol) && symbol != ' ' || is_invisible(symbol) {
         out.push_str(&format!("`U+{:02X}`", u32::from(symbol)));
     } else if quote
         || out.ends_with('@') && disc(symbol).is_some()
+        || out.ends_with('?') && Query::of_letter(symbol).is_some()
         || matches!(symbol, ' ' | '`' | '(' | ')' | ':' | '→')
         || look_alike(symbol).is_some()
     {

@@ -23,6 +23,7 @@ mod parametric;
 mod picking;
 mod prints;
 mod published;
+mod queries;
 mod rendering;
 mod reopen;
 mod seed;

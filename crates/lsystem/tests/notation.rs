@@ -1,16 +1,18 @@
 //! The notation: printed texts read back as the same, and no text causes a panic.
 
+use lsystem::syntax::grammar::NamedShape;
 use lsystem::syntax::{
-    Constant, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen, parse, parse_overrides,
-    print_axiom, print_overrides, print_rules,
+    Constant, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen, Shape, parse,
+    parse_overrides, print_axiom, print_overrides, print_rules,
 };
 use lsystem::{Definition, Diagnostic, System};
 use proptest::prelude::*;
+use std::sync::Arc;
 
 /// Letters, all characters with a meaning in the notation, look-alikes, invisible characters, and others.
 fn symbol() -> impl Strategy<Value = char> {
     prop_oneof![
-        4 => prop::sample::select("FGXabco@●01+-[]".chars().collect::<Vec<_>>()),
+        4 => prop::sample::select("FGXabcoPH?Ⓟ@●01+-[]".chars().collect::<Vec<_>>()),
         4 => prop::sample::select("`:->=#/*()<ε→.,;{}|\\^&$!'\"% \t\n\r_".chars().collect::<Vec<_>>()),
         1 => prop::sample::select("−–—’“ˆ（）＞⇒\u{feff}\u{200b}\u{a0}\u{2028}\u{0}\u{301}é木🌱".chars().collect::<Vec<_>>()),
         1 => any::<char>(),
@@ -45,7 +47,9 @@ fn expression(names: Vec<String>) -> impl Strategy<Value = Expr> {
                 Box::new(b)
             )),
             (prop::sample::select(&Function::ALL), two()).prop_map(|(function, (a, b))| {
-                Expr::Call(function, [a, b].into_iter().take(function.arity()).collect())
+                let shape = function.takes_shape().then(|| Expr::Name(SHAPE.into()));
+                let numbers = function.arity().min(2);
+                Expr::Call(function, shape.into_iter().chain([a, b].into_iter().take(numbers)).collect())
             }),
         ]
     })
@@ -110,6 +114,23 @@ fn production(contexts: bool, constants: Vec<String>) -> impl Strategy<Value = P
     })
 }
 
+/// A name that no random name equals.
+const SHAPE: &str = "crown_of_the_tree";
+
+fn shape() -> Shape {
+    let solids = [
+        Shape::Ball([0.0, 10.5, 0.0, 5.0]),
+        Shape::Block([-1.0, 0.0, -1.0, 1.0, 2.0, 1.0]),
+        Shape::Cylinder([0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.25]),
+        Shape::Cone([0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.25]),
+        Shape::Half([0.0, 3.0, 0.0, 0.0, -1.0, 0.0]),
+        Shape::Outline(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1e-3]]),
+    ];
+    let [a, b, c, d, e, f] = solids.map(Box::new);
+    let inner = Shape::Difference(b, Box::new(Shape::Union(c, d)));
+    Shape::Intersection(Box::new(Shape::Union(a, Box::new(inner))), Box::new(Shape::Difference(e, f)))
+}
+
 fn seen() -> impl Strategy<Value = Seen> {
     let list = || prop::collection::vec(symbol(), 0..5);
     prop_oneof![Just(Seen::All), list().prop_map(Seen::Except), list().prop_map(Seen::Only)]
@@ -126,6 +147,7 @@ fn grammar() -> impl Strategy<Value = Grammar> {
             productions,
             images,
             constants: constants.clone(),
+            shapes: vec![NamedShape { name: SHAPE.into(), shape: Arc::new(shape()) }],
             seen,
         })
     })

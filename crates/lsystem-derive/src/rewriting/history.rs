@@ -2,7 +2,7 @@
 //!
 //! The history records the production that replaced each module, in one byte except for the largest grammars. The
 //! modules of a page are computed from these records, from the axiom on. Systems with both contexts and parameters keep
-//! whole generations instead, because arguments may come from contexts.
+//! whole generations instead, because arguments may come from contexts, and so do systems with queries.
 
 mod making;
 
@@ -175,7 +175,7 @@ impl History {
         let surrounded = rules.by_letter.iter().flatten().any(Rule::is_context_sensitive);
         let axiom = rewriter.word().clone();
         let mut history = Self {
-            words: (surrounded && rules.is_parametric()).then(Vec::new),
+            words: ((surrounded || rules.interpreter.is_some()) && rules.is_parametric()).then(Vec::new),
             rules: rules.clone(),
             seed,
             n,

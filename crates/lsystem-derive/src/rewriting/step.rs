@@ -9,6 +9,7 @@ use super::context::{ContextRole, Neighbours, roles};
 use super::modules::{Modules, NotFinite};
 use super::room::held;
 use super::table::{Sides, Table};
+use crate::asking::Asking;
 use crate::rules::{Rule, Rules};
 use core::ops::Range;
 use lsystem_base::{LimitName, Limits, Meter};
@@ -40,6 +41,8 @@ pub struct Rewriter {
     spent: u64,
     /// The records of the present step, if steps are recorded.
     record: Option<Record>,
+    /// The interpretation of the word, while its queries are answered.
+    asking: Option<Box<Asking>>,
 }
 
 #[derive(Clone, Debug)]
@@ -90,6 +93,8 @@ enum StepPass {
     Leftward(usize, usize),
     /// The rightward pass: the next module, and the index of its first argument.
     Rightward(usize, usize),
+    /// Answering the queries of the new word.
+    Ask,
 }
 
 /// The progress of cutting branches.
@@ -137,7 +142,7 @@ impl Rewriter {
             roles,
             rules,
         };
-        Ok(Self {
+        let mut new = Self {
             plan,
             word,
             next: Modules::default(),
@@ -149,7 +154,33 @@ impl Rewriter {
             work: 0,
             spent: 0,
             record: None,
-        })
+            asking: None,
+        };
+        if let Some(interpreter) = new.plan.rules.interpreter.clone() {
+            if interpreter.0.needs_keys() {
+                new.remember(None);
+            }
+            // An axiom is short, so its queries are answered at once.
+            while !new.ask(&mut Meter::new(u64::MAX))? {}
+        }
+        Ok(new)
+    }
+
+    /// Goes on answering the queries of the word. Returns whether all are answered.
+    fn ask(&mut self, meter: &mut Meter) -> Result<bool, Fault> {
+        let Some(interpreter) = &self.plan.rules.interpreter else { return Ok(true) };
+        let mut asking = match self.asking.take() {
+            Some(asking) => asking,
+            None => Box::new(Asking::new(interpreter, self)),
+        };
+        let done = asking.step(self, meter)?;
+        self.afford(self.next.bytes() + asking.bytes())?;
+        if done {
+            asking.fill(&mut self.word.arguments);
+        } else {
+            self.asking = Some(asking);
+        }
+        Ok(done)
     }
 
     /// The rewriter with its axiom taken as this generation. Random choices depend on the generation's number.
@@ -184,10 +215,17 @@ impl Rewriter {
         self.generation
     }
 
-    /// The modules of the last whole generation. During the next step, modules that are cut off disappear from it.
+    /// The modules of the last whole generation. During the next step, modules that are cut off disappear from it, and
+    /// it is the new generation while its queries are answered.
     #[must_use]
     pub fn word(&self) -> &Modules {
         &self.word
+    }
+
+    /// The seed of the derivation.
+    #[must_use]
+    pub fn seed(&self) -> u32 {
+        self.plan.seed
     }
 
     /// The rules of the derivation.
@@ -294,6 +332,12 @@ impl Rewriter {
                     record.choices.cut(record.length - record.choices.len());
                 }
                 core::mem::swap(&mut self.word, &mut self.next);
+                self.pass = StepPass::Ask;
+            }
+            StepPass::Ask => {
+                if !self.ask(meter)? {
+                    return Ok(false);
+                }
                 self.generation += 1;
                 self.pass = StepPass::Start;
                 return Ok(true);
@@ -347,7 +391,8 @@ impl Rewriter {
 
     /// The bytes of all memory except the next generation's.
     fn others(&self) -> u64 {
-        others(&self.word, &self.neighbours, &self.sides, self.record.as_ref())
+        let asking = self.asking.as_ref().map_or(0, |asking| asking.bytes());
+        others(&self.word, &self.neighbours, &self.sides, self.record.as_ref()) + asking
     }
 
     /// Checks that `bytes` fit in the limit, together with all memory except the next generation's.

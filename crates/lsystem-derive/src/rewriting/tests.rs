@@ -50,6 +50,7 @@ fn rules(axiom: &str, productions: &[(&str, char, &str, &str)], ignored: &str) -
         axiom: word(axiom),
         spans: vec![],
         plain: false,
+        interpreter: None,
     }
 }
 
@@ -156,6 +157,7 @@ fn parameters_grow_and_conditions_hold() {
         axiom,
         spans: vec![],
         plain: false,
+        interpreter: None,
     };
     let rewriter = derive(rules.clone(), 5, 2);
     assert_eq!(rewriter.word().letters, [1, 1, 0]);

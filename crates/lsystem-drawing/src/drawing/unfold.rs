@@ -1,11 +1,13 @@
 //! Drawing module by module, without shared pieces. Plain letters are derived depth-first, one at a time. Rules with
 //! contexts or parameters are derived by whole generations.
 
+mod asking;
 mod counts;
 mod generations;
 mod letters;
 mod limits;
 
+pub(crate) use self::asking::TurtleInterpreter;
 use self::generations::Generations;
 use self::letters::{LetterUnfolding, WalkOutcome};
 use self::limits::{Exceeded, Forecast, IterationSearch};

@@ -4,6 +4,7 @@ use super::facts::{self, Fact, Unit};
 use super::tex;
 use core::fmt::Write;
 use lsystem_drawing::System;
+use lsystem_syntax::grammar::NamedShape;
 use lsystem_syntax::{Definition, Expr, Function, Module, Operator, Pattern, Production};
 
 /// The most characters of a successor before a line may break.
@@ -22,6 +23,9 @@ pub fn latex(definition: &Definition, system: &System) -> String {
     row(&mut text, "", &facts::facts(definition, system).iter().map(fact).collect::<Vec<_>>().join(", "));
     let constants = grammar.constants.iter().map(|c| format!("${} = {}$", tex::name(&c.name), tex::decimal(c.value)));
     row(&mut text, "", &constants.collect::<Vec<_>>().join(", "));
+    for NamedShape { name, shape } in &grammar.shapes {
+        row(&mut text, "", &format!("${}$ is the shape {}.", tex::name(name), tex::text(&shape.to_string())));
+    }
     if let Some((word, symbols)) = facts::seen(grammar) {
         let symbols: String = symbols.iter().map(|&c| tex::symbol(c)).collect();
         row(&mut text, "", &format!("{word}: ${symbols}$"));
@@ -218,7 +222,7 @@ fn call(function: Function, arguments: &[Expr], text: &mut String) {
             named = format!("\\{}(", function.name());
             (named.as_str(), ")")
         }
-        Function::Atan2 | Function::Random | Function::NormalRandom => {
+        Function::Atan2 | Function::Random | Function::NormalRandom | Function::Inside | Function::Distance => {
             named = format!("\\operatorname{{{}}}(", function.name());
             (named.as_str(), ")")
         }

@@ -4,6 +4,8 @@ use super::facts;
 use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_drawing::System;
+use lsystem_syntax::Query;
+use lsystem_syntax::grammar::NamedShape;
 use lsystem_syntax::{Definition, Expr, Module, Pattern, Production};
 
 /// A system as Markdown: the title, the numbers, and a list with constants, axiom and productions.
@@ -20,6 +22,9 @@ pub fn markdown(definition: &Definition, system: &System) -> String {
     text.push_str("\n\n");
     for constant in &grammar.constants {
         item(&mut text, &code(&format!("{} = {}", constant.name, number(constant.value))));
+    }
+    for NamedShape { name, shape } in &grammar.shapes {
+        item(&mut text, &code(&format!("shape {name} = {shape}")));
     }
     if let Some((word, symbols)) = facts::seen(grammar) {
         item(&mut text, &format!("{word}: {}", code(&symbols.iter().map(|&c| shown(c)).collect::<String>())));
@@ -108,6 +113,9 @@ fn word(modules: &[Module]) -> String {
 fn shown(symbol: char) -> String {
     match symbol {
         ' ' => "␣".into(),
+        c if Query::of_symbol(c).is_some() => {
+            Query::of_symbol(c).map_or(String::new(), |query| format!("?{}", query.letter()))
+        }
         c if c.is_whitespace() || c.is_control() => format!("⟨U+{:02X}⟩", u32::from(c)),
         c => c.into(),
     }

@@ -94,7 +94,7 @@ fn unknown(c: char) -> String {
 }
 
 /// Characters that are commands of math mode.
-const GLYPHS: [(char, &str); 48] = [
+const GLYPHS: [(char, &str); 54] = [
     ('α', r"\alpha"),
     ('β', r"\beta"),
     ('γ', r"\gamma"),
@@ -143,6 +143,12 @@ const GLYPHS: [(char, &str); 48] = [
     ('≠', r"\neq"),
     ('∞', r"\infty"),
     ('∗', r"\ast"),
+    ('Ⓟ', "?P"),
+    ('Ⓗ', "?H"),
+    ('Ⓛ', "?L"),
+    ('Ⓤ', "?U"),
+    ('Ⓒ', "?C"),
+    ('Ⓢ', "?S"),
 ];
 
 #[cfg(test)]

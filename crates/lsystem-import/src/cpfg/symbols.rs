@@ -6,6 +6,7 @@ use super::{Kind, Places};
 use crate::draft::{Draft, FreeSymbols};
 use core::ops::Range;
 use lsystem_base::number::number;
+use lsystem_syntax::Query;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a name or a symbol of several characters is here.
@@ -67,10 +68,10 @@ const CPFG: &[(&str, Meaning)] = &[
     ("@D", Refused(SCALE)),
     ("@M", Refused(PLACE)),
     ("@R", Refused(FRAME)),
-    ("?P", Refused(ASKS)),
-    ("?H", Refused(ASKS)),
-    ("?L", Refused(ASKS)),
-    ("?U", Refused(ASKS)),
+    ("?P", Symbol('Ⓟ')),
+    ("?H", Symbol('Ⓗ')),
+    ("?L", Symbol('Ⓛ')),
+    ("?U", Symbol('Ⓤ')),
     ("?Q", Refused(ASKS)),
     ("?E", Refused("This asks another program for the environment, which has no equal here")),
 ];
@@ -156,16 +157,16 @@ const LPY: &[(&str, Meaning)] = &[
     ("@Tp", Refused(TROPISM)),
     ("Elasticity", Refused(TROPISM)),
     ("@Ts", Refused(TROPISM)),
-    ("?P", Refused(ASKS)),
-    ("?H", Refused(ASKS)),
-    ("?U", Refused(ASKS)),
-    ("?L", Refused(ASKS)),
+    ("?P", Symbol('Ⓟ')),
+    ("?H", Symbol('Ⓗ')),
+    ("?U", Symbol('Ⓤ')),
+    ("?L", Symbol('Ⓛ')),
     ("?R", Refused(ASKS)),
     ("?F", Refused(ASKS)),
-    ("GetPos", Refused(ASKS)),
-    ("GetHead", Refused(ASKS)),
-    ("GetUp", Refused(ASKS)),
-    ("GetLeft", Refused(ASKS)),
+    ("GetPos", Symbol('Ⓟ')),
+    ("GetHead", Symbol('Ⓗ')),
+    ("GetUp", Symbol('Ⓤ')),
+    ("GetLeft", Symbol('Ⓛ')),
     ("GetRight", Refused(ASKS)),
     ("GetFrame", Refused(ASKS)),
 ];
@@ -287,7 +288,10 @@ impl<'p> Symbols<'p> {
             None => None,
         };
         match self.meanings.get(symbol).copied() {
-            Some(Symbol(symbol)) => out.push(symbol),
+            Some(Symbol(symbol)) => match Query::of_symbol(symbol).filter(|_| inside.is_some()) {
+                Some(query) => out.extend(['?', query.letter()]),
+                None => out.push(symbol),
+            },
             Some(Disc { radius, sphere }) => {
                 if radius && role == Role::Head && inside.is_some() {
                     return draft.refuse_at(place.clone(), "A rule that replaces a disc by its radius is not read");

@@ -255,7 +255,9 @@ fn modules(word: &str) -> usize {
     let mut count = 0;
     let mut rest = word;
     while let Some(ch) = rest.chars().next() {
-        count += usize::from(!ch.is_whitespace());
+        // A query has two characters, `?` and its letter.
+        let is_half = ch == '?' && rest.get(2..).is_some_and(|arguments| arguments.starts_with('('));
+        count += usize::from(!ch.is_whitespace() && !is_half);
         let behind = &rest[ch.len_utf8()..];
         rest = parenthesised(behind).map_or("", |(_, behind)| behind);
     }

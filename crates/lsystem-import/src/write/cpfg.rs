@@ -22,6 +22,7 @@ pub(super) const LACKS: &[Need] = &[
     Need::Tropism,
     Need::Growth,
     Need::OpenBranches,
+    Need::Queries,
 ];
 
 /// The parts of systems that the arrow rules of L-Py lack.
@@ -37,6 +38,7 @@ pub(super) const LACKS_OF_LPY: &[Need] = &[
     Need::Chance,
     Need::Polygons,
     Need::Circles,
+    Need::Queries,
 ];
 
 /// One of the two programs.

@@ -21,6 +21,7 @@ pub(super) const LACKS: &[Need] = &[
     Need::Tropism,
     Need::Growth,
     Need::OpenBranches,
+    Need::Queries,
 ];
 
 /// Names of parameters that are no variables of Houdini.

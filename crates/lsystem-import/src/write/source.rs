@@ -30,6 +30,8 @@ pub(super) enum Need {
     Growth,
     /// Branches that begin in one word and end in another, or brackets that are replaced.
     OpenBranches,
+    /// Modules that ask about their place, or shapes.
+    Queries,
 }
 
 impl Need {
@@ -52,6 +54,7 @@ impl Need {
             Self::Tropism => "tropism and sway",
             Self::Growth => "partial growth",
             Self::OpenBranches => "branches that begin in one word and end in another",
+            Self::Queries => "queries and shapes",
         }
     }
 }
@@ -199,6 +202,7 @@ impl<'a> Source<'a> {
             Need::Tropism => system.turtle.tropism.is_some() || system.turtle.sway.is_some(),
             Need::Growth => definition.growth != 1.0,
             Need::OpenBranches => self.has_open_branches(),
+            Need::Queries => system.rules.interpreter.is_some() || !grammar.shapes.is_empty(),
         }
     }
 

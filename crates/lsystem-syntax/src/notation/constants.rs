@@ -3,9 +3,12 @@
 use super::expression::Names;
 use crate::Kind;
 use crate::code::Meaning;
+use crate::grammar::NamedShape;
 use crate::notes::{Notes, excerpt, similar};
+use crate::shape::Shape;
 use core::ops::Range;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A named constant and the place of its value.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +30,16 @@ pub(crate) struct Constants {
     places: HashMap<String, usize>,
     /// In text order.
     defined: Vec<Defined>,
+    shapes: Vec<DefinedShape>,
+}
+
+#[derive(Debug)]
+struct DefinedShape {
+    name: String,
+    shape: Arc<Shape>,
+    /// The span of the name, in bytes.
+    span: Range<usize>,
+    used: bool,
 }
 
 #[derive(Debug)]
@@ -42,7 +55,12 @@ struct Defined {
 
 impl Constants {
     pub(super) fn contains(&self, name: &str) -> bool {
-        self.places.contains_key(name)
+        self.places.contains_key(name) || self.shapes.iter().any(|shape| shape.name == name)
+    }
+
+    /// Adds a shape with the span of its name.
+    pub(super) fn shape(&mut self, NamedShape { name, shape }: NamedShape, span: Range<usize>) {
+        self.shapes.push(DefinedShape { name, shape, span, used: false });
     }
 
     /// Adds a constant with its value as written and the span of its name, and returns its value. A wrong value counts
@@ -65,6 +83,9 @@ impl Constants {
                 *below = self.meaning(name).is_some();
             }
         });
+        for DefinedShape { name, span, .. } in self.shapes.into_iter().filter(|shape| !shape.used) {
+            notes.add(Kind::ShapeUnused { name: excerpt(&name) }, span);
+        }
         for Defined { place, text, span, used, .. } in self.defined {
             if !used {
                 notes.add(Kind::ConstantUnused { name: excerpt(&place.name), value: text }, span);
@@ -75,6 +96,10 @@ impl Constants {
 
 impl Names for Constants {
     fn meaning(&mut self, name: &str) -> Option<Meaning> {
+        if let Some(shape) = self.shapes.iter_mut().find(|shape| shape.name == name) {
+            shape.used = true;
+            return Some(Meaning::Shape(shape.shape.clone()));
+        }
         let constant = &mut self.defined[*self.places.get(name)?];
         constant.used = true;
         Some(Meaning::Constant(constant.value))

@@ -314,7 +314,7 @@ impl ExpressionReader<'_> {
         if let Some(open) = self.peek().filter(|t| t.is('(') && t.joined) {
             return self.call(&name, span, open);
         }
-        if let Some(meaning) = self.names.meaning(&name) {
+        if let Some(meaning) = self.names.meaning(&name).filter(|meaning| !matches!(meaning, Meaning::Shape(_))) {
             let constant = matches!(meaning, Meaning::Constant(_));
             self.notes.class(if constant { Class::Constant } else { Class::Parameter }, span);
             return Some(Expr::Name(name));
@@ -346,6 +346,15 @@ impl ExpressionReader<'_> {
         self.notes.class(Class::Function, span.clone());
         self.at += 1;
         let mut arguments = Vec::new();
+        if function.takes_shape() {
+            arguments.push(self.shape_name(open)?);
+            if self.take(&[',']).is_none() {
+                self.closed(open)?;
+                let (expected, found) = (function.arity(), 1);
+                self.notes.add(Kind::FunctionArity { function, expected, found }, span);
+                return None;
+            }
+        }
         if self.peek().is_none_or(|t| !t.is(')')) {
             loop {
                 arguments.push(self.nested(open, Self::disjunction)?);
@@ -358,12 +367,32 @@ impl ExpressionReader<'_> {
         if name == RAN && arguments.len() == 1 {
             arguments.insert(0, Expr::Number(0.0));
         }
-        if arguments.len() != function.arity() {
+        let in_plane = function.takes_shape() && arguments.len() + 1 == function.arity();
+        if arguments.len() != function.arity() && !in_plane {
             let (expected, found) = (function.arity(), arguments.len());
             self.notes.add(Kind::FunctionArity { function, expected, found }, span);
             return None;
         }
         Some(Expr::Call(function, arguments))
+    }
+}
+
+impl ExpressionReader<'_> {
+    /// Steps over the name of a shape after `open`.
+    fn shape_name(&mut self, open: Token) -> Option<Expr> {
+        let start = self.peek().filter(|t| !t.literal && is_name_start(t.ch));
+        let run = if start.is_some() { self.run(|_, t| is_name_part(t.ch)) } else { &[] };
+        let (name, span): (String, _) = (run.iter().map(|t| t.ch).collect(), span_of(run, open.span().end));
+        match self.names.meaning(&name) {
+            Some(Meaning::Shape(_)) => {
+                self.notes.class(Class::Constant, span);
+                Some(Expr::Name(name))
+            }
+            _ => {
+                self.notes.add(Kind::ShapeExpected { found: crate::notes::excerpt(&name) }, span);
+                None
+            }
+        }
     }
 }
 

@@ -6,10 +6,12 @@ use super::expression;
 use super::production::{self, ProductionLine};
 use super::token::{Token, span_of, text_of, tokens};
 use super::{Reading, arrow};
+use crate::grammar::NamedShape;
 use crate::notes::{Notes, excerpt};
-use crate::{Class, Constant, Expr, Kind, Production, Role, Seen};
+use crate::{Class, Constant, Expr, Kind, Production, Role, Seen, Shape};
 use core::ops::Range;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Reads all lines of `text` into `reading`. The constants serve the axiom, which is read later.
 pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants, notes: &mut Notes) {
@@ -75,6 +77,8 @@ impl RulesReader<'_> {
         }
         if let Some(arrow) = arrow::find(tokens) {
             self.productions.push(ProductionLine { tokens: tokens.to_vec(), arrow, end, drawing: self.drawing });
+        } else if let Some((name, equals)) = super::shape::name(tokens) {
+            self.shape(tokens, (name, equals), end);
         } else if let Some(equals) = tokens.iter().position(|t| t.is('=')) {
             self.constant(tokens, equals, end);
         } else {
@@ -193,6 +197,26 @@ impl RulesReader<'_> {
         }
         self.notes.class(Class::Mark, tokens[equals].span());
         self.add_constant(name, value, end);
+    }
+
+    /// Reads `shape name = …`; the name and `=` are at these places.
+    fn shape(&mut self, tokens: &[Token], (name, equals): (usize, usize), end: usize) {
+        self.notes.class(Class::Heading, span_of(&tokens[..name], end));
+        self.notes.class(Class::Mark, tokens[equals].span());
+        let (words, value) = (&tokens[name..equals], &tokens[equals + 1..]);
+        let (span, text): (_, String) = (span_of(words, end), words.iter().map(|t| t.ch).collect());
+        if !is_name(words) || expression::is_reserved(&text) {
+            return self.notes.add(Kind::ConstantName { text: text_of(words) }, span);
+        }
+        if self.constants.contains(&text) {
+            return self.notes.add(Kind::ConstantTwice { name: excerpt(&text) }, span);
+        }
+        self.notes.class(Class::Constant, span.clone());
+        // A wrong shape is noted already. The name is defined, so that its uses are not noted too.
+        let shape = super::shape::read(value, end, self.constants, self.notes);
+        let shape = NamedShape { name: text, shape: Arc::new(shape.unwrap_or(Shape::Ball([0.0; 4]))) };
+        self.constants.shape(shape.clone(), span);
+        self.reading.grammar.shapes.push(shape);
     }
 
     fn no_arrow(&mut self, tokens: &[Token]) {

@@ -29,6 +29,7 @@ pub(crate) mod constants;
 pub(crate) mod expression;
 mod line;
 mod production;
+mod shape;
 pub(crate) mod site;
 pub(crate) mod token;
 pub(crate) mod word;

@@ -1,5 +1,5 @@
 //! The characters of a line as tokens: literals unwrapped, white space dropped, look-alikes replaced, and the two
-//! characters of cpfg's discs joined.
+//! characters of cpfg's discs and of queries joined.
 
 use crate::Kind;
 use crate::characters::{is_blank, look_alike};
@@ -85,6 +85,13 @@ pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut Notes) -> Vec<
                 }
                 None => (ch, false),
             },
+            None if ch == '?' => match query(&text[at..range.end]) {
+                Some(symbol) => {
+                    at += 1;
+                    (symbol, false)
+                }
+                None => (ch, false),
+            },
             None => (ch, false),
         };
         found.push(Token { ch, literal, joined, start: start as u32, end: at as u32 });
@@ -96,6 +103,13 @@ pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut Notes) -> Vec<
 /// The symbol for `@` followed by this ASCII character. In cpfg, `@c` and `@o` fill a disc around the turtle.
 pub(crate) fn disc(after: char) -> Option<char> {
     matches!(after, 'c' | 'o').then_some('●')
+}
+
+/// The symbol for `?` before this text: a letter of a query, then its arguments.
+fn query(rest: &str) -> Option<char> {
+    let mut chars = rest.chars();
+    let letter = chars.next()?;
+    (chars.next() == Some('(')).then(|| crate::Query::of_letter(letter).map(crate::Query::symbol)).flatten()
 }
 
 struct Broken {

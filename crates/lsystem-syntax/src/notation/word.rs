@@ -105,7 +105,7 @@ fn for_each_module(
 }
 
 /// The parts of `inside` between commas, except commas in parentheses, and the end of each part in bytes.
-fn parts(inside: &[Token]) -> impl Iterator<Item = (&[Token], usize)> {
+pub(super) fn parts(inside: &[Token]) -> impl Iterator<Item = (&[Token], usize)> {
     let mut depth = 0_usize;
     let mut at = 0;
     let parts = inside.split(move |t| {
@@ -177,7 +177,7 @@ fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<S
 }
 
 /// The index of the `)` that closes the `(` at the start of `tokens`.
-fn closing(tokens: &[Token]) -> Option<usize> {
+pub(super) fn closing(tokens: &[Token]) -> Option<usize> {
     let mut depth = 0_usize;
     tokens.iter().position(|t| {
         depth += usize::from(t.is('('));

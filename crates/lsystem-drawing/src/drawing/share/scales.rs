@@ -212,6 +212,12 @@ fn degree(code: &Code, length: &impl Fn(u16) -> bool) -> Option<Degree> {
                 unscaled(stack.pop()?)?;
                 unscaled(stack.pop()?)?
             }
+            // A shape is as large as it is, so the point must not depend on lengths.
+            Op::Distance(_) => {
+                unscaled(stack.pop()?)?;
+                unscaled(stack.pop()?)?;
+                unscaled(stack.pop()?)?
+            }
             Op::Random(_) | Op::NormalRandom(_) => return None,
         };
         stack.push(degree);

@@ -111,7 +111,7 @@ impl<S: Space> Generations<S> {
         let Self { rewriter, reader, stage } = self;
         let Task { turtle, score, limits, .. } = task;
         let Stage::Measure(measure) = stage else { return Outcome::Paused };
-        let done = reader.read(rewriter, task, meter, &mut |_, ops| {
+        let done = reader.read(rewriter, task, meter, &mut |_, _, ops| {
             measure.add(ops);
             Some(0)
         });
@@ -142,7 +142,7 @@ impl<S: Space> Generations<S> {
         let Stage::Draw(draft) = stage else { return Outcome::Paused };
         let Draft { pen, saved, tree, scale } = &mut **draft;
         let derived = rewriter.bytes();
-        let mut act = |place: usize, ops: &[TurtleOp<S>]| {
+        let mut act = |place: usize, _: usize, ops: &[TurtleOp<S>]| {
             tree.draw(builder, place as u64, |paper, directions| pen.act(ops, saved, *scale, directions, paper));
             let bytes = builder.bytes() + derived + bytes_of(saved) + tree.bytes();
             let is_full = builder.is_full || bytes > limits.memory;
@@ -173,7 +173,7 @@ impl<S: Space> Generations<S> {
             rewriter.allow(limits.memory.saturating_sub(builder.bytes()));
             return if rewriter.advance(meter).is_ok() { Outcome::Paused } else { Outcome::Failed(over) };
         }
-        let done = reader.read(rewriter, task, meter, &mut |_, ops| {
+        let done = reader.read(rewriter, task, meter, &mut |_, _, ops| {
             measure.add(ops);
             Some(0)
         });
@@ -230,12 +230,15 @@ impl GenerationSize {
     }
 }
 
-/// Receives the place and the operations of a module. Returns the units of work, or `None` to pause.
-type Act<'a, S> = &'a mut dyn FnMut(usize, &[TurtleOp<S>]) -> Option<u64>;
+/// Receives the place, the index of the first argument and the operations of a module. Returns the units of work, or
+/// `None` to pause.
+type Act<'a, S> = &'a mut dyn FnMut(usize, usize, &[TurtleOp<S>]) -> Option<u64>;
 
 /// Reads the operations of a generation's modules, in order.
 #[derive(Clone, Debug)]
-struct TurtleOpReader<S: Space> {
+pub(super) struct TurtleOpReader<S: Space> {
+    /// Whether modules without operations are handed on as well.
+    visits_all: bool,
     /// The index of the next module.
     at: usize,
     /// The index of its first argument.
@@ -251,36 +254,41 @@ struct TurtleOpReader<S: Space> {
 
 impl<S: Space> Default for TurtleOpReader<S> {
     fn default() -> Self {
-        Self { at: 0, argument: 0, image: Image::default(), inside: None, ops: vec![], own: vec![] }
+        Self { visits_all: false, at: 0, argument: 0, image: Image::default(), inside: None, ops: vec![], own: vec![] }
     }
 }
 
 impl<S: Space> TurtleOpReader<S> {
+    /// A reader that hands on modules without operations as well.
+    pub(super) fn of_all() -> Self {
+        Self { visits_all: true, ..Self::default() }
+    }
+
     /// Hands the places and operations of up to [`PIECE`] modules to `act`. Stops earlier if the work exceeds 4 units
     /// per module, or if `act` returns `None`. Returns whether the generation is at its end.
-    fn read(
+    pub(super) fn read(
         &mut self,
         rewriter: &Rewriter,
         Task { turtle, score, seed, .. }: &Task<S>,
         meter: &mut Meter,
         act: Act<'_, S>,
     ) -> Result<bool, Fault> {
-        let Self { at, argument, image, inside, ops, own } = self;
+        let Self { visits_all, at, argument, image, inside, ops, own } = self;
         let (word, rules) = (rewriter.word(), rewriter.rules());
         let end = (*at + PIECE).min(word.letters.len());
         meter.charge(1);
-        let mut one = |place: usize, letter: u16, arguments: &[f64], fate: Option<&Fate>| {
+        let mut one = |place: usize, first: usize, letter: u16, arguments: &[f64], fate: Option<&Fate>| {
             let mut plain = score.ops[usize::from(letter)].as_slice();
             if let ([number, ..], [_, ..]) = (arguments, plain) {
                 score.numbered(turtle, &turtle.actions[usize::from(letter)], *number, ops);
                 plain = ops;
             }
             match fate {
-                _ if plain.is_empty() => Some(0),
-                None => Some(work_of(plain) + act(place, plain)?),
+                _ if plain.is_empty() && !*visits_all => Some(0),
+                None => Some(work_of(plain) + act(place, first, plain)?),
                 Some(fate) => {
                     score.own(plain, fate, *seed, own);
-                    Some(work_of(own) + act(place, own)?)
+                    Some(work_of(own) + act(place, first, own)?)
                 }
             }
         };
@@ -300,7 +308,7 @@ impl<S: Space> TurtleOpReader<S> {
                 Fate { key: word.key_of(*at), since, step, grows }
             });
             if rules.images[usize::from(letter)].is_empty() {
-                let Some(work) = one(*at, letter, &word.arguments[*argument..after], fate.as_ref()) else {
+                let Some(work) = one(*at, *argument, letter, &word.arguments[*argument..after], fate.as_ref()) else {
                     return Ok(false);
                 };
                 meter.charge(work);
@@ -320,7 +328,7 @@ impl<S: Space> TurtleOpReader<S> {
                     if let Some(fate) = &mut fate {
                         fate.key = key.child(u32::MAX, *done as u64);
                     }
-                    let Some(work) = one(*at, letter, own, fate.as_ref()) else { return Ok(false) };
+                    let Some(work) = one(*at, *argument, letter, own, fate.as_ref()) else { return Ok(false) };
                     meter.charge(1 + work);
                     (*done, *read) = (*done + 1, *read + own.len());
                 }

@@ -1,0 +1,93 @@
+//! Queries: modules that ask about their place. An interpreter walks the word after each derivation step, and its
+//! answers replace the arguments of the query modules.
+
+use crate::rewriting::{Fault, Rewriter};
+use core::fmt::Debug;
+use lsystem_base::Meter;
+use std::sync::Arc;
+
+/// Starts interpretations of the words of one system.
+pub trait Interpret: Debug + Send + Sync {
+    /// Starts the interpretation of the rewriter's word.
+    fn start(&self, rewriter: &Rewriter) -> Box<dyn Interpretation>;
+
+    /// Whether an interpretation needs the random keys of all modules.
+    fn needs_keys(&self) -> bool;
+}
+
+/// The interpretation of one word.
+pub trait Interpretation: Debug + Send + Sync {
+    /// Goes on until the meter is spent. Returns whether the word is at its end. Adds the answers in the order of the
+    /// word's query modules.
+    ///
+    /// # Errors
+    /// As [`Rewriter::image`].
+    fn step(&mut self, rewriter: &Rewriter, answers: &mut Vec<Answer>, meter: &mut Meter) -> Result<bool, Fault>;
+
+    /// The bytes of its memory.
+    fn bytes(&self) -> u64;
+
+    /// A copy in the same state.
+    fn copy(&self) -> Box<dyn Interpretation>;
+}
+
+/// The answer to one query module.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answer {
+    /// The index of the module's first argument in the word.
+    pub argument: usize,
+    /// The number of arguments that are answered.
+    pub count: u8,
+    /// The answers.
+    pub values: [f64; 3],
+}
+
+/// The interpreter of a system that has query modules. It follows from the system's turtle, so two interpreters of equal
+/// rules count as equal.
+#[derive(Clone, Debug)]
+pub struct Interpreter(pub Arc<dyn Interpret>);
+
+impl PartialEq for Interpreter {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+/// An interpretation under way, with its answers so far.
+#[derive(Debug)]
+pub(crate) struct Asking {
+    interpretation: Box<dyn Interpretation>,
+    answers: Vec<Answer>,
+}
+
+impl Clone for Asking {
+    fn clone(&self) -> Self {
+        Self { interpretation: self.interpretation.copy(), answers: self.answers.clone() }
+    }
+}
+
+impl Asking {
+    pub(crate) fn new(interpreter: &Interpreter, rewriter: &Rewriter) -> Self {
+        Self { interpretation: interpreter.0.start(rewriter), answers: vec![] }
+    }
+
+    /// Goes on with the interpretation. Returns whether it is done.
+    pub(crate) fn step(&mut self, rewriter: &Rewriter, meter: &mut Meter) -> Result<bool, Fault> {
+        self.interpretation.step(rewriter, &mut self.answers, meter)
+    }
+
+    /// Puts the answers into the arguments of a word. An answer that is not finite leaves an argument as it is.
+    pub(crate) fn fill(&self, arguments: &mut [f64]) {
+        for Answer { argument, count, values } in &self.answers {
+            let places = arguments.iter_mut().skip(*argument).take(usize::from(*count));
+            for (place, value) in places.zip(values).filter(|(_, value)| value.is_finite()) {
+                *place = *value;
+            }
+        }
+    }
+
+    /// The bytes of its memory.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.interpretation.bytes() + (self.answers.capacity() * size_of::<Answer>()) as u64
+    }
+}
