@@ -110,6 +110,14 @@ export const SHELVES = {
         'abop/2.7d': 'Trees',
         'garden/turtle-tree': 'Trees',
     },
+    'Plants that look around': {
+        'garden/topiary-ball': 'Trees',
+        'garden/two-trees': 'Trees',
+        'garden/vine-letter': 'Flowers and leaves',
+        'garden/roots-and-stones': '',
+        'garden/elbow-room': 'Curves',
+        'garden/hedge-arch': 'Trees',
+    },
     'By chance': {
         'garden/cherry-in-bloom': 'Flowers and leaves',
         'garden/birch-in-the-wind': 'Trees',
@@ -229,7 +237,7 @@ export function filtersOf({ path, kinds, solid }) {
         other,
         solid && 'In space',
         kinds.includes('stochastic') && 'By chance',
-        kinds.includes('context-sensitive') && 'Signals',
+        kinds.includes('context-sensitive') && !kinds.includes('environmentally sensitive') && 'Signals',
     ];
     return NAMES.filter((name) => own.includes(name));
 }

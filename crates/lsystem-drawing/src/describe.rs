@@ -3,7 +3,7 @@ use crate::System;
 use crate::drawn::shown_by_letter;
 use lsystem_base::sorted::set;
 use lsystem_base::{MAX_ITERATIONS, Meter};
-use lsystem_derive::{Rewrite, Tally, weigh_until};
+use lsystem_derive::{LetterId, Rewrite, Tally, weigh_until};
 use lsystem_syntax::message::grouped;
 use lsystem_syntax::{Action, Grammar, Heading, Outline, Pattern, Production};
 
@@ -38,6 +38,7 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             let symbol = rules.letters[id].symbol;
             let arity = usize::from(rules.letters[id].arity);
             let own = &system.turtle.actions[id];
+            let query = rules.query(id as LetterId);
             let from = by_predecessor.partition_point(|&(place, _)| place < (symbol, arity));
             let mine = by_predecessor[from..].iter().take_while(|&&(place, _)| place == (symbol, arity));
             let mine = mine
@@ -58,8 +59,15 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             };
             let names = if names.is_empty() { String::new() } else { format!("({})", names.join(",")) };
             LegendEntry {
-                module: format!("{symbol}{names}"),
-                actions: if actions.is_empty() { "draws nothing".to_owned() } else { actions },
+                module: match query {
+                    Some(query) => format!("?{}{names}", query.letter()),
+                    None => format!("{symbol}{names}"),
+                },
+                actions: match query {
+                    Some(query) => query.words().to_owned(),
+                    None if actions.is_empty() => "draws nothing".to_owned(),
+                    None => actions,
+                },
                 rewritten: !matches!(rules.rewrites[id], Rewrite::Keep),
             }
         })
@@ -110,8 +118,8 @@ fn numbered_words(system: &System, action: Action, name: &str) -> String {
     }
 }
 
-/// The kind of a system: `deterministic`, or all that hold of `stochastic`, `context-sensitive` and `parametric`,
-/// separated by commas.
+/// The kind of a system: `deterministic`, or all that hold of `stochastic`, `context-sensitive`, `parametric` and
+/// `environmentally sensitive`, separated by commas.
 #[must_use]
 pub fn kind(system: &System) -> String {
     let productions = &system.grammar.productions;
@@ -119,6 +127,7 @@ pub fn kind(system: &System) -> String {
         ("stochastic", system.has_choices()),
         ("context-sensitive", productions.iter().any(Production::is_context_sensitive)),
         ("parametric", system.rules.is_parametric()),
+        ("environmentally sensitive", system.rules.asks()),
     ];
     let kinds: Vec<&str> = kinds.into_iter().filter(|(_, holds)| *holds).map(|(kind, _)| kind).collect();
     if kinds.is_empty() { "deterministic".to_owned() } else { kinds.join(", ") }

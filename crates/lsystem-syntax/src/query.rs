@@ -13,7 +13,7 @@ pub enum Query {
     Left,
     /// `?U(x,y,z)`: the unit vector up from the turtle.
     Up,
-    /// `?C(n,r)`: the number of other `?C` modules nearer than `r` model units.
+    /// `?C(n,r)`: the number of other `?C` modules nearer than `r` model units, up to 100.
     Crowd,
     /// `?S(q,c)`: the part of the sky's light that reaches the module, 0 to 1. Each `?S` module casts a shadow below
     /// itself, in cubes whose sides are `c` model units long.
@@ -61,6 +61,19 @@ impl Query {
     pub fn of_symbol(symbol: char) -> Option<Self> {
         // Most symbols are ASCII.
         (!symbol.is_ascii()).then(|| Self::ALL.into_iter().find(|query| query.symbol() == symbol)).flatten()
+    }
+
+    /// What the module does, in words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Position => "asks for the position",
+            Self::Heading => "asks for the direction ahead",
+            Self::Left => "asks for the direction to the left",
+            Self::Up => "asks for the direction up from the turtle",
+            Self::Crowd => "asks how many of its kind are near",
+            Self::Sky => "asks for the light of the sky",
+        }
     }
 
     /// The most arguments that are answered; further ones stay as they are.

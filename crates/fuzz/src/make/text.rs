@@ -90,7 +90,8 @@ pub(super) fn word(source: &mut Source<'_>, features: SystemFeatures, names: &[&
 
 /// A module with arguments.
 fn module(source: &mut Source<'_>, names: &[&str]) -> String {
-    let symbol = source.pick(&["A", "B", "P", "Q", "F", "f", "+", "-", "!", "&", "/", "'"]);
+    let symbol =
+        source.pick(&["A", "B", "P", "Q", "F", "f", "+", "-", "!", "&", "/", "'", "?P", "?H", "?L", "?U", "?C", "?S"]);
     let count = source.pick(&[1, 1, 1, 2, 2, 3, 8]);
     let arguments: Vec<String> = (0..count).map(|_| expression(source, names, 2)).collect();
     format!("{symbol}({})", arguments.join(","))
@@ -133,6 +134,11 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
             let (a, b) = (expression(source, names, depth - 1), expression(source, names, depth - 1));
             if source.once_in(2) { format!("({a}){operator}({b})") } else { format!("{a}{operator}{b}") }
         }
+        7 if source.once_in(4) => {
+            let name = source.pick(&["inside", "distance"]);
+            let point: Vec<String> = (0..source.pick(&[2, 3])).map(|_| expression(source, names, depth - 1)).collect();
+            format!("{name}(crown, {})", point.join(", "))
+        }
         7 => {
             let (name, arity) = source.pick(&FUNCTIONS);
             let arguments: Vec<String> = (0..arity).map(|_| expression(source, names, depth - 1)).collect();
@@ -150,7 +156,13 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
 /// A predecessor or a part of a context. Adds its parameters to `names`.
 fn pattern(source: &mut Source<'_>, features: SystemFeatures, names: &mut Vec<&'static str>) -> String {
     const NAMES: [&str; 8] = ["x", "y", "a", "b", "l", "w", "s", "t"];
-    let symbol = if source.once_in(6) { symbol(source, features) } else { source.pick_char("FABXPQ").to_string() };
+    let symbol = if source.once_in(6) {
+        symbol(source, features)
+    } else if features.parameters && source.once_in(4) {
+        source.pick(&["?P", "?H", "?C", "?S"]).to_owned()
+    } else {
+        source.pick_char("FABXPQ").to_string()
+    };
     if !features.parameters || source.once_in(2) {
         return symbol;
     }
@@ -195,11 +207,35 @@ fn production(source: &mut Source<'_>, features: SystemFeatures, image: bool) ->
     text
 }
 
+/// A shape of solids with small, large and wrong numbers.
+fn shape(source: &mut Source<'_>, depth: u32) -> String {
+    let number = |source: &mut Source<'_>| source.pick(&["0", "1", "-2", "3.5", "10", "r", "1e-9", "1e300"]);
+    if depth > 0 && source.once_in(2) {
+        let sign = source.pick(&["+", "-", "&"]);
+        let (a, b) = (shape(source, depth - 1), shape(source, depth - 1));
+        return if source.once_in(2) { format!("{a} {sign} {b}") } else { format!("({a}) {sign} ({b})") };
+    }
+    let (name, count) = source.pick(&[
+        ("ball", 4),
+        ("box", 6),
+        ("cylinder", 7),
+        ("cone", 7),
+        ("half", 6),
+        ("outline", 6),
+        ("outline", 40),
+    ]);
+    let numbers: Vec<&str> = (0..count).map(|_| number(source)).collect();
+    format!("{name}({})", numbers.join(", "))
+}
+
 /// Rules, one on each line.
 pub(super) fn rules(source: &mut Source<'_>, features: SystemFeatures) -> String {
     let mut lines = vec![];
     if features.parameters || source.once_in(10) {
         lines.push(format!("r = {}", source.pick(&["0.75", "0.9", "1", "2", "-1", "1.5*2", "1e300"])));
+    }
+    if features.parameters {
+        lines.push(format!("shape crown = {}", shape(source, 2)));
     }
     if features.contexts && source.once_in(2) {
         lines.push(source.pick(&["ignore: +-F", "consider: ABX", "ignore: +-&^/\\", "ignore:"]).to_owned());

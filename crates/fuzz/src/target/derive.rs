@@ -21,6 +21,8 @@ pub(super) fn is_supported(definition: &Definition, system: &System) -> bool {
     let others_cut = overrides.contains("cut") || overrides.contains('%') || !abop;
     !(others_cut && (overrides.contains("cut") || system.rules.letters.iter().any(|letter| letter.symbol == '%')))
         && (!images || abop && overrides.is_empty())
+        // The reference has no turtle.
+        && !system.rules.asks()
 }
 
 /// The words of the generations up to `n` by the naive reference, until a word is too long or a number is not finite.
