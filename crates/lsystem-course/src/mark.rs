@@ -341,7 +341,7 @@ impl Marker {
                     1 => "The first symbol agrees, the second differs.".to_owned(),
                     same => format!("The first {} symbols agree.", counted(&Tally::from(same as u128))),
                 };
-                format!("{start} Your string has {found} symbols, the target {most}.")
+                format!("{start} Length of your string: {found}; of the target: {most}.")
             }
         };
         self.own_text = Some(text);

@@ -13,7 +13,7 @@ export class LSystemError extends Error {
     }
 }
 
-/** What JSON would drop or refuse, in forms that are read or named in an error. */
+/** Replaces values that JSON drops or refuses by ones that are read, or that an error can name. */
 function plain(_, value) {
     if (typeof value === 'bigint') return Number(value);
     if (typeof value === 'function' || typeof value === 'symbol') return String(value);

@@ -15,7 +15,7 @@ const MOST_BYTES: usize = 300_000;
 /// The units of work of a step, and of all steps of a picture: some ten seconds.
 const STEP: u64 = 1 << 18;
 const MOST_WORK: u64 = 1 << 32;
-/// Of so many pixels one is read to choose the colours.
+/// One pixel in so many is read to choose the colours.
 const SAMPLING: i32 = 10;
 
 /// A PNG with a palette, which holds its system as saved pictures do.
