@@ -92,6 +92,7 @@ export const SHELVES = {
         'garden/weeping-willow': 'Trees',
         'garden/ember-coral': 'Trees',
         'garden/hydrangea': 'Trees',
+        'garden/baobab': 'Trees',
         'garden/star-cluster': '',
         'garden/jellyfish': '',
         'abop/2.8b': 'Trees',

@@ -29,6 +29,7 @@ mod solid;
 mod space;
 mod style;
 mod sway;
+mod tube;
 mod turtle;
 
 mod look;

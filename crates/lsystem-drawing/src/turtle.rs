@@ -6,8 +6,9 @@ use crate::rotation::Axis;
 use crate::space::{Geometry, Tropism, exponent_of, finite, unit_of};
 use crate::style::{ColourChange, StyleChange, WidthChange};
 use crate::sway::{Sway, WAVE};
+use crate::tube::TubeEnd;
 use lsystem_derive::{Fate, LetterId, Rule, Rules, Varied};
-use lsystem_syntax::{Action, CIRCLE_SIDES, ColourBy, Heading, Outline, Style};
+use lsystem_syntax::{Action, CIRCLE_SIDES, ColourBy, Heading, Outline, Style, TUBE_STROKES};
 
 /// The actions of all letters and the settings of the turtle.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,6 +106,10 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     FirstVertex,
     Vertex,
     ClosePolygon,
+    /// Begin a tube.
+    OpenTube,
+    /// Draw a part of a tube.
+    Tube,
 }
 
 /// A rotation about one of the turtle's own axes, as an angle and as a turn.
@@ -292,6 +297,8 @@ impl Turtle {
             Action::OpenPolygon => TurtleOp::OpenPolygon,
             Action::Vertex => TurtleOp::Vertex,
             Action::ClosePolygon => TurtleOp::ClosePolygon,
+            Action::OpenTube => TurtleOp::OpenTube,
+            Action::TubePoint | Action::CloseTube => TurtleOp::Tube,
             Action::TurnLeft(degrees) => side(degrees, [self.left, self.right], false),
             Action::TurnRight(degrees) => side(degrees, [self.right, self.left], true),
             Action::SwapTurns => TurtleOp::SwapTurns,
@@ -366,6 +373,11 @@ impl<S: Geometry> Score<S> {
     /// Whether a letter opens a polygon or fills a disc.
     pub(crate) fn fills(&self) -> bool {
         self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::OpenPolygon | TurtleOp::Fill(..)))
+    }
+
+    /// Whether a letter draws a part of a tube, which begins at an earlier symbol.
+    pub(crate) fn has_tubes(&self) -> bool {
+        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::Tube))
     }
 
     /// Whether a letter exchanges left and right turns.
@@ -521,6 +533,7 @@ impl<S: Geometry> TurtleOp<S> {
         match self {
             Self::Draw(_) => 1,
             Self::Circle(_) => u64::from(CIRCLE_SIDES),
+            Self::Tube => u64::from(TUBE_STROKES),
             _ => 0,
         }
     }
@@ -529,6 +542,7 @@ impl<S: Geometry> TurtleOp<S> {
     pub(crate) fn work(&self) -> u64 {
         match self {
             Self::Circle(_) => u64::from(CIRCLE_SIDES),
+            Self::Tube => u64::from(TUBE_STROKES),
             Self::Fill(outline, _) => u64::from(outline.sides()),
             _ => 1,
         }
@@ -579,6 +593,8 @@ pub(crate) struct Pen<S: Geometry = Plane> {
     pub swapped: bool,
     /// The upward direction of the model, in the pen's frame. A sway turns it with the branch.
     pub vertical: S::Point,
+    /// The last point of the tube.
+    pub tube: TubeEnd<S>,
 }
 
 /// A receiver of segments and polygons.
@@ -587,6 +603,8 @@ pub(crate) trait Paper<S: Geometry> {
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
     /// Adds a segment beside the branch.
     fn side(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
+    /// Adds a stroke of a tube, which tapers to the width `style.next`.
+    fn tube(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
     /// Interrupts the branch: the turtle moves.
     fn gap(&mut self);
     /// Opens a branch.
@@ -612,7 +630,9 @@ impl<S: Geometry> Pen<S> {
 
     /// A pen at the origin.
     pub(crate) fn new(heading: S::Turn, style: StyleChange) -> Self {
-        Self { at: S::Point::default(), heading, style, scale: 1.0, swapped: false, vertical: S::UPWARDS }
+        let at = S::Point::default();
+        let tube = TubeEnd { at, heading, width: style.width };
+        Self { at, heading, style, scale: 1.0, swapped: false, vertical: S::UPWARDS, tube }
     }
 
     /// Performs operations, with lengths times `scale`, and draws on `paper`. `saved` is the stack of open branches. A
@@ -680,8 +700,24 @@ impl<S: Geometry> Pen<S> {
                 TurtleOp::FirstVertex => paper.first_vertex(self.at),
                 TurtleOp::Vertex => paper.vertex(self.at),
                 TurtleOp::ClosePolygon => paper.close(),
+                TurtleOp::OpenTube => self.tube = self.tube_end(),
+                TurtleOp::Tube => {
+                    let end = self.tube_end();
+                    let curve = self.tube.curve(&end, directions);
+                    self.tube = end;
+                    paper.gap();
+                    for ends in curve.windows(2) {
+                        let [(from, width), (to, next)] = [ends[0], ends[1]];
+                        paper.tube(from, to, &StyleChange { width, next: Some(next), ..self.style });
+                    }
+                }
             }
         }
+    }
+
+    /// The turtle's place as a point of a tube.
+    fn tube_end(&self) -> TubeEnd<S> {
+        TubeEnd { at: self.at, heading: self.heading, width: self.style.width }
     }
 
     /// Turns the heading by a sway. The vertical turns too: all of a branch moves as one, and pieces with `$` stay equal.

@@ -187,7 +187,10 @@ fn symbols_of_cpfg() {
     noted(&cpfg("axiom: @M(3,4,0)F\nF --> FF"), "where the turtle starts");
     refused(&cpfg("axiom: F@M(3,4,0)F\nF --> FF"), "place of its own");
     refused(&cpfg("axiom: F@R(1,0,0)F\nF --> FF"), "heading in space");
-    refused(&cpfg("axiom: @Gs F@Gc(3)F@Ge\nF --> FF"), "Generalized cylinders");
+    assert_eq!(read(&cpfg("axiom: @Gsf@Gc(3)+f@Ge\nA --> FF")).axiom, "afb(3)+fd");
+    noted(&cpfg("axiom: @Gsf@Gc(3)+f@Ge\nF --> FF"), "number of strips");
+    assert_eq!(segments(&cpfg("derivation length: 0\naxiom: @Gsf@Gc+f@Ge")).len(), 16);
+    refused(&cpfg("axiom: @Gs@Gt(1,1)f@Ge\nF --> FF"), "tangents");
     refused(&cpfg("axiom: F?P(0,0,0)\nF --> FF"), "state of the turtle");
     refused(&cpfg("derivation length: 1\naxiom: F[+D][-F]\nF > [+D=] --> FV"), "`=` in a context");
     refused(&cpfg("derivation length: 1\naxiom: AB\nAB --> F"), "Several symbols as predecessor");

@@ -48,7 +48,7 @@ mod place;
 mod problem;
 mod work;
 
-pub use action::{Action, CIRCLE_SIDES};
+pub use action::{Action, CIRCLE_SIDES, TUBE_STROKES};
 pub use characters::look_alike;
 pub use class::Class;
 pub use classify::classify;

@@ -430,7 +430,7 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 Some(similar) => format!("Did you mean `{similar}`?"),
                 None => "Actions are draw, move, draw unmarked, move unmarked, turn left, turn right, turn round, pitch \
                          down, pitch up, roll left, roll right, roll upright, open branch, close branch, cut branch, \
-                         open polygon, vertex, close polygon, colour 2, next colour, previous colour, width 2, width \
+                         open polygon, vertex, close polygon, open tube, tube point, close tube, colour 2, next colour, previous colour, width 2, width \
                          times 0.5, thicker, thinner, length times 0.5, swap turns, circle, disc, leaf lance, leaf heart, \
                          leaf oak, leaf needle, leaf petal, nothing."
                     .into(),

@@ -26,6 +26,7 @@
 //! | `width 2`, `width times 0.5`, `thicker`, `thinner` | stroke width in steps, or by a factor (√2, 1/√2) |
 //! | `circle`, `circle 2`, `disc`, `disc 2` | a circle or a filled disc around the turtle, with the step or this number as diameter |
 //! | `leaf lance`, `leaf heart`, `leaf oak`, `leaf needle`, `leaf petal 2` | the filled outline of a leaf ahead of the turtle, with the step or this number as length |
+//! | `open tube`, `tube point`, `close tube` | a smooth tube through the places of these symbols, along the turtle's headings there |
 //! | `length times 0.5` | multiply all lengths from here on |
 //! | `swap turns` | from here on, left turns go right and right turns go left |
 //! | `cut branch` | in the next derivation step it and the rest of its branch are gone |
@@ -146,6 +147,9 @@ fn print_action(action: Action) -> String {
         Action::OpenPolygon => "open polygon".to_owned(),
         Action::Vertex => "vertex".to_owned(),
         Action::ClosePolygon => "close polygon".to_owned(),
+        Action::OpenTube => "open tube".to_owned(),
+        Action::TubePoint => "tube point".to_owned(),
+        Action::CloseTube => "close tube".to_owned(),
         Action::TurnLeft(angle) => optional("turn left", angle),
         Action::TurnRight(angle) => optional("turn right", angle),
         Action::TurnRound => "turn round".to_owned(),
@@ -263,7 +267,7 @@ enum NumberForm {
 const MOST: f64 = 1e9;
 
 /// The words of all actions except `nothing`.
-const FORMS: [(&str, NumberForm); 41] = [
+const FORMS: [(&str, NumberForm); 44] = [
     ("draw", NumberForm::Optional(Action::Draw)),
     ("move", NumberForm::Optional(Action::Move)),
     ("draw unmarked", NumberForm::Optional(Action::DrawUnmarked)),
@@ -271,6 +275,9 @@ const FORMS: [(&str, NumberForm); 41] = [
     ("open polygon", NumberForm::Plain(Action::OpenPolygon)),
     ("vertex", NumberForm::Plain(Action::Vertex)),
     ("close polygon", NumberForm::Plain(Action::ClosePolygon)),
+    ("open tube", NumberForm::Plain(Action::OpenTube)),
+    ("tube point", NumberForm::Plain(Action::TubePoint)),
+    ("close tube", NumberForm::Plain(Action::CloseTube)),
     ("turn left", NumberForm::Optional(Action::TurnLeft)),
     ("turn right", NumberForm::Optional(Action::TurnRight)),
     ("turn round", NumberForm::Plain(Action::TurnRound)),

@@ -30,4 +30,5 @@ mod solid;
 mod styling;
 mod sway;
 mod tables;
+mod tubes;
 mod unusual;

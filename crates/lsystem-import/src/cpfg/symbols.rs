@@ -15,6 +15,8 @@ enum Meaning {
     Symbol(char),
     /// A disc, by its diameter or by its radius; whether it is a sphere there.
     Disc { radius: bool, sphere: bool },
+    /// A part of a tube, in the words of custom symbols.
+    Tube(&'static str),
     /// A module without an action.
     Plain,
     /// A module whose action is left out, for this reason.
@@ -22,9 +24,11 @@ enum Meaning {
     /// It has no equal, for this reason.
     Refused(&'static str),
 }
-use Meaning::{Disc, LeftOut, Plain, Refused, Symbol};
+use Meaning::{Disc, LeftOut, Plain, Refused, Symbol, Tube};
 
-const CYLINDER: &str = "Generalized cylinders of cpfg have no equal here";
+const CYLINDER: &str = "The shape and the tangents of generalized cylinders have no equal here";
+const ROUND: &str = "The number of strips of a generalized cylinder is not used: every part has 8";
+const SMOOTH: &str = "In a text with generalized cylinders, all lines are drawn as smooth tubes";
 const BENDS: &str = "How branches bend stands in cpfg's view file; this is left out";
 const SCALE: &str = "This changes the scale of the turtle, which has no equal here";
 const PLACE: &str = "This moves the turtle to a place of its own, which has no equal here";
@@ -59,9 +63,9 @@ const CPFG: &[(&str, Meaning)] = &[
     ("@PD", LeftOut("This patch of a surface is not drawn")),
     ("@mo", LeftOut(LOOK)),
     ("@G", Refused(CYLINDER)),
-    ("@Gs", Refused(CYLINDER)),
-    ("@Gc", Refused(CYLINDER)),
-    ("@Ge", Refused(CYLINDER)),
+    ("@Gs", Tube("open tube")),
+    ("@Gc", Tube("tube point")),
+    ("@Ge", Tube("close tube")),
     ("@Gr", Refused(CYLINDER)),
     ("@Gt", Refused(CYLINDER)),
     ("@D", Refused(SCALE)),
@@ -115,10 +119,10 @@ const LPY: &[(&str, Meaning)] = &[
     ("PglShape", LeftOut(SHAPE)),
     ("@g", LeftOut(SHAPE)),
     ("Surface", LeftOut("The surface is not drawn")),
-    ("StartGC", LeftOut("Tubes are drawn as lines")),
-    ("@Gc", LeftOut("Tubes are drawn as lines")),
-    ("EndGC", LeftOut("Tubes are drawn as lines")),
-    ("@Ge", LeftOut("Tubes are drawn as lines")),
+    ("StartGC", Tube("open tube")),
+    ("@Gc", Tube("open tube")),
+    ("EndGC", Tube("open tube")),
+    ("@Ge", Tube("open tube")),
     ("SetContour", LeftOut(LOOK)),
     ("SectionResolution", LeftOut(LOOK)),
     ("InterpolateColors", LeftOut(LOOK)),
@@ -191,6 +195,8 @@ pub(super) struct Symbols<'p> {
     longest: usize,
     pub(super) free: FreeSymbols,
     told: BTreeSet<String>,
+    /// Whether a tube was read.
+    pub(super) has_tubes: bool,
     /// Symbols that are not drawn: those whose arguments are left out, and those that rules replace.
     bare: BTreeMap<String, Range<usize>>,
     replaced: BTreeSet<String>,
@@ -212,6 +218,7 @@ impl<'p> Symbols<'p> {
             longest,
             free: FreeSymbols::default(),
             told: BTreeSet::new(),
+            has_tubes: false,
             bare: BTreeMap::new(),
             replaced: BTreeSet::new(),
         }
@@ -309,6 +316,17 @@ impl<'p> Symbols<'p> {
                 let own = self.free.get(symbol);
                 let note = format!("The name `{symbol}` becomes the symbol `{own}`");
                 self.tell(symbol, place, &note, draft);
+                out.push(own);
+            }
+            Some(Tube(actions)) => {
+                let own = self.free.get(symbol);
+                match self.arithmetic.kind {
+                    Kind::Cpfg if inside.is_some() => self.tell("@G", place, ROUND, draft),
+                    Kind::Cpfg => {}
+                    Kind::LPy => self.tell("@G", place, SMOOTH, draft),
+                }
+                self.has_tubes = true;
+                draft.meaning(own, actions);
                 out.push(own);
             }
             Some(LeftOut(why)) => {

@@ -37,6 +37,7 @@ pub(super) const LACKS_OF_LPY: &[Need] = &[
     Need::Chance,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
 ];
 
 /// One of the two programs.
@@ -297,6 +298,9 @@ impl<'a> File<'a> {
                 Action::OpenPolygon => "{".to_owned(),
                 Action::Vertex => ".".to_owned(),
                 Action::ClosePolygon => "}".to_owned(),
+                Action::OpenTube => "@Gs".to_owned(),
+                Action::TubePoint => "@Gc".to_owned(),
+                Action::CloseTube => "@Ge".to_owned(),
                 Action::Fill(_, own) => line("@o", Some(own.unwrap_or(definition.step))),
                 Action::SetColour(index) => format!(";({})", argument.map_or_else(|| index.to_string(), str::to_owned)),
                 Action::AddColour(_) if argument.is_some() => format!(";({})", argument.unwrap_or_default()),

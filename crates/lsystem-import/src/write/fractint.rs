@@ -19,6 +19,7 @@ pub(super) const LACKS: &[Need] = &[
     Need::BranchLengths,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,

@@ -87,6 +87,7 @@ const PLAIN: &[Need] = &[
     Need::SwappedTurns,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,

@@ -20,6 +20,7 @@ pub(super) const LACKS: &[Need] = &[
     Need::SwappedTurns,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,

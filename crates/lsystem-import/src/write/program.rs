@@ -14,6 +14,7 @@ pub(super) const LACKS: &[Need] = &[
     Need::Space,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,

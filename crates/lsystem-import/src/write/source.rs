@@ -24,6 +24,7 @@ pub(super) enum Need {
     SwappedTurns,
     Polygons,
     Circles,
+    Tubes,
     Cuts,
     /// A tropism, or a sway in the wind.
     Tropism,
@@ -48,6 +49,7 @@ impl Need {
             Self::SwappedTurns => "symbols that swap turns",
             Self::Polygons => "polygons",
             Self::Circles => "circles",
+            Self::Tubes => "smooth tubes",
             Self::Cuts => "symbols that cut off a branch",
             Self::Tropism => "tropism and sway",
             Self::Growth => "partial growth",
@@ -195,6 +197,7 @@ impl<'a> Source<'a> {
             Need::SwappedTurns => self.acts(|action| action == Action::SwapTurns),
             Need::Polygons => self.acts(|action| action == Action::OpenPolygon),
             Need::Circles => self.acts(|action| matches!(action, Action::Circle(_) | Action::Fill(..))),
+            Need::Tubes => self.acts(|action| matches!(action, Action::TubePoint | Action::CloseTube)),
             Need::Cuts => self.acts(|action| action == Action::Cut),
             Need::Tropism => system.turtle.tropism.is_some() || system.turtle.sway.is_some(),
             Need::Growth => definition.growth != 1.0,
