@@ -63,4 +63,4 @@ pub use strings::{count_segments, count_symbols, expand, expand_counted, expand_
 pub use style::{ColourChange, StyleChange, StyleId, WidthChange, Widths};
 pub use sway::Sway;
 pub use system::System;
-pub use turtle::{Colouring, Turtle};
+pub use turtle::{Colouring, Triangle, Turtle};

@@ -8,13 +8,19 @@ use crate::style::{ColourChange, StyleChange, WidthChange};
 use crate::sway::{Sway, WAVE};
 use crate::tube::TubeEnd;
 use lsystem_derive::{Fate, LetterId, Rule, Rules, Varied};
-use lsystem_syntax::{Action, CIRCLE_SIDES, ColourBy, Heading, Outline, Style, TUBE_STROKES};
+use lsystem_syntax::{Action, CIRCLE_SIDES, ColourBy, Heading, Outline, Style, SurfacePoint, TUBE_STROKES};
+use std::sync::Arc;
+
+/// The corners of a triangle of a surface of size 1: ahead, left and up.
+pub type Triangle = [SurfacePoint; 3];
 
 /// The actions of all letters and the settings of the turtle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turtle {
     /// The actions by letter ([`LetterId`]).
     pub actions: Vec<Vec<Action>>,
+    /// The triangles of the surfaces that letters draw, by name.
+    pub surfaces: Vec<(char, Arc<[Triangle]>)>,
     /// The angle of a left turn, counter-clockwise.
     pub left: Heading,
     /// The angle of a right turn, clockwise.
@@ -89,6 +95,12 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     Circle(f64),
     /// Fill an outline; the size in the same units.
     Fill(Outline, f64),
+    /// Fill a triangle of a surface; the size in the same units. `follows`: the triangle is not the surface's first.
+    Triangle {
+        corners: Triangle,
+        size: f64,
+        follows: bool,
+    },
     /// Roll until the turtle's left is level.
     Upright,
     /// Turn the heading by a tropism.
@@ -160,6 +172,7 @@ impl Default for Turtle {
     fn default() -> Self {
         Self {
             actions: vec![],
+            surfaces: vec![],
             left: Heading::EAST,
             right: Heading::EAST,
             pitch_down: Heading::EAST,
@@ -256,7 +269,15 @@ impl Turtle {
         for &action in actions {
             let marks = corners && matches!(action, Action::Draw(_) | Action::Move(_));
             ops.extend(marks.then_some(TurtleOp::FirstVertex));
-            ops.push(self.op(action));
+            if let Action::Surface(name, size) = action {
+                let triangles = self.surface(name).iter().enumerate();
+                ops.extend(triangles.map(|(at, &corners)| {
+                    let size = self.in_steps(size);
+                    TurtleOp::Triangle { corners, size, follows: at > 0 }
+                }));
+            } else {
+                ops.push(self.op(action));
+            }
             ops.extend(marks.then_some(TurtleOp::Vertex));
             ops.extend((self.sway.is_some() && action == Action::Push).then_some(TurtleOp::Sway(S::AHEAD)));
             if let Some(tropism) = self.tropism.filter(|_| action.draws()) {
@@ -270,6 +291,16 @@ impl Turtle {
             ops.extend(sides.map(TurtleOp::TurnColour));
         }
         ops
+    }
+
+    /// The triangles of a surface; none if the system has no surface of this name.
+    fn surface(&self, name: char) -> &[Triangle] {
+        self.surfaces.iter().find(|(own, _)| *own == name).map_or(&[], |(_, triangles)| triangles)
+    }
+
+    /// A length in units of [`Turtle::unit`]; the step if there is none.
+    fn in_steps(&self, length: Option<f64>) -> f64 {
+        length.map_or(self.steps(), |length| finite(length / self.unit()))
     }
 
     fn branch_factors(&self) -> BranchFactors {
@@ -290,7 +321,7 @@ impl Turtle {
             let other = Some(angle(degrees, other));
             TurtleOp::Turn(Turning { other, ..Turning::new(Axis::Up, angle(degrees, own), back) })
         };
-        let in_steps = |length: Option<f64>| length.map_or(self.steps(), |l| finite(l / self.unit()));
+        let in_steps = |length: Option<f64>| self.in_steps(length);
         match action {
             Action::Draw(length) | Action::DrawUnmarked(length) => TurtleOp::Draw(in_steps(length)),
             Action::Move(length) | Action::MoveUnmarked(length) => TurtleOp::Move(in_steps(length)),
@@ -313,8 +344,8 @@ impl Turtle {
             Action::TurnRound => TurtleOp::Turn(Turning::new(Axis::Up, Heading::HALF, false)),
             Action::Push => TurtleOp::Push(self.branch_factors()),
             Action::Pop => TurtleOp::Pop,
-            // A cut acts during the derivation.
-            Action::Cut => TurtleOp::Style(StyleChange::NONE),
+            // A cut acts during the derivation, and a surface has several operations.
+            Action::Cut | Action::Surface(..) => TurtleOp::Style(StyleChange::NONE),
             Action::SetColour(_) | Action::AddColour(_) if self.colouring != Colouring::Symbols => {
                 TurtleOp::Style(StyleChange::NONE)
             }
@@ -342,9 +373,15 @@ impl<S: Geometry> Score<S> {
         let (ops, first) = (&self.ops[letter], turtle.actions[letter].first());
         // In systems with polygons, an operation for the first vertex comes before a draw or move.
         let marks = matches!(ops[..], [TurtleOp::FirstVertex, ..]);
+        // A surface has an operation for each triangle.
+        let surface = if let Some(&Action::Surface(name, _)) = first { Some(turtle.surface(name).len()) } else { None };
         let numbered = number.zip(first).map(|(number, action)| (usize::from(marks), action.with(number)));
         ops.iter().enumerate().map(move |(index, &op)| match numbered {
-            Some((place, action)) if place == index => self.op(turtle, action),
+            Some((_, action)) if surface.is_some_and(|count| index < count) => {
+                let size = finite(libm::scalbn(turtle.in_steps(action.length().flatten()), -self.exponent));
+                op.map_length(|_| size)
+            }
+            Some((place, action)) if surface.is_none() && place == index => self.op(turtle, action),
             _ => op,
         })
     }
@@ -372,7 +409,10 @@ impl<S: Geometry> Score<S> {
 
     /// Whether a letter opens a polygon or fills a disc.
     pub(crate) fn fills(&self) -> bool {
-        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::OpenPolygon | TurtleOp::Fill(..)))
+        self.ops
+            .iter()
+            .flatten()
+            .any(|op| matches!(op, TurtleOp::OpenPolygon | TurtleOp::Fill(..) | TurtleOp::Triangle { .. }))
     }
 
     /// Whether a letter draws a part of a tube, which begins at an earlier symbol.
@@ -414,6 +454,7 @@ impl<S: Geometry> Score<S> {
                 _ => grown * (1.0 + most * fate.key.variation(seed, what, slot - 1)),
             }
         };
+        let mut of_surface = 1.0;
         own.clear();
         if self.colours_by_generation {
             own.push(TurtleOp::Style(ColourChange::Set(fate.since.cast_signed()).into()));
@@ -425,7 +466,12 @@ impl<S: Geometry> Score<S> {
                 TurtleOp::Turn(turning.part(varied(most, Varied::Angle)))
             }
             TurtleOp::Sway(_) => self.swaying(op, fate.step),
-            other => other.map_length(|length| length * varied(lengths, Varied::Length)),
+            // All triangles of a surface change alike.
+            TurtleOp::Triangle { follows: true, .. } => op.map_length(|size| size * of_surface),
+            other => other.map_length(|length| {
+                of_surface = varied(lengths, Varied::Length);
+                length * of_surface
+            }),
         }));
     }
 
@@ -516,6 +562,7 @@ impl<S: Geometry> TurtleOp<S> {
             Self::Move(length) => Self::Move(change(length)),
             Self::Circle(diameter) => Self::Circle(change(diameter)),
             Self::Fill(outline, size) => Self::Fill(outline, change(size)),
+            Self::Triangle { corners, size, follows } => Self::Triangle { corners, size: change(size), follows },
             other => other,
         }
     }
@@ -524,6 +571,7 @@ impl<S: Geometry> TurtleOp<S> {
     pub(crate) fn length(&self) -> Option<f64> {
         match *self {
             Self::Draw(length) | Self::Move(length) | Self::Circle(length) | Self::Fill(_, length) => Some(length),
+            Self::Triangle { size, .. } => Some(size),
             _ => None,
         }
     }
@@ -544,6 +592,7 @@ impl<S: Geometry> TurtleOp<S> {
             Self::Circle(_) => u64::from(CIRCLE_SIDES),
             Self::Tube => u64::from(TUBE_STROKES),
             Self::Fill(outline, _) => u64::from(outline.sides()),
+            Self::Triangle { .. } => 3,
             _ => 1,
         }
     }
@@ -674,6 +723,12 @@ impl<S: Geometry> Pen<S> {
                     } else {
                         self.circle(size * scale, directions).into_iter().for_each(|corner| paper.vertex(corner));
                     }
+                    paper.close();
+                }
+                TurtleOp::Triangle { corners, size, .. } => {
+                    paper.open(&self.style);
+                    let axes = S::scaled(S::axes(directions, self.heading), size * scale * self.scale);
+                    corners.iter().for_each(|&corner| paper.vertex(S::transform(&axes, self.at, S::point(corner))));
                     paper.close();
                 }
                 TurtleOp::Upright => self.heading = S::upright(self.heading, &self.vertical),

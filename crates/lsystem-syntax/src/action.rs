@@ -76,6 +76,9 @@ pub enum Action {
     TubePoint,
     /// Draw the tube up to here and end it, as `@Ge` of cpfg.
     CloseTube,
+    /// Draw the surface of this name at the turtle, in its current colour. The size is in model units, times the length
+    /// scale; `None` is the system's step length.
+    Surface(char, Option<f64>),
     /// In the next derivation step, remove this symbol and the rest of its branch. The turtle ignores the symbol.
     Cut,
 }
@@ -101,6 +104,7 @@ impl Action {
             Self::ScaleLength(_) => Self::ScaleLength(number),
             Self::Circle(_) => Self::Circle(Some(number)),
             Self::Fill(outline, _) => Self::Fill(outline, Some(number)),
+            Self::Surface(name, _) => Self::Surface(name, Some(number)),
             Self::TurnRound
             | Self::SwapTurns
             | Self::RollUpright
@@ -142,7 +146,7 @@ impl Action {
         match self {
             Self::Draw(length) | Self::DrawUnmarked(length) => Some(length),
             Self::Move(length) | Self::MoveUnmarked(length) => Some(length),
-            Self::Circle(length) | Self::Fill(_, length) => Some(length),
+            Self::Circle(length) | Self::Fill(_, length) | Self::Surface(_, length) => Some(length),
             _ => None,
         }
     }

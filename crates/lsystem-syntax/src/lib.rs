@@ -27,6 +27,7 @@ mod dialect;
 pub mod fields;
 mod outline;
 pub mod style;
+mod surface;
 mod value;
 
 mod code;
@@ -69,6 +70,7 @@ pub use place::{byte_offset, line_of, render_diagnostic, utf16_letters, utf16_sp
 pub use print::{print_axiom, print_module, print_rules};
 pub use problem::{Problem, problems};
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
+pub use surface::{Patch, SURFACE_STRIPS, Surface, SurfacePoint, SurfaceProblem, parse_surfaces, print_surfaces};
 pub use value::Value;
 pub use work::{Halt, Work, run_steps};
 

@@ -28,6 +28,7 @@ mod reopen;
 mod seed;
 mod solid;
 mod styling;
+mod surfaces;
 mod sway;
 mod tables;
 mod tubes;

@@ -17,6 +17,8 @@ enum Meaning {
     Disc { radius: bool, sphere: bool },
     /// A part of a tube, in the words of custom symbols.
     Tube(&'static str),
+    /// A surface of the definition.
+    Surface(char),
     /// A module without an action.
     Plain,
     /// A module whose action is left out, for this reason.
@@ -24,7 +26,7 @@ enum Meaning {
     /// It has no equal, for this reason.
     Refused(&'static str),
 }
-use Meaning::{Disc, LeftOut, Plain, Refused, Symbol, Tube};
+use Meaning::{Disc, LeftOut, Plain, Refused, Surface, Symbol, Tube};
 
 const CYLINDER: &str = "The shape and the tangents of generalized cylinders have no equal here";
 const ROUND: &str = "The number of strips of a generalized cylinder is not used: every part has 8";
@@ -204,12 +206,18 @@ pub(super) struct Symbols<'p> {
 
 impl<'p> Symbols<'p> {
     /// `names` are those that the text declares or replaces.
-    pub(super) fn new(arithmetic: &'p Arithmetic, places: Places<'p>, names: &BTreeSet<String>) -> Self {
+    pub(super) fn new(
+        arithmetic: &'p Arithmetic,
+        places: Places<'p>,
+        names: &BTreeSet<String>,
+        surfaces: &[(char, char)],
+    ) -> Self {
         let library = if arithmetic.kind == Kind::Cpfg { CPFG } else { LPY };
         let mut meanings: BTreeMap<String, Meaning> =
             library.iter().map(|&(name, meaning)| (name.to_owned(), meaning)).collect();
         // An own name counts before the library's.
         meanings.extend(names.iter().map(|name| (name.clone(), Plain)));
+        meanings.extend(surfaces.iter().map(|&(known, own)| (format!("~{known}"), Surface(own))));
         let longest = meanings.keys().map(String::len).max().unwrap_or_default();
         Self {
             arithmetic,
@@ -277,7 +285,9 @@ impl<'p> Symbols<'p> {
         draft: &mut Draft<'_>,
         out: &mut String,
     ) {
-        let is_drawn = !symbol.starts_with('~') && !matches!(self.meanings.get(symbol), Some(LeftOut(_)));
+        let is_surface = matches!(self.meanings.get(symbol), Some(Surface(_)));
+        let is_drawn =
+            (is_surface || !symbol.starts_with('~')) && !matches!(self.meanings.get(symbol), Some(LeftOut(_)));
         if role == Role::Head && !is_drawn {
             self.replaced.insert(symbol.to_owned());
         }
@@ -316,6 +326,11 @@ impl<'p> Symbols<'p> {
                 let own = self.free.get(symbol);
                 let note = format!("The name `{symbol}` becomes the symbol `{own}`");
                 self.tell(symbol, place, &note, draft);
+                out.push(own);
+            }
+            Some(Surface(name)) => {
+                let own = self.free.get(symbol);
+                draft.meaning(own, format!("surface {name}"));
                 out.push(own);
             }
             Some(Tube(actions)) => {

@@ -43,7 +43,7 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
             names.insert(name.to_owned());
         }
     }
-    let mut symbols = Symbols::new(&parts.arithmetic, *places, &names);
+    let mut symbols = Symbols::new(&parts.arithmetic, *places, &names, &parts.surfaces);
     let words = parts.all_rules().flat_map(|rule| [rule.head, &*rule.successor]);
     symbols.free.add_used(&words.chain([axiom]).collect::<String>());
     let mut known = BTreeSet::new();

@@ -15,6 +15,7 @@ pub(super) const LACKS: &[Need] = &[
     Need::Polygons,
     Need::Circles,
     Need::Tubes,
+    Need::Surfaces,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,

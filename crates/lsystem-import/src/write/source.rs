@@ -25,6 +25,7 @@ pub(super) enum Need {
     Polygons,
     Circles,
     Tubes,
+    Surfaces,
     Cuts,
     /// A tropism, or a sway in the wind.
     Tropism,
@@ -50,6 +51,7 @@ impl Need {
             Self::Polygons => "polygons",
             Self::Circles => "circles",
             Self::Tubes => "smooth tubes",
+            Self::Surfaces => "Bezier surfaces",
             Self::Cuts => "symbols that cut off a branch",
             Self::Tropism => "tropism and sway",
             Self::Growth => "partial growth",
@@ -198,6 +200,7 @@ impl<'a> Source<'a> {
             Need::Polygons => self.acts(|action| action == Action::OpenPolygon),
             Need::Circles => self.acts(|action| matches!(action, Action::Circle(_) | Action::Fill(..))),
             Need::Tubes => self.acts(|action| matches!(action, Action::TubePoint | Action::CloseTube)),
+            Need::Surfaces => self.acts(|action| matches!(action, Action::Surface(..))),
             Need::Cuts => self.acts(|action| action == Action::Cut),
             Need::Tropism => system.turtle.tropism.is_some() || system.turtle.sway.is_some(),
             Need::Growth => definition.growth != 1.0,

@@ -268,7 +268,7 @@ fn slot(actions: &[Action], index: usize) -> usize {
     use Action::{PitchDown, PitchUp, RollLeft, RollRight, TurnLeft, TurnRight, TurnRound};
     let goes = |action: &Action| {
         matches!(action, Action::Draw(_) | Action::DrawUnmarked(_) | Action::Move(_) | Action::MoveUnmarked(_))
-            || matches!(action, Action::Circle(_) | Action::Fill(..))
+            || matches!(action, Action::Circle(_) | Action::Fill(..) | Action::Surface(..))
     };
     let turns = |action: &Action| {
         matches!(
@@ -308,6 +308,7 @@ fn replaced(action: Action, number: f64) -> Action {
         Action::ScaleLength(_) => Action::ScaleLength(number),
         Action::Circle(_) => Action::Circle(Some(number)),
         Action::Fill(outline, _) => Action::Fill(outline, Some(number)),
+        Action::Surface(name, _) => Action::Surface(name, Some(number)),
         Action::SwapTurns | Action::TurnRound | Action::RollUpright | Action::Push | Action::Pop | Action::Cut => {
             action
         }

@@ -168,6 +168,19 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                     };
                     polygons.push((corners, state.pen.colour, state.pen.level, segments.len(), module.index));
                 }
+                Action::Surface(name, size) => {
+                    let size = longer * size.unwrap_or(turtle.step);
+                    let triangles = turtle.surfaces.iter().filter(|surface| surface.0 == name);
+                    for corners in triangles.flat_map(|surface| surface.1.iter()) {
+                        let at = |[x, y, z]: Vector| {
+                            let axes = [state.heading, state.left, state.up];
+                            [0, 1, 2].map(|i| state.at[i] + size * (x * axes[0][i] + y * axes[1][i] + z * axes[2][i]))
+                        };
+                        closed.push(polygons.len());
+                        let corners = corners.map(at).to_vec();
+                        polygons.push((corners, state.pen.colour, state.pen.level, segments.len(), module.index));
+                    }
+                }
                 Action::OpenTube => state.tube = state.tube_place(),
                 Action::TubePoint | Action::CloseTube => {
                     let to = state.tube_place();

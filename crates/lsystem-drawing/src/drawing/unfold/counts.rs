@@ -24,7 +24,7 @@ impl DrawingCounts {
         match op {
             TurtleOp::Draw(_) | TurtleOp::Circle(_) | TurtleOp::Tube => self.segments += op.segments(),
             // The polygon and its vertices.
-            TurtleOp::Fill(..) => self.segments += 1 + op.work(),
+            TurtleOp::Fill(..) | TurtleOp::Triangle { .. } => self.segments += 1 + op.work(),
             TurtleOp::Push(_) => {
                 self.open += 1;
                 self.deepest = self.deepest.max(self.open);
