@@ -114,6 +114,7 @@ export const SHELVES = {
     'By chance': {
         'garden/cherry-in-bloom': 'Flowers and leaves',
         'garden/birch-in-the-wind': 'Trees',
+        'garden/tulips': 'Flowers and leaves',
         'garden/meadow': 'Flowers and leaves',
         'abop/1.27': 'Flowers and leaves',
         'garden/hillside': 'Flowers and leaves',

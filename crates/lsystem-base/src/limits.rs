@@ -98,6 +98,9 @@ pub const MAX_TEXT: usize = 1 << 20;
 /// The most predefined surfaces of a system.
 pub const MAX_SURFACES: usize = 32;
 
+/// The most bytes of the text of all surfaces.
+pub const MAX_SURFACES_TEXT: usize = 20_000;
+
 /// The most Bezier patches of a surface.
 pub const MAX_SURFACE_PATCHES: usize = 16;
 

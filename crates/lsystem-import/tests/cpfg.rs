@@ -389,6 +389,8 @@ fn surfaces_of_other_files() {
     noted(&text, "The surface `~k` is not drawn");
     noted(&text.replace("==> leaf.s", "==> other.s"), "The file `leaf.s` is missing");
     noted(&text.replace("SIZE: 10", "SIZE: 0"), "no surface that can be read");
+    // Many surfaces, and many patches of one, are refused by name and in a bounded time.
+    noted(&text.replace("surface: l", &"surface: m none.s\nsurface: l".repeat(40)), "At most 32 surfaces");
     // What is written reads back.
     let notation = lsystem_import::write::Notation::named("cpfg").unwrap();
     let written = lsystem_import::write::export(&definition, notation).unwrap().text;

@@ -11,7 +11,7 @@
 use super::Places;
 use super::surface_file::read_surface;
 use crate::draft::Draft;
-use lsystem_base::MAX_SURFACES;
+use lsystem_base::{MAX_SURFACES, MAX_SURFACES_TEXT};
 use lsystem_syntax::{Surface, print_surfaces};
 
 /// A file in a text.
@@ -43,10 +43,15 @@ pub(super) fn parts(text: &str) -> Vec<Part<'_>> {
 pub(super) fn read_surfaces(text: &str, places: &Places<'_>, draft: &mut Draft<'_>) -> Vec<(char, char)> {
     let parts = parts(text);
     let (mut names, mut surfaces): (Vec<(char, char)>, Vec<Surface>) = (Vec::new(), Vec::new());
-    for line in text.lines().map(str::trim) {
-        let Some(words) = value(line, "surface") else { continue };
+    let lines = text.lines().map(str::trim).filter_map(|line| Some((line, value(line, "surface")?)));
+    // More lines are not looked at, so that the work stays in proportion to the text.
+    for (tried, (line, words)) in lines.enumerate() {
         let place = places.of(line);
         draft.covers(place.clone());
+        if tried >= MAX_SURFACES {
+            draft.note_at(place, format!("At most {MAX_SURFACES} surfaces are read"));
+            break;
+        }
         let mut words = words.split_whitespace();
         let (symbol, file, scale) = (words.next().unwrap_or_default(), words.next(), words.next().unwrap_or("1"));
         let (Some(symbol), Some(file), Ok(scale)) = (symbol.chars().next(), file, scale.parse::<f64>()) else {
@@ -61,15 +66,20 @@ pub(super) fn read_surfaces(text: &str, places: &Places<'_>, draft: &mut Draft<'
             draft.note_at(place, format!("The file `{file}` is no surface that can be read"));
             continue;
         };
-        if names.len() >= MAX_SURFACES || names.iter().any(|(known, _)| *known == symbol) {
-            draft.note_at(place, "This surface is one too many, or its symbol stands twice");
+        if names.iter().any(|(known, _)| *known == symbol) {
+            draft.note_at(place, "The symbol of this surface stands twice; the first is taken");
             continue;
         }
         let is_free = |c: &char| surfaces.iter().all(|surface| surface.name != *c);
         let name = Some(symbol).filter(|c| c.is_alphabetic()).filter(is_free);
         let Some(name) = name.or_else(|| ('a'..='z').chain('A'..='Z').find(is_free)) else { continue };
-        names.push((symbol, name));
         surfaces.push(Surface { name, patches });
+        if print_surfaces(&surfaces).len() > MAX_SURFACES_TEXT {
+            surfaces.pop();
+            draft.note_at(place, "The surfaces have too many patches; this one is left out");
+            continue;
+        }
+        names.push((symbol, name));
         draft.read(place, format!("the surface {name}"));
         let place = places.of(part.text);
         draft.covers(place.clone());

@@ -371,7 +371,7 @@ impl<'p> Symbols<'p> {
                 return draft.refuse_at(place.clone(), "So many different symbols are not read");
             }
             _ if symbol.starts_with('~') && symbol.len() > 1 => {
-                self.tell(symbol, place, &format!("The surface `{symbol}` is not drawn"), draft);
+                self.tell(symbol, place, &format!("The surface `{symbol}` is not drawn: its file is not given"), draft);
                 return out.push(self.free.get(symbol));
             }
             "?" if is_cpfg => {

@@ -60,7 +60,7 @@ fn refused() {
             cpfg
             []
             refused 4 "@M": This moves the turtle to a place of its own, which has no equal here
-            note 4 "~l": The surface `~l` is not drawn
+            note 4 "~l": The surface `~l` is not drawn: its file is not given
             refused 4 "?P": This asks for the state of the turtle, which rules do not know here"#]],
     );
     check(

@@ -3,7 +3,7 @@
 use super::{Access, Affects, FieldSpec, Section, Slider};
 use crate::value::FieldType;
 use crate::{ColourBy, Dialect, Expected, Ink};
-use lsystem_base::{MAX_ITERATIONS, MAX_TEXT};
+use lsystem_base::{MAX_ITERATIONS, MAX_SURFACES_TEXT, MAX_TEXT};
 
 /// Access to a member of a definition.
 macro_rules! at {
@@ -341,7 +341,7 @@ pub static FIELDS: [FieldSpec; 44] = [
         name: "surfaces",
         link: "surfaces",
         file: Some((Section::Turtle, "surfaces")),
-        expected: text(20_000),
+        expected: text(MAX_SURFACES_TEXT),
         label: "Surfaces",
         help: "surfaces that symbols draw, one on each line: a letter, a colon, and the 16 control points of each Bezier patch, each point as its distances ahead, left and up",
         access: Some(at!(surfaces)),
