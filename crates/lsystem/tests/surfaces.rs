@@ -15,7 +15,7 @@ fn surfaces() -> String {
             format!(" {} {} {}", number(along), number(left), number(up))
         };
         fn number(value: f64) -> String {
-            format!("{:.3}", value)
+            format!("{value:.3}")
         }
         (0..16).map(number).collect()
     };

@@ -29,7 +29,7 @@ pub(super) fn read_surface(text: &str, scale: f64) -> Option<Vec<Patch>> {
             return None;
         }
     }
-    if rows.is_empty() || rows.len() % 4 != 0 || size == 0.0 {
+    if rows.is_empty() || !rows.len().is_multiple_of(4) || size == 0.0 {
         return None;
     }
     let heading = unit(heading)?;

@@ -324,7 +324,8 @@ fn tube_place(state: &State) -> TubePlace<2> {
 
 /// The points of the curve between two points of a tube, in this number of parts, by de Casteljau's construction.
 pub fn tube<const N: usize>(from: TubePlace<N>, to: TubePlace<N>, parts: usize) -> Vec<[f64; N]> {
-    let third = (0..N).map(|i| (to.0[i] - from.0[i]).powi(2)).sum::<f64>().sqrt() / 3.0;
+    let squares = (0..N).map(|i| (to.0[i] - from.0[i]) * (to.0[i] - from.0[i]));
+    let third = squares.sum::<f64>().sqrt() / 3.0;
     let [first, last] =
         [(from, third), (to, -third)].map(|(end, by)| core::array::from_fn(|i| end.0[i] + by * end.1[i]));
     let point = |at: usize| {
