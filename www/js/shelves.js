@@ -92,6 +92,7 @@ export const SHELVES = {
         'garden/weeping-willow': 'Trees',
         'garden/ember-coral': 'Trees',
         'garden/hydrangea': 'Trees',
+        'garden/baobab': 'Trees',
         'garden/star-cluster': '',
         'garden/jellyfish': '',
         'abop/2.8b': 'Trees',
@@ -121,6 +122,7 @@ export const SHELVES = {
     'By chance': {
         'garden/cherry-in-bloom': 'Flowers and leaves',
         'garden/birch-in-the-wind': 'Trees',
+        'garden/tulips': 'Flowers and leaves',
         'garden/meadow': 'Flowers and leaves',
         'abop/1.27': 'Flowers and leaves',
         'garden/hillside': 'Flowers and leaves',

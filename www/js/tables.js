@@ -35,6 +35,7 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
  * @property {number} lengthVariation how much lengths differ at random, at most, in percent
  * @property {number} growth how far the last derivation step has grown
  * @property {string} overrides symbols that do something else than in the dialect, one on each line
+ * @property {string} surfaces surfaces that symbols draw, one on each line: a letter, a colon, and the 16 control points of each Bezier patch, each point as its distances ahead, left and up
  * @property {string[]} palette the stroke colours
  * @property {'symbol' | 'single' | 'level' | 'turn' | 'generation' | 'path' | 'density'} colourBy what the colour follows
  * @property {boolean} paletteHolds whether by level and by generation the last colour stays where the palette ends
@@ -98,6 +99,7 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
     lengthVariation: { link: 'varylength', kind: 'number', low: 0, high: 100, default: 0, label: 'Length variation', expected: 'a number from 0 to 100', unit: 'percent', slider: { from: 0, parts: [[30, 1], [100, 5]], arrow: 1 }, affects: 'drawing' },
     growth: { link: 'growth', kind: 'number', low: 0, high: 1, default: 1, label: 'Growth', expected: 'a number from 0 to 1', affects: 'drawing' },
     overrides: { link: 'do', kind: 'text', maxLength: 20000, default: '', label: 'Custom symbols', expected: 'a text of at most 20,000 characters', affects: 'drawing' },
+    surfaces: { link: 'surfaces', kind: 'text', maxLength: 20000, default: '', label: 'Surfaces', expected: 'a text of at most 20,000 characters', affects: 'drawing' },
     palette: { link: 'palette', kind: 'colours', maxLength: 256, default: ['#1f5c3a', '#5f8f2f', '#b58b1e', '#b4532a', '#8c2f4b'], label: 'Colours', expected: 'a list of 1 to 256 colours such as "#1f5c3a"', affects: 'look' },
     colourBy: { link: 'colour', kind: 'word', words: ['symbol', 'single', 'level', 'turn', 'generation', 'path', 'density'], default: 'symbol', label: 'Colour by', expected: 'one of `symbol`, `single`, `level`, `turn`, `generation`, `path`, `density`', affects: 'look' },
     paletteHolds: { link: 'hold', kind: 'flag', default: false, label: 'Stay at the last colour', expected: 'true or false', affects: 'look' },
@@ -121,4 +123,4 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
 });
 
 /** Attributes of the element and the keys in links that they stand for. */
-export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', sway: 'sway', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', taper: 'taper', thin: 'thin', thick: 'thick', ink: 'ink', hue: 'hue', exposure: 'exposure', shadows: 'shadows', auto: 'auto', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };
+export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', sway: 'sway', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', surfaces: 'surfaces', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', taper: 'taper', thin: 'thin', thick: 'thick', ink: 'ink', hue: 'hue', exposure: 'exposure', shadows: 'shadows', auto: 'auto', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };

@@ -31,8 +31,9 @@ pub(crate) fn import(files: &[PathBuf], to: &Path) -> Result<(), CommandFailure>
     let files: Vec<PathBuf> = files.iter().flat_map(|file| listed(file, 0)).collect();
     // No output of a file replaces a later one.
     files.iter().for_each(|file| input::keep(file));
-    for file in &files {
-        import_one(file, to, &mut taken, &mut totals);
+    let is_beside = |file: &&PathBuf| files.iter().any(|other| companions(other, &files).any(|own| own == *file));
+    for file in files.iter().filter(|file| !is_beside(file)) {
+        import_one(file, &files, to, &mut taken, &mut totals);
     }
     let Totals { files, failed_files, converted, refused } = totals;
     print(|out| {
@@ -59,11 +60,33 @@ fn listed(path: &Path, depth: usize) -> Vec<PathBuf> {
     inside.iter().flat_map(|path| listed(path, depth + 1)).collect()
 }
 
+/// The files that a file of cpfg may name: view files and surfaces in its folder.
+fn companions<'f>(file: &Path, files: &'f [PathBuf]) -> impl Iterator<Item = &'f PathBuf> {
+    let ending = |path: &Path| path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    let is_system = ending(file).as_deref() == Some("l");
+    let folder = file.parent().map(Path::to_owned);
+    files.iter().filter(move |other| {
+        is_system && other.parent().map(Path::to_owned) == folder && matches!(ending(other).as_deref(), Some("v" | "s"))
+    })
+}
+
+/// The bytes of a file of cpfg with those of its companions behind, each below a line with its name.
+fn with_companions(file: &Path, bytes: Vec<u8>, files: &[PathBuf]) -> std::io::Result<Vec<u8>> {
+    let mut all = bytes;
+    let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    for other in companions(file, files) {
+        all.extend_from_slice(format!("\n==> {} <==\n", name(other)).as_bytes());
+        all.extend(bytes_of(other)?);
+    }
+    Ok(all)
+}
+
 /// Converts the systems of one file.
-fn import_one(file: &Path, to: &Path, taken: &mut BTreeSet<String>, totals: &mut Totals) {
+fn import_one(file: &Path, files: &[PathBuf], to: &Path, taken: &mut BTreeSet<String>, totals: &mut Totals) {
     let name = file.display().to_string();
     totals.files += 1;
-    let entries = match bytes_of(file).map_err(|error| error.to_string()).and_then(|bytes| entries_of(&bytes)) {
+    let bytes = bytes_of(file).and_then(|bytes| with_companions(file, bytes, files));
+    let entries = match bytes.map_err(|error| error.to_string()).and_then(|bytes| entries_of(&bytes)) {
         Ok(entries) => entries,
         Err(words) => {
             say(&format!("{}\n", visible(&format!("error: {name}: {words}"))));

@@ -48,6 +48,33 @@ fn systems_of_other_programs_are_drawn() {
 }
 
 #[test]
+fn files_of_surfaces_beside_a_system_are_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path();
+    std::fs::create_dir(path.join("in")).expect("a folder");
+    let row = |y: u32| (0..4).map(|x| format!("{x} {y} 0 ")).collect::<String>();
+    let leaf = format!(
+        "0 3 0 3 0 0\nCONTACT POINT X: 0 Y: 0 Z: 0\nHEADING X: 0 Y: 1 Z: 0\nUP X: 0 Y: 0 Z: 1\nSIZE: 1\npatch\n{}",
+        (0..4).map(|y| row(y) + "\n").collect::<String>()
+    );
+    let files_in = [
+        ("plant.l", "lsystem: 1\nderivation length: 1\naxiom: A\nA --> F~l(2)\nendlsystem\n"),
+        ("plant.v", "angle factor: 8\nsurface: l leaf.s 1\n"),
+        ("leaf.s", &*leaf),
+    ];
+    for (name, text) in files_in {
+        std::fs::write(path.join("in").join(name), text).expect("written");
+    }
+    let (code, out, error) = lsys(path, "import in --to out");
+    assert_eq!((code, &*out, &*error), (Some(0), "1 file read, 0 without a system; 1 converted, 0 refused\n", ""));
+    let json = std::fs::read_to_string(path.join("out/plant.json")).expect("written");
+    assert!(json.contains("\"surfaces\": \"l: 0 0 0 0 -1 0"), "{json}");
+    // Without the other files, the remark names what is missing.
+    std::fs::write(path.join("alone.l"), files_in[0].1).expect("written");
+    assert!(lsys(path, "import alone.l --to out").2.contains("its file is not given"));
+}
+
+#[test]
 fn folders_are_converted() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path();

@@ -95,6 +95,15 @@ pub const MAX_MESH_COPIES: u64 = 1_000_000;
 /// The most bytes of a text: an axiom, rules, overrides, or a text in a foreign notation.
 pub const MAX_TEXT: usize = 1 << 20;
 
+/// The most predefined surfaces of a system.
+pub const MAX_SURFACES: usize = 32;
+
+/// The most bytes of the text of all surfaces.
+pub const MAX_SURFACES_TEXT: usize = 20_000;
+
+/// The most Bezier patches of a surface.
+pub const MAX_SURFACE_PATCHES: usize = 16;
+
 /// The most bytes of a system as JSON. The longest texts fit, even if every character is escaped.
 pub const MAX_FILE: usize = 4 << 20;
 

@@ -281,9 +281,10 @@ const ANGLES: [&str; 6] = ["angle", "rightAngle", "pitchDown", "pitchUp", "rollL
 /// The fields of the turtle that a student may have to find.
 const SYMBOLS: [&str; 3] = ["dialect", "overrides", "heading"];
 /// All fields of the turtle.
-const TURTLE: [&str; 11] = [
+const TURTLE: [&str; 12] = [
     "dialect",
     "overrides",
+    "surfaces",
     "heading",
     "step",
     "start",

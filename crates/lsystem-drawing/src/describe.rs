@@ -88,6 +88,7 @@ fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) ->
                 Some(Action::Draw(_) | Action::Move(_) | Action::DrawUnmarked(_) | Action::MoveUnmarked(_)) => "l",
                 Some(Action::Circle(_) | Action::Fill(Outline::Disc, _)) => "d",
                 Some(Action::Fill(..)) => "l",
+                Some(Action::Surface(..)) => "s",
                 Some(_) => "a",
                 None => "x",
             };
@@ -114,6 +115,7 @@ fn numbered_words(system: &System, action: Action, name: &str) -> String {
         Action::Circle(_) => format!("draws a circle with the diameter {name}"),
         Action::Fill(Outline::Disc, _) => format!("fills a disc with the diameter {name}"),
         Action::Fill(outline, _) => format!("draws a {} of length {name}", leaf_words(outline)),
+        Action::Surface(surface, _) => format!("draws the surface {surface}, {name} in size"),
         _ => action_words(system, action),
     }
 }
@@ -163,6 +165,9 @@ fn action_words(system: &System, action: Action) -> String {
         Action::OpenPolygon => "begins a filled polygon".to_owned(),
         Action::Vertex => "is a vertex of the polygon".to_owned(),
         Action::ClosePolygon => "fills the polygon".to_owned(),
+        Action::OpenTube => "begins a smooth tube".to_owned(),
+        Action::TubePoint => "draws the tube up to here".to_owned(),
+        Action::CloseTube => "draws the tube up to here and ends it".to_owned(),
         Action::TurnLeft(degrees) => bend("turns left", degrees, system.turtle.left),
         Action::TurnRight(degrees) => bend("turns right", degrees, system.turtle.right),
         Action::PitchDown(degrees) => bend("pitches down", degrees, system.turtle.pitch_down),
@@ -185,6 +190,8 @@ fn action_words(system: &System, action: Action) -> String {
         Action::SwapTurns => "exchanges left and right turns".to_owned(),
         Action::Circle(diameter) => round("draws a circle", diameter),
         Action::Fill(Outline::Disc, diameter) => round("fills a disc", diameter),
+        Action::Surface(surface, None) => format!("draws the surface {surface}"),
+        Action::Surface(surface, Some(size)) => format!("draws the surface {surface}, {size} in size"),
         Action::Fill(outline, length) => along(&format!("draws a {} of length", leaf_words(outline)), length),
     }
 }

@@ -13,7 +13,7 @@ pub fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
 /// As [`drawn_by_letter`], for segments, discs and ends of polygons.
 pub(crate) fn shown_by_letter(system: &System) -> Option<Vec<u64>> {
     marks_by_letter(system, |action| match action {
-        Action::Fill(..) | Action::ClosePolygon => 1,
+        Action::Fill(..) | Action::Surface(..) | Action::ClosePolygon => 1,
         other => other.segments(),
     })
 }

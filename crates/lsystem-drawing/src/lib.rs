@@ -29,6 +29,7 @@ mod solid;
 mod space;
 mod style;
 mod sway;
+mod tube;
 mod turtle;
 
 mod look;
@@ -63,4 +64,4 @@ pub use strings::{count_segments, count_symbols, expand, expand_counted, expand_
 pub use style::{ColourChange, StyleChange, StyleId, WidthChange, Widths};
 pub use sway::Sway;
 pub use system::System;
-pub use turtle::{Colouring, Turtle};
+pub use turtle::{Colouring, Triangle, Turtle};

@@ -126,6 +126,16 @@ impl WidthChange {
         finite(self.factor * width + self.offset)
     }
 
+    /// The change that is the part `t` of the way, from 0 to 1, from this one to `end`.
+    #[must_use]
+    pub fn between(self, end: Self, t: f64) -> Self {
+        let mix = |from: f64, to: f64| finite(from * (1.0 - t) + to * t);
+        if self == end {
+            return self;
+        }
+        Self { factor: mix(self.factor, end.factor), offset: mix(self.offset, end.offset) }
+    }
+
     /// A change that makes every width (at least 0) at least as wide as both changes do.
     #[must_use]
     pub fn widest(self, other: Self) -> Self {

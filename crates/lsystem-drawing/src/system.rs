@@ -11,7 +11,9 @@ use lsystem_syntax::lint::warnings;
 use lsystem_syntax::notation;
 use lsystem_syntax::{
     Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, Production, Style, parse_overrides,
+    parse_surfaces,
 };
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A checked and compiled [`Definition`].
@@ -39,6 +41,12 @@ impl System {
         let mut diagnostics = core::mem::take(&mut reading.diagnostics);
         diagnostics.extend(overrides_diagnostics);
         diagnostics.extend(definition.out_of_range());
+        let surfaces = parse_surfaces(&definition.surfaces);
+        let surfaces = surfaces.unwrap_or_else(|(line, problem)| {
+            let kind = Kind::Surface { line, problem };
+            diagnostics.push(Diagnostic { kind, field: Field::Numbers, span: 0..0 });
+            vec![]
+        });
         if diagnostics.iter().any(Diagnostic::is_error) {
             return (None, diagnostics);
         }
@@ -47,6 +55,16 @@ impl System {
             diagnostics.push(Diagnostic { kind, field: Field::Rules, span: 0..0 });
             return (None, diagnostics);
         }
+        let drawn = overrides.iter().flat_map(|own| &own.actions);
+        let unknown = drawn.filter_map(|action| match action {
+            Action::Surface(name, _) if surfaces.iter().all(|surface| surface.name != *name) => Some(*name),
+            _ => None,
+        });
+        let unknown: BTreeSet<char> = unknown.collect();
+        diagnostics.extend(unknown.into_iter().map(|name| {
+            let kind = Kind::UnknownSurface { name };
+            Diagnostic { kind, field: Field::Overrides, span: 0..0 }
+        }));
         // `parse_overrides` leaves each symbol at most one override.
         let mut order: Vec<(char, usize)> = overrides.iter().enumerate().map(|(at, o)| (o.symbol, at)).collect();
         sort(&mut order);
@@ -73,7 +91,14 @@ impl System {
         let actions: Vec<Vec<Action>> = (rules.letters.iter())
             .map(|letter| actions.drawn(letter.symbol, image_of(grammar, &images, letter.symbol), !rules.is_plain()))
             .collect();
+        // Only surfaces that a letter draws are divided into triangles.
+        let draws = |name: char| {
+            actions.iter().flatten().any(|action| matches!(action, Action::Surface(own, _) if *own == name))
+        };
+        let drawn = surfaces.iter().filter(|surface| draws(surface.name));
+        let drawn = drawn.map(|surface| (surface.name, Arc::from(surface.triangles()))).collect();
         let mut turtle = Turtle {
+            surfaces: drawn,
             // A drawing without branches stands still.
             sway: Sway::new(definition.sway).filter(|_| branch(&actions)),
             actions,

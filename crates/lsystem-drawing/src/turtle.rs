@@ -6,14 +6,21 @@ use crate::rotation::Axis;
 use crate::space::{Geometry, Tropism, exponent_of, finite, unit_of};
 use crate::style::{ColourChange, StyleChange, WidthChange};
 use crate::sway::{Sway, WAVE};
+use crate::tube::TubeEnd;
 use lsystem_derive::{Fate, LetterId, Rule, Rules, Varied};
-use lsystem_syntax::{Action, CIRCLE_SIDES, ColourBy, Heading, Outline, Style};
+use lsystem_syntax::{Action, CIRCLE_SIDES, ColourBy, Heading, Outline, Style, SurfacePoint, TUBE_STROKES};
+use std::sync::Arc;
+
+/// The corners of a triangle of a surface of size 1: ahead, left and up.
+pub type Triangle = [SurfacePoint; 3];
 
 /// The actions of all letters and the settings of the turtle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turtle {
     /// The actions by letter ([`LetterId`]).
     pub actions: Vec<Vec<Action>>,
+    /// The triangles of the surfaces that letters draw, by name.
+    pub surfaces: Vec<(char, Arc<[Triangle]>)>,
     /// The angle of a left turn, counter-clockwise.
     pub left: Heading,
     /// The angle of a right turn, clockwise.
@@ -88,6 +95,12 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     Circle(f64),
     /// Fill an outline; the size in the same units.
     Fill(Outline, f64),
+    /// Fill a triangle of a surface; the size in the same units. `follows`: the triangle is not the surface's first.
+    Triangle {
+        corners: Triangle,
+        size: f64,
+        follows: bool,
+    },
     /// Roll until the turtle's left is level.
     Upright,
     /// Turn the heading by a tropism.
@@ -105,6 +118,10 @@ pub(crate) enum TurtleOp<S: Geometry = Plane> {
     FirstVertex,
     Vertex,
     ClosePolygon,
+    /// Begin a tube.
+    OpenTube,
+    /// Draw a part of a tube.
+    Tube,
 }
 
 /// A rotation about one of the turtle's own axes, as an angle and as a turn.
@@ -155,6 +172,7 @@ impl Default for Turtle {
     fn default() -> Self {
         Self {
             actions: vec![],
+            surfaces: vec![],
             left: Heading::EAST,
             right: Heading::EAST,
             pitch_down: Heading::EAST,
@@ -251,7 +269,15 @@ impl Turtle {
         for &action in actions {
             let marks = corners && matches!(action, Action::Draw(_) | Action::Move(_));
             ops.extend(marks.then_some(TurtleOp::FirstVertex));
-            ops.push(self.op(action));
+            if let Action::Surface(name, size) = action {
+                let triangles = self.surface(name).iter().enumerate();
+                ops.extend(triangles.map(|(at, &corners)| {
+                    let size = self.in_steps(size);
+                    TurtleOp::Triangle { corners, size, follows: at > 0 }
+                }));
+            } else {
+                ops.push(self.op(action));
+            }
             ops.extend(marks.then_some(TurtleOp::Vertex));
             ops.extend((self.sway.is_some() && action == Action::Push).then_some(TurtleOp::Sway(S::AHEAD)));
             if let Some(tropism) = self.tropism.filter(|_| action.draws()) {
@@ -265,6 +291,16 @@ impl Turtle {
             ops.extend(sides.map(TurtleOp::TurnColour));
         }
         ops
+    }
+
+    /// The triangles of a surface; none if the system has no surface of this name.
+    fn surface(&self, name: char) -> &[Triangle] {
+        self.surfaces.iter().find(|(own, _)| *own == name).map_or(&[], |(_, triangles)| triangles)
+    }
+
+    /// A length in units of [`Turtle::unit`]; the step if there is none.
+    fn in_steps(&self, length: Option<f64>) -> f64 {
+        length.map_or(self.steps(), |length| finite(length / self.unit()))
     }
 
     fn branch_factors(&self) -> BranchFactors {
@@ -285,13 +321,15 @@ impl Turtle {
             let other = Some(angle(degrees, other));
             TurtleOp::Turn(Turning { other, ..Turning::new(Axis::Up, angle(degrees, own), back) })
         };
-        let in_steps = |length: Option<f64>| length.map_or(self.steps(), |l| finite(l / self.unit()));
+        let in_steps = |length: Option<f64>| self.in_steps(length);
         match action {
             Action::Draw(length) | Action::DrawUnmarked(length) => TurtleOp::Draw(in_steps(length)),
             Action::Move(length) | Action::MoveUnmarked(length) => TurtleOp::Move(in_steps(length)),
             Action::OpenPolygon => TurtleOp::OpenPolygon,
             Action::Vertex => TurtleOp::Vertex,
             Action::ClosePolygon => TurtleOp::ClosePolygon,
+            Action::OpenTube => TurtleOp::OpenTube,
+            Action::TubePoint | Action::CloseTube => TurtleOp::Tube,
             Action::TurnLeft(degrees) => side(degrees, [self.left, self.right], false),
             Action::TurnRight(degrees) => side(degrees, [self.right, self.left], true),
             Action::SwapTurns => TurtleOp::SwapTurns,
@@ -306,8 +344,8 @@ impl Turtle {
             Action::TurnRound => TurtleOp::Turn(Turning::new(Axis::Up, Heading::HALF, false)),
             Action::Push => TurtleOp::Push(self.branch_factors()),
             Action::Pop => TurtleOp::Pop,
-            // A cut acts during the derivation.
-            Action::Cut => TurtleOp::Style(StyleChange::NONE),
+            // A cut acts during the derivation, and a surface has several operations.
+            Action::Cut | Action::Surface(..) => TurtleOp::Style(StyleChange::NONE),
             Action::SetColour(_) | Action::AddColour(_) if self.colouring != Colouring::Symbols => {
                 TurtleOp::Style(StyleChange::NONE)
             }
@@ -335,9 +373,15 @@ impl<S: Geometry> Score<S> {
         let (ops, first) = (&self.ops[letter], turtle.actions[letter].first());
         // In systems with polygons, an operation for the first vertex comes before a draw or move.
         let marks = matches!(ops[..], [TurtleOp::FirstVertex, ..]);
+        // A surface has an operation for each triangle.
+        let surface = if let Some(&Action::Surface(name, _)) = first { Some(turtle.surface(name).len()) } else { None };
         let numbered = number.zip(first).map(|(number, action)| (usize::from(marks), action.with(number)));
         ops.iter().enumerate().map(move |(index, &op)| match numbered {
-            Some((place, action)) if place == index => self.op(turtle, action),
+            Some((_, action)) if surface.is_some_and(|count| index < count) => {
+                let size = finite(libm::scalbn(turtle.in_steps(action.length().flatten()), -self.exponent));
+                op.map_length(|_| size)
+            }
+            Some((place, action)) if surface.is_none() && place == index => self.op(turtle, action),
             _ => op,
         })
     }
@@ -365,7 +409,15 @@ impl<S: Geometry> Score<S> {
 
     /// Whether a letter opens a polygon or fills a disc.
     pub(crate) fn fills(&self) -> bool {
-        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::OpenPolygon | TurtleOp::Fill(..)))
+        self.ops
+            .iter()
+            .flatten()
+            .any(|op| matches!(op, TurtleOp::OpenPolygon | TurtleOp::Fill(..) | TurtleOp::Triangle { .. }))
+    }
+
+    /// Whether a letter draws a part of a tube, which begins at an earlier symbol.
+    pub(crate) fn has_tubes(&self) -> bool {
+        self.ops.iter().flatten().any(|op| matches!(op, TurtleOp::Tube))
     }
 
     /// Whether a letter exchanges left and right turns.
@@ -402,6 +454,7 @@ impl<S: Geometry> Score<S> {
                 _ => grown * (1.0 + most * fate.key.variation(seed, what, slot - 1)),
             }
         };
+        let mut of_surface = 1.0;
         own.clear();
         if self.colours_by_generation {
             own.push(TurtleOp::Style(ColourChange::Set(fate.since.cast_signed()).into()));
@@ -413,7 +466,12 @@ impl<S: Geometry> Score<S> {
                 TurtleOp::Turn(turning.part(varied(most, Varied::Angle)))
             }
             TurtleOp::Sway(_) => self.swaying(op, fate.step),
-            other => other.map_length(|length| length * varied(lengths, Varied::Length)),
+            // All triangles of a surface change alike.
+            TurtleOp::Triangle { follows: true, .. } => op.map_length(|size| size * of_surface),
+            other => other.map_length(|length| {
+                of_surface = varied(lengths, Varied::Length);
+                length * of_surface
+            }),
         }));
     }
 
@@ -504,6 +562,7 @@ impl<S: Geometry> TurtleOp<S> {
             Self::Move(length) => Self::Move(change(length)),
             Self::Circle(diameter) => Self::Circle(change(diameter)),
             Self::Fill(outline, size) => Self::Fill(outline, change(size)),
+            Self::Triangle { corners, size, follows } => Self::Triangle { corners, size: change(size), follows },
             other => other,
         }
     }
@@ -512,6 +571,7 @@ impl<S: Geometry> TurtleOp<S> {
     pub(crate) fn length(&self) -> Option<f64> {
         match *self {
             Self::Draw(length) | Self::Move(length) | Self::Circle(length) | Self::Fill(_, length) => Some(length),
+            Self::Triangle { size, .. } => Some(size),
             _ => None,
         }
     }
@@ -521,6 +581,7 @@ impl<S: Geometry> TurtleOp<S> {
         match self {
             Self::Draw(_) => 1,
             Self::Circle(_) => u64::from(CIRCLE_SIDES),
+            Self::Tube => u64::from(TUBE_STROKES),
             _ => 0,
         }
     }
@@ -529,7 +590,9 @@ impl<S: Geometry> TurtleOp<S> {
     pub(crate) fn work(&self) -> u64 {
         match self {
             Self::Circle(_) => u64::from(CIRCLE_SIDES),
+            Self::Tube => u64::from(TUBE_STROKES),
             Self::Fill(outline, _) => u64::from(outline.sides()),
+            Self::Triangle { .. } => 3,
             _ => 1,
         }
     }
@@ -579,6 +642,8 @@ pub(crate) struct Pen<S: Geometry = Plane> {
     pub swapped: bool,
     /// The upward direction of the model, in the pen's frame. A sway turns it with the branch.
     pub vertical: S::Point,
+    /// The last point of the tube.
+    pub tube: TubeEnd<S>,
 }
 
 /// A receiver of segments and polygons.
@@ -587,6 +652,8 @@ pub(crate) trait Paper<S: Geometry> {
     fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
     /// Adds a segment beside the branch.
     fn side(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
+    /// Adds a stroke of a tube, which tapers to the width `style.next`.
+    fn tube(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
     /// Interrupts the branch: the turtle moves.
     fn gap(&mut self);
     /// Opens a branch.
@@ -612,7 +679,9 @@ impl<S: Geometry> Pen<S> {
 
     /// A pen at the origin.
     pub(crate) fn new(heading: S::Turn, style: StyleChange) -> Self {
-        Self { at: S::Point::default(), heading, style, scale: 1.0, swapped: false, vertical: S::UPWARDS }
+        let at = S::Point::default();
+        let tube = TubeEnd { at, heading, width: style.width };
+        Self { at, heading, style, scale: 1.0, swapped: false, vertical: S::UPWARDS, tube }
     }
 
     /// Performs operations, with lengths times `scale`, and draws on `paper`. `saved` is the stack of open branches. A
@@ -656,6 +725,12 @@ impl<S: Geometry> Pen<S> {
                     }
                     paper.close();
                 }
+                TurtleOp::Triangle { corners, size, .. } => {
+                    paper.open(&self.style);
+                    let axes = S::scaled(S::axes(directions, self.heading), size * scale * self.scale);
+                    corners.iter().for_each(|&corner| paper.vertex(S::transform(&axes, self.at, S::point(corner))));
+                    paper.close();
+                }
                 TurtleOp::Upright => self.heading = S::upright(self.heading, &self.vertical),
                 TurtleOp::Bend(tropism) => self.heading = S::bent(self.heading, &tropism),
                 TurtleOp::Push(BranchFactors { width, length }) => {
@@ -680,8 +755,24 @@ impl<S: Geometry> Pen<S> {
                 TurtleOp::FirstVertex => paper.first_vertex(self.at),
                 TurtleOp::Vertex => paper.vertex(self.at),
                 TurtleOp::ClosePolygon => paper.close(),
+                TurtleOp::OpenTube => self.tube = self.tube_end(),
+                TurtleOp::Tube => {
+                    let end = self.tube_end();
+                    let curve = self.tube.curve(&end, directions);
+                    self.tube = end;
+                    paper.gap();
+                    for ends in curve.windows(2) {
+                        let [(from, width), (to, next)] = [ends[0], ends[1]];
+                        paper.tube(from, to, &StyleChange { width, next: Some(next), ..self.style });
+                    }
+                }
             }
         }
+    }
+
+    /// The turtle's place as a point of a tube.
+    fn tube_end(&self) -> TubeEnd<S> {
+        TubeEnd { at: self.at, heading: self.heading, width: self.style.width }
     }
 
     /// Turns the heading by a sway. The vertical turns too: all of a branch moves as one, and pieces with `$` stay equal.

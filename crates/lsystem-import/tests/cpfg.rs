@@ -187,7 +187,10 @@ fn symbols_of_cpfg() {
     noted(&cpfg("axiom: @M(3,4,0)F\nF --> FF"), "where the turtle starts");
     refused(&cpfg("axiom: F@M(3,4,0)F\nF --> FF"), "place of its own");
     refused(&cpfg("axiom: F@R(1,0,0)F\nF --> FF"), "heading in space");
-    refused(&cpfg("axiom: @Gs F@Gc(3)F@Ge\nF --> FF"), "Generalized cylinders");
+    assert_eq!(read(&cpfg("axiom: @Gsf@Gc(3)+f@Ge\nA --> FF")).axiom, "afb(3)+fd");
+    noted(&cpfg("axiom: @Gsf@Gc(3)+f@Ge\nF --> FF"), "number of strips");
+    assert_eq!(segments(&cpfg("derivation length: 0\naxiom: @Gsf@Gc+f@Ge")).len(), 16);
+    refused(&cpfg("axiom: @Gs@Gt(1,1)f@Ge\nF --> FF"), "tangents");
     let asking = "derivation length: 2\naxiom: FF?P(0,0,0)?H(0,0,0)A\n?P(x,y,z) < ?H(a,b,c) : y > 1 --> [-F]?H(a,b,c)";
     assert_eq!(word(&cpfg(asking)), "FF?P(0,2,0)[-F][-F]?H(0,1,0)A");
     refused(&cpfg("derivation length: 1\naxiom: F[+D][-F]\nF > [+D=] --> FV"), "`=` in a context");
@@ -354,4 +357,47 @@ fn every_part_of_a_system_has_its_fate() {
             assert_ne!(part.words, "This is not understood", "{own}");
         }
     }
+}
+
+/// A text of several files: a system, its view file, and a surface that lies in the plane of x and y, with its heading
+/// along y, and is 20 long and 10 wide.
+fn with_surface(body: &str) -> String {
+    let row =
+        |y: f64| -> String { (0..4).map(|at| format!("{} {y} 5  ", 10.0 + f64::from(at) * 10.0 / 3.0)).collect() };
+    let rows: Vec<String> = (0..4).map(|at| row(f64::from(at) * 20.0 / 3.0)).collect();
+    format!(
+        "==> plant.l <==\n{}==> plant.v <==\nangle factor: 12\nsurface: l leaf.s 2 3 3\nline width: 3\n==> leaf.s <==\n\
+         10 20   0 20   5 5\nCONTACT POINT  X: 15.00 Y: 0.00 Z: 5.00\nEND POINT  X: 1 Y: 2 Z: 3\n\
+         HEADING  X: 0.00 Y: 3.00 Z: 0.00\nUP  X: 0.00 Y: 0.10 Z: 1.00\nSIZE: 10\nthe_patch\n\
+         TOP COLOR: 32 DIFFUSE: 0.00 BOTTOM COLOR: 32 DIFFUSE: 0.00\nAL: ~ A: ~ AR: ~ \nL: ~ R: ~ \nBL: ~ B: ~ BR: ~ \n{}\n",
+        cpfg(body),
+        rows.join("\n")
+    )
+}
+
+#[test]
+fn surfaces_of_other_files() {
+    let text = with_surface("derivation length: 1\naxiom: F+~l(0.5)A\nA --> [~l(2)~k]F");
+    let definition = read(&text);
+    assert_eq!(definition.angle, 30.0);
+    let surfaces = lsystem_syntax::parse_surfaces(&definition.surfaces).unwrap();
+    // Times 2, divided by the size of 10: 4 long, 1 to either side of the turtle.
+    let patch = surfaces[0].patches[0];
+    assert_eq!([patch[0], patch[3], patch[12]], [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [4.0, 1.0, 0.0]]);
+    let (system, _) = System::new(&definition);
+    let figure = Figure::draw(&system.unwrap(), 1, &Limits::default()).unwrap();
+    assert_eq!(figure.polygon_count(), 2 * 72);
+    noted(&text, "The surface `~k` is not drawn");
+    noted(&text.replace("==> leaf.s", "==> other.s"), "The file `leaf.s` is missing");
+    noted(&text.replace("SIZE: 10", "SIZE: 0"), "no surface that can be read");
+    // Many surfaces, and many patches of one, are refused by name and in a bounded time.
+    noted(&text.replace("surface: l", &"surface: m none.s\nsurface: l".repeat(40)), "At most 32 surfaces");
+    // What is written reads back.
+    let notation = lsystem_import::write::Notation::named("cpfg").unwrap();
+    let written = lsystem_import::write::export(&definition, notation).unwrap().text;
+    let again = read(&written);
+    assert_eq!(again.surfaces, definition.surfaces, "{written}");
+    let (again, _) = System::new(&again);
+    let again = Figure::draw(&again.unwrap(), 1, &Limits::default()).unwrap();
+    assert_eq!((again.polygon_count(), again.bounds()), (figure.polygon_count(), figure.bounds()), "{written}");
 }

@@ -48,6 +48,8 @@ export interface Fields {
     growth: number;
     /** symbols that do something else than in the dialect, one on each line: a text of at most 20,000 characters */
     overrides: string;
+    /** surfaces that symbols draw, one on each line: a letter, a colon, and the 16 control points of each Bezier patch, each point as its distances ahead, left and up: a text of at most 20,000 characters */
+    surfaces: string;
     /** the stroke colours: a list of 1 to 256 colours such as "#1f5c3a" */
     palette: string[];
     /** what the colour follows: one of `symbol`, `single`, `level`, `turn`, `generation`, `path`, `density` */

@@ -6,6 +6,10 @@ use crate::Outline;
 /// with a diameter of up to 200 pixels.
 pub const CIRCLE_SIDES: u32 = 32;
 
+/// The number of strokes of a part of a tube. With 8 strokes, a part whose headings differ from its chord by up to 60
+/// degrees stays within 1/90 of the length of the chord of the true curve.
+pub const TUBE_STROKES: u32 = 8;
+
 /// One action of the turtle. Each symbol has a list of actions, from the [`Dialect`](crate::Dialect) or an override.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
@@ -63,6 +67,18 @@ pub enum Action {
     /// Fill an outline in the turtle's current colour, in the plane of its heading and its left. The size is in model
     /// units, times the length scale; `None` is the system's step length.
     Fill(Outline, Option<f64>),
+    /// Begin a tube here: a generalized cylinder, as `@Gs` of cpfg.
+    OpenTube,
+    /// Draw the tube up to here, as `@Gc` of cpfg: a smooth curve from the last point of the tube on this branch, which
+    /// may be in the branch around it. The curve leaves the last point and reaches this one along the turtle's headings
+    /// there. The width changes evenly from the one to the other. The curve is drawn as [`TUBE_STROKES`] segments.
+    /// Without [`Action::OpenTube`], the tube begins where the turtle starts.
+    TubePoint,
+    /// Draw the tube up to here and end it, as `@Ge` of cpfg.
+    CloseTube,
+    /// Draw the surface of this name at the turtle, in its current colour. The size is in model units, times the length
+    /// scale; `None` is the system's step length.
+    Surface(char, Option<f64>),
     /// In the next derivation step, remove this symbol and the rest of its branch. The turtle ignores the symbol.
     Cut,
 }
@@ -88,6 +104,7 @@ impl Action {
             Self::ScaleLength(_) => Self::ScaleLength(number),
             Self::Circle(_) => Self::Circle(Some(number)),
             Self::Fill(outline, _) => Self::Fill(outline, Some(number)),
+            Self::Surface(name, _) => Self::Surface(name, Some(number)),
             Self::TurnRound
             | Self::SwapTurns
             | Self::RollUpright
@@ -96,7 +113,10 @@ impl Action {
             | Self::Cut
             | Self::OpenPolygon
             | Self::Vertex
-            | Self::ClosePolygon => self,
+            | Self::ClosePolygon
+            | Self::OpenTube
+            | Self::TubePoint
+            | Self::CloseTube => self,
             // The cast takes the nearest `i32` for numbers out of range.
             Self::SetColour(_) | Self::AddColour(_) => Self::SetColour(libm::floor(number) as i32),
             Self::SetWidth(_) | Self::ScaleWidth(_) => Self::SetWidth(number),
@@ -115,6 +135,7 @@ impl Action {
         match self {
             Self::Draw(_) | Self::DrawUnmarked(_) => 1,
             Self::Circle(_) => u64::from(CIRCLE_SIDES),
+            Self::TubePoint | Self::CloseTube => u64::from(TUBE_STROKES),
             _ => 0,
         }
     }
@@ -125,7 +146,7 @@ impl Action {
         match self {
             Self::Draw(length) | Self::DrawUnmarked(length) => Some(length),
             Self::Move(length) | Self::MoveUnmarked(length) => Some(length),
-            Self::Circle(length) | Self::Fill(_, length) => Some(length),
+            Self::Circle(length) | Self::Fill(_, length) | Self::Surface(_, length) => Some(length),
             _ => None,
         }
     }

@@ -51,6 +51,8 @@ pub struct Definition {
     pub dialect: Dialect,
     /// Custom symbols, one on each line: `G: move`, `B: turn left 90, draw 10`. They replace the dialect's actions.
     pub overrides: String,
+    /// Surfaces that symbols draw, one on each line (`parse_surfaces`).
+    pub surfaces: String,
     /// The factor of all lengths for each branch level.
     pub length_factor: f64,
     /// The largest random change of an angle, in percent of the angle, 0 to 100.
@@ -176,6 +178,7 @@ impl Default for Definition {
             sway: [0.0, 0.0],
             dialect: Dialect::default(),
             overrides: String::new(),
+            surfaces: String::new(),
             length_factor: 1.0,
             angle_variation: 0.0,
             length_variation: 0.0,

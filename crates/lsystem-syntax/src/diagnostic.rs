@@ -1,7 +1,7 @@
 //! Problems in a system or a file, as values: kind, text and span. Their words stand in `message.rs`.
 
 use crate::value::Value;
-use crate::{Colour, Function};
+use crate::{Colour, Function, SurfaceProblem};
 use core::ops::Range;
 use lsystem_base::LimitName;
 use lsystem_base::MAX_PALETTE;
@@ -89,6 +89,18 @@ impl Field {
 /// Texts in a kind are excerpts of at most about 40 characters.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
+    /// A line of the surfaces that is wrong.
+    Surface {
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong.
+        problem: SurfaceProblem,
+    },
+    /// An action draws a surface that the system does not have.
+    UnknownSurface {
+        /// The surface's name.
+        name: char,
+    },
     /// A limit is passed.
     Limit {
         /// The limit's name.
@@ -670,6 +682,7 @@ impl Diagnostic {
             | Kind::ConstantUnused { .. }
             | Kind::ShapeUnused { .. }
             | Kind::OverrideTwice { .. }
+            | Kind::UnknownSurface { .. }
             | Kind::EmptyAxiom
             | Kind::UnmatchedClose { .. }
             | Kind::UnmatchedOpen { .. }

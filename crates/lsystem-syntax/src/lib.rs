@@ -27,6 +27,7 @@ mod dialect;
 pub mod fields;
 mod outline;
 pub mod style;
+mod surface;
 mod value;
 
 mod code;
@@ -50,7 +51,7 @@ mod query;
 mod shape;
 mod work;
 
-pub use action::{Action, CIRCLE_SIDES};
+pub use action::{Action, CIRCLE_SIDES, TUBE_STROKES};
 pub use characters::look_alike;
 pub use class::Class;
 pub use classify::classify;
@@ -73,6 +74,7 @@ pub use problem::{Problem, problems};
 pub use query::Query;
 pub use shape::Shape;
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
+pub use surface::{Patch, SURFACE_STRIPS, Surface, SurfacePoint, SurfaceProblem, parse_surfaces, print_surfaces};
 pub use value::Value;
 pub use work::{Halt, Work, run_steps};
 

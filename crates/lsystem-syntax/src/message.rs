@@ -1,8 +1,8 @@
 //! The words of all diagnostics, in English, in one place.
 
-use crate::{Diagnostic, Expected, Function, JsonError, Kind, Role, TikzObstacle};
+use crate::{Diagnostic, Expected, Function, JsonError, Kind, Role, SurfaceProblem, TikzObstacle};
 use lsystem_base::number::number;
-use lsystem_base::{LimitName, MAX_PALETTE};
+use lsystem_base::{LimitName, MAX_PALETTE, MAX_SURFACE_PATCHES, MAX_SURFACES};
 
 impl Diagnostic {
     /// The problem, as one English sentence.
@@ -461,9 +461,9 @@ fn words(kind: &Kind) -> (String, Option<String>) {
                 Some(similar) => format!("Did you mean `{similar}`?"),
                 None => "Actions are draw, move, draw unmarked, move unmarked, turn left, turn right, turn round, pitch \
                          down, pitch up, roll left, roll right, roll upright, open branch, close branch, cut branch, \
-                         open polygon, vertex, close polygon, colour 2, next colour, previous colour, width 2, width \
+                         open polygon, vertex, close polygon, open tube, tube point, close tube, colour 2, next colour, previous colour, width 2, width \
                          times 0.5, thicker, thinner, length times 0.5, swap turns, circle, disc, leaf lance, leaf heart, \
-                         leaf oak, leaf needle, leaf petal, nothing."
+                         leaf oak, leaf needle, leaf petal, surface l, nothing."
                     .into(),
             },
         ),
@@ -519,6 +519,13 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             },
             "Is something divided by zero, or does it grow without end? A condition can stop it.".into(),
         ),
+        Kind::Surface { line, problem } => hinted(
+            format!("Line {line} of the surfaces: {}", surface_words(*problem)),
+            "A surface is a letter, a colon, and 48 numbers for each patch.".into(),
+        ),
+        Kind::UnknownSurface { name } => {
+            hinted(format!("There is no surface `{name}`"), format!("Add the line of `{name}` to the surfaces."))
+        }
         Kind::Range { label, expected } => said(format!("{label} must be {}", expected_words(*expected))),
 
         Kind::Json(error) => json(*error),
@@ -551,6 +558,18 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             "Write a string, or outcomes as {\"p\": 0.5, \"e\": \"F+F\"}.".into(),
         ),
         Kind::ProbabilityZero => said("An outcome with probability 0 never happens".into()),
+    }
+}
+
+/// What is wrong with a line of surfaces.
+fn surface_words(problem: SurfaceProblem) -> String {
+    match problem {
+        SurfaceProblem::Name => "it does not begin with a letter and a colon".into(),
+        SurfaceProblem::Twice(name) => format!("the surface `{name}` stands twice"),
+        SurfaceProblem::Number => "a word is no number between -1,000,000 and 1,000,000".into(),
+        SurfaceProblem::Count(found) => format!("{found} numbers are no multiple of 48"),
+        SurfaceProblem::Patches => format!("a surface has at most {MAX_SURFACE_PATCHES} patches"),
+        SurfaceProblem::Surfaces => format!("a system has at most {MAX_SURFACES} surfaces"),
     }
 }
 

@@ -26,6 +26,8 @@
 //! | `width 2`, `width times 0.5`, `thicker`, `thinner` | stroke width in steps, or by a factor (√2, 1/√2) |
 //! | `circle`, `circle 2`, `disc`, `disc 2` | a circle or a filled disc around the turtle, with the step or this number as diameter |
 //! | `leaf lance`, `leaf heart`, `leaf oak`, `leaf needle`, `leaf petal 2` | the filled outline of a leaf ahead of the turtle, with the step or this number as length |
+//! | `open tube`, `tube point`, `close tube` | a smooth tube through the places of these symbols, along the turtle's headings there |
+//! | `surface l`, `surface l 2` | the surface `l` of the system ([`parse_surfaces`](crate::parse_surfaces)) at the turtle, with the step or this number as size |
 //! | `length times 0.5` | multiply all lengths from here on |
 //! | `swap turns` | from here on, left turns go right and right turns go left |
 //! | `cut branch` | in the next derivation step it and the rest of its branch are gone |
@@ -146,6 +148,9 @@ fn print_action(action: Action) -> String {
         Action::OpenPolygon => "open polygon".to_owned(),
         Action::Vertex => "vertex".to_owned(),
         Action::ClosePolygon => "close polygon".to_owned(),
+        Action::OpenTube => "open tube".to_owned(),
+        Action::TubePoint => "tube point".to_owned(),
+        Action::CloseTube => "close tube".to_owned(),
         Action::TurnLeft(angle) => optional("turn left", angle),
         Action::TurnRight(angle) => optional("turn right", angle),
         Action::TurnRound => "turn round".to_owned(),
@@ -170,6 +175,7 @@ fn print_action(action: Action) -> String {
         Action::SwapTurns => "swap turns".to_owned(),
         Action::Circle(diameter) => optional("circle", diameter),
         Action::Fill(outline, size) => optional(outline.words(), size),
+        Action::Surface(name, size) => optional(&format!("surface {name}"), size),
     }
 }
 
@@ -251,6 +257,8 @@ enum NumberForm {
     Optional(fn(Option<f64>) -> Action),
     /// As `Optional`: the size of an outline that is filled.
     Size(Outline),
+    /// As `Optional`: the size of a surface.
+    Surface(char),
     /// A number in this range.
     Number(fn(f64) -> Action, Expected),
     /// A palette index.
@@ -263,7 +271,7 @@ enum NumberForm {
 const MOST: f64 = 1e9;
 
 /// The words of all actions except `nothing`.
-const FORMS: [(&str, NumberForm); 41] = [
+const FORMS: [(&str, NumberForm); 44] = [
     ("draw", NumberForm::Optional(Action::Draw)),
     ("move", NumberForm::Optional(Action::Move)),
     ("draw unmarked", NumberForm::Optional(Action::DrawUnmarked)),
@@ -271,6 +279,9 @@ const FORMS: [(&str, NumberForm); 41] = [
     ("open polygon", NumberForm::Plain(Action::OpenPolygon)),
     ("vertex", NumberForm::Plain(Action::Vertex)),
     ("close polygon", NumberForm::Plain(Action::ClosePolygon)),
+    ("open tube", NumberForm::Plain(Action::OpenTube)),
+    ("tube point", NumberForm::Plain(Action::TubePoint)),
+    ("close tube", NumberForm::Plain(Action::CloseTube)),
     ("turn left", NumberForm::Optional(Action::TurnLeft)),
     ("turn right", NumberForm::Optional(Action::TurnRight)),
     ("turn round", NumberForm::Plain(Action::TurnRound)),
@@ -311,11 +322,19 @@ fn form(words: &str) -> Option<NumberForm> {
     FORMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(words)).map(|&(_, form)| form)
 }
 
+/// The name in `surface l`.
+fn surface(words: &str) -> Option<char> {
+    let (word, name) = words.split_once(' ')?;
+    let mut letters = name.chars();
+    let name = letters.next().filter(|name| name.is_alphabetic() && letters.next().is_none())?;
+    word.eq_ignore_ascii_case("surface").then_some(name)
+}
+
 /// Reads one action: words, then perhaps a number. With `hint`, an error names a similar action.
 fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
     let number_at = phrase.find(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.')).unwrap_or(phrase.len());
     let (words, digits) = (phrase[..number_at].trim_end(), &phrase[number_at..]);
-    let Some(form) = form(words) else {
+    let Some(form) = form(words).or_else(|| surface(words).map(NumberForm::Surface)) else {
         let known = FORMS.iter().map(|&(name, _)| name).chain(["nothing"]);
         return Err(Kind::UnknownAction {
             text: crate::notes::excerpt(phrase),
@@ -329,7 +348,7 @@ fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
     match form {
         NumberForm::Plain(action) if digits.is_empty() => Ok(action),
         NumberForm::Plain(_) => wrong(Expected::Nothing),
-        NumberForm::Optional(_) | NumberForm::Size(_) => {
+        NumberForm::Optional(_) | NumberForm::Size(_) | NumberForm::Surface(_) => {
             let number = match value {
                 _ if digits.is_empty() => None,
                 Some(value) if value.abs() <= MOST => Some(value),
@@ -337,6 +356,7 @@ fn action(phrase: &str, hint: bool) -> Result<Action, Kind> {
             };
             match form {
                 NumberForm::Size(outline) => Ok(Action::Fill(outline, number)),
+                NumberForm::Surface(name) => Ok(Action::Surface(name, number)),
                 NumberForm::Optional(make) => Ok(make(number)),
                 _ => wrong(Expected::Nothing),
             }

@@ -29,6 +29,8 @@ mod reopen;
 mod seed;
 mod solid;
 mod styling;
+mod surfaces;
 mod sway;
 mod tables;
+mod tubes;
 mod unusual;

@@ -43,7 +43,7 @@ fn definition() -> impl Strategy<Value = Definition> {
     let overrides = prop_oneof![2 => Just(String::new()), 1 => Just("G: move\n`#`: draw 10".to_owned()), 1 => ".*"];
     (
         (words(), words(), words(), words()),
-        (prop_oneof!["[FGX+-]{0,5}", ".*"], rules(), overrides),
+        (prop_oneof!["[FGX+-]{0,5}", ".*"], rules(), overrides, prop_oneof![2 => Just(String::new()), 1 => ".*"]),
         (0..=1000_u32, any::<u32>(), prop_oneof![Just(0), any::<u32>()]),
         (number(), prop::option::of(number()), prop_oneof![Just(90.0), number()]),
         (prop_oneof![Just(1.0), 1e-9..1e9], prop_oneof![Just([0.0, 0.0]), prop::array::uniform2(-1e9..1e9)]),
@@ -68,6 +68,7 @@ fn definition() -> impl Strategy<Value = Definition> {
             axiom: texts.0,
             rules: texts.1,
             overrides: texts.2,
+            surfaces: texts.3,
             iterations: whole.0,
             seed: whole.2,
             angle: angles.0,

@@ -20,7 +20,7 @@ fn near<const N: usize>(a: [f64; N], b: [f64; N], tolerance: f64) -> bool {
 }
 
 /// Checks that the drawing equals that of the naive turtle, in both spaces.
-fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
+pub(crate) fn check(definition: &Definition, n: u32) -> Result<(), TestCaseError> {
     let system = system(definition);
     let limits = Limits::default();
     let flat = draw::<Plane>(&system, n, &limits).map_err(|e| TestCaseError::fail(format!("{e:?}")))?;

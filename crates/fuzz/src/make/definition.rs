@@ -1,7 +1,7 @@
 //! Random systems, with every field of a definition.
 
 use super::field::{change_field, style};
-use super::text::{SystemFeatures, overrides, random_pieces, rules, word};
+use super::text::{SystemFeatures, overrides, random_pieces, rules, surfaces, word};
 use crate::Source;
 use lsystem::{Definition, Dialect, Limits, System};
 
@@ -52,6 +52,9 @@ fn random_definition(source: &mut Source<'_>) -> Definition {
     };
     if source.once_in(4) {
         definition.overrides = overrides(source);
+        if source.once_in(2) {
+            definition.surfaces = surfaces(source);
+        }
     }
     if source.once_in(4) {
         definition.dialect = source.pick(Dialect::ALL);

@@ -253,9 +253,24 @@ pub(super) fn rules(source: &mut Source<'_>, features: SystemFeatures) -> String
     lines.join("\n")
 }
 
+/// Surfaces, mostly with the right number of numbers.
+pub(crate) fn surfaces(source: &mut Source<'_>) -> String {
+    let mut text = String::new();
+    for _ in 0..source.between(1, 3) {
+        text.push(source.pick_char("lm2"));
+        text.push(':');
+        let count = 48 * source.between(1, 2) - usize::from(source.once_in(20));
+        for _ in 0..count {
+            let _ = write!(text, " {}", source.between(0, 9) as f64 / 4.0 - 1.0);
+        }
+        text.push('\n');
+    }
+    text
+}
+
 /// Overrides of a dialect.
 pub(crate) fn overrides(source: &mut Source<'_>) -> String {
-    const ACTIONS: [&str; 43] = [
+    const ACTIONS: [&str; 48] = [
         "draw",
         "move",
         "draw N",
@@ -291,6 +306,11 @@ pub(crate) fn overrides(source: &mut Source<'_>) -> String {
         "swap turns",
         "circle",
         "disc N",
+        "open tube",
+        "tube point",
+        "close tube",
+        "surface l",
+        "surface m N",
         "leaf lance",
         "leaf heart N",
         "leaf oak",

@@ -120,6 +120,12 @@ impl<S: Space> Paper<S> for ItemWriter<'_, S> {
         self.push(from, to, &StyleChange { next, ..*style });
     }
 
+    fn tube(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+        // Without tapers, an even stroke has no width at its end.
+        let next = style.next.filter(|next| self.buffer.taper.is_some() || *next != style.width);
+        self.push(from, to, &StyleChange { next, ..*style });
+    }
+
     fn gap(&mut self) {
         self.taper(|taper, _, items| taper.gap(items));
     }

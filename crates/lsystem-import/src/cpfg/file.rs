@@ -5,7 +5,7 @@ use super::clean::clean;
 use super::macros::{Replaced, arguments, is_part};
 use super::parts::{Parts, Rule, Section};
 use super::statements::{Class, Statement, arrow, is_alone, keyword, statements};
-use super::{Kind, Places, code, translate};
+use super::{Kind, Places, code, companions, translate};
 use crate::draft::Draft;
 use crate::source::{Lines, Source};
 use core::ops::Range;
@@ -15,11 +15,13 @@ use std::collections::BTreeSet;
 /// The most definitions of a text.
 const MOST_DEFINITIONS: usize = 2000;
 
-pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
+/// Whether a line begins a system.
+fn begins(line: &str) -> bool {
     // Not of `lsystem: {` in an object, or `lsystem::draw` in a program.
-    let begins = |line: &str| {
-        keyword(line).is_some_and(|(word, rest)| word == "lsystem" && !rest.starts_with(['{', '[', '"', ':']))
-    };
+    keyword(line).is_some_and(|(word, rest)| word == "lsystem" && !rest.starts_with(['{', '[', '"', ':']))
+}
+
+pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     source.text.lines().any(begins).then(|| vec![system(source)])
 }
 
@@ -37,7 +39,9 @@ fn system(source: Source<'_>) -> Draft<'_> {
         state: State::Before,
     };
     let mut rest: Option<Range<usize>> = None;
-    for statement in statements(&text) {
+    let files = companions::parts(&text);
+    let own = files.iter().find(|part| part.text.lines().any(begins)).map_or(&*text, |part| part.text);
+    for statement in statements(own) {
         let place = places.of(statement.text);
         let is_header = statement.class == Class::Keyword("lsystem");
         match file.state {
@@ -52,7 +56,7 @@ fn system(source: Source<'_>) -> Draft<'_> {
             }
             State::Before => {}
             State::Inside | State::Behind if is_header => {
-                rest = Some(place.start..text.trim_end().len());
+                rest = Some(place.start..places.of(own).start + own.trim_end().len());
                 break;
             }
             State::Inside => file.statement(statement, &places, &mut draft),
@@ -70,6 +74,8 @@ fn system(source: Source<'_>) -> Draft<'_> {
         draft.covers(rest.clone());
         draft.note_at(rest, why);
     }
+    file.parts.surfaces = companions::read_surfaces(&text, &places, &mut draft);
+    file.parts.angle = companions::read_angle(&text, &places, &mut draft);
     translate::translate(&file.parts, &places, &mut draft);
     draft
 }

@@ -13,13 +13,14 @@
 //!
 //! The rules are nearly in our notation. Names of several letters become single symbols. Macros are replaced, except
 //! those that are constants. Decompositions are written into the successors, and the values of assignments in place of
-//! their names. Other code, includes, and symbols that need other files are refused. The angle of cpfg stands in
-//! another file.
+//! their names. Other code and includes are refused. The angle and the surfaces of cpfg stand in
+//! other files, which may follow in the same text (`companions.rs`).
 
 mod arithmetic;
 mod assignments;
 mod clean;
 mod code;
+mod companions;
 mod decomposition;
 mod file;
 mod lpy;
@@ -27,6 +28,7 @@ mod macros;
 mod parts;
 mod python;
 mod statements;
+mod surface_file;
 mod symbols;
 #[cfg(test)]
 mod tests;
@@ -34,6 +36,7 @@ mod translate;
 
 pub(super) use file::read as read_cpfg;
 pub(super) use lpy::read as read_lpy;
+pub(super) use surface_file::surface_file;
 
 use crate::source::Source;
 use core::ops::Range;

@@ -44,6 +44,8 @@ pub(super) struct Parts<'c> {
     pub(super) angle: Option<f64>,
     /// Whether several rules that apply are chosen from at random, even without weights.
     pub(super) is_stochastic: bool,
+    /// The surfaces: their names in cpfg, and in the definition.
+    pub(super) surfaces: Vec<(char, char)>,
     /// Names of several characters that the text declares.
     pub(super) names: BTreeSet<String>,
 }
@@ -64,6 +66,7 @@ impl<'c> Parts<'c> {
             length: None,
             angle: None,
             is_stochastic: false,
+            surfaces: Vec::new(),
             names: BTreeSet::new(),
         }
     }

@@ -16,6 +16,10 @@ enum Meaning {
     Symbol(char),
     /// A disc, by its diameter or by its radius; whether it is a sphere there.
     Disc { radius: bool, sphere: bool },
+    /// A part of a tube, in the words of custom symbols.
+    Tube(&'static str),
+    /// A surface of the definition.
+    Surface(char),
     /// A module without an action.
     Plain,
     /// A module whose action is left out, for this reason.
@@ -23,9 +27,11 @@ enum Meaning {
     /// It has no equal, for this reason.
     Refused(&'static str),
 }
-use Meaning::{Disc, LeftOut, Plain, Refused, Symbol};
+use Meaning::{Disc, LeftOut, Plain, Refused, Surface, Symbol, Tube};
 
-const CYLINDER: &str = "Generalized cylinders of cpfg have no equal here";
+const CYLINDER: &str = "The shape and the tangents of generalized cylinders have no equal here";
+const ROUND: &str = "The number of strips of a generalized cylinder is not used: every part has 8";
+const SMOOTH: &str = "In a text with generalized cylinders, all lines are drawn as smooth tubes";
 const BENDS: &str = "How branches bend stands in cpfg's view file; this is left out";
 const SCALE: &str = "This changes the scale of the turtle, which has no equal here";
 const PLACE: &str = "This moves the turtle to a place of its own, which has no equal here";
@@ -60,9 +66,9 @@ const CPFG: &[(&str, Meaning)] = &[
     ("@PD", LeftOut("This patch of a surface is not drawn")),
     ("@mo", LeftOut(LOOK)),
     ("@G", Refused(CYLINDER)),
-    ("@Gs", Refused(CYLINDER)),
-    ("@Gc", Refused(CYLINDER)),
-    ("@Ge", Refused(CYLINDER)),
+    ("@Gs", Tube("open tube")),
+    ("@Gc", Tube("tube point")),
+    ("@Ge", Tube("close tube")),
     ("@Gr", Refused(CYLINDER)),
     ("@Gt", Refused(CYLINDER)),
     ("@D", Refused(SCALE)),
@@ -116,10 +122,10 @@ const LPY: &[(&str, Meaning)] = &[
     ("PglShape", LeftOut(SHAPE)),
     ("@g", LeftOut(SHAPE)),
     ("Surface", LeftOut("The surface is not drawn")),
-    ("StartGC", LeftOut("Tubes are drawn as lines")),
-    ("@Gc", LeftOut("Tubes are drawn as lines")),
-    ("EndGC", LeftOut("Tubes are drawn as lines")),
-    ("@Ge", LeftOut("Tubes are drawn as lines")),
+    ("StartGC", Tube("open tube")),
+    ("@Gc", Tube("open tube")),
+    ("EndGC", Tube("open tube")),
+    ("@Ge", Tube("open tube")),
     ("SetContour", LeftOut(LOOK)),
     ("SectionResolution", LeftOut(LOOK)),
     ("InterpolateColors", LeftOut(LOOK)),
@@ -192,6 +198,8 @@ pub(super) struct Symbols<'p> {
     longest: usize,
     pub(super) free: FreeSymbols,
     told: BTreeSet<String>,
+    /// Whether a tube was read.
+    pub(super) has_tubes: bool,
     /// Symbols that are not drawn: those whose arguments are left out, and those that rules replace.
     bare: BTreeMap<String, Range<usize>>,
     replaced: BTreeSet<String>,
@@ -199,12 +207,18 @@ pub(super) struct Symbols<'p> {
 
 impl<'p> Symbols<'p> {
     /// `names` are those that the text declares or replaces.
-    pub(super) fn new(arithmetic: &'p Arithmetic, places: Places<'p>, names: &BTreeSet<String>) -> Self {
+    pub(super) fn new(
+        arithmetic: &'p Arithmetic,
+        places: Places<'p>,
+        names: &BTreeSet<String>,
+        surfaces: &[(char, char)],
+    ) -> Self {
         let library = if arithmetic.kind == Kind::Cpfg { CPFG } else { LPY };
         let mut meanings: BTreeMap<String, Meaning> =
             library.iter().map(|&(name, meaning)| (name.to_owned(), meaning)).collect();
         // An own name counts before the library's.
         meanings.extend(names.iter().map(|name| (name.clone(), Plain)));
+        meanings.extend(surfaces.iter().map(|&(known, own)| (format!("~{known}"), Surface(own))));
         let longest = meanings.keys().map(String::len).max().unwrap_or_default();
         Self {
             arithmetic,
@@ -213,6 +227,7 @@ impl<'p> Symbols<'p> {
             longest,
             free: FreeSymbols::default(),
             told: BTreeSet::new(),
+            has_tubes: false,
             bare: BTreeMap::new(),
             replaced: BTreeSet::new(),
         }
@@ -271,7 +286,9 @@ impl<'p> Symbols<'p> {
         draft: &mut Draft<'_>,
         out: &mut String,
     ) {
-        let is_drawn = !symbol.starts_with('~') && !matches!(self.meanings.get(symbol), Some(LeftOut(_)));
+        let is_surface = matches!(self.meanings.get(symbol), Some(Surface(_)));
+        let is_drawn =
+            (is_surface || !symbol.starts_with('~')) && !matches!(self.meanings.get(symbol), Some(LeftOut(_)));
         if role == Role::Head && !is_drawn {
             self.replaced.insert(symbol.to_owned());
         }
@@ -315,6 +332,22 @@ impl<'p> Symbols<'p> {
                 self.tell(symbol, place, &note, draft);
                 out.push(own);
             }
+            Some(Surface(name)) => {
+                let own = self.free.get(symbol);
+                draft.meaning(own, format!("surface {name}"));
+                out.push(own);
+            }
+            Some(Tube(actions)) => {
+                let own = self.free.get(symbol);
+                match self.arithmetic.kind {
+                    Kind::Cpfg if inside.is_some() => self.tell("@G", place, ROUND, draft),
+                    Kind::Cpfg => {}
+                    Kind::LPy => self.tell("@G", place, SMOOTH, draft),
+                }
+                self.has_tubes = true;
+                draft.meaning(own, actions);
+                out.push(own);
+            }
             Some(LeftOut(why)) => {
                 self.tell(symbol, place, why, draft);
                 out.push(self.free.get(symbol));
@@ -342,7 +375,7 @@ impl<'p> Symbols<'p> {
                 return draft.refuse_at(place.clone(), "So many different symbols are not read");
             }
             _ if symbol.starts_with('~') && symbol.len() > 1 => {
-                self.tell(symbol, place, &format!("The surface `{symbol}` is not drawn"), draft);
+                self.tell(symbol, place, &format!("The surface `{symbol}` is not drawn: its file is not given"), draft);
                 return out.push(self.free.get(symbol));
             }
             "?" if is_cpfg => {

@@ -60,7 +60,7 @@ fn refused() {
             cpfg
             []
             refused 4 "@M": This moves the turtle to a place of its own, which has no equal here
-            note 4 "~l": The surface `~l` is not drawn"#]],
+            note 4 "~l": The surface `~l` is not drawn: its file is not given"#]],
     );
     check(
         "Axiom: A\nderivation length: 4\nproduction:\nA(x) :\n  while x < 3: x += 1\n  produce FA\nB --> F\n",

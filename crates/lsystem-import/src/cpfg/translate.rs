@@ -43,7 +43,7 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
             names.insert(name.to_owned());
         }
     }
-    let mut symbols = Symbols::new(&parts.arithmetic, *places, &names);
+    let mut symbols = Symbols::new(&parts.arithmetic, *places, &names, &parts.surfaces);
     let words = parts.all_rules().flat_map(|rule| [rule.head, &*rule.successor]);
     symbols.free.add_used(&words.chain([axiom]).collect::<String>());
     let mut known = BTreeSet::new();
@@ -60,6 +60,11 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     let images = lines(&parts.images, draft);
     let decompositions = lines(&parts.decompositions, draft);
     words.symbols.check_bare(draft);
+    if words.symbols.has_tubes && parts.arithmetic.kind == Kind::LPy {
+        // A line inside of a tube is a part of the tube. A move interrupts it.
+        draft.meaning('F', "move, tube point");
+        draft.meaning('f', "move, open tube");
+    }
     let seen: Vec<String> = parts.seen.iter().map(|(word, list)| words.seen(word, list, draft)).collect();
     let mut used: BTreeSet<&str> = identifiers(&draft.definition.axiom).collect();
     used.extend([&rules[..], &images, &decompositions].into_iter().flatten().flat_map(|line| identifiers(line)));

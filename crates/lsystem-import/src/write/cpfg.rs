@@ -6,12 +6,13 @@
 use super::Refusal;
 use super::expression::{Arithmetic, COMMON};
 use super::source::{Need, Source, Symbol, plain_number};
+use crate::cpfg::surface_file;
 use core::f64::consts::FRAC_1_SQRT_2;
 use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::sorted::set;
 use lsystem_syntax::grammar::Values;
-use lsystem_syntax::{Action, Expr, Function, Module, Outline, Pattern, Production, Seen};
+use lsystem_syntax::{Action, Expr, Function, Module, Outline, Pattern, Production, Seen, Surface, parse_surfaces};
 
 /// The parts of systems that cpfg lacks, or has in other files.
 pub(super) const LACKS: &[Need] = &[
@@ -38,6 +39,8 @@ pub(super) const LACKS_OF_LPY: &[Need] = &[
     Need::Chance,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
+    Need::Surfaces,
     Need::Queries,
 ];
 
@@ -66,6 +69,18 @@ pub(super) fn write_cpfg(source: &Source<'_>) -> Result<String, Refusal> {
     let _ = writeln!(text, "axiom: {}", file.axiom()?);
     file.productions("homomorphism", &mut text)?;
     text.push_str("endlsystem\n");
+    let surfaces = parse_surfaces(&source.definition.surfaces).unwrap_or_default();
+    let drawn = |name: char| source.acts(|action| matches!(action, Action::Surface(own, _) if own == name));
+    let surfaces: Vec<_> = surfaces.into_iter().filter(|surface| drawn(surface.name)).collect();
+    if !surfaces.is_empty() {
+        text.push_str("\n==> view.v <==\n");
+    }
+    for Surface { name, .. } in &surfaces {
+        let _ = writeln!(text, "surface: {name} {name}.s 1");
+    }
+    for surface in &surfaces {
+        let _ = write!(text, "\n==> {}.s <==\n{}", surface.name, surface_file(surface));
+    }
     Ok(text)
 }
 
@@ -299,7 +314,11 @@ impl<'a> File<'a> {
                 Action::OpenPolygon => "{".to_owned(),
                 Action::Vertex => ".".to_owned(),
                 Action::ClosePolygon => "}".to_owned(),
+                Action::OpenTube => "@Gs".to_owned(),
+                Action::TubePoint => "@Gc".to_owned(),
+                Action::CloseTube => "@Ge".to_owned(),
                 Action::Fill(_, own) => line("@o", Some(own.unwrap_or(definition.step))),
+                Action::Surface(name, own) => line(&format!("~{name}"), Some(own.unwrap_or(definition.step))),
                 Action::SetColour(index) => format!(";({})", argument.map_or_else(|| index.to_string(), str::to_owned)),
                 Action::AddColour(_) if argument.is_some() => format!(";({})", argument.unwrap_or_default()),
                 Action::AddColour(by) => (if by < 0 { "," } else { ";" })

@@ -19,6 +19,8 @@ pub(super) const LACKS: &[Need] = &[
     Need::BranchLengths,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
+    Need::Surfaces,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,

@@ -87,6 +87,8 @@ const PLAIN: &[Need] = &[
     Need::SwappedTurns,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
+    Need::Surfaces,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,
@@ -100,7 +102,7 @@ pub static NOTATIONS: [Notation; 12] = [
         label: "Text",
         help: "Labelled lines, as in papers, where our reader makes the same system of them",
         ending: "txt",
-        lacks: &[],
+        lacks: &[Need::Surfaces],
         write: text::write,
     },
     Notation {

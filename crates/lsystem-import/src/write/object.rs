@@ -20,6 +20,8 @@ pub(super) const LACKS: &[Need] = &[
     Need::SwappedTurns,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
+    Need::Surfaces,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,

@@ -14,6 +14,8 @@ pub(super) const LACKS: &[Need] = &[
     Need::Space,
     Need::Polygons,
     Need::Circles,
+    Need::Tubes,
+    Need::Surfaces,
     Need::Cuts,
     Need::Tropism,
     Need::Growth,

@@ -3,7 +3,7 @@
 use super::{Access, Affects, FieldSpec, Section, Slider};
 use crate::value::FieldType;
 use crate::{ColourBy, Dialect, Expected, Ink};
-use lsystem_base::{MAX_ITERATIONS, MAX_TEXT};
+use lsystem_base::{MAX_ITERATIONS, MAX_SURFACES_TEXT, MAX_TEXT};
 
 /// Access to a member of a definition.
 macro_rules! at {
@@ -69,7 +69,7 @@ const CAMERA: &[(&str, Expected)] = &[
 ];
 
 /// All fields, in the order of links.
-pub static FIELDS: [FieldSpec; 43] = [
+pub static FIELDS: [FieldSpec; 44] = [
     FieldSpec {
         name: "title",
         link: "title",
@@ -335,6 +335,16 @@ pub static FIELDS: [FieldSpec; 43] = [
         label: "Custom symbols",
         help: "symbols that do something else than in the dialect, one on each line",
         access: Some(at!(overrides)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "surfaces",
+        link: "surfaces",
+        file: Some((Section::Turtle, "surfaces")),
+        expected: text(MAX_SURFACES_TEXT),
+        label: "Surfaces",
+        help: "surfaces that symbols draw, one on each line: a letter, a colon, and the 16 control points of each Bezier patch, each point as its distances ahead, left and up",
+        access: Some(at!(surfaces)),
         ..FIELD
     },
     FieldSpec {

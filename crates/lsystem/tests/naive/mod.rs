@@ -28,7 +28,11 @@ struct State {
     at: [f64; 2],
     degrees: f64,
     pen: Pen,
+    tube: TubePlace<2>,
 }
+
+/// A point of a tube: place, heading and width.
+type TubePlace<const N: usize> = ([f64; N], [f64; N], f64);
 
 /// The state of the turtle's pen, in the plane and in space.
 #[derive(Clone, Copy)]
@@ -71,6 +75,23 @@ impl Pen {
         Segment { from, to, colour, level, width, end_width: width }
     }
 
+    /// Draws the part of a tube between two of its points.
+    fn tube<const N: usize, S: Space<Point = [f64; N]>>(
+        &mut self,
+        turtle: &Turtle,
+        from: TubePlace<N>,
+        to: TubePlace<N>,
+        segments: &mut Vec<Segment<S>>,
+    ) {
+        self.last = None;
+        let (points, step) = (tube(from, to, 8), turtle.step.abs());
+        let width = |at: usize| (from.2 + (to.2 - from.2) * at as f64 / 8.0) * step;
+        for at in 0..8 {
+            let segment = self.segment(turtle, points[at], points[at + 1]);
+            segments.push(Segment { width: width(at), end_width: width(at + 1), ..segment });
+        }
+    }
+
     /// Applies an action to the pen, after the turtle.
     fn act(&mut self, turtle: &Turtle, action: Action) {
         match (action, turtle.colouring) {
@@ -108,6 +129,7 @@ pub fn segments_of_each(system: &System, word: &[Module]) -> Vec<usize> {
     let segments = |action: &Action| match action {
         Action::Draw(_) | Action::DrawUnmarked(_) => 1,
         Action::Circle(_) => 32,
+        Action::TubePoint | Action::CloseTube => 8,
         _ => 0,
     };
     let draws = |module: &Module| actions(system, module.symbol).iter().map(segments).sum::<usize>();
@@ -154,9 +176,11 @@ fn shorter(degrees: f64) -> f64 {
 pub fn segments(system: &System, n: u32) -> Vec<Segment> {
     let turtle = &system.turtle;
     let (left, right) = (turtle.left.degrees(), turtle.right.degrees());
-    let start = State { at: turtle.start, degrees: turtle.heading.degrees(), pen: Pen::new(turtle) };
+    let tube = (turtle.start, [0.0; 2], turtle.width);
+    let start = State { at: turtle.start, degrees: turtle.heading.degrees(), pen: Pen::new(turtle), tube };
     let (mut state, mut saved, mut segments) = (start, Vec::new(), Vec::new());
     turn(&mut state, swayed(turtle, None)[0].to_degrees());
+    state.tube = tube_place(&state);
     for module in drawn(system, n) {
         state.pen.begin(turtle, &module);
         for (index, action) in actions(system, module.symbol).iter().enumerate() {
@@ -194,6 +218,12 @@ pub fn segments(system: &System, n: u32) -> Vec<Segment> {
                     segments
                         .extend(around(&corners.collect::<Vec<_>>(), |from, to| state.pen.segment(turtle, from, to)));
                 }
+                Action::OpenTube => state.tube = tube_place(&state),
+                Action::TubePoint | Action::CloseTube => {
+                    let to = tube_place(&state);
+                    state.pen.tube(turtle, state.tube, to, &mut segments);
+                    state.tube = to;
+                }
                 Action::Push => {
                     saved.push(state);
                     turn(&mut state, swayed(turtle, Some(module.step))[0].to_degrees());
@@ -218,7 +248,7 @@ pub fn limited_segments(system: &System, n: u32, bounds: Option<[f64; 4]>) -> Ve
 
 /// Makes all segments thinner by one factor, so that the widest is at most a part of the drawing's longest side.
 fn limit_widths<S: Space>(segments: &mut [Segment<S>], turtle: &Turtle, longest: f64) {
-    let widest = segments.iter().fold(0.0_f64, |widest, segment| widest.max(segment.width));
+    let widest = segments.iter().fold(0.0_f64, |widest, segment| widest.max(segment.width).max(segment.end_width));
     let factor = if longest > 1e-9 * turtle.step.abs() { turtle.max_width * longest / widest } else { 0.0 };
     if factor > 0.0 && factor < 1.0 {
         for segment in segments {
@@ -238,7 +268,7 @@ fn slot(actions: &[Action], index: usize) -> usize {
     use Action::{PitchDown, PitchUp, RollLeft, RollRight, TurnLeft, TurnRight, TurnRound};
     let goes = |action: &Action| {
         matches!(action, Action::Draw(_) | Action::DrawUnmarked(_) | Action::Move(_) | Action::MoveUnmarked(_))
-            || matches!(action, Action::Circle(_) | Action::Fill(..))
+            || matches!(action, Action::Circle(_) | Action::Fill(..) | Action::Surface(..))
     };
     let turns = |action: &Action| {
         matches!(
@@ -278,11 +308,35 @@ fn replaced(action: Action, number: f64) -> Action {
         Action::ScaleLength(_) => Action::ScaleLength(number),
         Action::Circle(_) => Action::Circle(Some(number)),
         Action::Fill(outline, _) => Action::Fill(outline, Some(number)),
+        Action::Surface(name, _) => Action::Surface(name, Some(number)),
         Action::SwapTurns | Action::TurnRound | Action::RollUpright | Action::Push | Action::Pop | Action::Cut => {
             action
         }
         Action::OpenPolygon | Action::Vertex | Action::ClosePolygon => action,
+        Action::OpenTube | Action::TubePoint | Action::CloseTube => action,
     }
+}
+
+fn tube_place(state: &State) -> TubePlace<2> {
+    let radians = state.degrees.to_radians();
+    (state.at, [libm::cos(radians), libm::sin(radians)], state.pen.width)
+}
+
+/// The points of the curve between two points of a tube, in this number of parts, by de Casteljau's construction.
+pub fn tube<const N: usize>(from: TubePlace<N>, to: TubePlace<N>, parts: usize) -> Vec<[f64; N]> {
+    let squares = (0..N).map(|i| (to.0[i] - from.0[i]) * (to.0[i] - from.0[i]));
+    let third = squares.sum::<f64>().sqrt() / 3.0;
+    let [first, last] =
+        [(from, third), (to, -third)].map(|(end, by)| core::array::from_fn(|i| end.0[i] + by * end.1[i]));
+    let point = |at: usize| {
+        let t = at as f64 / parts as f64;
+        let mut points = vec![from.0, first, last, to.0];
+        while points.len() > 1 {
+            points = points.windows(2).map(|p| core::array::from_fn(|i| p[0][i] + t * (p[1][i] - p[0][i]))).collect();
+        }
+        points[0]
+    };
+    (0..=parts).map(point).collect()
 }
 
 fn turn(state: &mut State, degrees: f64) {

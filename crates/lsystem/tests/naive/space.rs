@@ -1,6 +1,6 @@
 //! The naive turtle in space: three vectors, rotated by Rodrigues' formula.
 
-use super::{Pen, actions, around, drawn, limit_widths, replaced, shorter, slot, swayed, variations};
+use super::{Pen, TubePlace, actions, around, drawn, limit_widths, replaced, shorter, slot, swayed, variations};
 use lsystem::drawing::Segment;
 use lsystem::syntax::Action;
 use lsystem::{Solid, System};
@@ -17,6 +17,7 @@ struct State {
     /// The direction that `$` levels by: upwards, turned by each sway.
     vertical: Vector,
     pen: Pen,
+    tube: TubePlace<3>,
 }
 
 /// A polygon: vertices, colour index, level, number of segments before it, and index of the module that opens it.
@@ -45,6 +46,10 @@ impl State {
 
     fn advance(&mut self, length: f64) {
         self.at = [0, 1, 2].map(|i| self.at[i] + length * self.heading[i]);
+    }
+
+    fn tube_place(&self) -> TubePlace<3> {
+        (self.at, self.heading, self.pen.width)
     }
 
     /// The corners of a circle around the turtle.
@@ -95,11 +100,13 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
         up: [0.0, 0.0, 1.0],
         vertical: [0.0, 1.0, 0.0],
         pen: Pen::new(turtle),
+        tube: ([0.0; 3], [0.0; 3], 0.0),
     };
     // All polygons, the indices of the open ones, and the indices of the closed ones.
     let (mut polygons, mut open, mut closed): (Vec<Filled>, Vec<usize>, Vec<usize>) = Default::default();
     state.rotate([0.0, 0.0, 1.0], turtle.heading.degrees().to_radians());
     state.sway(swayed(turtle, None));
+    state.tube = state.tube_place();
     let (mut saved, mut segments) = (Vec::new(), Vec::new());
     for module in drawn(system, n) {
         state.pen.begin(turtle, &module);
@@ -160,6 +167,25 @@ fn run(system: &System, n: u32) -> (Vec<Segment<Solid>>, Vec<Filled>) {
                             .collect(),
                     };
                     polygons.push((corners, state.pen.colour, state.pen.level, segments.len(), module.index));
+                }
+                Action::Surface(name, size) => {
+                    let size = longer * size.unwrap_or(turtle.step);
+                    let triangles = turtle.surfaces.iter().filter(|surface| surface.0 == name);
+                    for corners in triangles.flat_map(|surface| surface.1.iter()) {
+                        let at = |[x, y, z]: Vector| {
+                            let axes = [state.heading, state.left, state.up];
+                            [0, 1, 2].map(|i| state.at[i] + size * (x * axes[0][i] + y * axes[1][i] + z * axes[2][i]))
+                        };
+                        closed.push(polygons.len());
+                        let corners = corners.map(at).to_vec();
+                        polygons.push((corners, state.pen.colour, state.pen.level, segments.len(), module.index));
+                    }
+                }
+                Action::OpenTube => state.tube = state.tube_place(),
+                Action::TubePoint | Action::CloseTube => {
+                    let to = state.tube_place();
+                    state.pen.tube(turtle, state.tube, to, &mut segments);
+                    state.tube = to;
                 }
                 Action::Push => {
                     saved.push(state);

@@ -24,6 +24,7 @@ pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     let ops = |s: LetterId| score.ops[usize::from(s)].as_slice();
     let filled = |word: &[LetterId]| is_filled_at_once(word.iter().map(|&s| is_kept(s).then(|| ops(s))));
     !score.varies()
+        && !score.has_tubes()
         && !score.ops.iter().flatten().any(uses_model)
         && filled(&rules.axiom.letters)
         && (rules.rewrites.iter().zip(rules.reachable()).enumerate()).all(|(symbol, (rewrite, reached))| {

@@ -54,7 +54,7 @@ pub(super) fn memoises<S: Space>(rules: &Rules, score: &Score<S>) -> bool {
     };
     let commands =
         |word: &Template| word.letters.iter().map(|&letter| 1 + ops(usize::from(letter)).len()).sum::<usize>();
-    let special = score.varies() || score.ops.iter().flatten().any(bends);
+    let special = score.varies() || score.has_tubes() || score.ops.iter().flatten().any(bends);
     let decided_elsewhere = special || rules.is_random() || rules.is_cutting() || rules.interpreter.is_some();
     !decided_elsewhere
         && filled(&rules.axiom)

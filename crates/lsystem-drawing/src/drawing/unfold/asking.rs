@@ -172,6 +172,7 @@ struct NoPaper;
 impl Paper<Solid> for NoPaper {
     fn stroke(&mut self, _: [f64; 3], _: [f64; 3], _: &StyleChange) {}
     fn side(&mut self, _: [f64; 3], _: [f64; 3], _: &StyleChange) {}
+    fn tube(&mut self, _: [f64; 3], _: [f64; 3], _: &StyleChange) {}
     fn gap(&mut self) {}
     fn branch(&mut self) {}
     fn rejoin(&mut self) {}

@@ -22,9 +22,9 @@ pub(super) struct DrawingCounts {
 impl DrawingCounts {
     pub(super) fn add<S: Space>(&mut self, op: &TurtleOp<S>) {
         match op {
-            TurtleOp::Draw(_) | TurtleOp::Circle(_) => self.segments += op.segments(),
+            TurtleOp::Draw(_) | TurtleOp::Circle(_) | TurtleOp::Tube => self.segments += op.segments(),
             // The polygon and its vertices.
-            TurtleOp::Fill(..) => self.segments += 1 + op.work(),
+            TurtleOp::Fill(..) | TurtleOp::Triangle { .. } => self.segments += 1 + op.work(),
             TurtleOp::Push(_) => {
                 self.open += 1;
                 self.deepest = self.deepest.max(self.open);
@@ -46,6 +46,7 @@ impl DrawingCounts {
             | TurtleOp::TurnColour(_)
             | TurtleOp::SwapTurns
             | TurtleOp::ScaleLength(_)
+            | TurtleOp::OpenTube
             | TurtleOp::FirstVertex => {}
         }
     }

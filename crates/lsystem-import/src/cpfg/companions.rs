@@ -1,0 +1,113 @@
+//! Other files that stand in one text with a file of cpfg, each below a line with its name, as `tail` and `head` print
+//! several files:
+//!
+//! ```text
+//! ==> plant.v <==
+//! surface: l leaf.s 2
+//! ==> leaf.s <==
+//! ...
+//! ```
+
+use super::Places;
+use super::surface_file::read_surface;
+use crate::draft::Draft;
+use lsystem_base::{MAX_SURFACES, MAX_SURFACES_TEXT};
+use lsystem_syntax::{Surface, print_surfaces};
+
+/// A file in a text.
+#[derive(Clone, Copy)]
+pub(super) struct Part<'c> {
+    /// The name; empty if no line has it.
+    pub(super) name: &'c str,
+    pub(super) text: &'c str,
+}
+
+/// The files of a text, in order.
+pub(super) fn parts(text: &str) -> Vec<Part<'_>> {
+    let mut parts = Vec::new();
+    let (mut name, mut start, mut at) = ("", 0, 0);
+    for line in text.split_inclusive('\n') {
+        let inside = line.trim().strip_prefix("==>").and_then(|rest| rest.strip_suffix("<=="));
+        if let Some(next) = inside {
+            parts.push(Part { name, text: &text[start..at] });
+            (name, start) = (next.trim(), at + line.len());
+        }
+        at += line.len();
+    }
+    parts.push(Part { name, text: &text[start..] });
+    parts
+}
+
+/// Reads the surfaces that lines such as `surface: l leaf.s 2` name, into the definition. Returns the names that cpfg
+/// has for them, with those that the definition has.
+pub(super) fn read_surfaces(text: &str, places: &Places<'_>, draft: &mut Draft<'_>) -> Vec<(char, char)> {
+    let parts = parts(text);
+    let (mut names, mut surfaces): (Vec<(char, char)>, Vec<Surface>) = (Vec::new(), Vec::new());
+    let lines = text.lines().map(str::trim).filter_map(|line| Some((line, value(line, "surface")?)));
+    // More lines are not looked at, so that the work stays in proportion to the text.
+    for (tried, (line, words)) in lines.enumerate() {
+        let place = places.of(line);
+        draft.covers(place.clone());
+        if tried >= MAX_SURFACES {
+            draft.note_at(place, format!("At most {MAX_SURFACES} surfaces are read"));
+            break;
+        }
+        let mut words = words.split_whitespace();
+        let (symbol, file, scale) = (words.next().unwrap_or_default(), words.next(), words.next().unwrap_or("1"));
+        let (Some(symbol), Some(file), Ok(scale)) = (symbol.chars().next(), file, scale.parse::<f64>()) else {
+            draft.note_at(place, "This surface is not read: a symbol, a file and a scale are expected");
+            continue;
+        };
+        let Some(part) = parts.iter().find(|part| is_same_file(part.name, file)) else {
+            draft.note_at(place, format!("The file `{file}` is missing; give it together with this one"));
+            continue;
+        };
+        let Some(patches) = read_surface(part.text, scale) else {
+            draft.note_at(place, format!("The file `{file}` is no surface that can be read"));
+            continue;
+        };
+        if names.iter().any(|(known, _)| *known == symbol) {
+            draft.note_at(place, "The symbol of this surface stands twice; the first is taken");
+            continue;
+        }
+        let is_free = |c: &char| surfaces.iter().all(|surface| surface.name != *c);
+        let name = Some(symbol).filter(|c| c.is_alphabetic()).filter(is_free);
+        let Some(name) = name.or_else(|| ('a'..='z').chain('A'..='Z').find(is_free)) else { continue };
+        surfaces.push(Surface { name, patches });
+        if print_surfaces(&surfaces).len() > MAX_SURFACES_TEXT {
+            surfaces.pop();
+            draft.note_at(place, "The surfaces have too many patches; this one is left out");
+            continue;
+        }
+        names.push((symbol, name));
+        draft.read(place, format!("the surface {name}"));
+        let place = places.of(part.text);
+        draft.covers(place.clone());
+        draft.read(place, format!("the surface {name}"));
+    }
+    draft.definition.surfaces = print_surfaces(&surfaces);
+    names
+}
+
+/// The angle of turns, in degrees, by the line `angle factor` of a view file.
+pub(super) fn read_angle(text: &str, places: &Places<'_>, draft: &mut Draft<'_>) -> Option<f64> {
+    let found = text.lines().map(str::trim).find_map(|line| Some((line, value(line, "angle factor")?)));
+    let (line, factor) = found?;
+    let factor = factor.trim().parse::<f64>().ok().filter(|factor| factor.is_finite() && *factor > 0.0)?;
+    let place = places.of(line);
+    draft.covers(place.clone());
+    draft.read(place, format!("angle {}", 360.0 / factor));
+    Some(360.0 / factor)
+}
+
+/// The text behind a keyword and its colon.
+fn value<'c>(line: &'c str, keyword: &str) -> Option<&'c str> {
+    let (word, rest) = line.split_once(':')?;
+    word.trim().eq_ignore_ascii_case(keyword).then_some(rest)
+}
+
+/// Whether a path names a file: by the name behind its folders.
+fn is_same_file(path: &str, file: &str) -> bool {
+    let last = |path: &str| path.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
+    !path.is_empty() && last(path) == last(file)
+}
