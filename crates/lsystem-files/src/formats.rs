@@ -186,7 +186,7 @@ pub static FORMATS: [Format; 16] = [
             "landscape",
             "margin",
             "pen",
-            "hatch",
+            "hatch", "hide",
             "start",
             "min-length",
             "speed",

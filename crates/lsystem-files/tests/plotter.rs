@@ -281,6 +281,7 @@ fn numbers_out_of_range_are_bounded() {
             travel_speed: bad,
             lift: bad,
             hatch: true,
+            hide: bad > 0.0,
             start: Corner::BottomRight,
             turns: true,
         };

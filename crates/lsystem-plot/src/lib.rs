@@ -28,6 +28,7 @@ mod estimate;
 mod facts;
 mod gather;
 mod hatch;
+mod hide;
 mod improve;
 mod ink;
 mod join;
@@ -38,6 +39,7 @@ mod options;
 mod order;
 mod page;
 mod pair;
+mod pens;
 mod sheet;
 mod spots;
 
