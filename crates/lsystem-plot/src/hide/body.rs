@@ -59,6 +59,11 @@ impl Tube {
         self.ends[0][2].min(self.ends[1][2])
     }
 
+    /// The tube with larger radii, or smaller ones.
+    pub(super) fn grown(&self, by: f64) -> Self {
+        Self { radii: self.radii.map(|radius| (radius + by).max(0.0)), ..*self }
+    }
+
     pub(super) fn widest(&self) -> f64 {
         self.radii[0].max(self.radii[1])
     }

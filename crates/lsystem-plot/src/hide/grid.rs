@@ -27,6 +27,8 @@ pub(super) struct Grid {
     bodies: Vec<u32>,
     /// By cell: lines below this depth are hidden.
     floors: Vec<f64>,
+    /// By body: its nearest depth.
+    near: Vec<f64>,
 }
 
 /// A part of a line in a cell.
@@ -51,6 +53,7 @@ impl Grid {
     pub(super) fn new(scene: &Scene, work: &mut dyn Work) -> Result<Self, Halt> {
         let boxes = Boxes::new(scene, work)?;
         let mut grid = boxes.grid();
+        grid.near = scene.bodies.iter().map(|body| scene.near(body)).collect();
         grid.floors = vec![f64::NEG_INFINITY; grid.size[0] * grid.size[1]];
         let mut entries: Vec<(u32, u32)> = Vec::new();
         for &(number, bounds) in &boxes.list {
@@ -69,13 +72,13 @@ impl Grid {
                 }
             }
         }
-        grid.list(scene, entries, work)?;
+        grid.list(entries, work)?;
         Ok(grid)
     }
 
     /// Lists the bodies of each cell, without those that are covered in the whole cell.
-    fn list(&mut self, scene: &Scene, mut entries: Vec<(u32, u32)>, work: &mut dyn Work) -> Result<(), Halt> {
-        let near = |number: u32| scene.near(&scene.bodies[number as usize]);
+    fn list(&mut self, mut entries: Vec<(u32, u32)>, work: &mut dyn Work) -> Result<(), Halt> {
+        let near = |number: u32| self.near[number as usize];
         entries.retain(|&(cell, number)| near(number) > self.floors[cell as usize]);
         self.starts = vec![0; self.floors.len() + 1];
         for &(cell, _) in &entries {
@@ -103,6 +106,11 @@ impl Grid {
     /// The bodies of a cell, the nearest first.
     pub(super) fn bodies(&self, cell: usize) -> &[u32] {
         &self.bodies[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+    }
+
+    /// The nearest depth of a body.
+    pub(super) fn near(&self, body: u32) -> f64 {
+        self.near[body as usize]
     }
 
     /// Lines below this depth are hidden in a cell.
@@ -159,7 +167,7 @@ impl Grid {
                 let [dx, dy] = [middle[0] - tube.ends[0][0], middle[1] - tube.ends[0][1]];
                 let along = (dx * unit[0] + dy * unit[1]).clamp(0.0, length);
                 let [dx, dy] = [dx - along * unit[0], dy - along * unit[1]];
-                let reach = tube.widest() + side * core::f64::consts::FRAC_1_SQRT_2;
+                let reach = tube.widest() + scene.same + side * core::f64::consts::FRAC_1_SQRT_2;
                 if dx * dx + dy * dy > reach * reach {
                     Cover::Nothing
                 } else if 2.0 * tube.widest() > side && corners.iter().all(|&corner| tube.has(corner)) {
@@ -168,7 +176,7 @@ impl Grid {
                     Cover::Part
                 }
             }
-            Shape::Face { vertices, plane, .. } => {
+            Shape::Face { vertices, plane, is_outlined } => {
                 let Some(plane) = plane else { return Cover::Nothing };
                 let vertices = &scene.vertices[vertices.start as usize..vertices.end as usize];
                 let before = vertices[vertices.len() - 1..].iter().chain(vertices);
@@ -177,6 +185,10 @@ impl Grid {
                 }
                 if winding(vertices, middle) == 0 {
                     return Cover::Nothing;
+                }
+                // A triangle of a bent polygon does not hide the polygon itself.
+                if !is_outlined {
+                    return Cover::Part;
                 }
                 Cover::All(corners.iter().map(|&corner| plane.at(corner)).fold(f64::INFINITY, f64::min))
             }
@@ -245,7 +257,7 @@ impl Boxes {
             side *= 1.5;
         }
         let size = sides.map(|length| (libm::ceil(length / side) as usize).max(1));
-        Grid { corner, side, size, starts: vec![], bodies: vec![], floors: vec![] }
+        Grid { corner, side, size, starts: vec![], bodies: vec![], floors: vec![], near: vec![] }
     }
 }
 
@@ -258,7 +270,7 @@ impl Body {
 
 impl Scene {
     /// The nearest depth of a body.
-    pub(super) fn near(&self, body: &Body) -> f64 {
+    fn near(&self, body: &Body) -> f64 {
         match &body.shape {
             Shape::Line(ends) => ends[0][2].max(ends[1][2]),
             Shape::Tube(tube) => tube.near(),

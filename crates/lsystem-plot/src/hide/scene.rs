@@ -13,8 +13,8 @@ use lsystem_drawing::triangulate::{facing, triangulate};
 use lsystem_drawing::{Drawing, Mark, Segment};
 use lsystem_syntax::{Halt, Style, Work};
 
-/// Tubes are thinner by this on all sides where they cover lines, and depths that differ less are equal, in pens. So
-/// lines in the surface of a body are visible.
+/// Depths that differ less are equal, in pens. Tubes are thinner by this where they cover lines, so that lines in their
+/// surface are visible.
 pub(super) const SAME: f64 = 0.002;
 /// The largest radius, in millimetres: beyond the largest sheet.
 const WIDEST: f64 = 1e5;
@@ -111,7 +111,7 @@ impl Scene {
     }
 
     /// Adds a polygon, and its triangles if it is bent.
-    fn polygon(&mut self, mark: u32, layer: u32, points: &[Place], work: &mut dyn Work) -> Result<(), Halt> {
+    pub(super) fn polygon(&mut self, mark: u32, layer: u32, points: &[Place], work: &mut dyn Work) -> Result<(), Halt> {
         let mut face = |vertices: &mut Vec<Place>, points: &mut dyn Iterator<Item = Place>, plane, is_outlined| {
             let start = vertices.len() as u32;
             vertices.extend(points);
@@ -139,7 +139,7 @@ impl Scene {
     }
 
     /// Gives each mark a depth in front of all before.
-    fn stack(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
+    pub(super) fn stack(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
         let radius = |body: &Body| if let Shape::Tube(tube) = &body.shape { tube.widest() } else { 0.0 };
         let apart = 1.0 + 2.0 * self.bodies.iter().map(radius).fold(0.0, f64::max);
         for body in &mut self.bodies {
@@ -190,7 +190,7 @@ impl Joints {
     /// square of their number.
     const MOST: usize = 64;
 
-    fn new(bodies: &[Body], work: &mut dyn Work) -> Result<Self, Halt> {
+    pub(super) fn new(bodies: &[Body], work: &mut dyn Work) -> Result<Self, Halt> {
         let mut cells = Cells::new([JOINT; 2]);
         let mut joints = Self::default();
         let mut counts: Vec<u32> = vec![];
@@ -224,6 +224,12 @@ impl Joints {
             }
         }
         Ok(joints)
+    }
+
+    /// Whether two bodies are strokes of one colour that end at the same point.
+    pub(super) fn meet(&self, a: u32, b: u32) -> bool {
+        let [a, b] = [a, b].map(|body| self.ends.get(body as usize).copied().unwrap_or([Self::NONE; 2]));
+        a.iter().any(|&end| end != Self::NONE && b.contains(&end))
     }
 
     /// The tubes before a body that are one shape with it.

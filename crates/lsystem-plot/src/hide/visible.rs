@@ -1,8 +1,8 @@
 //! The visible parts of a line.
 
-use super::body::{Place, Sight, Tube};
+use super::body::{Place, Sight};
 use super::grid::Grid;
-use super::scene::{Body, Scene, Shape};
+use super::scene::{Scene, Shape};
 use super::span::{Span, rest};
 use lsystem_syntax::{Halt, Work};
 
@@ -42,16 +42,15 @@ impl<'a> Visible<'a> {
             // The start of the line in the cell is hidden up to here.
             let mut at = visit.from;
             for &other in self.grid.bodies(visit.cell) {
-                let other = &scene.bodies[other as usize];
-                if at >= visit.to || scene.near(other) <= bottom {
+                if at >= visit.to || self.grid.near(other) <= bottom {
                     break;
                 }
-                if other.mark == own.mark {
+                if scene.bodies[other as usize].mark == own.mark {
                     continue;
                 }
-                work.charge(1 + other.corners() / 4)?;
+                work.charge(1 + scene.bodies[other as usize].corners() / 4)?;
                 let before = self.hidden.len();
-                scene.shadows(own, other, line, &mut self.crossings, &mut self.hidden);
+                scene.shadows(number, other, line, &mut self.crossings, &mut self.hidden);
                 let mut kept = before;
                 for place in before..self.hidden.len() {
                     let span = self.hidden[place].within(visit.from, visit.to);
@@ -69,7 +68,7 @@ impl<'a> Visible<'a> {
         for tube in scene.joints.of(number) {
             work.charge(1)?;
             if let Shape::Tube(tube) = &scene.bodies[tube as usize].shape {
-                let span = scene.thinner(tube).outline(line).within(0.0, 1.0);
+                let span = tube.grown(-scene.same).outline(line).within(0.0, 1.0);
                 if !span.is_empty() {
                     self.hidden.push(span);
                 }
@@ -85,29 +84,30 @@ impl<'a> Visible<'a> {
 }
 
 impl Scene {
-    /// Adds the stretches of a line of the body `own` that another body hides. They may reach beyond the line.
+    /// Adds the stretches of a line of the body `own` that the body `other` hides. They may reach beyond the line.
     pub(super) fn shadows(
         &self,
-        own: &Body,
-        other: &Body,
+        own: u32,
+        other: u32,
         line: &Sight,
         crossings: &mut Vec<(f64, i32)>,
         hidden: &mut Vec<Span>,
     ) {
-        match &other.shape {
+        let [before, body] = [own, other].map(|number| &self.bodies[number as usize]);
+        match &body.shape {
             Shape::Line(_) | Shape::Face { plane: None, .. } => {}
-            Shape::Tube(tube) => hidden.push(self.thinner(tube).shadow(line)),
+            Shape::Tube(tube) => {
+                // In the plane, a later stroke at the same place hides the outline, too. But the sides of strokes that
+                // follow each other go on.
+                let grows = !self.is_solid && !self.joints.meet(own, other);
+                hidden.push(tube.grown(if grows { self.same } else { -self.same }).shadow(line));
+            }
             Shape::Face { vertices, plane: Some(plane), .. } => {
                 let vertices = &self.vertices[vertices.start as usize..vertices.end as usize];
                 // Of polygons in the same plane, the one drawn later is in front.
-                let nearer = if other.mark > own.mark { -self.same } else { self.same };
+                let nearer = if body.mark > before.mark { -self.same } else { self.same };
                 plane.shadows(vertices, line, nearer, crossings, hidden);
             }
         }
-    }
-
-    /// A tube as it covers lines: lines in its surface are visible.
-    pub(super) fn thinner(&self, tube: &Tube) -> Tube {
-        Tube { radii: tube.radii.map(|radius| (radius - self.same).max(0.0)), ..*tube }
     }
 }
