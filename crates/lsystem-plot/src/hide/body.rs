@@ -219,10 +219,7 @@ impl Facet {
     ) {
         let [x, y, z] = line.from;
         let [dx, dy, dz] = line.way;
-        let front = Span::ALL.below(
-            z + nearer - self.at([x, y]),
-            dz - self.slope[0] * dx - self.slope[1] * dy,
-        );
+        let front = Span::ALL.below(z + nearer - self.at([x, y]), dz - self.slope[0] * dx - self.slope[1] * dy);
         if front.within(0.0, 1.0).is_empty() {
             return;
         }

@@ -5,9 +5,12 @@ use super::scene::{Body, Scene, Shape};
 use crate::page::Point;
 use lsystem_syntax::{Halt, Work};
 
-/// The most entries of a grid for each body, and the most for all; larger cells need fewer.
-const EACH: f64 = 8.0;
+/// The most cells that are tried for each body, and the most for all; of larger cells there are fewer. Cells smaller than
+/// the bodies are soon covered, and bodies behind are not listed there.
+const EACH: f64 = 64.0;
 const FEW: f64 = 1e5;
+/// The most entries for each body beside [`FEW`]: 64 bytes.
+const LISTED: usize = 8;
 /// The most cells along a side.
 const MOST_SIDE: f64 = 2048.0;
 /// Bodies reach this much into the cells beside, in cells: far above rounding errors.
@@ -51,32 +54,58 @@ enum Cover {
 impl Grid {
     /// Sorts the bodies of a scene.
     pub(super) fn new(scene: &Scene, work: &mut dyn Work) -> Result<Self, Halt> {
-        let boxes = Boxes::new(scene, work)?;
-        let mut grid = boxes.grid();
-        grid.near = scene.bodies.iter().map(|body| scene.near(body)).collect();
-        grid.floors = vec![f64::NEG_INFINITY; grid.size[0] * grid.size[1]];
+        let mut boxes = Boxes::new(scene, work)?;
+        let near: Vec<f64> = scene.bodies.iter().map(|body| scene.near(body)).collect();
+        boxes.list.sort_unstable_by(|(a, _), (b, _)| near[*b as usize].total_cmp(&near[*a as usize]).then(b.cmp(a)));
+        let mut grid = Self { near, ..boxes.grid() };
+        loop {
+            grid.floors = vec![f64::NEG_INFINITY; grid.size[0] * grid.size[1]];
+            if let Some(entries) = grid.entries(scene, &boxes.list, work)? {
+                grid.list(entries, work)?;
+                return Ok(grid);
+            }
+            grid.side *= 2.0;
+            grid.size = grid.size.map(|count| count.div_ceil(2));
+        }
+    }
+
+    /// The cells and bodies that are not known to be covered, the nearest first; `None` if there are too many. Lifts the
+    /// floors.
+    fn entries(
+        &mut self,
+        scene: &Scene,
+        boxes: &[(u32, [Point; 2])],
+        work: &mut dyn Work,
+    ) -> Result<Option<Vec<(u32, u32)>>, Halt> {
+        let most = boxes.len() * LISTED + FEW as usize;
         let mut entries: Vec<(u32, u32)> = Vec::new();
-        for &(number, bounds) in &boxes.list {
+        for &(number, bounds) in boxes {
             let body = &scene.bodies[number as usize];
-            let [low, high] = bounds.map(|point| grid.cell(point));
+            let [low, high] = bounds.map(|point| self.cell(point));
             for row in low[1]..=high[1] {
                 for column in low[0]..=high[0] {
-                    let cell = row * grid.size[0] + column;
+                    let cell = row * self.size[0] + column;
+                    work.charge(1)?;
+                    if self.near(number) <= self.floors[cell] {
+                        continue;
+                    }
                     work.charge(1 + body.corners() / 4)?;
-                    match grid.cover(scene, body, [column, row]) {
+                    match self.cover(scene, body, [column, row]) {
                         Cover::Nothing => continue,
                         Cover::Part => {}
-                        Cover::All(depth) => grid.floors[cell] = grid.floors[cell].max(depth - scene.same),
+                        Cover::All(depth) => self.floors[cell] = self.floors[cell].max(depth - scene.same),
                     }
                     entries.push((cell as u32, number));
                 }
             }
+            if entries.len() > most && self.size != [1; 2] {
+                return Ok(None);
+            }
         }
-        grid.list(entries, work)?;
-        Ok(grid)
+        Ok(Some(entries))
     }
 
-    /// Lists the bodies of each cell, without those that are covered in the whole cell.
+    /// Lists the bodies of each cell, without those that are covered in the whole cell. The nearest entries come first.
     fn list(&mut self, mut entries: Vec<(u32, u32)>, work: &mut dyn Work) -> Result<(), Halt> {
         let near = |number: u32| self.near[number as usize];
         entries.retain(|&(cell, number)| near(number) > self.floors[cell as usize]);
@@ -95,11 +124,6 @@ impl Grid {
             self.bodies[*end as usize] = number;
             *end += 1;
         }
-        for cell in 0..self.floors.len() {
-            let range = self.starts[cell] as usize..self.starts[cell + 1] as usize;
-            work.charge(1 + range.len() as u64)?;
-            self.bodies[range].sort_unstable_by(|&a, &b| near(b).total_cmp(&near(a)).then(b.cmp(&a)));
-        }
         Ok(())
     }
 
@@ -116,6 +140,13 @@ impl Grid {
     /// Lines below this depth are hidden in a cell.
     pub(super) fn floor(&self, cell: usize) -> f64 {
         self.floors[cell]
+    }
+
+    /// Whether a body is surely hidden: it lies below the floors of all its cells.
+    pub(super) fn hides(&self, scene: &Scene, number: u32) -> bool {
+        let [low, high] = scene.bounds(&scene.bodies[number as usize]).map(|point| self.cell(point));
+        let near = self.near(number);
+        (low[1]..=high[1]).all(|row| (low[0]..=high[0]).all(|column| near < self.floors[row * self.size[0] + column]))
     }
 
     /// The column and the row of a point; those of the nearest cell if the point is outside.
@@ -246,7 +277,7 @@ impl Boxes {
         let sides = if sides[0].is_finite() { sides } else { [1.0; 2] };
         let corner = if low[0].is_finite() { low } else { [0.0; 2] };
         let count = self.list.len() as f64;
-        let mut side = (sides[0] * sides[1] / (2.0 * count + 1.0)).sqrt().max(sides[0].max(sides[1]) / MOST_SIDE);
+        let mut side = (sides[0] * sides[1] / (4.0 * count + 1.0)).sqrt().max(sides[0].max(sides[1]) / MOST_SIDE);
         let entries = |side: f64| -> f64 {
             let of = |[low, high]: [Point; 2]| {
                 [0, 1].iter().map(|&axis| (high[axis] - low[axis]) / side + 1.0).product::<f64>()

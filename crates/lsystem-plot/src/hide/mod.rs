@@ -50,6 +50,10 @@ pub(crate) fn hidden(
     let mut draw = Draw { visible: Visible::new(&scene, &grid), least: SHORT * options.pen, run: Run::default(), pens };
     let mut edges = vec![];
     for (number, body) in (0..).zip(&scene.bodies) {
+        work.charge(1)?;
+        if grid.hides(&scene, number) {
+            continue;
+        }
         edges.clear();
         match &body.shape {
             Shape::Line(ends) => edges.push(Edge { ends: *ends, is_round: true }),

@@ -119,9 +119,8 @@ impl Scene {
             self.bodies.push(Body { mark, layer, shape });
         };
         let plane = facing(points).and_then(|normal| Facet::new(middle(points), normal));
-        let is_flat = plane.is_none_or(|plane| {
-            points.iter().all(|&[x, y, depth]| (plane.at([x, y]) - depth).abs() <= self.same)
-        });
+        let is_flat =
+            plane.is_none_or(|plane| points.iter().all(|&[x, y, depth]| (plane.at([x, y]) - depth).abs() <= self.same));
         face(&mut self.vertices, &mut points.iter().copied(), plane.filter(|_| is_flat), true);
         if is_flat {
             return Ok(());

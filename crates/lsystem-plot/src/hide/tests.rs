@@ -95,7 +95,8 @@ fn polygons_hide_what_lies_behind_their_planes() {
     let mut chance = Chance(2);
     let (mut hidden, mut visible) = (0, 0);
     for _ in 0..400 {
-        let plane = Facet { depth: chance.number(2.0, 8.0), slope: [chance.number(-1.0, 1.0), chance.number(-1.0, 1.0)] };
+        let plane =
+            Facet { depth: chance.number(2.0, 8.0), slope: [chance.number(-1.0, 1.0), chance.number(-1.0, 1.0)] };
         // Such outlines cross themselves.
         let vertices: Vec<Place> = (0..3 + chance.below(5))
             .map(|_| {
@@ -134,7 +135,11 @@ fn scene(chance: &mut Chance, count: u32, is_solid: bool) -> Scene {
             1 => {
                 let corner = chance.place(40.0);
                 let points: Vec<Place> = (0..3 + chance.below(4))
-                    .map(|_| [0, 1, 2].map(|axis| corner[axis] + chance.number(-6.0, 6.0) * if is_solid || axis < 2 { 1.0 } else { 0.0 }))
+                    .map(|_| {
+                        [0, 1, 2].map(|axis| {
+                            corner[axis] + chance.number(-6.0, 6.0) * if is_solid || axis < 2 { 1.0 } else { 0.0 }
+                        })
+                    })
                     .collect();
                 scene.polygon(mark, layer, &points, &mut Meter::new(0)).unwrap();
             }
@@ -178,7 +183,9 @@ fn parts(scene: &Scene, number: u32, line: &Sight) -> Vec<Span> {
     for other in (0..).take(scene.bodies.len()).filter(|&other: &u32| scene.bodies[other as usize].mark != own.mark) {
         scene.shadows(number, other, line, &mut vec![], &mut hidden);
     }
-    for other in scene.bodies.iter().filter(|other| !scene.is_solid && other.layer == own.layer && other.mark != own.mark) {
+    for other in
+        scene.bodies.iter().filter(|other| !scene.is_solid && other.layer == own.layer && other.mark != own.mark)
+    {
         let ends = |body: &Body| match body.shape {
             Shape::Line(ends) | Shape::Tube(Tube { ends, .. }) => ends.map(|[x, y, _]| [x, y]).to_vec(),
             Shape::Face { .. } => vec![],
@@ -274,7 +281,8 @@ fn painted(drawing: &Drawing, definition: &Definition, page: &Page, pen: f64, si
 fn behind_slowly(tube: &Tube, [x, y]: [f64; 2]) -> bool {
     (0..=64).any(|number| {
         let part = f64::from(number) / 64.0;
-        let [dx, dy] = [0, 1].map(|axis| [x, y][axis] - tube.ends[0][axis] - part * (tube.ends[1][axis] - tube.ends[0][axis]));
+        let [dx, dy] =
+            [0, 1].map(|axis| [x, y][axis] - tube.ends[0][axis] - part * (tube.ends[1][axis] - tube.ends[0][axis]));
         let radius = tube.radii[0] + part * (tube.radii[1] - tube.radii[0]);
         dx * dx + dy * dy < radius * radius
     })
@@ -327,4 +335,24 @@ fn lines_are_where_colours_meet_in_the_painters_picture() {
         }
         assert!(count > 500 && missed == 0, "{missed} of {count}");
     }
+}
+
+/// The work to plot a plant of so many steps with broad strokes, and the number of its strokes.
+fn work(n: u32) -> (u64, u64) {
+    let rules = "A -> !(w)F[+A][-A]FA\nw = 0.7".into();
+    let definition = Definition { axiom: "A".into(), rules, angle: 28.0, ..Definition::default() };
+    let system = System::new(&definition).0.unwrap();
+    let drawing: Drawing = draw(&system, n, &Limits::default()).unwrap();
+    let options = PlotOptions { hide: true, ..PlotOptions::default() };
+    let page = Page::new(&drawing, &Sheet::default(), &options);
+    let mut meter = Meter::new(0);
+    hidden(&drawing, &definition.style, &page, &options, 1_000_000, &mut meter).unwrap();
+    (meter.spent(), drawing.segment_count() as u64)
+}
+
+#[test]
+fn the_work_grows_with_the_strokes_and_not_with_their_pairs() {
+    let [few, many] = [7, 10].map(work);
+    assert!(few.1 > 2000 && many.1 > 25 * few.1, "{few:?} {many:?}");
+    assert!(many.0 < 2 * 27 * few.0 && many.0 < 400 * many.1, "{few:?} {many:?}");
 }

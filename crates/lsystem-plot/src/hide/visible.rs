@@ -39,10 +39,10 @@ impl<'a> Visible<'a> {
                 self.hidden.push(Span { low: visit.from, high: visit.to });
                 continue;
             }
-            // The start of the line in the cell is hidden up to here.
-            let mut at = visit.from;
+            // In the cell, the line is hidden up to the first place and from the second one on.
+            let (mut at, mut back) = (visit.from, visit.to);
             for &other in self.grid.bodies(visit.cell) {
-                if at >= visit.to || self.grid.near(other) <= bottom {
+                if at >= back || self.grid.near(other) <= bottom {
                     break;
                 }
                 if scene.bodies[other as usize].mark == own.mark {
@@ -59,6 +59,9 @@ impl<'a> Visible<'a> {
                         kept += 1;
                         if span.low <= at {
                             at = at.max(span.high);
+                        }
+                        if span.high >= back {
+                            back = back.min(span.low);
                         }
                     }
                 }
