@@ -82,11 +82,10 @@ impl Tube {
         let [first, last] = self.radii;
         let sin = (first - last) / length;
         // Not a number if the length is 0.
-        if !(sin.abs() < 1.0) {
-            return None;
-        }
-        let cos = (1.0 - sin * sin).sqrt();
-        Some([[first * sin, first * cos], [length + last * sin, last * cos]])
+        (sin.abs() < 1.0).then(|| {
+            let cos = (1.0 - sin * sin).sqrt();
+            [[first * sin, first * cos], [length + last * sin, last * cos]]
+        })
     }
 
     /// Whether a point of the sheet is within the outline.

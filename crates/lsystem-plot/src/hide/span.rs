@@ -52,7 +52,7 @@ impl Span {
     }
 
     pub(super) fn is_empty(self) -> bool {
-        !(self.low < self.high)
+        self.low.partial_cmp(&self.high) != Some(core::cmp::Ordering::Less)
     }
 }
 
