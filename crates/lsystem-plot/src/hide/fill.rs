@@ -55,25 +55,34 @@ fn fill_tube(
 ) -> Result<Option<()>, Halt> {
     let ([x, y], length) = tube.axis();
     let aside = [-y, x];
+    // A section across the tube is tilted: its front is this far ahead of the axis and nearer, in radii.
+    let rise = tube.ends[1][2] - tube.ends[0][2];
+    let whole = (length * length + rise * rise).sqrt();
+    let [ahead, nearer] = if length > 0.0 { [-rise / whole, length / whole] } else { [0.0, 1.0] };
     // Between the sides of the outline, in parts of the radius.
     let mut part = -1.0_f64;
     for _ in 0..=most {
         work.charge(1)?;
         let front = (1.0 - part * part).max(0.0).sqrt();
-        let normal = is_solid.then_some([part * aside[0], part * aside[1], front]);
+        let normal = is_solid.then_some([
+            part * aside[0] + front * ahead * x,
+            part * aside[1] + front * ahead * y,
+            front * nearer,
+        ]);
         // Where no line is drawn, the shade is tried again a pen farther.
         let spacing = spacing(normal, pen);
         if spacing.is_some() && part > -1.0 && length > 0.0 {
-            let at = |end: usize, ahead: f64, front: f64| {
+            let at = |end: usize, ahead: f64, nearer: f64| {
                 let radius = tube.radii[end];
                 let [cx, cy, depth] = tube.ends[end];
                 [
                     cx + radius * (part * aside[0] + ahead * x),
                     cy + radius * (part * aside[1] + ahead * y),
-                    depth + radius * front,
+                    depth + radius * nearer,
                 ]
             };
-            let way = [at(0, -front, 0.0), at(0, 0.0, front), at(1, 0.0, front), at(1, front, 0.0)];
+            let [ahead, nearer] = [ahead, nearer].map(|share| share * front);
+            let way = [at(0, -front, 0.0), at(0, ahead, nearer), at(1, ahead, nearer), at(1, front, 0.0)];
             edges.extend(way.windows(2).map(|pair| Edge { ends: [pair[0], pair[1]], is_round: true }));
         }
         part += spacing.unwrap_or(pen) / tube.widest();

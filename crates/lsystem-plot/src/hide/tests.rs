@@ -1,6 +1,7 @@
 //! Hidden lines against plain geometry.
 
 use super::body::{Facet, Place, Sight, Tube, winding};
+use super::fill::fill;
 use super::grid::Grid;
 use super::hidden;
 use super::outline::outline;
@@ -229,6 +230,28 @@ fn the_grid_finds_all_that_hides_a_line() {
         }
     }
     assert!(whole > 1000 && cut > 1000 && none > 1000, "{whole} {cut} {none}");
+}
+
+#[test]
+fn shades_of_a_stick_go_on_where_the_next_stick_begins() {
+    // Both lead towards the viewer.
+    let ends = [[5.0, 5.0, 0.0], [15.0, 5.0, 4.0], [25.0, 5.0, 8.0]];
+    let tubes = [0, 1].map(|first| Tube { ends: [ends[first], ends[first + 1]], radii: [2.0; 2] });
+    let mut scene = Scene { same: 6e-4, is_solid: true, ..Scene::default() };
+    for (mark, tube) in (0..).zip(tubes) {
+        scene.bodies.push(Body { mark, layer: 0, shape: Shape::Tube(tube) });
+    }
+    for (own, other) in [(0, 1), (1, 0)] {
+        let mut edges = vec![];
+        let filled = fill(&scene, &scene.bodies[own], 0.3, 1000, &mut edges, &mut Meter::new(0)).unwrap();
+        assert!(filled.is_some() && edges.len() >= 9, "{edges:?}");
+        // Of each line, the first part and the last one are in the round ends.
+        for edge in edges.iter().skip(1).step_by(3) {
+            let line = Sight::new(edge.ends).unwrap();
+            let span = tubes[other].grown(-scene.same).shadow(&line).within(0.0, 1.0);
+            assert!(span.high - span.low < 0.02 || span.is_empty(), "{edge:?} {span:?}");
+        }
+    }
 }
 
 /// A drawing in the plane, with strokes and polygons of four colours.
