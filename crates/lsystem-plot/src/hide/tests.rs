@@ -243,7 +243,7 @@ fn shades_of_a_stick_go_on_where_the_next_stick_begins() {
     }
     for (own, other) in [(0, 1), (1, 0)] {
         let mut edges = vec![];
-        let filled = fill(&scene, &scene.bodies[own], 0.3, 1000, &mut edges, &mut Meter::new(0)).unwrap();
+        let filled = fill(&scene, &scene.bodies[own], 0.05, 1000, &mut edges, &mut Meter::new(0)).unwrap();
         assert!(filled.is_some() && edges.len() >= 9, "{edges:?}");
         // Of each line, the first part and the last one are in the round ends.
         for edge in edges.iter().skip(1).step_by(3) {
