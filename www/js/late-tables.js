@@ -15,7 +15,7 @@ export const ASKS = /* @__PURE__ */ Object.freeze({
 export const FORMATS = /* @__PURE__ */ Object.freeze({
     'svg': { ending: 'svg', mime: 'image/svg+xml', label: 'SVG', help: 'Picture of strokes', picture: true, purposes: ['screen'], content: 'strokes', options: ['transparent', 'bare'] },
     'svg-compact': { ending: 'svg', mime: 'image/svg+xml', label: 'Compact SVG', help: 'Picture of strokes with each reusable part written once: a small file at any number of iterations', picture: true, purposes: ['screen'], content: 'strokes', options: ['transparent', 'bare'] },
-    'plotter': { ending: 'svg', mime: 'image/svg+xml', label: 'Plotter SVG', help: 'Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel', picture: true, purposes: ['plotter'], content: 'strokes', options: ['sheet', 'portrait', 'landscape', 'margin', 'pen', 'hatch', 'start', 'min-length', 'speed', 'travel-speed', 'lift'] },
+    'plotter': { ending: 'svg', mime: 'image/svg+xml', label: 'Plotter SVG', help: 'Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel', picture: true, purposes: ['plotter'], content: 'strokes', options: ['sheet', 'portrait', 'landscape', 'margin', 'pen', 'hatch', 'hide', 'start', 'min-length', 'speed', 'travel-speed', 'lift'] },
     'png': { ending: 'png', mime: 'image/png', label: 'PNG', help: 'Picture of pixels', picture: true, purposes: ['screen', 'print'], content: 'pixels', options: ['size', 'dpi', 'transparent', 'bare'] },
     'pdf': { ending: 'pdf', mime: 'application/pdf', label: 'PDF', help: 'Page of strokes', picture: true, purposes: ['paper'], content: 'strokes', options: ['sheet', 'landscape', 'margin', 'whole-sheet', 'bare'] },
     'tikz': { ending: 'tikz', mime: 'text/x-tex', label: 'TikZ', help: 'Picture of strokes for LaTeX', picture: true, purposes: ['paper'], content: 'strokes', options: [] },
@@ -83,6 +83,7 @@ export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
     'margin': { kind: 'number', low: 0, high: 100, step: 1, default: 10, label: 'Margin', help: 'Margin on every side of the sheet', unit: 'mm' },
     'pen': { kind: 'number', low: 0.05, high: 20, step: 0.05, default: 0.3, label: 'Pen width', help: 'Width of the pen\'s line; smaller parts of the drawing become one stroke', unit: 'mm' },
     'hatch': { kind: 'flag', label: 'Hatch', help: 'Fill polygons and broad strokes with lines', unit: '' },
+    'hide': { kind: 'flag', label: 'Hide what is behind', help: 'Leave out lines behind polygons and broad strokes, and draw broad strokes as outlines', unit: '' },
     'start': { kind: 'word', words: { 'top-left': 'Top left', 'top-right': 'Top right', 'bottom-left': 'Bottom left', 'bottom-right': 'Bottom right' }, default: 'top-left', label: 'Start corner', help: 'Corner where each pen starts and ends', unit: '' },
     'min-length': { kind: 'number', low: 0, high: 1000, step: 0.1, default: 0, label: 'Shortest line', help: 'Length under which lines are left out', unit: 'mm' },
     'speed': { kind: 'number', low: 0.1, high: 10000, step: 1, default: 50, label: 'Drawing speed', help: 'Speed of the lowered pen, for the estimate of time', unit: 'mm/s' },

@@ -87,6 +87,9 @@ pub struct Drawing<S: Space = Plane> {
     /// The place along the path, as in [`Tint`](lsystem_syntax::Tint), of each stroke and polygon, in drawing order.
     /// Empty if the drawing order is the path's order.
     pub places: Vec<f64>,
+    /// Of a projection: the depths of all ends of strokes and vertices of polygons, in drawing order and in units of the
+    /// root block; greater ones are nearer to the viewer. Empty for other drawings.
+    pub depths: Vec<f64>,
     /// The number of symbols of the generation, if counted.
     pub symbols: Option<u64>,
     /// The size of the scene for pictures in space.
@@ -204,6 +207,7 @@ impl<S: Space> Drawing<S> {
             + bytes_of(&self.vertices)
             + bytes_of(&self.styles)
             + bytes_of(&self.places)
+            + bytes_of(&self.depths)
             + self.pieces.bytes()
             + self.scene.bytes(self.memoised)
     }

@@ -187,6 +187,7 @@ pub static FORMATS: [Format; 16] = [
             "margin",
             "pen",
             "hatch",
+            "hide",
             "start",
             "min-length",
             "speed",

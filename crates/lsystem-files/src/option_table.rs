@@ -77,7 +77,7 @@ pub enum OptionValue {
 }
 
 /// All choices. Values are applied in this order.
-pub static FILE_OPTIONS: [FileOption; 17] = [
+pub static FILE_OPTIONS: [FileOption; 18] = [
     FileOption {
         name: "size",
         label: "Size",
@@ -182,6 +182,14 @@ pub static FILE_OPTIONS: [FileOption; 17] = [
         unit: "",
         kind: OptionKind::Flag,
         set: |options, value| options.plot.hatch = value.flag(),
+    },
+    FileOption {
+        name: "hide",
+        label: "Hide what is behind",
+        help: "Leave out lines behind polygons and broad strokes, and draw broad strokes as outlines",
+        unit: "",
+        kind: OptionKind::Flag,
+        set: |options, value| options.plot.hide = value.flag(),
     },
     FileOption {
         name: "start",

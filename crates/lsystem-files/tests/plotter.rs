@@ -281,6 +281,7 @@ fn numbers_out_of_range_are_bounded() {
             travel_speed: bad,
             lift: bad,
             hatch: true,
+            hide: bad > 0.0,
             start: Corner::BottomRight,
             turns: true,
         };
@@ -331,6 +332,60 @@ fn polygons_and_broad_strokes_are_hatched() {
         values().fold(0.0, f64::max) - values().fold(f64::INFINITY, f64::min)
     });
     assert!((area - (width + 0.5) * height.max(width)).abs() < 0.05 * area, "{area} {width} {height}");
+}
+
+#[test]
+fn what_is_behind_is_hidden() {
+    // A square, and one that covers a quarter of it: two half sides of the first are hidden.
+    let axiom = "[{F-F-F-F}]f(0.5)-f(0.5)+{F-F-F-F}".into();
+    let mut definition = Definition { axiom, angle: 90.0, ..Definition::default() };
+    definition.style.width = 0.0;
+    let mut file = options(Sheet { width: 220.0, height: 220.0, margin: 10.0 }, 0.3);
+    let drawing = drawing(&definition, 0).unwrap();
+    let lengths = [false, true].map(|hide| {
+        file.plot.hide = hide;
+        plot(&drawing, &definition, &file).1.down / scale(&drawing, [220.0; 2], 10.0)
+    });
+    assert!((lengths[0] - 8.0).abs() < 1e-6 && (lengths[1] - 7.0).abs() < 1e-6, "{lengths:?}");
+
+    // A broad stroke is an outline: two sides and a circle.
+    let mut broad = Definition { axiom: "F".into(), ..Definition::default() };
+    broad.style.width = 0.5;
+    let drawing = self::drawing(&broad, 0).unwrap();
+    let (text, summary) = plot(&drawing, &broad, &file);
+    let points = polylines(&text).concat().concat();
+    let [width, height] = [0, 1].map(|axis| {
+        let values = || points.iter().map(move |point| point[axis]);
+        values().fold(0.0, f64::max) - values().fold(f64::INFINITY, f64::min)
+    });
+    let [short, long] = [width.min(height), width.max(height)];
+    assert_eq!(summary.polylines, 1, "{text}");
+    let around = 2.0 * (long - short) + core::f64::consts::PI * short;
+    assert!((summary.down - around).abs() < 0.01 * around, "{summary:?} {around}");
+}
+
+#[test]
+fn plots_that_hide_can_be_stopped_and_have_limits() {
+    let mut definition = definition("garden/sunflower");
+    definition.iterations = definition.iterations.min(4);
+    let drawing = drawing(&definition, definition.iterations).unwrap();
+    let mut file = options(Sheet::default(), 0.3);
+    file.plot.hide = true;
+    file.plot.hatch = true;
+    let calls = |patience: u32| {
+        let mut owner = Patience(patience, 0);
+        let result = Sink::to(&mut owner, |sink| write_plot(drawing.clone(), &definition.style, &file, sink));
+        (result.is_ok(), owner.1)
+    };
+    let (is_done, all) = calls(u32::MAX);
+    assert!(is_done && all > 2, "{all}");
+    for patience in (0..all).step_by(1 + all as usize / 20) {
+        assert_eq!(calls(patience as u32), (false, patience + 1));
+    }
+    file.most = 50;
+    let mut text = String::new();
+    let halt = Sink::to(&mut text, |sink| write_plot(drawing, &definition.style, &file, sink)).unwrap_err();
+    assert!(matches!(halt.diagnostic().kind, Kind::Limit { limit: LimitName::PlotStrokes, value: 50, .. }));
 }
 
 #[test]

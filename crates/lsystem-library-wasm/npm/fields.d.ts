@@ -147,6 +147,8 @@ export interface FileOptions {
     pen?: number;
     /** Fill polygons and broad strokes with lines: true or false. For plotter. */
     hatch?: boolean;
+    /** Leave out lines behind polygons and broad strokes, and draw broad strokes as outlines: true or false. For plotter. */
+    hide?: boolean;
     /** Corner where each pen starts and ends: one of `top-left`, `top-right`, `bottom-left`, `bottom-right`. For plotter. */
     start?: 'top-left' | 'top-right' | 'bottom-left' | 'bottom-right';
     /** Length under which lines are left out: a number from 0 to 1000. For plotter. */

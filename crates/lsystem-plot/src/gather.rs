@@ -7,9 +7,9 @@
 
 use super::hatch;
 use crate::facts::BlockFacts;
-use crate::merge::{LEAST, Merge};
 use crate::options::PlotOptions;
 use crate::page::{Page, Point, distance};
+use crate::pens::Pens;
 use crate::spots::Spots;
 use lsystem_base::LimitName;
 use lsystem_drawing::{BlockFrame, BlockId, Directions, Drawing, Item, Line, Placed, Polygon, StyleChange, Widths};
@@ -34,13 +34,12 @@ pub(crate) struct Gather<'a> {
     facts: &'a BlockFacts,
     page: &'a Page,
     options: PlotOptions,
-    /// The most strokes, and the most open blocks.
-    pub(crate) limits: [u64; 2],
     /// Whether parts smaller than the pen become one stroke.
     pub(crate) is_cut: bool,
-    /// The strokes so far, and their number.
-    pub(crate) strokes: Merge,
-    count: u64,
+    /// The strokes so far.
+    pub(crate) pens: Pens,
+    /// The most open blocks.
+    pub(crate) most_blocks: u64,
     /// The blocks opened so far.
     blocks: u64,
     /// The segments and polygons before the next item.
@@ -49,17 +48,11 @@ pub(crate) struct Gather<'a> {
     directions: Directions,
     /// The open blocks, outermost first: the items that remain, and the frame.
     open: Vec<(core::slice::Iter<'a, Item>, BlockFrame)>,
-    /// The layers' colours, in the order of their first strokes.
-    pub(crate) colours: Vec<[u8; 3]>,
-    layers: HashMap<[u8; 3], u32>,
     /// The distinct ways to place a block, without the position.
     variants: HashMap<Variant, u32>,
     /// The placed blocks so far: the variant, and the position in steps of [`SAME`] or of [`BESIDE`].
     placed: HashSet<(u32, [i64; 2])>,
     pub(crate) spots: Spots,
-    /// The end of the last stroke of each layer, and the travel so far in drawing order.
-    last: Vec<Point>,
-    travel: f64,
 }
 
 /// A block in a direction, at a scale and in a style: whether positions are in steps of [`BESIDE`], the bits of the scale and the width,
@@ -81,22 +74,17 @@ impl<'a> Gather<'a> {
             facts,
             page,
             options,
-            limits: [u64::MAX; 2],
             is_cut: false,
-            strokes: Merge::new(page.size),
-            count: 0,
+            pens: Pens::new(page, &options),
+            most_blocks: u64::MAX,
             blocks: 0,
             passed: [0; 2],
             all: drawing.segment_count() as f64,
             directions: Directions::default(),
             open: Vec::new(),
-            colours: Vec::new(),
-            layers: HashMap::new(),
             variants: HashMap::new(),
             placed: HashSet::new(),
             spots: Spots::new(options.pen),
-            last: Vec::new(),
-            travel: 0.0,
         }
     }
 
@@ -122,14 +110,14 @@ impl<'a> Gather<'a> {
                 Item::Block(placed) => self.enter(placed, &frame, work)?,
             }
             // A spot may get a stroke of its own.
-            if self.count.max(self.spots.count()) > self.limits[0] {
-                return Err(self.too_many());
+            if self.pens.count.max(self.spots.count()) > self.pens.most {
+                return Err(self.pens.too_many());
             }
         }
         for number in 0..self.spots.count() as usize {
             work.charge(4)?;
             if let Some((layer, ends)) = self.spots.lone(number) {
-                self.stroke(layer, ends);
+                self.pens.stroke(layer, ends);
             }
         }
         Ok(())
@@ -143,29 +131,19 @@ impl<'a> Gather<'a> {
             drawing.vertices_of(polygon).iter().map(|&vertex| self.down(frame.transform(vertex))).collect();
         let layer = self.layer(&frame.style.then(&drawing.styles[polygon.style.0 as usize]));
         let ends = vertices.iter().copied().zip(vertices.iter().copied().cycle().skip(1));
-        ends.for_each(|(from, to)| self.stroke(layer, [from, to]));
+        ends.for_each(|(from, to)| self.pens.stroke(layer, [from, to]));
         self.passed[1] = self.passed[1].saturating_add(1);
         if !self.options.hatch {
             return Ok(());
         }
         let pen = self.options.pen;
-        let left = self.limits[0].checked_sub(self.count).ok_or_else(|| self.too_many())?;
-        let crossings = hatch::crossings(&vertices, pen, left, work)?.ok_or_else(|| self.too_many())?;
+        let left = self.pens.most.checked_sub(self.pens.count).ok_or_else(|| self.pens.too_many())?;
+        let crossings = hatch::crossings(&vertices, pen, left, work)?.ok_or_else(|| self.pens.too_many())?;
         for line in hatch::lines(crossings, pen) {
             work.charge(1)?;
-            line.into_iter().for_each(|ends| self.stroke(layer, ends));
+            line.into_iter().for_each(|ends| self.pens.stroke(layer, ends));
         }
         Ok(())
-    }
-
-    /// The travel of all strokes in drawing order, from the pens' start and back to it.
-    pub(crate) fn travel_home(&self) -> f64 {
-        let home = self.options.start.of(self.page.size);
-        self.travel + self.last.iter().map(|&end| distance(end, home)).sum::<f64>()
-    }
-
-    fn too_many(&self) -> Halt {
-        Diagnostic::limit(LimitName::PlotStrokes, self.limits[0], None).into()
     }
 
     /// Opens a placed block, or draws it as one stroke, or passes it over.
@@ -189,8 +167,8 @@ impl<'a> Gather<'a> {
             work.charge(64)?;
         } else {
             self.blocks += 1;
-            if self.blocks > self.limits[1] {
-                return Err(Diagnostic::limit(LimitName::PlotBlocks, self.limits[1], None).into());
+            if self.blocks > self.most_blocks {
+                return Err(Diagnostic::limit(LimitName::PlotBlocks, self.most_blocks, None).into());
             }
             self.open.push((drawing.contents(block).iter(), frame));
             return Ok(());
@@ -231,7 +209,7 @@ impl<'a> Gather<'a> {
         let cell = if is_cut { BESIDE * self.options.pen } else { SAME };
         let place = frame.at.map(|value| libm::round(value / cell) as i64);
         // Beyond the limit, blocks are only read more than once.
-        if self.placed.len() as u64 >= self.limits[0] {
+        if self.placed.len() as u64 >= self.pens.most {
             return self.placed.contains(&(variant, place));
         }
         !self.placed.insert((variant, place))
@@ -255,29 +233,18 @@ impl<'a> Gather<'a> {
             for (ends, widths) in line.parts(change.widths()) {
                 let ends = ends.map(|end| self.down(frame.transform(end)));
                 let widths = widths.ends().map(|width| width * self.page.step);
-                let left = self.limits[0].saturating_sub(self.count) + 1;
-                hatch::broad(ends, widths, self.options.pen, left).for_each(|ends| self.stroke(layer, ends));
+                let left = self.pens.most.saturating_sub(self.pens.count) + 1;
+                hatch::broad(ends, widths, self.options.pen, left).for_each(|ends| self.pens.stroke(layer, ends));
             }
         } else if !self.is_cut {
-            self.stroke(layer, ends);
+            self.pens.stroke(layer, ends);
         } else if distance(ends[0], ends[1]) < self.options.pen {
-            self.spots.dot(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends));
+            self.spots.dot(layer, ends).into_iter().for_each(|ends| self.pens.stroke(layer, ends));
         } else {
             work.charge(self.spots.steps(ends))?;
-            self.spots.stretches(layer, ends).into_iter().for_each(|ends| self.stroke(layer, ends));
+            self.spots.stretches(layer, ends).into_iter().for_each(|ends| self.pens.stroke(layer, ends));
         }
         Ok(())
-    }
-
-    fn stroke(&mut self, layer: u32, ends: [Point; 2]) {
-        let last = &mut self.last[layer as usize];
-        self.travel += distance(*last, ends[0]);
-        *last = ends[1];
-        // After many iterations, the strokes between blocks are points.
-        if distance(ends[0], ends[1]) > LEAST {
-            self.count += 1;
-            self.strokes.add(layer, ends);
-        }
     }
 
     /// The layer of a stroke in this style, after the marks passed so far.
@@ -287,11 +254,7 @@ impl<'a> Gather<'a> {
             _ => 0.0,
         };
         let rgb = self.style.colour_of(Tint { index: change.colour.of(0), level: change.level, place }).rgb;
-        *self.layers.entry(rgb).or_insert_with(|| {
-            self.colours.push(rgb);
-            self.last.push(self.options.start.of(self.page.size));
-            self.colours.len() as u32 - 1
-        })
+        self.pens.layer(rgb)
     }
 
     /// A point of the sheet with y down.

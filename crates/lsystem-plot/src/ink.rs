@@ -6,9 +6,11 @@
 
 use crate::facts::BlockFacts;
 use crate::gather::Gather;
+use crate::hide::hidden;
 use crate::merge::Piece;
 use crate::options::PlotOptions;
 use crate::page::Page;
+use crate::pens::Pens;
 use crate::spots::Spots;
 use lsystem_base::MAX_PLOT_BLOCKS;
 use lsystem_drawing::Drawing;
@@ -34,6 +36,15 @@ pub(crate) struct Ink {
     pub(crate) spare: f64,
 }
 
+impl Ink {
+    /// The strokes, each stretch of a line once.
+    fn new(pens: Pens, spots: Spots, work: &mut dyn Work) -> Result<Self, Halt> {
+        let travel = pens.travel_home();
+        let (pieces, length) = pens.strokes.finish(work)?;
+        Ok(Self { pieces, spots, colours: pens.colours, travel, length, spare: 0.0 })
+    }
+}
+
 /// The ink of a drawing with at most `most` strokes.
 ///
 /// # Errors
@@ -46,14 +57,16 @@ pub(crate) fn ink(
     most: u64,
     work: &mut dyn Work,
 ) -> Result<Ink, Halt> {
+    if options.hide {
+        let pens = hidden(drawing, style, page, &options, most, work)?;
+        return Ink::new(pens, Spots::new(options.pen), work);
+    }
     let facts = BlockFacts::new(drawing, work)?;
     let mut read = |limits: [u64; 2], is_cut: bool| {
         let mut gather = Gather::new(drawing, style, &facts, page, options);
-        (gather.limits, gather.is_cut) = (limits, is_cut);
+        ([gather.pens.most, gather.most_blocks], gather.is_cut) = (limits, is_cut);
         gather.read(work)?;
-        let travel = gather.travel_home();
-        let (pieces, length) = gather.strokes.finish(work)?;
-        Ok(Ink { pieces, spots: gather.spots, colours: gather.colours, travel, length, spare: 0.0 })
+        Ink::new(gather.pens, gather.spots, work)
     };
     let finest = drawing.root.map_or(f64::INFINITY, |root| facts.finest(root));
     if finest * page.frame.scale.abs() >= options.pen {

@@ -2,7 +2,7 @@
 //! each pen.
 //!
 //! Every stroke of the drawing is drawn, except that a part smaller than the pen's line becomes one stroke (`gather`)
-//! if that takes less ink (`ink`). Ink on the same line is drawn once (`merge`). Pieces that meet become polylines
+//! if that takes less ink (`ink`). Or only what nothing in front covers is drawn (`hide`). Ink on the same line is drawn once (`merge`). Pieces that meet become polylines
 //! (`join`), in an order with little travel between them (`order`, `improve`). The [`PlotSummary`] estimates lengths
 //! and time.
 //!
@@ -28,6 +28,7 @@ mod estimate;
 mod facts;
 mod gather;
 mod hatch;
+mod hide;
 mod improve;
 mod ink;
 mod join;
@@ -38,6 +39,7 @@ mod options;
 mod order;
 mod page;
 mod pair;
+mod pens;
 mod sheet;
 mod spots;
 

@@ -52,6 +52,9 @@ pub struct PlotOptions {
     pub turns: bool,
     /// Whether polygons, and strokes broader than the pen, are filled with lines a pen's width apart.
     pub hatch: bool,
+    /// Whether lines are left out where something nearer covers them. Then strokes broader than the pen are drawn as
+    /// their outlines.
+    pub hide: bool,
     /// Where each pen starts and ends.
     pub start: Corner,
     /// Polylines that are shorter are left out: 0 to 1,000.
@@ -71,6 +74,7 @@ impl Default for PlotOptions {
             pen: 0.3,
             turns: true,
             hatch: false,
+            hide: false,
             start: Corner::TopLeft,
             least: 0.0,
             speed: 50.0,

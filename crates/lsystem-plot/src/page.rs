@@ -39,7 +39,7 @@ impl Page {
         let step = libm::scalbn(1.0, exponent.saturating_neg()).min(1e300);
         let style = StyleChange::start(drawing.width);
         // Broad strokes reach beyond their axes by half their width.
-        let root = drawing.root.filter(|_| options.hatch);
+        let root = drawing.root.filter(|_| options.hatch || options.hide);
         let widest = root.map_or(0.0, |root| drawing.blocks[root.0 as usize].widest.of(drawing.width));
         let broad = (widest.max(0.0) * step).min(1e300);
         let (across, up) = (x1 - x0 + broad, y1 - y0 + broad);

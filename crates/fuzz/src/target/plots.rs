@@ -71,6 +71,7 @@ fn plot_options(source: &mut Source<'_>) -> PlotOptions {
         pen: number(source, &[0.3, 0.05, 1.0, 20.0]),
         turns: source.once_in(2),
         hatch: source.once_in(2),
+        hide: source.once_in(2),
         start: source.pick(&Corner::ALL),
         least: number(source, &[0.0, 0.0, 1.0, 50.0]),
         speed: number(source, &[50.0]),

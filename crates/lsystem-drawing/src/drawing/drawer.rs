@@ -144,6 +144,7 @@ impl<S: Space> Drawer<S> {
             pieces,
             memoised: self.shares,
             places: vec![],
+            depths: vec![],
             symbols: self.symbols,
             scene: self.builder.scene,
             extent: extent.map_or_else(OnceLock::new, |extent| OnceLock::from(Some(extent))),

@@ -30,11 +30,29 @@ impl<S: Space> Drawing<S> {
     /// All marks in drawing order; a polygon comes before the marks that are drawn while it is open. A shared drawing
     /// may have too many marks to read them all.
     pub fn marks(&self) -> impl Iterator<Item = Mark<S>> {
+        let unit = self.unit();
+        let frame = BlockFrame::new(1.0, StyleChange::start(self.width));
+        self.marks_by(frame, self.step.abs(), move |point| self.model(point, unit))
+    }
+
+    /// As [`Drawing::marks`], but in the outer frame of `frame`, the frame of the root block. A step of the turtle has
+    /// the length `step` there.
+    pub fn marks_in(&self, frame: BlockFrame<S>, step: f64) -> impl Iterator<Item = Mark<S>> {
+        self.marks_by(frame, step, |point| point)
+    }
+
+    /// The marks in the outer frame of `frame`, whose points `place_point` moves. A step is as long as `step`.
+    fn marks_by(
+        &self,
+        frame: BlockFrame<S>,
+        step: f64,
+        place_point: impl Fn(S::Point) -> S::Point,
+    ) -> impl Iterator<Item = Mark<S>> {
         let mut cursor = Cursor::new();
         if let Some(root) = self.root {
-            cursor.enter(self, root, &BlockFrame::new(1.0, StyleChange::start(self.width)));
+            cursor.enter(self, root, &frame);
         }
-        let (all, unit) = (self.segment_count() as f64, self.unit());
+        let all = self.segment_count() as f64;
         let (mut segments, mut marks) = (0_u64, 0);
         core::iter::from_fn(move || {
             let (part, frame) = cursor.next_part(self)?;
@@ -46,14 +64,14 @@ impl<S: Space> Drawing<S> {
             Some(match part {
                 ItemRef::Stroke(stroke) => {
                     let style = change(stroke.style);
-                    let ends = [stroke.from, stroke.to].map(|end| frame.transform(end));
+                    let [from, to] = [stroke.from, stroke.to].map(|end| place_point(frame.transform(end)));
                     segments += 1;
-                    Mark::Segment(self.segment(ends, &style, unit), tint(&style))
+                    Mark::Segment(Segment::new([from, to], &style, step), tint(&style))
                 }
                 ItemRef::Polygon(polygon) => {
                     let style = change(polygon.style);
                     let vertices = self.vertices_of(polygon).iter();
-                    let vertices = vertices.map(|&vertex| self.model(frame.transform(vertex), unit)).collect();
+                    let vertices = vertices.map(|&vertex| place_point(frame.transform(vertex))).collect();
                     Mark::Polygon(vertices, tint(&style))
                 }
             })

@@ -68,14 +68,17 @@ pub struct Projection {
     segments: f64,
     /// The marks read so far, in drawing order.
     seen: Vec<ProjectedMark>,
-    /// The ends and vertices of these marks.
+    /// The ends and vertices of these marks, and their depths: greater ones are nearer to the viewer.
     points: Vec<[f64; 2]>,
+    depths: Vec<f64>,
     /// The depths and numbers of the marks not yet drawn, the farthest first.
     order: BinaryHeap<(i64, Reverse<u32>)>,
     builder: Builder<Plane>,
     tree: Tree<Plane>,
     /// The places of the marks drawn so far, as [`Drawing::places`].
     places: Vec<f64>,
+    /// The depths of the ends and vertices drawn so far.
+    drawn: Vec<f64>,
     stage: Stage,
     spent: u64,
 }
@@ -122,10 +125,12 @@ impl Projection {
             segments: 0.0,
             seen: vec![],
             points: vec![],
+            depths: vec![],
             order: BinaryHeap::new(),
             builder: Builder::new(),
             tree: Tree::new(exponent, false),
             places: vec![],
+            drawn: vec![],
             stage: Stage::Read,
             spent: 0,
         })
@@ -180,15 +185,15 @@ impl Projection {
         meter.charge(8 + points.len() as u64 / 4);
         let [right, up, back] = self.axes;
         let first = self.points.len() as u32;
-        let depths = points.iter().map(|&point| {
-            let point = frame.transform(point);
-            self.points.push([dot(right, point), dot(up, point)]);
-            dot(back, point)
-        });
-        let depth = depths.sum::<f64>() / points.len() as f64;
         // A negative step reflects the drawing, so that near becomes far.
         let sign = if drawing.step < 0.0 { -1.0 } else { 1.0 };
-        self.order.push((falling(sign * depth), Reverse(self.seen.len() as u32)));
+        for &point in points {
+            let point = frame.transform(point);
+            self.points.push([dot(right, point), dot(up, point)]);
+            self.depths.push(sign * dot(back, point));
+        }
+        let depth = self.depths[first as usize..].iter().sum::<f64>() / points.len() as f64;
+        self.order.push((falling(depth), Reverse(self.seen.len() as u32)));
         let style = frame.style.then(&drawing.styles[id.0 as usize]);
         let all = drawing.segment_count() as f64;
         let place = if all > 0.0 { (self.segments + 0.5) / all } else { 0.0 };
@@ -201,7 +206,8 @@ impl Projection {
     fn draw(&mut self, meter: &mut Meter) -> bool {
         let Some((_, Reverse(number))) = self.order.pop() else { return false };
         let ProjectedMark { points, filled, style, place } = &self.seen[number as usize];
-        let points = &self.points[points.start as usize..points.end as usize];
+        let range = points.start as usize..points.end as usize;
+        let points = &self.points[range.clone()];
         self.tree.draw(&mut self.builder, 0, |paper, _| match points {
             [from, to] if !filled => paper.stroke(*from, *to, style),
             points => {
@@ -211,6 +217,7 @@ impl Projection {
             }
         });
         self.places.push(*place);
+        self.drawn.extend_from_slice(&self.depths[range]);
         meter.charge(8 + points.len() as u64 / 4 + self.builder.take_work());
         true
     }
@@ -218,11 +225,17 @@ impl Projection {
     /// The projected drawing, when all steps are done.
     #[must_use]
     pub fn finish(self, drawing: &Drawing<Solid>) -> Drawing {
-        let Self { axes: [right, up, _], builder, places, stage, .. } = self;
+        let Self { axes: [right, up, _], builder, places, drawn: mut depths, stage, .. } = self;
         let (root, extent) = match stage {
             Stage::Done(Some((root, extent))) => (Some(root), OnceLock::from(Some(extent))),
             _ => (None, OnceLock::new()),
         };
+        // The depths are in units of the root block in space.
+        if let (Some(BlockId(own)), Some(BlockId(before))) = (root, drawing.root) {
+            let [own, before] = [builder.blocks[own as usize].exponent, drawing.blocks[before as usize].exponent];
+            let unit = libm::scalbn(1.0, before.saturating_sub(own));
+            depths.iter_mut().for_each(|depth| *depth *= unit);
+        }
         Drawing {
             blocks: builder.blocks,
             items: builder.items,
@@ -236,6 +249,7 @@ impl Projection {
             pieces: Pieces::None,
             memoised: false,
             places,
+            depths,
             symbols: drawing.symbols,
             scene: builder.scene,
             extent,

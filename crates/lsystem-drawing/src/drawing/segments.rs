@@ -49,7 +49,8 @@ impl<S: Space> Iterator for SegmentIter<'_, S> {
     fn next(&mut self) -> Option<Segment<S>> {
         let (from, to, style) = self.strokes.next()?;
         self.left = self.left.saturating_sub(1);
-        Some(self.strokes.drawing.segment([from, to], &style, self.unit))
+        let drawing = self.strokes.drawing;
+        Some(Segment::new([from, to].map(|end| drawing.model(end, self.unit)), &style, drawing.step.abs()))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -58,20 +59,15 @@ impl<S: Space> Iterator for SegmentIter<'_, S> {
     }
 }
 
-impl<S: Space> Drawing<S> {
-    /// A segment between two points of the root block; `unit` as [`Drawing::unit`].
-    pub(super) fn segment(&self, [from, to]: [S::Point; 2], style: &StyleChange, unit: f64) -> Segment<S> {
-        let [width, end_width] = style.widths().ends().map(|width| width * self.step.abs());
-        Segment {
-            from: self.model(from, unit),
-            to: self.model(to, unit),
-            colour: style.colour.of(0),
-            level: style.level,
-            width,
-            end_width,
-        }
+impl<S: Space> Segment<S> {
+    /// A segment between two points, in a style that began with [`StyleChange::start`]. `step`: the length of a step.
+    pub(super) fn new([from, to]: [S::Point; 2], style: &StyleChange, step: f64) -> Self {
+        let [width, end_width] = style.widths().ends().map(|width| width * step);
+        Self { from, to, colour: style.colour.of(0), level: style.level, width, end_width }
     }
+}
 
+impl<S: Space> Drawing<S> {
     /// A point of the root block in model units; `unit` as [`Drawing::unit`].
     pub(super) fn model(&self, mut point: S::Point, unit: f64) -> S::Point {
         point.as_mut().iter_mut().zip(self.start.as_ref()).for_each(|(c, start)| *c = start + unit * *c);

@@ -155,6 +155,7 @@ impl Simplifier {
             pieces: Pieces::None,
             memoised: drawing.memoised,
             places: vec![],
+            depths: vec![],
             symbols: drawing.symbols,
             scene: SceneSize::default(),
             extent: drawing.extent.clone(),

@@ -1,0 +1,148 @@
+//! Plots that hide what is behind: the visible parts of all lines, exactly up to the pen's width.
+//!
+//! A mark is a line, a tube or a polygon on the sheet (`scene`). In space the depths are those of the projection, and in
+//! the plane what is drawn later is nearer. A tube is drawn as its outline (`outline`). The part of a line that a tube
+//! hides is one stretch, and ends where quadratic equations say; the part that a polygon hides lies between crossings of
+//! its sides (`body`). A grid finds the bodies that may hide a part of a line (`grid`).
+//!
+//! Crossed lines hide nothing: only bodies broader than the pen do.
+
+mod body;
+mod fill;
+mod grid;
+mod outline;
+mod scene;
+mod span;
+#[cfg(test)]
+mod tests;
+mod visible;
+
+use crate::options::PlotOptions;
+use crate::page::{Page, Point, distance};
+use crate::pens::Pens;
+use body::{Place, Sight};
+use grid::Grid;
+use lsystem_drawing::Drawing;
+use lsystem_syntax::{Halt, Style, Work};
+use outline::{Edge, outline};
+use scene::{Scene, Shape};
+use visible::Visible;
+
+/// A shorter line that ends where another body begins is left out, in pens: its ink is that of the body's outline.
+const SHORT: f64 = 0.5;
+
+/// The visible lines of a drawing, with at most `most` strokes.
+///
+/// # Errors
+/// If there are too many strokes.
+pub(crate) fn hidden(
+    drawing: &Drawing,
+    style: &Style,
+    page: &Page,
+    options: &PlotOptions,
+    most: u64,
+    work: &mut dyn Work,
+) -> Result<Pens, Halt> {
+    let mut pens = Pens::new(page, options);
+    pens.most = most;
+    let scene = Scene::read(drawing, style, page, options, &mut pens, work)?;
+    let grid = Grid::new(&scene, work)?;
+    let mut draw = Draw { visible: Visible::new(&scene, &grid), least: SHORT * options.pen, run: Run::default(), pens };
+    let mut edges = vec![];
+    for (number, body) in (0..).zip(&scene.bodies) {
+        work.charge(1)?;
+        if grid.hides(&scene, number) {
+            continue;
+        }
+        edges.clear();
+        match &body.shape {
+            Shape::Line(ends) => edges.push(Edge { ends: *ends, is_round: true }),
+            Shape::Tube(tube) => outline(tube, options.pen, &mut edges),
+            Shape::Face { vertices, is_outlined: true, .. } => {
+                let vertices = &scene.vertices[vertices.start as usize..vertices.end as usize];
+                let before = vertices[vertices.len() - 1..].iter().chain(vertices);
+                edges.extend(before.zip(vertices).map(|(a, b)| Edge { ends: [*a, *b], is_round: true }));
+            }
+            Shape::Face { .. } => {}
+        }
+        draw.edges(number, body.layer, &edges, work)?;
+        if options.hatch {
+            edges.clear();
+            let left = most.saturating_sub(draw.pens.count);
+            fill::fill(&scene, body, options.pen, left, &mut edges, work)?.ok_or_else(|| draw.pens.too_many())?;
+            draw.lines(number, body.layer, &edges, work)?;
+        }
+    }
+    Ok(draw.pens)
+}
+
+/// Draws the visible parts of lines.
+struct Draw<'a> {
+    visible: Visible<'a>,
+    /// Shorter cut lines are left out, in millimetres.
+    least: f64,
+    run: Run,
+    pens: Pens,
+}
+
+/// Visible parts of lines that follow each other.
+#[derive(Default)]
+struct Run {
+    parts: Vec<[Point; 2]>,
+    /// Whether something hides the line before or after.
+    is_cut: bool,
+    /// Whether there is a part of a tube's side.
+    has_side: bool,
+}
+
+impl Draw<'_> {
+    /// Draws lines that follow each other.
+    fn edges(&mut self, number: u32, layer: u32, edges: &[Edge], work: &mut dyn Work) -> Result<(), Halt> {
+        for edge in edges {
+            let Some(line) = Sight::new(edge.ends) else { continue };
+            let mut at = 0.0;
+            self.visible.find(number, edge.ends, &line, work)?;
+            for span in self.visible.parts() {
+                if span.low > at {
+                    self.run.is_cut = true;
+                    self.run.draw(layer, self.least, &mut self.pens);
+                    self.run.is_cut = true;
+                }
+                self.run.parts.push([span.low, span.high].map(|place| on_sheet(line.at(place))));
+                self.run.has_side |= !edge.is_round;
+                at = span.high;
+            }
+            if at < 1.0 {
+                self.run.is_cut = true;
+                self.run.draw(layer, self.least, &mut self.pens);
+                self.run.is_cut = true;
+            }
+            if self.pens.count > self.pens.most {
+                return Err(self.pens.too_many());
+            }
+        }
+        self.run.draw(layer, self.least, &mut self.pens);
+        Ok(())
+    }
+
+    /// Draws single lines.
+    fn lines(&mut self, number: u32, layer: u32, edges: &[Edge], work: &mut dyn Work) -> Result<(), Halt> {
+        edges.chunks(1).try_for_each(|edge| self.edges(number, layer, edge, work))
+    }
+}
+
+impl Run {
+    /// Draws the parts, unless they are short and end at another body. The next run is empty.
+    fn draw(&mut self, layer: u32, least: f64, pens: &mut Pens) {
+        let length: f64 = self.parts.iter().map(|[from, to]| distance(*from, *to)).sum();
+        if !self.is_cut || self.has_side || length > least {
+            self.parts.iter().for_each(|&part| pens.stroke(layer, part));
+        }
+        self.parts.clear();
+        (self.is_cut, self.has_side) = (false, false);
+    }
+}
+
+fn on_sheet([x, y, _]: Place) -> Point {
+    [x, y]
+}

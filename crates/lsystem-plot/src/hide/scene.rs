@@ -1,0 +1,245 @@
+//! A drawing on the sheet as lines, tubes and faces with depths.
+//!
+//! In the plane the depth is the place in the drawing order, so far apart that every mark is in front of all before.
+
+use super::body::{Facet, Place, Tube};
+use crate::cells::Cells;
+use crate::merge::JOINT;
+use crate::options::PlotOptions;
+use crate::page::{Page, Point};
+use crate::pens::Pens;
+use core::ops::Range;
+use lsystem_drawing::triangulate::{facing, triangulate};
+use lsystem_drawing::{Drawing, Mark, Segment};
+use lsystem_syntax::{Halt, Style, Work};
+
+/// Depths that differ less are equal, in pens. Tubes are thinner by this where they cover lines, so that lines in their
+/// surface are visible.
+pub(super) const SAME: f64 = 0.002;
+/// The largest radius, in millimetres: beyond the largest sheet.
+const WIDEST: f64 = 1e5;
+
+/// A mark on the sheet, or a part of one.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    /// The number of the mark, in drawing order.
+    pub(super) mark: u32,
+    pub(super) layer: u32,
+    pub(super) shape: Shape,
+}
+
+/// The shape of a body.
+#[derive(Clone, Debug)]
+pub(super) enum Shape {
+    /// A stroke as broad as the pen's line, or narrower, which covers nothing.
+    Line([Place; 2]),
+    /// A broader stroke: the hull of the places of the pen's middle.
+    Tube(Tube),
+    /// A polygon: a range of the scene's vertices, and the plane in which the polygon covers lines. A polygon without a
+    /// plane covers nothing; if it is bent, triangles that are not outlined follow.
+    Face { vertices: Range<u32>, plane: Option<Facet>, is_outlined: bool },
+}
+
+/// All bodies on the sheet.
+#[derive(Debug, Default)]
+pub(super) struct Scene {
+    /// In drawing order.
+    pub(super) bodies: Vec<Body>,
+    pub(super) vertices: Vec<Place>,
+    /// Depths that differ less are equal, in millimetres.
+    pub(super) same: f64,
+    /// Whether the drawing is a projection of one in space.
+    pub(super) is_solid: bool,
+    pub(super) joints: Joints,
+}
+
+impl Body {
+    /// The ends of a stroke.
+    fn ends(&self) -> Option<[Place; 2]> {
+        match self.shape {
+            Shape::Line(ends) | Shape::Tube(Tube { ends, .. }) => Some(ends),
+            Shape::Face { .. } => None,
+        }
+    }
+}
+
+impl Scene {
+    /// Reads a drawing.
+    ///
+    /// # Errors
+    /// If there are more than [`Pens::most`] bodies.
+    pub(super) fn read(
+        drawing: &Drawing,
+        style: &Style,
+        page: &Page,
+        options: &PlotOptions,
+        pens: &mut Pens,
+        work: &mut dyn Work,
+    ) -> Result<Self, Halt> {
+        let is_solid = !drawing.depths.is_empty();
+        let mut scene = Self { same: SAME * options.pen, is_solid, ..Self::default() };
+        let mut depths = drawing.depths.iter().map(|depth| depth * page.frame.scale.abs());
+        for (mark, own) in (0..).zip(drawing.marks_in(page.frame, page.step)) {
+            work.charge(own.work())?;
+            let mut place = |[x, y]: Point| [x, page.size[1] - y, depths.next().unwrap_or(0.0)];
+            let (points, widths, tint) = match own {
+                Mark::Segment(Segment { from, to, width, end_width, .. }, tint) => {
+                    (vec![place(from), place(to)], Some([width, end_width]), tint)
+                }
+                Mark::Polygon(vertices, tint) => (vertices.into_iter().map(place).collect(), None, tint),
+            };
+            if !points.iter().flatten().all(|part| part.is_finite()) {
+                continue;
+            }
+            let layer = pens.layer(style.colour_of(tint).rgb);
+            match widths {
+                Some(widths) => {
+                    let shape = stroke([points[0], points[1]], widths, options.pen);
+                    scene.bodies.push(Body { mark, layer, shape });
+                }
+                None => scene.polygon(mark, layer, &points, work)?,
+            }
+            if scene.bodies.len().max(scene.vertices.len()) as u64 > pens.most {
+                return Err(pens.too_many());
+            }
+        }
+        if !is_solid {
+            scene.joints = Joints::new(&scene.bodies, work)?;
+            scene.stack(work)?;
+        }
+        Ok(scene)
+    }
+
+    /// Adds a polygon, and its triangles if it is bent.
+    pub(super) fn polygon(&mut self, mark: u32, layer: u32, points: &[Place], work: &mut dyn Work) -> Result<(), Halt> {
+        let mut face = |vertices: &mut Vec<Place>, points: &mut dyn Iterator<Item = Place>, plane, is_outlined| {
+            let start = vertices.len() as u32;
+            vertices.extend(points);
+            let shape = Shape::Face { vertices: start..vertices.len() as u32, plane, is_outlined };
+            self.bodies.push(Body { mark, layer, shape });
+        };
+        let plane = facing(points).and_then(|normal| Facet::new(middle(points), normal));
+        let is_flat =
+            plane.is_none_or(|plane| points.iter().all(|&[x, y, depth]| (plane.at([x, y]) - depth).abs() <= self.same));
+        face(&mut self.vertices, &mut points.iter().copied(), plane.filter(|_| is_flat), true);
+        if is_flat {
+            return Ok(());
+        }
+        let triangles = triangulate(points);
+        work.charge(triangles.work)?;
+        for corners in triangles.corners {
+            let corners = corners.map(|corner| points[corner]);
+            let plane = facing(&corners).and_then(|normal| Facet::new(corners[0], normal));
+            if plane.is_some() {
+                face(&mut self.vertices, &mut corners.into_iter(), plane, false);
+            }
+        }
+        Ok(())
+    }
+
+    /// Gives each mark a depth in front of all before.
+    pub(super) fn stack(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
+        let radius = |body: &Body| if let Shape::Tube(tube) = &body.shape { tube.widest() } else { 0.0 };
+        let apart = 1.0 + 2.0 * self.bodies.iter().map(radius).fold(0.0, f64::max);
+        for body in &mut self.bodies {
+            work.charge(1)?;
+            let own = f64::from(body.mark) * apart;
+            match &mut body.shape {
+                Shape::Line(ends) | Shape::Tube(Tube { ends, .. }) => ends.iter_mut().for_each(|end| end[2] = own),
+                Shape::Face { vertices, plane, .. } => {
+                    *plane = Some(Facet { depth: own, slope: [0.0; 2] });
+                    let range = vertices.start as usize..vertices.end as usize;
+                    self.vertices[range].iter_mut().for_each(|vertex| vertex[2] = own);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The shape of a stroke with these widths at its ends.
+fn stroke(ends: [Place; 2], widths: [f64; 2], pen: f64) -> Shape {
+    // The pen's line reaches the sides of the stroke.
+    let radii = widths.map(|width| ((width - pen) / 2.0).clamp(0.0, WIDEST));
+    // A width that is not a number has no radius either.
+    if radii[0].max(radii[1]) > 0.0 { Shape::Tube(Tube { ends, radii }) } else { Shape::Line(ends) }
+}
+
+/// The middle of some points.
+fn middle(points: &[Place]) -> Place {
+    [0, 1, 2].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / points.len() as f64)
+}
+
+/// Strokes of one colour that end at the same points of the plane. They are one shape: no line of one lies within
+/// another.
+#[derive(Debug, Default)]
+pub(super) struct Joints {
+    /// By body: the numbers of its ends. Empty in space.
+    ends: Vec<[u32; 2]>,
+    /// The range of each point in `tubes`.
+    starts: Vec<u32>,
+    /// The tubes at each point, in drawing order.
+    tubes: Vec<u32>,
+}
+
+impl Joints {
+    /// No point.
+    const NONE: u32 = u32::MAX;
+    /// The most tubes at a point that are one with a stroke there. More tubes are seldom, and the time grows with the
+    /// square of their number.
+    const MOST: usize = 64;
+
+    pub(super) fn new(bodies: &[Body], work: &mut dyn Work) -> Result<Self, Halt> {
+        let mut cells = Cells::new([JOINT; 2]);
+        let mut joints = Self::default();
+        let mut counts: Vec<u32> = vec![];
+        for body in bodies {
+            work.charge(2)?;
+            let ends = body.ends().map(|ends| {
+                ends.map(|[x, y, _]| {
+                    let (number, is_new) = cells.number(body.layer, [x, y]);
+                    if is_new {
+                        counts.push(0);
+                    }
+                    counts[number as usize] += u32::from(matches!(body.shape, Shape::Tube(_)));
+                    number
+                })
+            });
+            joints.ends.push(ends.unwrap_or([Self::NONE; 2]));
+        }
+        drop(cells);
+        joints.starts.push(0);
+        for count in &counts {
+            joints.starts.push(joints.starts[joints.starts.len() - 1] + count);
+        }
+        joints.tubes = vec![0; joints.starts[counts.len()] as usize];
+        for (number, body) in (0..).zip(bodies) {
+            work.charge(2)?;
+            for end in joints.ends[number as usize] {
+                if matches!(body.shape, Shape::Tube(_)) {
+                    counts[end as usize] -= 1;
+                    joints.tubes[(joints.starts[end as usize + 1] - counts[end as usize] - 1) as usize] = number;
+                }
+            }
+        }
+        Ok(joints)
+    }
+
+    /// Whether two bodies are strokes of one colour that end at the same point.
+    pub(super) fn meet(&self, a: u32, b: u32) -> bool {
+        let [a, b] = [a, b].map(|body| self.ends.get(body as usize).copied().unwrap_or([Self::NONE; 2]));
+        a.iter().any(|&end| end != Self::NONE && b.contains(&end))
+    }
+
+    /// The tubes before a body that are one shape with it.
+    pub(super) fn of(&self, body: u32) -> impl Iterator<Item = u32> + '_ {
+        let ends = self.ends.get(body as usize).copied().unwrap_or([Self::NONE; 2]);
+        let at = move |end: u32| {
+            let range = (end != Self::NONE).then(|| [end, end + 1].map(|end| self.starts[end as usize] as usize));
+            let tubes = range.map_or(&[][..], |[start, end]| &self.tubes[start..end]);
+            let before = tubes.partition_point(|&tube| tube < body);
+            tubes[before.saturating_sub(Self::MOST)..before].iter().copied()
+        };
+        ends.into_iter().flat_map(at)
+    }
+}

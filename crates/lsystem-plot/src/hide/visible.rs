@@ -1,0 +1,116 @@
+//! The visible parts of a line.
+
+use super::body::{Place, Sight};
+use super::grid::Grid;
+use super::scene::{Scene, Shape};
+use super::span::{Span, rest};
+use lsystem_syntax::{Halt, Work};
+
+/// Finds the visible parts of lines, one line after the other.
+pub(super) struct Visible<'a> {
+    scene: &'a Scene,
+    grid: &'a Grid,
+    /// The stretches of the line that are hidden.
+    hidden: Vec<Span>,
+    crossings: Vec<(f64, i32)>,
+}
+
+impl<'a> Visible<'a> {
+    pub(super) fn new(scene: &'a Scene, grid: &'a Grid) -> Self {
+        Self { scene, grid, hidden: vec![], crossings: vec![] }
+    }
+
+    /// Finds what hides a line of the body `number`.
+    pub(super) fn find(
+        &mut self,
+        number: u32,
+        ends: [Place; 2],
+        line: &Sight,
+        work: &mut dyn Work,
+    ) -> Result<(), Halt> {
+        self.hidden.clear();
+        let scene = self.scene;
+        let own = &scene.bodies[number as usize];
+        for visit in self.grid.along(ends) {
+            work.charge(1)?;
+            let depths = [visit.from, visit.to].map(|place| line.at(place)[2]);
+            let [bottom, top] = [depths[0].min(depths[1]), depths[0].max(depths[1])];
+            if top < self.grid.floor(visit.cell) {
+                self.hidden.push(Span { low: visit.from, high: visit.to });
+                continue;
+            }
+            // In the cell, the line is hidden up to the first place and from the second one on.
+            let (mut at, mut back) = (visit.from, visit.to);
+            for &other in self.grid.bodies(visit.cell) {
+                if at >= back || self.grid.near(other) <= bottom {
+                    break;
+                }
+                if scene.bodies[other as usize].mark == own.mark {
+                    continue;
+                }
+                work.charge(1 + scene.bodies[other as usize].corners() / 4)?;
+                let before = self.hidden.len();
+                scene.shadows(number, other, line, &mut self.crossings, &mut self.hidden);
+                let mut kept = before;
+                for place in before..self.hidden.len() {
+                    let span = self.hidden[place].within(visit.from, visit.to);
+                    if !span.is_empty() {
+                        self.hidden[kept] = span;
+                        kept += 1;
+                        if span.low <= at {
+                            at = at.max(span.high);
+                        }
+                        if span.high >= back {
+                            back = back.min(span.low);
+                        }
+                    }
+                }
+                self.hidden.truncate(kept);
+            }
+        }
+        for tube in scene.joints.of(number) {
+            work.charge(1)?;
+            if let Shape::Tube(tube) = &scene.bodies[tube as usize].shape {
+                let span = tube.grown(-scene.same).outline(line).within(0.0, 1.0);
+                if !span.is_empty() {
+                    self.hidden.push(span);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The visible parts of the line, in order.
+    pub(super) fn parts(&mut self) -> impl Iterator<Item = Span> {
+        rest(&mut self.hidden)
+    }
+}
+
+impl Scene {
+    /// Adds the stretches of a line of the body `own` that the body `other` hides. They may reach beyond the line.
+    pub(super) fn shadows(
+        &self,
+        own: u32,
+        other: u32,
+        line: &Sight,
+        crossings: &mut Vec<(f64, i32)>,
+        hidden: &mut Vec<Span>,
+    ) {
+        let [before, body] = [own, other].map(|number| &self.bodies[number as usize]);
+        match &body.shape {
+            Shape::Line(_) | Shape::Face { plane: None, .. } => {}
+            Shape::Tube(tube) => {
+                // In the plane, a later stroke at the same place hides the outline, too. But the sides of strokes that
+                // follow each other go on.
+                let grows = !self.is_solid && !self.joints.meet(own, other);
+                hidden.push(tube.grown(if grows { self.same } else { -self.same }).shadow(line));
+            }
+            Shape::Face { vertices, plane: Some(plane), .. } => {
+                let vertices = &self.vertices[vertices.start as usize..vertices.end as usize];
+                // Of polygons in the same plane, the one drawn later is in front.
+                let nearer = if body.mark > before.mark { -self.same } else { self.same };
+                plane.shadows(vertices, line, nearer, crossings, hidden);
+            }
+        }
+    }
+}
