@@ -143,6 +143,10 @@ impl Finder {
                 work = work.saturating_sub(NAMED + spent);
                 continue;
             }
+            if self.is_same() {
+                // Shorter rules are enumerated.
+                self.reads.clear();
+            }
             if let Some((at, left)) = self.reads.pop_front() {
                 let search = &mut self.searches[at].search;
                 if search.read(&mut work, is_over) && left > 1 {
@@ -271,8 +275,9 @@ fn searched(finders: &[&Finder]) -> String {
     let words: Vec<String> = axioms.iter().map(families).collect();
     let angles = list(angles.iter().map(|angle| format!("{angle}°")).collect());
     let steps = list(first.steps.iter().map(u32::to_string).collect());
-    format!(
-        "angle {angles}; n = {steps}: {}",
-        if words.is_empty() { "nothing yet".to_owned() } else { words.join("; ") }
-    )
+    if words.is_empty() {
+        "nothing yet".to_owned()
+    } else {
+        format!("angle {angles}; n = {steps}: {}", words.join("; "))
+    }
 }

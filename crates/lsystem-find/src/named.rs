@@ -49,7 +49,7 @@ impl Named {
             agreement: overlay.agreement,
             named: Some(self.clone()),
         };
-        (Some(drawn).filter(|drawn| drawn.agreement >= NEAR), overlay.work())
+        (Some(drawn).filter(|drawn| drawn.agreement >= NEAR), overlay.work(picture))
     }
 }
 

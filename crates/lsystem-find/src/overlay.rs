@@ -75,8 +75,8 @@ impl Overlay {
     }
 
     /// The work of the overlay, in systems that are unlike the picture.
-    pub(crate) fn work(&self) -> u64 {
-        self.strokes.work(self.fit)
+    pub(crate) fn work(&self, picture: &Picture) -> u64 {
+        self.strokes.work(self.fit) + picture.sheet.work()
     }
 }
 

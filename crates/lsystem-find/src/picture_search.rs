@@ -202,6 +202,7 @@ impl PictureSearch {
         let mut drawn = Drawn { axiom, found, draws, angle, heading, agreement, named: None };
         if agreement >= FOUND {
             drawn.confirm(&targets[at], picture, fit);
+            work += picture.sheet.work();
         }
         keep(&mut self.kept, drawn);
         // Half as many lines of twice the length draw the same.

@@ -1,7 +1,7 @@
 //! The ink of a picture at a finer resolution than that of the mask: here twigs show that the mask does not resolve.
 
 use crate::picture::MARGIN;
-use crate::strokes::for_pixels;
+use crate::strokes::{PIXELS, for_pixels};
 
 /// The longer side is at most this many pixels, so that a sheet has at most 512 KiB.
 pub(crate) const MOST: usize = 2048;
@@ -64,6 +64,11 @@ impl Sheet {
 
     fn has(&self, x: usize, y: usize) -> bool {
         self.bits[y * self.row + x / 64] >> (x % 64) & 1 == 1
+    }
+
+    /// The work of [`Sheet::agrees`], in systems that are unlike the picture.
+    pub(crate) fn work(&self) -> u64 {
+        (self.width * self.height) as u64 / PIXELS
     }
 
     /// Whether strokes, given in pixels of the mask, are the skeleton of the ink: all of them lie on the ink or at most

@@ -21,7 +21,7 @@ pub(crate) const NEAR: f64 = 0.8;
 /// The fit is improved only from this agreement on.
 const PROMISING: f64 = 0.7;
 /// The number of pixels tested in the time that it takes to reject a system by its hull.
-const PIXELS: u64 = 256;
+pub(crate) const PIXELS: u64 = 256;
 /// The changes of a fit, in pixels, that are tried one after the other.
 const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
 /// The most times that each change is applied while it improves the fit.
