@@ -116,6 +116,19 @@ impl Family {
         Some(std::iter::once(first).chain(words[1..].iter().cloned()).collect())
     }
 
+    /// Which letters the axiom or a successor of a used letter has.
+    pub(crate) fn used(&self, words: &[Vec<Symbol>]) -> Vec<bool> {
+        let mut used = vec![false; self.letters.len()];
+        let mut open = self.axiom.clone();
+        while let Some(symbol) = open.pop() {
+            if let Some(used) = used.get_mut(usize::from(symbol)).filter(|used| !**used) {
+                *used = true;
+                open.extend(words.get(usize::from(symbol)).into_iter().flatten());
+            }
+        }
+        used
+    }
+
     /// Writes the successors of all letters. Whether the system is worth a try: all letters with rules that are
     /// searched are used.
     pub(crate) fn set_successors(&self, all: &mut Vec<Vec<Symbol>>) -> bool {
@@ -267,6 +280,15 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn letters_that_no_word_has_are_not_used() {
+        let families = families("F", 6).expect("families");
+        let pair = families.iter().find(|family| family.name.contains("mirror image")).expect("a pair");
+        let word = |text: &str| -> Vec<Symbol> { text.chars().map(|at| "FG+-".find(at).unwrap() as Symbol).collect() };
+        assert_eq!(pair.used(&[word("F+F--F+F"), word("G-G++G-G")]), [true, false]);
+        assert_eq!(pair.used(&[word("F+G"), word("G-F")]), [true, true]);
+    }
 
     #[test]
     fn pairs_of_lines_are_halved() {

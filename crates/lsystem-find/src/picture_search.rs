@@ -191,11 +191,14 @@ impl PictureSearch {
         let Some((agreement, n, at, fit)) = best else { return work };
         let text = |word: &[Symbol]| word.iter().map(|&symbol| family.character(symbol)).collect::<String>();
         let is_constant = |at: usize| words[at] == [at as Symbol];
+        // A curve may do without the mirror image.
+        let used = family.used(words);
         let rules = (0..words.len())
-            .filter(|&at| !is_constant(at))
+            .filter(|&at| used[at] && !is_constant(at))
             .map(|at| (family.letters[at].0, text(&words[at])))
             .collect();
-        let draws = family.letters.iter().filter(|(_, draws, _)| *draws).map(|(letter, ..)| *letter).collect();
+        let letters = family.letters.iter().zip(&used);
+        let draws = letters.filter(|((_, draws, _), used)| *draws && **used).map(|((letter, ..), _)| *letter).collect();
         let axiom = self.known.axiom.clone();
         let (angle, heading) = (self.known.angle, self.known.headings[at]);
         let found = Found { rules, n };
