@@ -11,6 +11,8 @@ import { isSame, percent, verdict } from './merge.js';
 
 /** The side of a picture, in CSS pixels. */
 const SIDE = 168;
+/** The margin of differences, in their pixels. */
+const MARGIN = 5;
 const NUMBERS = new Intl.NumberFormat('en');
 
 /**
@@ -72,7 +74,11 @@ export function candidateCard(candidate, { engine, restyle, open, told, compared
 /** A picture of differences. @param {Uint8Array} codes */
 function differencesOf(codes) {
     const canvas = make('canvas', { class: 'find-differences', role: 'img', 'aria-label': 'The differences' });
-    [canvas.width, canvas.height] = [COMPARED, COMPARED];
+    // The ink begins in the upper left corner. The same margin on the other sides puts it in the middle.
+    let [right, bottom] = [0, 0];
+    for (const [at, code] of codes.entries())
+        if (code) [right, bottom] = [Math.max(right, at % COMPARED), Math.max(bottom, Math.floor(at / COMPARED))];
+    [canvas.width, canvas.height] = [right + MARGIN, bottom + MARGIN];
     const pixels = coloured(codes, theme());
     canvas.getContext('2d')?.putImageData(new ImageData(pixels, COMPARED, COMPARED), 0, 0);
     return canvas;
