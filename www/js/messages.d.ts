@@ -75,11 +75,23 @@ export type Asks = "picture" | "text" | "segments" | "statistics";
  */
 export type Candidate = { definition: import('./tables.js').Definition, 
 /**
+ * The name, if it is one of the systems with names that the search was given.
+ */
+name: string | null, 
+/**
+ * Two candidates with equal keys are the same system.
+ */
+key: string, 
+/**
  * The symbols of its rules, with their predecessors.
  */
 symbols: number, 
 /**
- * From 0 to 1.
+ * The rank among systems that agree as well, smallest first.
+ */
+rank: number, 
+/**
+ * From 0 to 1; 1 only for the same picture.
  */
 agreement: number, isFound: boolean, };
 

@@ -143,14 +143,16 @@ export {};
 /** @typedef {import('./messages.js').FindQuestion} FindQuestion */
 /** Where rules are searched: levels of grey, row by row from above, 0 for black; or a string. @typedef {{grey: Uint8Array, width: number, height: number} | {text: string}} FindSource */
 /** @typedef {import('./messages.js').Candidate} Candidate */
+/** A system that a search tries before all others. @typedef {{name: string, definition: Definition}} NamedSystem */
 /** A picture with the names of what of it was not drawn, with commas. @typedef {import('./find/ink.js').Grey & {leftOut: string}} DrawnPicture */
 /** `work`: the systems of a picture that a search tried, or the symbols of a string that it read. @typedef {import('./messages.js').FindReport & {work: number, isMore: boolean}} FindReport */
 /**
  * The calls of the tool that searches for rules. `begin` replaces the former search; `part` is which of `parts` searches
  * beside each other this one is. `search` goes on until `until` units of work are done in all, and its progress is a
- * report too.
+ * report too. `compare` tells where the searched picture and a system differ (`differences.js`).
  * @typedef {{
- *     begin: {asked: {source: FindSource, question: FindQuestion, part: number, parts: number}, answer: null},
+ *     begin: {asked: {source: FindSource, question: FindQuestion, part: number, parts: number, named: NamedSystem[]}, answer: null},
+ *     compare: {asked: {definition: Definition}, answer: Uint8Array | null},
  *     search: {asked: {until: number}, answer: FindReport},
  *     svg: {asked: {bytes: Uint8Array<ArrayBuffer>}, answer: DrawnPicture},
  * }} FindCalls

@@ -2,12 +2,13 @@
 
 import { button } from './dom.js';
 
-const system = matchMedia('(prefers-color-scheme: dark)');
+/** The system's choice. */
+const system = () => matchMedia('(prefers-color-scheme: dark)');
 
 /** @returns {'light' | 'dark'} */
 export function theme() {
     const chosen = document.documentElement.dataset.theme;
-    return chosen === 'light' || chosen === 'dark' ? chosen : system.matches ? 'dark' : 'light';
+    return chosen === 'light' || chosen === 'dark' ? chosen : system().matches ? 'dark' : 'light';
 }
 
 /** @param {(theme: 'light' | 'dark') => void} changed */
@@ -25,7 +26,7 @@ export function themeButton(changed) {
         show();
         changed(next);
     });
-    system.addEventListener('change', () => {
+    system().addEventListener('change', () => {
         show();
         changed(theme());
     });

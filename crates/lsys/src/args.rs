@@ -41,7 +41,7 @@ pub(crate) enum Command {
     Export { file: PathBuf, notation: &'static Notation, changes: Changes },
     /// Compare the output of a program with a system.
     Check { file: PathBuf, output: PathBuf, changes: Changes },
-    /// Find the rules of a string.
+    /// Find the rules of a string or a picture.
     Find { text: String, known: Known, json: bool },
     /// Print a new system.
     Surprise { seed: Option<u32> },

@@ -1,6 +1,8 @@
 //! `lsys find`: the rules of a string or a picture.
 
+mod gallery;
 mod picture;
+mod pixels;
 
 use crate::{CommandFailure, input, print};
 use lsystem::course::MAX_OUTPUT;
@@ -63,11 +65,11 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
     let text = match wanted == "-" || path.exists() && !path.is_dir() {
         true => {
             let bytes = input::output_of(path).map_err(|error| CommandFailure::io(wanted, &error))?;
-            if picture::is_picture(&bytes) {
+            if pixels::is_picture(&bytes) {
                 return picture::find(wanted, &bytes, known, json);
             }
-            if let Some(kind) = picture::other_kind(&bytes) {
-                let words = format!("{wanted}: {kind} pictures are not read: save this one as a PNG or an SVG");
+            if let Some(kind) = pixels::other_kind(&bytes) {
+                let words = format!("{wanted}: {kind} pictures are not read: save this one as a PNG, a JPEG or an SVG");
                 return Err(CommandFailure::Words(words));
             }
             if is_svg(&bytes) {

@@ -159,9 +159,10 @@ fn pictures_of_other_programs_are_drawn_or_named() {
     let (code, told) = find("plant.svg", picture.replace("</svg>", "<text>F</text></svg>").as_bytes());
     assert!(code == Some(0) && told.contains("F -> F[+F]F") && told.contains("left out: text"), "{told}");
     for (bytes, words) in [
-        (&b"\xff\xd8\xff\xe0"[..], "JPEG pictures are not read: save this one as a PNG or an SVG"),
-        (b"GIF89a", "GIF pictures are not read"),
-        (b"RIFF....WEBPVP8 ", "WebP pictures are not read"),
+        (&b"II*\0\xff\xff"[..], "TIFF pictures are not read: save this one as a PNG, a JPEG or an SVG"),
+        (b"\xff\xd8\xff\xe0", "error: "),
+        (b"GIF89a", "error: "),
+        (b"RIFF....WEBPVP8 ", "error: "),
         (
             b"<svg viewBox='0 0 9 9'><path stroke-dasharray='1e-9' d='M0 0h9' stroke='#000'/><use/></svg>",
             "too many dashes",
@@ -170,5 +171,51 @@ fn pictures_of_other_programs_are_drawn_or_named() {
     ] {
         let (code, told) = find("other", bytes);
         assert!(code == Some(1) && told.contains(words), "{told}");
+    }
+}
+
+/// A picture in a format, from levels of grey.
+fn encoded(grey: &image::GrayImage, format: image::ImageFormat) -> Vec<u8> {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let picture = image::DynamicImage::ImageLuma8(grey.clone());
+    let picture = match format {
+        image::ImageFormat::Gif | image::ImageFormat::WebP => image::DynamicImage::ImageRgba8(picture.into_rgba8()),
+        _ => picture,
+    };
+    picture.write_to(&mut bytes, format).expect("a picture");
+    bytes.into_inner()
+}
+
+#[test]
+fn pictures_of_all_formats_of_the_page_are_read_and_those_of_the_gallery_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let system = concat!(env!("CARGO_MANIFEST_DIR"), "/../../data_in/curves/koch-snowflake.json");
+    let (_, picture) = output(&["draw", system, "--format", "png", "--size", "500x500", "-n", "3"]);
+    let grey = image::load_from_memory(&picture).expect("a picture").into_luma8();
+    for format in [image::ImageFormat::Png, image::ImageFormat::Jpeg, image::ImageFormat::Gif, image::ImageFormat::WebP]
+    {
+        // The ending of the name does not matter.
+        let file = folder.path().join("picture");
+        std::fs::write(&file, encoded(&grey, format)).expect("a file");
+        let name = file.to_str().expect("UTF-8");
+        let (code, told) = output(&["find", name, "--axiom", "F--F--F", "--angle", "60", "-n", "3", "--json"]);
+        let told: serde_json::Value = serde_json::from_slice(&told).expect("JSON");
+        let best = &told["candidates"][0];
+        assert_eq!((code, best["same"].as_bool()), (Some(0), Some(true)), "{format:?} {told}");
+        assert_eq!(best["gallery"].as_str(), Some("Koch snowflake (curves/koch-snowflake)"), "{format:?} {told}");
+    }
+    let file = folder.path().join("picture");
+    let name = file.to_str().expect("UTF-8");
+    let (code, told) = output(&["find", name, "--axiom", "F--F--F", "--angle", "60", "-n", "3"]);
+    let told = String::from_utf8(told).expect("UTF-8");
+    let first = "The same picture:\n\nKoch snowflake (curves/koch-snowflake), in the gallery:\nF -> F+F--F+F\n";
+    assert!(code == Some(0) && told.starts_with(first), "{told}");
+    // A file that ends in the middle is told.
+    let bytes = encoded(&grey, image::ImageFormat::Jpeg);
+    for end in [bytes.len() / 8, 4] {
+        std::fs::write(&file, &bytes[..end]).expect("a file");
+        let (code, told) = output(&["find", name, "--axiom", "F--F--F", "--angle", "60", "-n", "3", "--seconds", "1"]);
+        let told = String::from_utf8(told).expect("UTF-8");
+        assert!(code == Some(1) && !told.contains("The same picture"), "{told}");
     }
 }

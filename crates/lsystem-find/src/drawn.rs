@@ -1,30 +1,36 @@
 //! The systems that a search keeps.
 
 use crate::hull::{Fit, Target};
+use crate::named::without_spaces;
+use crate::overlay::{LIMITS, MAX_SEGMENTS, NOT_THE_SAME, judged};
 use crate::picture::Picture;
 use crate::strokes::Strokes;
-use crate::{Found, printed};
-use lsystem_base::Limits;
+use crate::{Found, Named, printed};
 use lsystem_drawing::{Plane, draw};
 use lsystem_syntax::{Definition, Dialect};
+use std::cmp::Reverse;
 use std::iter::once;
+use std::sync::Arc;
 
-/// The least agreement of a system that counts as found: it draws the picture or nearly so, and the search may end.
+/// The least agreement of a system that counts as found: it draws the picture or nearly so.
 pub const FOUND: f64 = 0.985;
 /// Of systems that draw the picture, those whose agreement is less than the best one's by at least this come after the
 /// others, however short they are.
 const AS_GOOD: f64 = 0.005;
 /// The most systems that are kept.
 const MAX_KEPT: usize = 20;
-/// The most segments of a drawing that is drawn again to confirm a system.
-const MAX_CONFIRMED: u64 = 100_000;
+/// More turns than this one after the other are no usual way to write a successor.
+const MOST_TURNS: usize = 2;
+/// The rank of a successor that is written in another way than usual: all usual ones of its length come before it.
+const UNUSUAL: usize = 1000;
 
 /// A system that draws the picture, or nearly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
     /// The axiom.
     pub axiom: String,
-    /// Its rules and the number of derivation steps.
+    /// Its rules and the number of derivation steps. A system with a name has its rules in [`Drawn::definition`] only,
+    /// because they may be of any kind.
     pub found: Found,
     /// The letters that draw.
     pub draws: String,
@@ -32,13 +38,15 @@ pub struct Drawn {
     pub angle: f64,
     /// The first heading, in degrees counter-clockwise from the right.
     pub heading: f64,
-    /// How much of the ink agrees, from 0 to 1.
+    /// How much of the ink agrees, from 0 to 1; 1 only if [`Drawn::is_same`].
     pub agreement: f64,
+    /// The system with a name that this is, if a search was given such systems.
+    pub named: Option<Arc<Named>>,
 }
 
 impl Drawn {
-    /// Whether the system draws the same picture: each has no ink more than a pixel beside that of the other, at a size of
-    /// 512 pixels. Less is nearly the same, however little of the ink differs: small parts may be others.
+    /// Whether the system draws the same picture: the skeletons of both agree within a stroke width in both directions, and
+    /// nothing is left over. Less is nearly the same, however little of the ink differs: small parts may be others.
     #[must_use]
     pub fn is_same(&self) -> bool {
         self.agreement >= 1.0
@@ -50,9 +58,55 @@ impl Drawn {
         (self.agreement * 1000.0 + 1e-9).floor() / 10.0
     }
 
+    /// The rules in our notation, one on each line.
+    #[must_use]
+    pub fn rules(&self) -> String {
+        self.named.as_ref().map_or_else(|| self.found.text(), |named| named.definition.rules.clone())
+    }
+
+    /// The number of symbols of all rules, with their predecessors.
+    #[must_use]
+    pub fn symbols(&self) -> usize {
+        let of_line = |line: &str| without_spaces(line).chars().count().saturating_sub("->".len());
+        let of_text = |text: &str| text.lines().filter(|line| line.contains("->")).map(of_line).sum();
+        self.named.as_ref().map_or_else(|| self.found.symbols(), |named| of_text(&named.definition.rules))
+    }
+
+    /// Two systems with equal keys are the same system.
+    #[must_use]
+    pub fn key(&self) -> String {
+        let mut lines: Vec<String> = self.rules().lines().map(without_spaces).collect();
+        lines.retain(|line| !line.is_empty());
+        lines.sort_unstable();
+        let (axiom, mut draws) = (without_spaces(&self.axiom), self.draws.chars().collect::<Vec<_>>());
+        draws.sort_unstable();
+        let draws: String = draws.into_iter().filter(|&at| axiom.contains(at) || self.rules().contains(at)).collect();
+        format!("{axiom} {} {} {draws} {}", lines.join(" "), self.angle, self.found.n)
+    }
+
+    /// The rank among systems that agree as well, smallest first. Systems with names come first, then those that are
+    /// written as books do: no successor begins or ends with a turn, or has many turns in a row. Of these, few symbols and
+    /// few steps come first.
+    #[must_use]
+    pub fn rank(&self) -> usize {
+        if self.named.is_some() {
+            return 0;
+        }
+        let is_turn = |symbol: char| symbol == '+' || symbol == '-';
+        let is_usual = |(_, word): &(char, String)| {
+            let runs = word.split(|symbol| !is_turn(symbol)).map(str::len);
+            !word.starts_with(is_turn) && !word.ends_with(is_turn) && runs.max().unwrap_or(0) <= MOST_TURNS
+        };
+        let unusual = self.found.rules.iter().filter(|rule| !is_usual(rule)).count();
+        1 + unusual * UNUSUAL + self.found.symbols() + self.found.n as usize
+    }
+
     /// The system as a definition that draws the picture.
     #[must_use]
     pub fn definition(&self) -> Definition {
+        if let Some(named) = &self.named {
+            return Definition { iterations: self.found.n, ..named.definition.clone() };
+        }
         let usual = |letter: char| !Dialect::default().actions(letter).is_empty();
         let letters =
             self.axiom.chars().chain(self.found.rules.iter().flat_map(|(from, to)| once(*from).chain(to.chars())));
@@ -75,39 +129,46 @@ impl Drawn {
         }
     }
 
-    /// Measures the agreement once more, with the drawing of the definition, unless that has too many segments.
+    /// Measures the agreement once more, with the drawing of the definition. A drawing with too many segments is not called
+    /// the same.
     pub(crate) fn confirm(&mut self, target: &Target, picture: &Picture, fit: Fit) {
-        let limits = Limits { segments: MAX_CONFIRMED, ..Limits::default() };
         let Some(system) = lsystem_drawing::System::new(&self.definition()).0 else {
             self.agreement = 0.0;
             return;
         };
-        let Ok(drawing) = draw::<Plane>(&system, self.found.n, &limits) else { return };
-        if drawing.segment_count() <= u128::from(MAX_CONFIRMED) {
+        self.agreement = self.agreement.min(NOT_THE_SAME);
+        let Ok(drawing) = draw::<Plane>(&system, self.found.n, &LIMITS) else { return };
+        if drawing.segment_count() <= u128::from(MAX_SEGMENTS) {
             let segments = drawing.segments().map(|segment| [segment.from, segment.to]);
-            self.agreement = Strokes::of_segments(segments, target).agreement(target, picture, fit);
+            let strokes = Strokes::of_segments(segments, target.first);
+            self.agreement = judged(&strokes, target.first, picture, fit).0;
         }
+    }
+
+    /// The order of systems, best first: the same picture, nearly the same, and less like it.
+    fn order(&self, best: f64) -> impl Ord + use<> {
+        let is_found = self.agreement >= FOUND && self.agreement > best - AS_GOOD;
+        // The bits of positive numbers are in the order of the numbers.
+        let agreement = Reverse(self.agreement.max(0.0).to_bits());
+        let (rank, text) = (self.rank(), self.rules());
+        let (first, second) = if is_found { (Reverse(0), Some(rank)) } else { (agreement, None) };
+        (!self.is_same(), !is_found, first, second, agreement, rank, text)
     }
 }
 
 /// Adds a system to those that are kept, best first.
 pub(crate) fn keep(kept: &mut Vec<Drawn>, drawn: Drawn) {
-    let is_same = |other: &Drawn| {
-        let names = |drawn: &Drawn| (drawn.axiom.clone(), drawn.found.clone(), drawn.draws.clone());
-        names(other) == names(&drawn) && other.angle == drawn.angle
-    };
-    if kept.iter().any(is_same) {
-        return;
+    let key = drawn.key();
+    if let Some(at) = kept.iter().position(|other| other.key() == key) {
+        // A name is worth more than the same rules without one.
+        if kept[at].named.is_some() || drawn.named.is_none() {
+            return;
+        }
+        kept.remove(at);
     }
     kept.push(drawn);
     let best = kept.iter().map(|drawn| drawn.agreement).fold(0.0, f64::max);
-    kept.sort_by(|a, b| {
-        let found = |drawn: &Drawn| drawn.agreement >= FOUND && drawn.agreement > best - AS_GOOD;
-        let by_size = a.found.symbols().cmp(&b.found.symbols());
-        let by_agreement = b.agreement.total_cmp(&a.agreement);
-        let order = if found(a) { by_size.then(by_agreement) } else { by_agreement.then(by_size) };
-        found(b).cmp(&found(a)).then(order).then_with(|| a.found.text().cmp(&b.found.text()))
-    });
+    kept.sort_by_cached_key(|drawn| drawn.order(best));
     kept.truncate(MAX_KEPT);
 }
 
@@ -119,11 +180,33 @@ mod tests {
     fn short_systems_come_first_if_they_are_as_good() {
         let mut kept = Vec::new();
         for (successor, agreement) in [("FFF+F", 1.0), ("F+F", 0.986), ("F[+F]F", 0.998), ("FF", 0.9)] {
-            let found = Found { rules: vec![('F', successor.to_owned())], n: 4 };
-            let (axiom, draws) = ("F".to_owned(), "F".to_owned());
-            keep(&mut kept, Drawn { axiom, found, draws, angle: 60.0, heading: 90.0, agreement });
+            keep(&mut kept, drawn(successor, 4, agreement));
         }
         let order: Vec<&str> = kept.iter().map(|drawn| drawn.found.rules[0].1.as_str()).collect();
         assert_eq!(order, ["FFF+F", "F[+F]F", "F+F", "FF"]);
+    }
+
+    fn drawn(successor: &str, n: u32, agreement: f64) -> Drawn {
+        let found = Found { rules: vec![('F', successor.to_owned())], n };
+        let (axiom, draws) = ("F".to_owned(), "F".to_owned());
+        Drawn { axiom, found, draws, angle: 60.0, heading: 90.0, agreement, named: None }
+    }
+
+    #[test]
+    fn rules_as_books_write_them_come_first() {
+        let systems = [("+++F+F", 8), ("F+F--F+F", 4), ("F-F++F-F-", 4), ("F+F----F+F", 4), ("F-F++F-F", 8)];
+        let mut kept = Vec::new();
+        systems.iter().for_each(|&(successor, n)| keep(&mut kept, drawn(successor, n, 1.0)));
+        let order: Vec<_> = kept.iter().map(|drawn| (drawn.found.rules[0].1.as_str(), drawn.found.n)).collect();
+        assert_eq!(order, [("F+F--F+F", 4), ("F-F++F-F", 8), ("F-F++F-F-", 4), ("+++F+F", 8), ("F+F----F+F", 4)]);
+        // A name comes before all, and stands for the same system without one.
+        let definition =
+            Definition { rules: "F -> F-F++F-F".to_owned(), axiom: "F".to_owned(), ..drawn("F", 8, 1.0).definition() };
+        let named =
+            Drawn { named: Some(Arc::new(Named { name: "Koch curve".to_owned(), definition })), ..drawn("", 8, 1.0) };
+        keep(&mut kept, named.clone());
+        assert_eq!((kept.len(), kept[0].named.is_some()), (5, true));
+        keep(&mut kept, drawn("F-F++F-F", 8, 1.0));
+        assert_eq!((kept.len(), kept[0].symbols(), kept[0].rules()), (5, 9, "F -> F-F++F-F".to_owned()));
     }
 }

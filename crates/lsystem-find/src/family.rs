@@ -100,6 +100,35 @@ impl Family {
         self.letters.iter().enumerate().map(successor).collect()
     }
 
+    /// The same system with half as many lines of twice the length, if the second letter is doubled in each step and stands
+    /// in pairs only: `X -> FF[+X]FFX` becomes `X -> F[+X]FX`.
+    pub(crate) fn halved(&self, words: &[Vec<Symbol>]) -> Option<Vec<Vec<Symbol>>> {
+        let line = 1;
+        let is_doubled = matches!(self.letters.get(1), Some((_, _, Rule::Fixed(word))) if *word == [line, line]);
+        let first = words.first().filter(|_| is_doubled)?;
+        let runs: Vec<&[Symbol]> = first.chunk_by(|a, b| *a == line && *b == line).collect();
+        let has_lines = first.contains(&line);
+        if !has_lines || runs.iter().any(|run| run[0] == line && run.len() % 2 == 1) {
+            return None;
+        }
+        let half = |run: &&[Symbol]| run[..if run[0] == line { run.len() / 2 } else { run.len() }].to_vec();
+        let first = runs.iter().flat_map(half).collect();
+        Some(std::iter::once(first).chain(words[1..].iter().cloned()).collect())
+    }
+
+    /// Which letters the axiom or a successor of a used letter has.
+    pub(crate) fn used(&self, words: &[Vec<Symbol>]) -> Vec<bool> {
+        let mut used = vec![false; self.letters.len()];
+        let mut open = self.axiom.clone();
+        while let Some(symbol) = open.pop() {
+            if let Some(used) = used.get_mut(usize::from(symbol)).filter(|used| !**used) {
+                *used = true;
+                open.extend(words.get(usize::from(symbol)).into_iter().flatten());
+            }
+        }
+        used
+    }
+
     /// Writes the successors of all letters. Whether the system is worth a try: all letters with rules that are
     /// searched are used.
     pub(crate) fn set_successors(&self, all: &mut Vec<Vec<Symbol>>) -> bool {
@@ -246,4 +275,39 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
         _ => return Err("an axiom with one or two letters is expected"),
     }
     Ok(families)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_that_no_word_has_are_not_used() {
+        let families = families("F", 6).expect("families");
+        let pair = families.iter().find(|family| family.name.contains("mirror image")).expect("a pair");
+        let word = |text: &str| -> Vec<Symbol> { text.chars().map(|at| "FG+-".find(at).unwrap() as Symbol).collect() };
+        assert_eq!(pair.used(&[word("F+F--F+F"), word("G-G++G-G")]), [true, false]);
+        assert_eq!(pair.used(&[word("F+G"), word("G-F")]), [true, true]);
+    }
+
+    #[test]
+    fn pairs_of_lines_are_halved() {
+        let family = &families("X", 14).expect("families")[2];
+        let letters = "XF+-[]";
+        let word = |text: &str| -> Vec<Symbol> { text.chars().map(|at| letters.find(at).unwrap() as Symbol).collect() };
+        for (from, to) in [
+            ("FF[+X][-X]FFX", Some("F[+X][-X]FX")),
+            ("FFFF[+FFX]X", Some("FF[+FX]X")),
+            ("FF[+X]FX", None),
+            ("FFF[+X]X", None),
+            ("[+X]X", None),
+        ] {
+            let halved = family.halved(&[word(from), word("FF")]);
+            assert_eq!(halved, to.map(|to| vec![word(to), word("FF")]), "{from} in {}", family.name);
+        }
+        // Where a line stays one line, it would be another drawing.
+        let constant = families("X", 14).expect("families");
+        let constant = constant.iter().find(|family| family.name == "a rule for X, with F").expect("a family");
+        assert_eq!(constant.halved(&[word("FF[+X]X"), word("F")]), None);
+    }
 }

@@ -2,7 +2,9 @@
 
 use crate::angles::suggested;
 use crate::drawn::{Drawn, FOUND, keep};
-use crate::{Known, Picture, PictureSearch, Searched, Share};
+use crate::{Known, Named, Picture, PictureSearch, Searched, Share};
+use lsystem_drawing::System;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// The first headings that are tried where none is known, in degrees.
@@ -15,6 +17,15 @@ const AXIOMS: [&str; 2] = ["F", "X"];
 const SIDES: [usize; 2] = [3, 6];
 /// The number of systems that a search tries before the next search's turn.
 const SHARE: u64 = 2048;
+/// How often rules are read off the picture for each of the most usual axioms, with the likeliest angle, before systems are
+/// enumerated. Plants of textbooks are found within fifty times.
+const READS: u64 = 96;
+/// The number of these axioms.
+const READ_AXIOMS: usize = AXIOMS.len();
+/// The work of reading once, in systems whose hulls are tried.
+const READ: u64 = 1024;
+/// The work of drawing a system with a name, in systems whose hulls are tried.
+const NAMED: u64 = 32;
 
 /// The known properties of a picture's system; `None` stands for an unknown one.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,7 +47,14 @@ pub struct Question {
 /// Each axiom with each angle is searched by itself; the more usual ones get more of the work.
 #[derive(Clone, Debug)]
 pub struct Finder {
+    picture: Arc<Picture>,
+    question: Question,
+    share: Share,
+    /// The systems with names that are still to be tried, each after some steps.
+    named: VecDeque<(Arc<Named>, Arc<System>, u32)>,
     searches: Vec<Part>,
+    /// The searches that read rules off the picture before systems are enumerated, and how often each still does.
+    reads: VecDeque<(usize, u64)>,
     steps: Vec<u32>,
     kept: Vec<Drawn>,
     /// The search that goes on now, and how many systems are left before the next one's turn.
@@ -79,7 +97,34 @@ impl Finder {
                 searches.push(Part { axiom, angle, search, rank: rank * usual });
             }
         }
-        Ok(Self { searches, steps, kept: Vec::new(), turn: (0, 0) })
+        let (picture, question) = (picture.clone(), question.clone());
+        // The searches of the likeliest angle come first.
+        let reads = (0..searches.len().min(READ_AXIOMS)).map(|at| (at, READS)).collect();
+        let (named, kept) = (VecDeque::new(), Vec::new());
+        Ok(Self { picture, question, share, named, searches, reads, steps, kept, turn: (0, 0) })
+    }
+
+    /// Tries systems with names before all others: each after its own number of steps first, and after others then. Those
+    /// that are not what is known are left out. All parallel searches are given the same systems, and share them.
+    pub fn try_first(&mut self, systems: impl IntoIterator<Item = Named>) {
+        let own: Vec<(Arc<Named>, Arc<System>)> = (systems.into_iter().zip(0_u64..))
+            .filter(|(_, number)| self.share.contains(*number))
+            .filter_map(|(named, _)| named.compiled(&self.question).map(|system| (Arc::new(named), Arc::new(system))))
+            .collect();
+        let usual = |named: &Named, n: u32| named.definition.iterations == n;
+        let steps = |named: &Named| match self.question.n {
+            Some(n) => vec![n],
+            None => STEPS.into_iter().chain([named.definition.iterations]).collect(),
+        };
+        for is_usual in [true, false] {
+            for (named, system) in &own {
+                let mut steps = steps(named);
+                steps.sort_unstable();
+                steps.dedup();
+                let steps = steps.into_iter().filter(|&n| usual(named, n) == is_usual);
+                self.named.extend(steps.map(|n| (named.clone(), system.clone(), n)));
+            }
+        }
     }
 
     /// Tries about `systems` systems, or fewer that are like the picture: those are more work.
@@ -92,6 +137,25 @@ impl Finder {
     pub fn step_until(&mut self, systems: u64, is_over: &dyn Fn() -> bool) -> Searched {
         let mut work = systems;
         while work > 0 && !is_over() {
+            if let Some((named, system, n)) = self.named.pop_front() {
+                let (drawn, spent) = named.drawn(&system, n, &self.picture);
+                drawn.into_iter().for_each(|drawn| keep(&mut self.kept, drawn));
+                work = work.saturating_sub(NAMED + spent);
+                continue;
+            }
+            if self.is_same() {
+                // Shorter rules are enumerated.
+                self.reads.clear();
+            }
+            if let Some((at, left)) = self.reads.pop_front() {
+                let search = &mut self.searches[at].search;
+                if search.read(&mut work, is_over) && left > 1 {
+                    self.reads.push_back((at, left - 1));
+                }
+                search.found().iter().for_each(|drawn| keep(&mut self.kept, drawn.clone()));
+                work = work.saturating_sub(READ);
+                continue;
+            }
             if self.turn.1 == 0 {
                 let open = self.searches.iter().enumerate().filter(|(_, part)| !part.search.is_done());
                 let Some((at, _)) = open.min_by_key(|(_, part)| part.search.tried() * part.rank) else {
@@ -126,10 +190,16 @@ impl Finder {
         &self.kept
     }
 
-    /// Whether a system draws the picture.
+    /// Whether a system draws the picture or nearly so.
     #[must_use]
     pub fn is_found(&self) -> bool {
         self.kept.first().is_some_and(|drawn| drawn.agreement >= FOUND)
+    }
+
+    /// Whether a system draws the same picture.
+    #[must_use]
+    pub fn is_same(&self) -> bool {
+        self.kept.first().is_some_and(Drawn::is_same)
     }
 
     /// The extent of the search, in words.
@@ -205,8 +275,9 @@ fn searched(finders: &[&Finder]) -> String {
     let words: Vec<String> = axioms.iter().map(families).collect();
     let angles = list(angles.iter().map(|angle| format!("{angle}°")).collect());
     let steps = list(first.steps.iter().map(u32::to_string).collect());
-    format!(
-        "angle {angles}; n = {steps}: {}",
-        if words.is_empty() { "nothing yet".to_owned() } else { words.join("; ") }
-    )
+    if words.is_empty() {
+        "nothing yet".to_owned()
+    } else {
+        format!("angle {angles}; n = {steps}: {}", words.join("; "))
+    }
 }

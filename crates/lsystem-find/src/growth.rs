@@ -20,6 +20,14 @@ use std::sync::Arc;
 const SHORTEST: usize = 16;
 /// The usual length of a line, in pixels.
 const USUAL: f64 = 4.0;
+/// How far, in pixels, a trunk may end beside the place where a picture tells its end.
+const OFF: f64 = 5.0;
+/// How far before the place where a trunk is wider a branch begins, in pixels: it parts from the trunk little by little.
+const PARTING: f64 = 1.5;
+/// A trunk is wider by this many pixels where a branch begins.
+const WIDER: usize = 2;
+/// The most lines of a trunk before the first branch.
+const LINES: usize = 3;
 /// The most letters of a trunk that is made of copies.
 const MAX_TRUNK: usize = 4;
 /// The most turns each way from one letter to the next.
@@ -36,6 +44,8 @@ const MAX_BRANCHES: usize = 3;
 /// The number of words that a step of the search lays on the ink, and the strokes of a word that is twice the work.
 const SHARE: usize = 1_000;
 const STROKES: usize = 64;
+/// Each row of trunks gets a part of the work that is smaller by this factor.
+const SHARES: [usize; 3] = [1, 2, 2];
 /// One in this many places of a straight line may lie beside the ink.
 const GAPS: usize = 10;
 
@@ -63,10 +73,10 @@ pub(crate) struct GrowthSearch {
     base: [f64; 2],
     /// The sampled places of the ink, from which the covered share is estimated.
     places: Vec<[usize; 2]>,
-    /// The trunks that are still to be tried, each with the work so far: those whose lines are a few pixels long, as in
-    /// most pictures, come first in one row, and those with the longest lines, which have the fewest strokes, in the
-    /// other one.
-    trunks: [(Vec<Trunk>, usize); 2],
+    /// The trunks that are still to be tried, with the work so far: those that end where the picture tells it, in the first
+    /// row; all, those first whose lines are a few pixels long, as in most pictures, in the second one; and all, those first
+    /// with the longest lines, which have the fewest strokes, in the last one.
+    trunks: [(Vec<Trunk>, usize); 3],
     tried: HashSet<Trunk>,
     /// The row of the present trunk.
     row: usize,
@@ -157,7 +167,7 @@ impl GrowthSearch {
             kind,
             base,
             places,
-            trunks: [(Vec::new(), 0), (Vec::new(), 0)],
+            trunks: [(Vec::new(), 0), (Vec::new(), 0), (Vec::new(), 0)],
             tried: HashSet::new(),
             row: 0,
             open: Vec::new(),
@@ -180,11 +190,19 @@ impl GrowthSearch {
         // The last ones are tried first.
         let unit = |trunk: &Trunk| search.scale_of(*trunk).unit;
         let unusual = |trunk: &Trunk| (unit(trunk) / USUAL).max(USUAL / unit(trunk));
+        let ends = search.ends(straight);
+        // How far a trunk ends beside the nearest of these places, in pixels.
+        let off = |trunk: &Trunk| {
+            let length = f64::from(trunk.length) / 2.0;
+            ends.iter().map(|end| (end - length).abs()).fold(f64::INFINITY, f64::min)
+        };
+        let mut told: Vec<Trunk> = trunks.iter().filter(|trunk| off(trunk) <= OFF).copied().collect();
+        told.sort_by_cached_key(|trunk| Reverse((off(trunk).round() as u32, unusual(trunk).to_bits())));
         let (mut usual, mut long) = (trunks.clone(), trunks);
         // The bits of positive numbers are in the order of the numbers.
         usual.sort_by_cached_key(|trunk| Reverse(unusual(trunk).to_bits()));
         long.sort_by_cached_key(|trunk| unit(trunk).to_bits());
-        search.trunks = [(usual, 0), (long, 0)];
+        search.trunks = [(told, 0), (usual, 0), (long, 0)];
         Some(search)
     }
 
@@ -200,14 +218,37 @@ impl GrowthSearch {
                 self.grow(&plant);
                 continue;
             }
-            self.row = usize::from(self.trunks[1].1 < self.trunks[0].1);
-            let Some(trunk) = self.trunks[self.row].0.pop() else { return Advance::Done };
+            let open = self.trunks.iter().enumerate().filter(|(_, (trunks, _))| !trunks.is_empty());
+            let Some((row, _)) = open.min_by_key(|(row, (_, work))| work * SHARES[*row]) else { return Advance::Done };
+            self.row = row;
+            let Some(trunk) = self.trunks[row].0.pop() else { return Advance::Done };
             if self.tried.insert(trunk) {
                 self.left = MAX_WORDS;
                 self.begin(trunk);
             }
         }
         Advance::More
+    }
+
+    /// Where trunks may end, in pixels from the base, if the ink goes straight on as far: copies end at the top, and stalks
+    /// at the first branch or at an equal part of the way there.
+    fn ends(&self, straight: usize) -> Vec<f64> {
+        if self.kind == Kind::Copies {
+            return vec![straight as f64];
+        }
+        let fit = Fit { unit: 1.0, x: self.base[0], y: self.base[1], stroke: 0.0 };
+        let is_inked = |along: usize, aside: f64| {
+            let [x, y] = pixel(self.target.first, fit, along as f64, aside);
+            x >= 0.0 && y >= 0.0 && x < SIDE as f64 && y < SIDE as f64 && self.picture.mask.has(x as usize, y as usize)
+        };
+        let width = |along: usize| {
+            let aside = |sign: f64| (1..SIDE).take_while(|&far| is_inked(along, sign * far as f64)).count();
+            aside(1.0) + aside(-1.0)
+        };
+        let from = (2.0 * self.picture.stroke).ceil() as usize + 1;
+        let trunk = width(from);
+        let first = (from..straight).find(|&along| width(along) >= trunk + WIDER).unwrap_or(straight);
+        (1..=LINES).map(|lines| (first as f64 - PARTING) / lines as f64).collect()
     }
 
     fn scale_of(&self, trunk: Trunk) -> Scale {
@@ -313,7 +354,7 @@ impl GrowthSearch {
     fn covered(&mut self, branches: &[Branch]) -> Option<usize> {
         let fit = self.fit();
         let strokes = self.strokes(branches)?;
-        let mask = strokes.mask(&self.target, Fit { stroke: fit.stroke + 1.0, ..fit });
+        let mask = strokes.mask(self.target.first, Fit { stroke: fit.stroke + 1.0, ..fit });
         Some(self.places.iter().filter(|&&[x, y]| mask.has(x, y)).count())
     }
 
@@ -341,7 +382,7 @@ impl GrowthSearch {
         let steps = length.ceil() as usize;
         let is_missing = |at: &usize| {
             let far = *at as f64;
-            let [x, y] = pixel(&self.target, fit, from[0] + cos * far, from[1] + sin * far);
+            let [x, y] = pixel(self.target.first, fit, from[0] + cos * far, from[1] + sin * far);
             !(x >= 0.0
                 && y >= 0.0
                 && x < SIDE as f64
@@ -361,7 +402,8 @@ impl GrowthSearch {
 
     fn write(&self, branches: &[Branch], at: Option<usize>, heading: i32, word: &mut Vec<Symbol>) {
         let mut from: Vec<usize> = (0..branches.len()).filter(|&branch| branches[branch].from == at).collect();
-        from.sort_by_key(|&branch| (branches[branch].turns, branches[branch].is_leaf));
+        // As books do, branches to the left come first.
+        from.sort_by_key(|&branch| (Reverse(branches[branch].turns), branches[branch].is_leaf));
         let is_on_trunk = self.kind == Kind::Copies && at.is_none_or(|at| at < self.scale.trunk);
         let last = match is_on_trunk {
             true => from.iter().position(|&branch| branch < self.scale.trunk),

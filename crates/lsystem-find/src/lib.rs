@@ -6,8 +6,10 @@
 //!
 //! A [`Finder`] enumerates families of systems for a [`Picture`], the shortest successors first. The convex hull of a
 //! system's drawing is computed without drawing it; only if it fits that of the picture, the strokes are compared with
-//! the ink. In addition, successors of plants and of curves are read off the picture itself. Several finders can search
-//! in parallel ([`merged`]). All searches run in steps and depend on counted work only.
+//! the ink. In addition, successors of plants and of curves are read off the picture itself. Systems with names, such as
+//! those of a gallery, are given by the caller and come first ([`Finder::try_first`]). A system is called the same only if
+//! the skeletons of both drawings agree ([`Drawn::is_same`]); [`Picture::compared`] shows where others differ. Several
+//! finders can search in parallel ([`merged`]). All searches run in steps and depend on counted work only.
 //!
 //! ```
 //! use lsystem_find::{Question, Searched, StringFinder};
@@ -28,10 +30,13 @@ mod finder;
 mod growth;
 mod hull;
 mod lattice;
+mod named;
+mod overlay;
 mod parts;
 mod picture;
 mod picture_search;
 mod share;
+mod sheet;
 mod source;
 mod strings;
 mod strokes;
@@ -41,6 +46,8 @@ mod words;
 pub use derivation::{Search, Searched};
 pub use drawn::{Drawn, FOUND};
 pub use finder::{Finder, Question, merged};
+pub use named::Named;
+pub use overlay::SIDE;
 pub use picture::Picture;
 pub use picture_search::{Known, PictureSearch};
 pub use share::Share;

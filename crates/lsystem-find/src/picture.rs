@@ -1,17 +1,19 @@
 //! A picture as ink: which pixels are drawn on, and how far the ink reaches in each direction.
 
 use crate::parts::drawing;
+use crate::sheet::{self, Sheet, half_width};
 use crate::strokes::put_stroke;
 use lsystem_render::mask::{Mask, SIDE};
 
 /// The pixels around the ink.
-const MARGIN: usize = 4;
+pub(crate) const MARGIN: usize = 4;
 /// A picture whose ink covers more than this part of its hull shows no lines.
 const MOST_COVERED: f64 = 0.85;
 /// Half the width of the lines that segments are drawn with, in pixels.
 const THIN: f64 = 0.75;
-/// One in this many pixels of ink lies on a line of at most the usual width.
-const USUAL: usize = 3;
+/// Half the width of these lines on the sheet, in pixels, and the sheet's pixels for one of the mask.
+const THIN_ON_SHEET: f64 = 1.0;
+const FINER: f64 = 4.0;
 /// The directions of the hull whose area is measured.
 const DIRECTIONS: usize = 360;
 
@@ -25,6 +27,8 @@ pub struct Picture {
     pub(crate) close: Mask,
     /// Half the usual width of a line, in pixels.
     pub(crate) stroke: f64,
+    /// The same ink, finer.
+    pub(crate) sheet: Sheet,
     /// The places of the ink at the outline of each row, with the y axis upwards.
     outline: Vec<[f64; 2]>,
 }
@@ -58,11 +62,16 @@ impl Picture {
         let side = SIDE - 2 * MARGIN;
         let scale = (longest as f64 / side as f64).max(1.0);
         let mut mask = Mask::default();
+        // Pixels of the picture for one of the sheet.
+        let coarser = (longest as f64 / sheet::MOST as f64).max(1.0);
+        let on_sheet = |value: usize, first: usize| ((value - first) as f64 / coarser) as usize;
+        let mut sheet = Sheet::new(on_sheet(right, left) + 1, on_sheet(bottom, top) + 1, scale / coarser);
         for (x, y) in all() {
             let at = |value: usize, first: usize| ((value - first) as f64 / scale) as usize + MARGIN;
             mask.put(at(x, left).min(SIDE - 1), at(y, top).min(SIDE - 1));
+            sheet.put(on_sheet(x, left), on_sheet(y, top));
         }
-        let picture = Self::of(mask);
+        let picture = Self::of(mask, sheet.finished());
         if picture.mask.count() as f64 > picture.hull_area() * MOST_COVERED {
             return Err(filled);
         }
@@ -85,10 +94,14 @@ impl Picture {
         let scale = (SIDE - 2 * MARGIN) as f64 / longest;
         let pixel = |x: f64, y: f64| [(x - left) * scale + MARGIN as f64, (top - y) * scale + MARGIN as f64];
         let mut mask = Mask::default();
+        let fine = |side: f64| ((side * scale * FINER) as usize).min(sheet::MOST - 2) + 2;
+        let mut sheet = Sheet::new(fine(most(0) - left), fine(top - least(1)), FINER);
         for &[x1, y1, x2, y2] in segments {
             put_stroke(&mut mask, [pixel(x1, y1), pixel(x2, y2)], THIN);
+            let fine = |x: f64, y: f64| [(x - left) * scale * FINER, (top - y) * scale * FINER];
+            sheet.put_stroke([fine(x1, y1), fine(x2, y2)], THIN_ON_SHEET);
         }
-        Ok(Self::of(mask))
+        Ok(Self::of(mask, sheet.finished()))
     }
 
     /// How much of the ink of both agrees, from 0 to 1.
@@ -97,7 +110,7 @@ impl Picture {
         self.mask.agreement(&other.mask)
     }
 
-    fn of(mask: Mask) -> Self {
+    fn of(mask: Mask, sheet: Sheet) -> Self {
         let mut outline = Vec::new();
         for y in 0..SIDE {
             let inked = |x: &usize| mask.has(*x, y);
@@ -109,8 +122,8 @@ impl Picture {
         }
         let close = mask.grown();
         let near = close.grown();
-        let stroke = half_width(&mask);
-        Self { mask, near, close, stroke, outline }
+        let stroke = half_width(SIDE, SIDE, |x, y| mask.has(x, y));
+        Self { mask, near, close, stroke, sheet, outline }
     }
 
     /// How far the ink reaches in a direction in radians, counter-clockwise from the right, from the upper left corner.
@@ -119,6 +132,12 @@ impl Picture {
         let reach = self.outline.iter().map(|[x, y]| x * cos + y * sin).fold(f64::NEG_INFINITY, f64::max);
         // Places are centres of pixels.
         reach + 0.5
+    }
+
+    /// The box around the ink, from the upper left corner with the y axis upwards: its left, lower, right and upper side.
+    pub(crate) fn bounds(&self) -> [f64; 4] {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        [-self.reach(2.0 * quarter), -self.reach(3.0 * quarter), self.reach(0.0), self.reach(quarter)]
     }
 
     /// The middle of the line at the corner of the hull that lies furthest in a direction, in turns.
@@ -137,23 +156,6 @@ impl Picture {
         let slope = |at: usize| (reach[(at + 1) % DIRECTIONS] - reach[at]) / step;
         (0..DIRECTIONS).map(|at| (reach[at] * reach[at] - slope(at) * slope(at)) * step / 2.0).sum()
     }
-}
-
-/// Half the usual width of a line: where lines are apart, the shorter run of ink through a pixel is the line's width.
-fn half_width(mask: &Mask) -> f64 {
-    let run = |x: usize, y: usize, across: bool| {
-        let inked = |at: &usize| if across { mask.has(*at, y) } else { mask.has(x, *at) };
-        let at = if across { x } else { y };
-        (at..SIDE).take_while(inked).count() + (0..at).rev().take_while(inked).count()
-    };
-    let mut widths: Vec<usize> = Vec::new();
-    for y in 0..SIDE {
-        for x in (0..SIDE).filter(|&x| mask.has(x, y)) {
-            widths.push(run(x, y, true).min(run(x, y, false)));
-        }
-    }
-    widths.sort_unstable();
-    widths.get(widths.len() / USUAL).map_or(0.5, |&width| width as f64 / 2.0)
 }
 
 /// The level of grey that divides dark from light best (Otsu, "A threshold selection method from gray-level

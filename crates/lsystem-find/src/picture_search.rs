@@ -108,16 +108,7 @@ impl PictureSearch {
     /// Tries at most so many systems, and ends where the work is done: in which order systems are tried does not depend
     /// on it. It ends early once `is_over` says so.
     pub(crate) fn advance(&mut self, systems: u64, work: &mut u64, is_over: &dyn Fn() -> bool) {
-        for _ in 0..2 {
-            if is_over() {
-                return;
-            }
-            let (picture, steps) = (&self.picture, &self.known.steps);
-            if let Some((family, word)) = self.sources.advance(picture, &self.families, steps) {
-                let words = self.families[family].successors(&word);
-                *work = work.saturating_sub(self.compare(family, &words, is_over));
-            }
-        }
+        self.read(work, is_over);
         for number in 0..systems {
             if number % UNASKED == 0 && is_over() {
                 return;
@@ -141,6 +132,22 @@ impl PictureSearch {
         }
     }
 
+    /// Reads successors off the picture for some milliseconds: of curves and of plants. Returns whether there is more to
+    /// read.
+    pub(crate) fn read(&mut self, work: &mut u64, is_over: &dyn Fn() -> bool) -> bool {
+        for _ in 0..2 {
+            if is_over() {
+                return true;
+            }
+            let (picture, steps) = (&self.picture, &self.known.steps);
+            if let Some((family, word)) = self.sources.advance(picture, &self.families, steps) {
+                let words = self.families[family].successors(&word);
+                *work = work.saturating_sub(self.compare(family, &words, is_over));
+            }
+        }
+        !self.sources.is_done()
+    }
+
     /// The systems that draw the picture or nearly do, best first.
     #[must_use]
     pub fn found(&self) -> &[Drawn] {
@@ -162,8 +169,8 @@ impl PictureSearch {
     }
 
     /// Compares the system of a family that has these successors with the picture. The work is as for a test.
-    fn compare(&mut self, at: usize, words: &[Vec<Symbol>], is_over: &dyn Fn() -> bool) -> u64 {
-        let family = &self.families[at];
+    fn compare(&mut self, at_family: usize, words: &[Vec<Symbol>], is_over: &dyn Fn() -> bool) -> u64 {
+        let family = &self.families[at_family];
         let system = System { alphabet: family.alphabet, axiom: &family.axiom, words, draws: &family.draws };
         let (targets, picture) = (&self.targets, &self.picture);
         let mut best: Option<(f64, u32, usize, Fit)> = None;
@@ -184,18 +191,27 @@ impl PictureSearch {
         let Some((agreement, n, at, fit)) = best else { return work };
         let text = |word: &[Symbol]| word.iter().map(|&symbol| family.character(symbol)).collect::<String>();
         let is_constant = |at: usize| words[at] == [at as Symbol];
+        // A curve may do without the mirror image.
+        let used = family.used(words);
         let rules = (0..words.len())
-            .filter(|&at| !is_constant(at))
+            .filter(|&at| used[at] && !is_constant(at))
             .map(|at| (family.letters[at].0, text(&words[at])))
             .collect();
-        let draws = family.letters.iter().filter(|(_, draws, _)| *draws).map(|(letter, ..)| *letter).collect();
+        let letters = family.letters.iter().zip(&used);
+        let draws = letters.filter(|((_, draws, _), used)| *draws && **used).map(|((letter, ..), _)| *letter).collect();
         let axiom = self.known.axiom.clone();
         let (angle, heading) = (self.known.angle, self.known.headings[at]);
-        let mut drawn = Drawn { axiom, found: Found { rules, n }, draws, angle, heading, agreement };
+        let found = Found { rules, n };
+        let mut drawn = Drawn { axiom, found, draws, angle, heading, agreement, named: None };
         if agreement >= FOUND {
             drawn.confirm(&targets[at], picture, fit);
+            work += picture.sheet.work();
         }
         keep(&mut self.kept, drawn);
+        // Half as many lines of twice the length draw the same.
+        if let Some(halved) = family.halved(words) {
+            work += self.compare(at_family, &halved, is_over);
+        }
         work
     }
 }

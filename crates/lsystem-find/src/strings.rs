@@ -107,6 +107,7 @@ impl StringFinder {
             angle: self.question.angle.unwrap_or(ANGLE),
             heading: self.question.heading.unwrap_or(ANGLE),
             agreement: 1.0,
+            named: None,
         };
         all.into_iter().map(drawn).collect()
     }

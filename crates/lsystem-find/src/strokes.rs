@@ -21,7 +21,7 @@ pub(crate) const NEAR: f64 = 0.8;
 /// The fit is improved only from this agreement on.
 const PROMISING: f64 = 0.7;
 /// The number of pixels tested in the time that it takes to reject a system by its hull.
-const PIXELS: u64 = 256;
+pub(crate) const PIXELS: u64 = 256;
 /// The changes of a fit, in pixels, that are tried one after the other.
 const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
 /// The most times that each change is applied while it improves the fit.
@@ -62,9 +62,8 @@ impl Strokes {
         Some(Self(tracer.strokes))
     }
 
-    /// Segments of a drawing in steps, whose first heading is that of the target.
-    pub(crate) fn of_segments(segments: impl Iterator<Item = [[f64; 2]; 2]>, target: &Target) -> Self {
-        let (cos, sin) = target.first;
+    /// Segments of a drawing in steps. `cos` and `sin` are those of the first heading.
+    pub(crate) fn of_segments(segments: impl Iterator<Item = [[f64; 2]; 2]>, (cos, sin): (f64, f64)) -> Self {
         let turned = |[x, y]: [f64; 2]| [x * cos + y * sin, y * cos - x * sin];
         let stroke = |[from, to]: [[f64; 2]; 2]| {
             let ([x1, y1], [x2, y2]) = (turned(from), turned(to));
@@ -88,11 +87,17 @@ impl Strokes {
 
     /// The part of the ink that agrees, with the best of the fits near this one.
     pub(crate) fn agreement(&self, target: &Target, picture: &Picture, fit: Fit) -> f64 {
-        let agreement = |fit: Fit| self.mask(target, fit).agreement(&picture.mask);
+        self.fitted(target.first, picture, fit).0
+    }
+
+    /// The part of the ink that agrees, and the best of the fits near this one. `first` is the cosine and the sine of the
+    /// first heading.
+    pub(crate) fn fitted(&self, first: (f64, f64), picture: &Picture, fit: Fit) -> (f64, Fit) {
+        let agreement = |fit: Fit| self.mask(first, fit).agreement(&picture.mask);
         let size = SIDE as f64 / fit.unit;
         let (mut best, mut most) = (fit, agreement(fit));
         if most < PROMISING {
-            return most;
+            return (most, best);
         }
         for change in CHANGES {
             for _ in 0..MAX_ROUNDS {
@@ -116,48 +121,65 @@ impl Strokes {
                 }
             }
             if most < NEAR {
-                return most;
+                return (most, best);
             }
         }
-        most
+        (most, best)
     }
 
     /// The pixels of the strokes.
-    pub(crate) fn mask(&self, target: &Target, fit: Fit) -> Mask {
+    pub(crate) fn mask(&self, first: (f64, f64), fit: Fit) -> Mask {
         let mut mask = Mask::default();
-        for [x1, y1, x2, y2] in &self.0 {
-            put_stroke(&mut mask, [pixel(target, fit, *x1, *y1), pixel(target, fit, *x2, *y2)], fit.stroke);
-        }
+        self.in_pixels(first, fit).for_each(|stroke| put_stroke(&mut mask, stroke, fit.stroke));
         mask
+    }
+
+    /// The strokes in pixels of the mask, from the upper left corner.
+    pub(crate) fn in_pixels(&self, first: (f64, f64), fit: Fit) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        let ends = move |[x1, y1, x2, y2]: &[f64; 4]| [pixel(first, fit, *x1, *y1), pixel(first, fit, *x2, *y2)];
+        self.0.iter().map(ends)
     }
 }
 
 /// Gives the pixels ink whose centres are at most `reach` pixels from a stroke.
-pub(crate) fn put_stroke(mask: &mut Mask, [[x1, y1], [x2, y2]]: [[f64; 2]; 2], reach: f64) {
-    let last = (SIDE - 1) as f64;
+pub(crate) fn put_stroke(mask: &mut Mask, stroke: [[f64; 2]; 2], reach: f64) {
+    for_pixels([SIDE, SIDE], stroke, reach, |x, y| mask.put(x, y));
+}
+
+/// Calls `put` for the pixels, of a picture with this width and height, whose centres are at most `reach` pixels from a
+/// stroke.
+pub(crate) fn for_pixels(
+    [width, height]: [usize; 2],
+    [[x1, y1], [x2, y2]]: [[f64; 2]; 2],
+    reach: f64,
+    mut put: impl FnMut(usize, usize),
+) {
     let (dx, dy) = (x2 - x1, y2 - y1);
     let length = (dx * dx + dy * dy).max(1e-12);
-    let pixels = |low: f64, high: f64| low.clamp(0.0, last) as usize..=high.clamp(0.0, last) as usize;
-    for y in pixels(y1.min(y2) - reach, y1.max(y2) + reach) {
+    let pixels = |low: f64, high: f64, side: usize| {
+        let last = side.saturating_sub(1) as f64;
+        low.clamp(0.0, last) as usize..=high.clamp(0.0, last) as usize
+    };
+    for y in pixels(y1.min(y2) - reach, y1.max(y2) + reach, height) {
         let middle = y as f64 + 0.5;
         // The part of the stroke whose rows are near.
         let part = |row: f64| ((row - y1) / dy).clamp(0.0, 1.0);
         let [from, to] = if dy == 0.0 { [0.0, 1.0] } else { [part(middle - reach), part(middle + reach)] };
         let [from, to] = [x1 + dx * from, x1 + dx * to];
-        for x in pixels(from.min(to) - reach - 0.5, from.max(to) + reach + 0.5) {
+        for x in pixels(from.min(to) - reach - 0.5, from.max(to) + reach + 0.5, width) {
             let (px, py) = (x as f64 + 0.5 - x1, middle - y1);
             let along = ((px * dx + py * dy) / length).clamp(0.0, 1.0);
             let (px, py) = (px - along * dx, py - along * dy);
             if px * px + py * py <= reach * reach {
-                mask.put(x, y);
+                put(x, y);
             }
         }
     }
 }
 
-/// A place of the turtle in the picture, from the upper left corner.
-pub(crate) fn pixel(target: &Target, fit: Fit, x: f64, y: f64) -> [f64; 2] {
-    let (cos, sin) = target.first;
+/// A place of the turtle in the picture, from the upper left corner. `first` is the cosine and the sine of the first
+/// heading.
+pub(crate) fn pixel((cos, sin): (f64, f64), fit: Fit, x: f64, y: f64) -> [f64; 2] {
     // The fit is given in the frame of the first heading.
     let (x, y) = (fit.unit * x + fit.x, fit.unit * y + fit.y);
     [x * cos - y * sin, -(x * sin + y * cos)]
@@ -218,7 +240,7 @@ impl Tracer<'_> {
         let tests = (length / APART).ceil().max(1.0);
         for test in 0..=tests as usize {
             let along = test as f64 / tests;
-            let [x, y] = pixel(self.target, self.fit, x1 + (x2 - x1) * along, y1 + (y2 - y1) * along);
+            let [x, y] = pixel(self.target.first, self.fit, x1 + (x2 - x1) * along, y1 + (y2 - y1) * along);
             let is_inside = x >= 0.0 && y >= 0.0 && x < SIDE as f64 && y < SIDE as f64;
             self.tested += 1.0;
             self.beside += f64::from(u8::from(!is_inside || !self.picture.near.has(x as usize, y as usize)));

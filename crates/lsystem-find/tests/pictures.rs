@@ -1,8 +1,12 @@
 //! The rules of pictures that are drawn here, naively, with strokes of any width.
 
-use lsystem_base::Limits;
+use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Plane, System, draw};
-use lsystem_find::{Drawn, FOUND, Finder, Found, Known, Picture, PictureSearch, Question, Searched, Share, merged};
+use lsystem_find::{
+    Drawn, FOUND, Finder, Found, Known, Named, Picture, PictureSearch, Question, Searched, Share, merged,
+};
+use lsystem_render::{Renderer, View, Viewport};
+use lsystem_syntax::{Colour, Definition, Dialect, Style};
 use std::sync::Arc;
 
 /// Systems that are tried at most.
@@ -72,8 +76,8 @@ fn best(picture: Picture, axiom: &str, angle: f64, steps: &[u32]) -> (Option<Dra
     let known = Known { axiom: axiom.to_owned(), angle, headings: vec![90.0], steps: steps.to_vec(), draws: None };
     let mut search = PictureSearch::new(Arc::new(picture), known, Share::WHOLE).expect("a search");
     let mut left = MOST;
-    let is_found = |search: &PictureSearch| search.found().first().is_some_and(|drawn| drawn.agreement >= FOUND);
-    while left > 0 && !is_found(&search) && search.step(10_000) == Searched::More {
+    let is_same = |search: &PictureSearch| search.found().first().is_some_and(Drawn::is_same);
+    while left > 0 && !is_same(&search) && search.step(10_000) == Searched::More {
         left -= 10_000;
     }
     (search.found().first().cloned(), search.searched())
@@ -223,6 +227,113 @@ fn a_search_ends_soon_after_it_is_over() {
     assert!(asked.get() < 100, "{}", asked.get());
 }
 
+/// A drawing of a system by our renderer, black on white, as a JPEG file gives it back: levels of grey.
+fn photographed(definition: &Definition, side: u32, stroke: f64, quality: u8) -> Vec<u8> {
+    let black = Style {
+        palette: vec![Colour { rgb: [0; 3] }],
+        background: Colour { rgb: [255; 3] },
+        width: 0.0,
+        min_width: stroke,
+        ..Style::default()
+    };
+    let system = System::new(&Definition { style: black, ..definition.clone() }).0.expect("a system");
+    let drawing = draw::<Plane>(&system, definition.iterations, &Limits::default()).expect("a drawing");
+    let mut renderer = Renderer::new();
+    renderer.load(Arc::new(drawing));
+    renderer.begin(&system.style, Viewport { width: side, height: side, ratio: 1.0 }, View::default());
+    while renderer.step(1 << 20) == Progress::More {}
+    let colours: Vec<u8> = renderer.pixels().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    let mut file = Vec::new();
+    let mut encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut file, quality);
+    encoder.encode(&colours, side, side, image::ExtendedColorType::Rgb8).expect("a JPEG");
+
+    image::load_from_memory(&file).expect("a picture").into_luma8().into_raw()
+}
+
+fn textbook() -> Definition {
+    Definition {
+        axiom: "X".to_owned(),
+        rules: "X -> F[+X][-X]FX\nF -> FF".to_owned(),
+        iterations: 5,
+        angle: 25.7,
+        dialect: Dialect::Abop,
+        ..Definition::default()
+    }
+}
+
+/// The rules that draw the same picture, best first, of which nothing is known; a system that is only nearly the same
+/// does not end the search.
+fn searched(picture: &Arc<Picture>, named: &[Named], most: u64) -> Vec<Drawn> {
+    let mut finder = Finder::new(picture, &Question::default(), Share::WHOLE).expect("a search");
+    finder.try_first(named.iter().cloned());
+    let mut left = most;
+    while left > 0 && !finder.is_same() && finder.step(10_000) == Searched::More {
+        left = left.saturating_sub(10_000);
+    }
+    assert!(finder.is_same(), "{:?}", finder.found());
+    finder.found().to_vec()
+}
+
+/// Figure 1.24e of The Algorithmic Beauty of Plants, as in a textbook: 1200 pixels, lines of 3 pixels, a JPEG.
+#[test]
+fn the_rule_of_a_textbook_is_found_in_a_jpeg() {
+    let grey = photographed(&textbook(), 1200, 3.0, 85);
+    let picture = Arc::new(Picture::new(&grey, 1200, 1200).expect("lines"));
+    let found = searched(&picture, &[], MOST);
+    let best = &found[0];
+    assert_eq!(
+        (best.rules().as_str(), best.axiom.as_str(), best.found.n, best.angle),
+        ("X -> F[+X][-X]FX\nF -> FF", "X", 5, 25.7),
+        "{found:?}"
+    );
+    // With curled twigs at all tips it is nearly the same, and is not called the same.
+    let curled = Definition { rules: "X -> FF[-F+F][-X][+X]FFX\nF -> FF".to_owned(), ..textbook() };
+    for drawn in found.iter().filter(|drawn| drawn.is_same()) {
+        let again = Picture::new(&photographed(&drawn.definition(), 1200, 3.0, 85), 1200, 1200).expect("lines");
+        assert!(picture.agreement(&again) > 0.9999, "{drawn:?}");
+    }
+    let differs = |definition: &Definition| {
+        let codes = picture.compared(definition).expect("a drawing");
+        [2, 4].map(|code| codes.iter().filter(|&&at| at == code).count())
+    };
+    assert_eq!(differs(&textbook()), [0, 0]);
+    let [missing, extra] = differs(&curled);
+    assert!(missing < 20 && extra > 50, "{missing} {extra}");
+    // The same with a name is told at once.
+    let named = |name: &str, definition: Definition| Named { name: name.to_owned(), definition };
+    let gallery = [named("Curled", curled), named("Forked tree", Definition { iterations: 7, ..textbook() })];
+    let found = searched(&picture, &gallery, 100_000);
+    let names: Vec<_> = found.iter().map(|drawn| drawn.named.as_ref().map(|named| named.name.as_str())).collect();
+    assert_eq!((names[0], found[0].found.n, found[0].percent()), (Some("Forked tree"), 5, 100.0));
+    let curled = found.iter().find(|drawn| drawn.named.as_ref().is_some_and(|named| named.name == "Curled"));
+    assert!(curled.is_some_and(|drawn| !drawn.is_same() && drawn.percent() > 98.0), "{found:?}");
+}
+
+#[test]
+fn names_are_tried_for_what_is_known_only() {
+    let grey = photographed(&textbook(), 600, 2.0, 90);
+    let picture = Arc::new(Picture::new(&grey, 600, 600).expect("lines"));
+    let is_found = |question: Question| {
+        let mut finder = Finder::new(&picture, &question, Share::WHOLE).expect("a search");
+        finder.try_first([Named { name: "Forked tree".to_owned(), definition: textbook() }]);
+        finder.step(1024);
+        finder.is_same()
+    };
+    let usual = Question::default();
+    for (question, expected) in [
+        (usual.clone(), true),
+        (Question { axiom: Some("X ".to_owned()), angle: Some(25.7), n: Some(5), ..usual.clone() }, true),
+        (Question { draws: Some("F".to_owned()), heading: Some(450.0), ..usual.clone() }, true),
+        (Question { axiom: Some("F".to_owned()), ..usual.clone() }, false),
+        (Question { angle: Some(25.0), ..usual.clone() }, false),
+        (Question { n: Some(4), ..usual.clone() }, false),
+        (Question { heading: Some(0.0), ..usual.clone() }, false),
+        (Question { draws: Some("FX".to_owned()), axiom: Some("X".to_owned()), ..usual }, false),
+    ] {
+        assert_eq!(is_found(question.clone()), expected, "{question:?}");
+    }
+}
+
 /// Curled twigs that the picture does not have are little ink, and agree by more than [`FOUND`].
 #[test]
 fn nearly_the_same_is_not_the_same() {
@@ -231,7 +342,7 @@ fn nearly_the_same_is_not_the_same() {
         let agreement = picture(&[('X', "F[+X][-X]FX"), ('F', "FF")]).agreement(&picture(rules));
         let (axiom, draws) = ("X".to_owned(), "F".to_owned());
         let found = Found { rules: rules.iter().map(|(from, to)| (*from, (*to).to_owned())).collect(), n: 5 };
-        Drawn { axiom, found, draws, angle: 25.7, heading: 90.0, agreement }
+        Drawn { axiom, found, draws, angle: 25.7, heading: 90.0, agreement, named: None }
     };
     for width in [1.5, 3.0] {
         let curled = found(&[('X', "FF[-F+F][-X][+X]FFX"), ('F', "FF")], width);

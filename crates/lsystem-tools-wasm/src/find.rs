@@ -1,7 +1,7 @@
 //! The search for the rules of a picture or a string.
 
 use crate::{from_js, to_js};
-use lsystem_find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, StringFinder, Svg};
+use lsystem_find::{Drawn, FOUND, Finder, Named, Picture, Question, Searched, Share, StringFinder, Svg};
 use lsystem_syntax::Definition;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -25,6 +25,13 @@ impl FindQuestion {
     }
 }
 
+/// A system that is tried before all others, with its name.
+#[derive(Deserialize)]
+pub(crate) struct NamedSystem {
+    name: String,
+    definition: Definition,
+}
+
 /// The result of a search so far.
 #[derive(Serialize, TS)]
 pub(crate) struct FindReport {
@@ -37,9 +44,15 @@ pub(crate) struct FindReport {
 #[serde(rename_all = "camelCase")]
 pub(crate) struct Candidate {
     definition: Definition,
+    /// The name, if it is one of the systems with names that the search was given.
+    name: Option<String>,
+    /// Two candidates with equal keys are the same system.
+    key: String,
     /// The symbols of its rules, with their predecessors.
     symbols: usize,
-    /// From 0 to 1.
+    /// The rank among systems that agree as well, smallest first.
+    rank: usize,
+    /// From 0 to 1; 1 only for the same picture.
     agreement: f64,
     is_found: bool,
 }
@@ -94,7 +107,7 @@ pub struct RuleFinder {
 }
 
 enum Search {
-    Picture(Finder),
+    Picture(Box<Finder>, Arc<Picture>),
     String(StringFinder),
 }
 
@@ -102,7 +115,8 @@ enum Search {
 impl RuleFinder {
     /// A search for the rules of a picture of `width` times `height` levels of grey, row by row from above; 0 is black.
     /// `part` is the index of this search, from 0, among `parts` that run in parallel. `question` is `{axiom, angle,
-    /// heading, n, draws}`.
+    /// heading, n, draws}`. `named` are the systems that are tried first, as `{name, definition}`; all searches are given the
+    /// same ones.
     ///
     /// # Errors
     /// Throws a sentence if this cannot be searched.
@@ -114,11 +128,14 @@ impl RuleFinder {
         question: JsValue,
         part: u32,
         parts: u32,
+        named: JsValue,
     ) -> Result<Self, JsValue> {
         let question = FindQuestion::read(question)?;
+        let named: Vec<NamedSystem> = from_js(named)?;
         let picture = Arc::new(Picture::new(grey, width, height)?);
-        let finder = Finder::new(&picture, &question, Share { index: part.into(), count: parts.max(1).into() })?;
-        Ok(Self { search: Search::Picture(finder) })
+        let mut finder = Finder::new(&picture, &question, Share { index: part.into(), count: parts.max(1).into() })?;
+        finder.try_first(named.into_iter().map(|NamedSystem { name, definition }| Named { name, definition }));
+        Ok(Self { search: Search::Picture(Box::new(finder), picture) })
     }
 
     /// A search for the rules of a string. `question` is as for pictures.
@@ -134,7 +151,7 @@ impl RuleFinder {
     /// Tries about `work` systems, or reads about `work` symbols. Returns whether there is more to search.
     pub fn step(&mut self, work: u32) -> bool {
         let searched = match &mut self.search {
-            Search::Picture(finder) => finder.step(work.into()),
+            Search::Picture(finder, _) => finder.step(work.into()),
             Search::String(finder) => finder.step(work as usize),
         };
         searched == Searched::More
@@ -144,24 +161,40 @@ impl RuleFinder {
     #[must_use]
     pub fn tried(&self) -> f64 {
         match &self.search {
-            Search::Picture(finder) => finder.tried() as f64,
+            Search::Picture(finder, _) => finder.tried() as f64,
             Search::String(_) => 0.0,
         }
     }
 
-    /// The candidates and the extent of the search so far: `{candidates: [{definition, symbols, agreement, isFound}],
-    /// searched}`.
+    /// Where the searched picture and the drawing of a system differ: a code for each pixel of 512 times 512, row by row
+    /// from above: 1 for ink of both, 2 for ink of the picture only, 4 for ink of the system only. Nothing if the search is
+    /// not of a picture, or if the system cannot be laid on it.
+    ///
+    /// # Errors
+    /// Throws only if the definition cannot be translated.
+    pub fn compared(&self, definition: JsValue) -> Result<Option<Vec<u8>>, JsValue> {
+        let definition: Definition = from_js(definition)?;
+        match &self.search {
+            Search::Picture(_, picture) => Ok(picture.compared(&definition)),
+            Search::String(_) => Ok(None),
+        }
+    }
+
+    /// The candidates and the extent of the search so far, as `FindReport`.
     ///
     /// # Errors
     /// Throws only if the result cannot be translated.
     pub fn report(&self) -> Result<JsValue, JsValue> {
         let (found, searched) = match &self.search {
-            Search::Picture(finder) => (finder.found().to_vec(), finder.searched()),
+            Search::Picture(finder, _) => (finder.found().to_vec(), finder.searched()),
             Search::String(finder) => (finder.found(), finder.searched()),
         };
         let candidate = |drawn: &Drawn| Candidate {
             definition: drawn.definition(),
-            symbols: drawn.found.symbols(),
+            name: drawn.named.as_ref().map(|named| named.name.clone()),
+            key: drawn.key(),
+            symbols: drawn.symbols(),
+            rank: drawn.rank(),
             agreement: drawn.agreement,
             is_found: drawn.agreement >= FOUND,
         };

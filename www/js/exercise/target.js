@@ -1,27 +1,12 @@
 /** The picture to find, and its differences from the own drawing. */
 
+import { COLOURS, SIDE } from '../differences.js';
 import { byId, html, input, reducedMotion, setText } from '../dom.js';
 
-/** The side of the compared pictures, in pixels. */
-const SIDE = 512;
 /** A blinking picture changes after this time, in milliseconds. */
 const BLINK = 700;
 /** Larger device pixel ratios do not show. */
 const MAX_RATIO = 2;
-
-/** Ink of both, missing ink, ink that is too much: told apart by the colour-blind. @type {Record<'light' | 'dark', [number, number, number][]>} */
-const COLOURS = {
-    light: [
-        [176, 176, 170],
-        [0, 98, 178],
-        [209, 84, 0],
-    ],
-    dark: [
-        [104, 110, 104],
-        [86, 180, 255],
-        [255, 152, 56],
-    ],
-};
 
 /**
  * @param {{picture: (width: number, height: number, ratio: number) => Promise<Uint8ClampedArray<ArrayBuffer>>}} source

@@ -10,6 +10,7 @@ import { fillExamples, pictureOf } from './examples.js';
 import { pictureIn } from './files.js';
 import markup from './finding.html';
 import { inkShare, inked } from './ink.js';
+import { namedSystems } from './named.js';
 import { readPicture } from './picture.js';
 import { createPreview } from './preview.js';
 import { readQuestion, showQuestion } from './question.js';
@@ -40,6 +41,7 @@ export function createFinding({ store, engine, restyle }) {
     const results = createResults({
         engine,
         restyle,
+        compared: search.compared,
         open({ definition }) {
             stop();
             dialog.close();
@@ -153,7 +155,9 @@ export function createFinding({ store, engine, restyle }) {
             if (inkShare(shown.picture, shown.choice) === 0)
                 throw new Error('Nothing is ink here. Move the threshold.');
             const source = inked(shown.picture, shown.choice);
-            void run((signal) => search.begin(source, question, signal, progress));
+            void run(async (signal) =>
+                search.begin(source, question, signal, progress, { named: await namedSystems() }),
+            );
         } catch (error) {
             problem(sentence(error));
         }

@@ -6,20 +6,15 @@
 /** The most systems that are shown; the engine keeps as many. */
 const MOST = 20;
 
-/** What makes a candidate another system. @param {Candidate} candidate */
-export function keyOf({ definition: { axiom, rules, overrides, angle, heading, iterations } }) {
-    return JSON.stringify([axiom, rules, overrides, angle, heading, iterations]);
-}
-
-/** Whether a candidate draws the same picture: all ink of both agrees. @param {Candidate} candidate */
+/** Whether a candidate draws the same picture: the skeletons agree, and nothing is left over. @param {Candidate} candidate */
 export const isSame = ({ agreement }) => agreement >= 1;
 
-/** The order of candidates: those that draw the picture and then those nearly so by their symbols, others by their agreement. @param {Candidate} a @param {Candidate} b */
+/** The order of candidates: those that draw the picture and then those nearly so by their rank, others by their agreement. @param {Candidate} a @param {Candidate} b */
 function order(a, b) {
     if (a.isFound !== b.isFound) return a.isFound ? -1 : 1;
     if (isSame(a) !== isSame(b)) return isSame(a) ? -1 : 1;
-    const [bySymbols, byAgreement] = [a.symbols - b.symbols, b.agreement - a.agreement];
-    return a.isFound ? bySymbols || byAgreement : byAgreement || bySymbols;
+    const [byRank, byAgreement] = [a.rank - b.rank, b.agreement - a.agreement];
+    return a.isFound ? byRank || byAgreement : byAgreement || byRank;
 }
 
 /**
@@ -32,8 +27,10 @@ export function merged(reports) {
     /** @type {Map<string, Candidate>} */
     const all = new Map();
     for (const candidate of reports.flatMap(({ candidates }) => candidates)) {
-        const other = all.get(keyOf(candidate));
-        if (!other || other.agreement < candidate.agreement) all.set(keyOf(candidate), candidate);
+        const other = all.get(candidate.key);
+        // A name is worth more than the same rules without one.
+        if (!other || (other.name === null && (candidate.name !== null || other.agreement < candidate.agreement)))
+            all.set(candidate.key, candidate);
     }
     const isFound = [...all.values()].some((candidate) => candidate.isFound);
     const candidates = [...all.values()]

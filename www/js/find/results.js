@@ -1,23 +1,28 @@
 /** The systems that a search found, or the closest ones, as cards with small pictures. */
 
 import { html, make, setText } from '../dom.js';
+import { theme } from '../theme.js';
 import { emptyThumb, paintThumb } from '../thumb.js';
-import { isSame, keyOf, percent, verdict } from './merge.js';
+import { SIDE as COMPARED, coloured } from '../differences.js';
+import { isSame, percent, verdict } from './merge.js';
 
 /** @typedef {import('../protocol.js').Candidate} Candidate */
 /** @typedef {import('../protocol.js').FindReport} FindReport */
 
 /** The side of a picture, in CSS pixels. */
 const SIDE = 168;
+/** The margin of differences, in their pixels. */
+const MARGIN = 5;
 const NUMBERS = new Intl.NumberFormat('en');
 
 /**
  * A card of a candidate: its picture, its agreement and its rules, with a button that opens it.
  * @param {Candidate} candidate
- * @param {{engine: import('../engine.js').Engine, restyle: (definition: import('../state.js').Definition) => import('../state.js').Definition, open?: (candidate: Candidate) => void, told?: string}} page
- *   without `open` there is no button; `told` stands for the agreement
+ * @param {{engine: import('../engine.js').Engine, restyle: (definition: import('../state.js').Definition) => import('../state.js').Definition, open?: (candidate: Candidate) => void, told?: string, compared?: (definition: import('../state.js').Definition) => Promise<Uint8Array | null>}} page
+ *   without `open` there is no button; `told` stands for the agreement; with `compared` the differences from the searched
+ *   picture are shown in two colours, if there are any
  */
-export function candidateCard(candidate, { engine, restyle, open, told }) {
+export function candidateCard(candidate, { engine, restyle, open, told, compared }) {
     const { definition, agreement, symbols } = candidate;
     const styled = restyle(definition);
     const picture = emptyThumb();
@@ -44,6 +49,7 @@ export function candidateCard(candidate, { engine, restyle, open, told }) {
                 told ?? percent(agreement),
             ),
         ),
+        candidate.name === null ? '' : make('span', { class: 'find-name' }, `${candidate.name}, in the gallery`),
         make('pre', { class: 'find-rules' }, definition.rules),
         make('span', { class: 'card-kind' }, facts.filter(Boolean).join(' · ')),
     );
@@ -52,9 +58,30 @@ export function candidateCard(candidate, { engine, restyle, open, told }) {
         act.addEventListener('click', () => open(candidate));
         card.append(act);
     }
+    if (compared && told === undefined && !isSame(candidate)) {
+        // Without the differences, the picture of the system stays.
+        compared(definition)
+            .then((codes) => {
+                if (codes) picture.replaceWith(differencesOf(codes));
+            })
+            .catch(() => {});
+    }
     // A picture that cannot be drawn leaves the rules.
     paintThumb(picture, engine, styled, SIDE, () => picture.isConnected).catch(() => {});
     return card;
+}
+
+/** A picture of differences. @param {Uint8Array} codes */
+function differencesOf(codes) {
+    const canvas = make('canvas', { class: 'find-differences', role: 'img', 'aria-label': 'The differences' });
+    // The ink begins in the upper left corner. The same margin on the other sides puts it in the middle.
+    let [right, bottom] = [0, 0];
+    for (const [at, code] of codes.entries())
+        if (code) [right, bottom] = [Math.max(right, at % COMPARED), Math.max(bottom, Math.floor(at / COMPARED))];
+    [canvas.width, canvas.height] = [right + MARGIN, bottom + MARGIN];
+    const pixels = coloured(codes, theme());
+    canvas.getContext('2d')?.putImageData(new ImageData(pixels, COMPARED, COMPARED), 0, 0);
+    return canvas;
 }
 
 /** How much was searched. @param {FindReport} report @param {boolean} isString */
@@ -73,8 +100,8 @@ export function createResults(page) {
             const old = cards;
             cards = new Map(
                 report.candidates.map((candidate) => [
-                    keyOf(candidate),
-                    old.get(keyOf(candidate)) ??
+                    candidate.key,
+                    old.get(candidate.key) ??
                         candidateCard(candidate, isString ? { ...page, told: 'derives it' } : page),
                 ]),
             );
@@ -90,6 +117,7 @@ export function createResults(page) {
                     : verdict(report, isString);
             setText(html('find-verdict'), so);
             html('find-verdict').classList.toggle('found', report.candidates.some(isSame));
+            html('find-legend').hidden = isString || report.candidates.every(isSame);
             setText(html('find-searched'), `Searched${isRunning ? ' so far' : ''}: ${report.searched}.`);
             setText(
                 html('find-advice'),

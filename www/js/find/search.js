@@ -4,11 +4,13 @@
  */
 
 import { SILENT, createTool } from '../tool.js';
-import { merged } from './merge.js';
+import { isSame, merged } from './merge.js';
 
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
 /** @typedef {import('../protocol.js').FindSource} FindSource */
 /** @typedef {import('../protocol.js').FindReport} FindReport */
+/** @typedef {import('../protocol.js').NamedSystem} NamedSystem */
+/** @typedef {import('../state.js').Definition} Definition */
 
 /** The most workers: more than the cores of a small laptop gain little, and each has a memory of its own. */
 const MOST_WORKERS = 4;
@@ -19,6 +21,8 @@ const MOST_WORKERS = 4;
 const WORK = { picture: { first: 65_536, most: 1 << 21 }, string: { first: 1 << 20, most: 1 << 28 } };
 /** The number of systems that a thorough search of a picture tries, whatever it finds. */
 const THOROUGH = 1 << 20;
+/** The rounds after the one in which the same picture was found, for shorter rules; and after the one in which nearly the same was found. */
+const AFTER = { same: 1, near: 3 };
 /** The work of "Search longer", as a multiple of the work so far. */
 const LONGER = 4;
 
@@ -40,7 +44,7 @@ export function createSearch() {
     }
 
     /**
-     * Works until a system is found, and one round more for shorter ones; or until `most`.
+     * Works until a system is found, and some rounds more for better ones; or until `most`.
      * @param {AbortSignal} signal
      * @param {(report: FindReport) => void} progress
      * @returns {Promise<FindReport>}
@@ -52,7 +56,7 @@ export function createSearch() {
             const known = reports.filter((report) => report !== null);
             if (known.length === parts) progress(merged(known));
         };
-        for (let wasFound = false; ; ) {
+        for (let rounds = Infinity; ; ) {
             const until = Math.min(most, Math.max(first, done * 2));
             const answers = await Promise.all(
                 tools.slice(0, parts).map((tool, part) =>
@@ -72,9 +76,10 @@ export function createSearch() {
             answers.forEach((report, part) => (reports[part] = report));
             const report = merged(answers);
             done = until;
-            const isFound = report.candidates.some((candidate) => candidate.isFound);
-            if (!report.isMore || done >= most || (wasFound && !isThorough)) return report;
-            wasFound = isFound;
+            if (!report.isMore || done >= most || (rounds === 0 && !isThorough)) return report;
+            if (report.candidates.some(isSame)) rounds = Math.min(rounds, AFTER.same);
+            else if (report.candidates.some((candidate) => candidate.isFound)) rounds = Math.min(rounds, AFTER.near);
+            rounds--;
             show();
         }
     }
@@ -105,9 +110,9 @@ export function createSearch() {
          * @param {FindQuestion} question
          * @param {AbortSignal} signal
          * @param {(report: FindReport) => void} progress
-         * @param {{thorough?: boolean}} [how] a thorough search does not stop after a find
+         * @param {{thorough?: boolean, named?: NamedSystem[]}} [how] a thorough search does not stop after a find; systems with names are tried first
          */
-        begin: (source, question, signal, progress, { thorough = false } = {}) =>
+        begin: (source, question, signal, progress, { thorough = false, named = [] } = {}) =>
             run(signal, async (signal) => {
                 isThorough = thorough;
                 const isString = 'text' in source;
@@ -119,10 +124,13 @@ export function createSearch() {
                 await Promise.all(
                     tools
                         .slice(0, parts)
-                        .map((tool, part) => tool.call('begin', { source, question, part, parts }, { signal })),
+                        .map((tool, part) => tool.call('begin', { source, question, part, parts, named }, { signal })),
                 );
                 return goOn(signal, progress);
             }),
+
+        /** Where the searched picture and a system differ, or null (js/differences.js). @param {Definition} definition */
+        compared: async (definition) => (await tools[0]?.call('compare', { definition })) ?? null,
 
         /** Draws an SVG; throws a sentence if that is not possible. @param {Uint8Array<ArrayBuffer>} bytes */
         async drawSvg(bytes) {

@@ -18,11 +18,14 @@ const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 /**
  * A picture of the Koch curve F -> F-F++F-F after three steps, as the browser encodes it.
  * @param {Page} page
- * @param {{type?: string, ink?: string, paper?: string, frame?: boolean, scribble?: boolean}} [how]
+ * @param {{type?: string, ink?: string, paper?: string, frame?: boolean, scribble?: boolean, twig?: boolean}} [how]
  */
-async function koch(page, { type = 'image/png', ink = '#000', paper = '#fff', frame = false, scribble = false } = {}) {
+async function koch(
+    page,
+    { type = 'image/png', ink = '#000', paper = '#fff', frame = false, scribble = false, twig = false } = {},
+) {
     const address = await page.evaluate(
-        ({ type, ink, paper, frame, scribble }) => {
+        ({ type, ink, paper, frame, scribble, twig }) => {
             const canvas = document.createElement('canvas');
             [canvas.width, canvas.height] = [700, 320];
             const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
@@ -46,10 +49,15 @@ async function koch(page, { type = 'image/png', ink = '#000', paper = '#fff', fr
             if (scribble)
                 for (let at = 1; at < 14; at++)
                     context.lineTo(350 + 320 * Math.sin(at * at), 160 + 140 * Math.cos(3 * at * at));
+            // A twig that the curve does not have.
+            if (twig) {
+                context.moveTo(350, 240);
+                context.lineTo(350, 220);
+            }
             context.stroke();
             return canvas.toDataURL(type, 0.9);
         },
-        { type, ink, paper, frame, scribble },
+        { type, ink, paper, frame, scribble, twig },
     );
     return Buffer.from(address.split(',')[1] ?? '', 'base64');
 }
@@ -172,6 +180,7 @@ for (const [device, options] of /** @type {const} */ ([
             await page.click('[data-example=hexerode]');
             await found(page);
             assert.match(await text(page, '.find-rules >> nth=0'), /^F -> /);
+            assert.match(await text(page, '.find-name >> nth=0'), /, in the gallery$/);
             // The searched picture stays in sight while the results are read.
             await page.locator('#find-searched').scrollIntoViewIfNeeded();
             const { top, bottom } = await page
@@ -184,6 +193,38 @@ for (const [device, options] of /** @type {const} */ ([
             assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
         }));
 }
+
+test('a picture that is nearly the same is told so, and the differences are shown', () =>
+    withPage({}, async (page) => {
+        await begin(page);
+        await page.setInputFiles('#find-file', {
+            name: 'twig.png',
+            mimeType: 'image/png',
+            buffer: await koch(page, { twig: true }),
+        });
+        await page.waitForSelector('#find-picture:visible');
+        await ask(page, { axiom: 'F', angle: '60', n: '3' });
+        await page.click('#find-start');
+        await page.waitForSelector('.find-differences', { timeout: PATIENCE });
+        await page.click('#find-stop');
+        assert.match(await text(page, '#find-verdict'), /^Nearly the same: 9\d\.\d %$/);
+        assert.ok(await page.isVisible('#find-legend'));
+        // The twig is in the picture only.
+        const colours = await page.locator('.find-differences >> nth=0').evaluate((shown) => {
+            const canvas = /** @type {HTMLCanvasElement} */ (shown);
+            const pixels = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
+            /** @type {Record<string, number>} */
+            const counts = {};
+            for (let at = 0; at < pixels.length; at += 4)
+                if (pixels[at + 3]) {
+                    const colour = [pixels[at], pixels[at + 1], pixels[at + 2]].join();
+                    counts[colour] = (counts[colour] ?? 0) + 1;
+                }
+            return counts;
+        });
+        assert.ok((colours['0,98,178'] ?? 0) > 10, JSON.stringify(colours));
+        assert.ok((colours['176,176,170'] ?? 0) > 500, JSON.stringify(colours));
+    }));
 
 test('the page answers while the search runs, and the search stops at once', () =>
     withPage({}, async (page) => {

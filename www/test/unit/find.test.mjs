@@ -6,6 +6,7 @@ import { answerOf, drawsOf, questionOf } from '../../js/course/others.js';
 import { isPicture } from '../../js/find/files.js';
 import { promisedSize } from '../../js/find/header.js';
 import { LEAST, darkIsLess, greyOf, inkMap, inkShare, inked, isPlain, levelOf, withCorner } from '../../js/find/ink.js';
+import { coloured } from '../../js/differences.js';
 import { merged, percent, systems, verdict } from '../../js/find/merge.js';
 import { workersOn } from '../../js/find/search.js';
 import { DEFAULTS, definitionOf } from '../../js/state.js';
@@ -73,8 +74,11 @@ test('colours become levels of grey', () => {
 /** @param {string} rules @param {number} agreement @param {number} symbols @returns {import('../../js/protocol.js').Candidate} */
 const candidate = (rules, agreement, symbols) => ({
     definition: { ...definitionOf(DEFAULTS), rules },
+    name: null,
+    key: rules,
     agreement,
     symbols,
+    rank: symbols,
     isFound: agreement >= 0.985,
 });
 
@@ -104,6 +108,11 @@ test('what several workers found is one list: the shortest that are found, or th
     const near = { ...slow, candidates: [candidate('F -> F-F', 0.98766, 4), candidate('F -> FF', 0.9999, 3)] };
     assert.equal(verdict(merged([near]), false), 'Nearly the same: 99.9 %');
     assert.equal(verdict({ candidates: [candidate('F -> FF', 0.99999, 3)] }, false), 'Nearly the same: 99.9 %');
+    // A name is worth more than the same rules without one; the rank decides between systems that are the same.
+    const forked = { ...candidate('F -> F+F', 1, 4), name: 'Forked tree', rank: 0 };
+    const usual = { ...candidate('F -> +F+F', 1, 3), rank: 1003 };
+    const parts = [[candidate('F -> F+F', 1, 4), usual], [forked]].map((candidates) => ({ ...slow, candidates }));
+    for (const reports of [parts, [...parts].reverse()]) assert.deepEqual(merged(reports).candidates, [forked, usual]);
     assert.equal(verdict({ candidates: [candidate('A -> AB', 1, 3)] }, true), 'One system derives the string.');
     assert.match(verdict({ candidates: [] }, false), /None of the searched/);
 });
@@ -175,4 +184,13 @@ test('files promise their size before they are decoded', () => {
         ['image/bmp', bytes('BM'), null],
     ]))
         assert.deepEqual(promisedSize(kind, file), size, kind);
+});
+
+test('differences have two colours, and agreement a third one', () => {
+    for (const theme of /** @type {const} */ (['light', 'dark'])) {
+        const pixels = coloured(new Uint8Array([0, 1, 2, 4]), theme);
+        const colours = [0, 1, 2, 3].map((at) => [...pixels.subarray(4 * at, 4 * at + 4)].join());
+        assert.equal(colours[0], '0,0,0,0');
+        assert.equal(new Set(colours).size, 4);
+    }
 });

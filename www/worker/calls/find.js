@@ -20,16 +20,17 @@ function report() {
 
 /** @type {import('../tool.js').CallTable} */
 export const calls = {
-    begin({ source, question, part, parts }) {
+    begin({ source, question, part, parts, named }) {
         search?.finder.free();
         search = null;
         const isString = 'text' in source;
         const finder = isString
             ? wasm_bindgen.RuleFinder.ofString(source.text, question)
-            : wasm_bindgen.RuleFinder.ofPicture(source.grey, source.width, source.height, question, part, parts);
+            : wasm_bindgen.RuleFinder.ofPicture(source.grey, source.width, source.height, question, part, parts, named);
         search = { finder, isString, share: isString ? SHARE.string : SHARE.picture, work: 0, isMore: true };
         return null;
     },
+    compare: ({ definition }) => search?.finder.compared(definition) ?? null,
     svg({ bytes }) {
         const drawn = new wasm_bindgen.DrawnSvg(bytes);
         const { width, height, leftOut } = drawn;

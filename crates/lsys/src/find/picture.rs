@@ -1,19 +1,17 @@
 //! The rules of a picture, searched with all cores.
 
-use super::{Known, MAX_LISTED};
+use super::pixels::grey;
+use super::{Known, MAX_LISTED, gallery};
 use crate::{CommandFailure, cores, print, say};
 use lsystem::files::{SegmentForm, read_segments};
 use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, draw_svg, merged};
 use serde::Serialize;
-use std::io::Cursor;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// The systems that are tried in one step.
 const SHARE: u64 = 4096;
-/// The most pixels of a picture.
-const MAX_PIXELS: u64 = 64_000_000;
 /// The most segments of a file.
 const MAX_SEGMENTS: usize = 1_000_000;
 /// Parts of an SVG that segments do not tell.
@@ -33,6 +31,10 @@ const OTHER: [&str; 11] = [
 /// The systems that all cores together have tried after the first round. Each further round tries as many systems as
 /// all rounds before it.
 const FIRST: u64 = 1 << 16;
+/// The rounds after the one in which a system that is the same was found, for shorter ones; and after the one in which
+/// a system that is nearly the same was found, for one that is the same.
+const AFTER_SAME: u32 = 1;
+const AFTER_NEAR: u32 = 3;
 
 /// The result as JSON.
 #[derive(Serialize)]
@@ -43,6 +45,9 @@ struct Answer {
 
 #[derive(Serialize)]
 struct Candidate {
+    /// The name of a system of the gallery.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gallery: Option<String>,
     axiom: String,
     n: u32,
     angle: f64,
@@ -52,17 +57,6 @@ struct Candidate {
     symbols: usize,
     agreement: f64,
     same: bool,
-}
-
-pub(super) fn is_picture(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"\x89PNG\r\n\x1a\n")
-}
-
-/// The kind of a picture that is not read.
-pub(super) fn other_kind(bytes: &[u8]) -> Option<&'static str> {
-    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
-    let kinds = [("JPEG", bytes.starts_with(b"\xff\xd8\xff")), ("GIF", bytes.starts_with(b"GIF8")), ("WebP", is_webp)];
-    kinds.into_iter().find(|(_, is)| *is).map(|(kind, _)| kind)
 }
 
 /// Finds the rules that draw a picture.
@@ -131,6 +125,7 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     let cores = cores::count() as u64;
     let parts = (0..cores).map(|part| Finder::new(&picture, &question, Share { index: part, count: cores }));
     let mut parts = parts.collect::<Result<Vec<_>, _>>().map_err(said)?;
+    parts.iter_mut().for_each(|part| part.try_first(gallery::systems()));
     search(&mut parts, Duration::from_secs(known.seconds.into()));
     let (mut kept, searched) = merged(&parts.iter().collect::<Vec<_>>());
     let is_found = kept.first().is_some_and(|drawn| drawn.agreement >= FOUND);
@@ -138,13 +133,14 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     print(|out| match json {
         true => {
             let candidates = kept.iter().map(|one| Candidate {
+                gallery: one.named.as_ref().map(|named| named.name.clone()),
                 axiom: one.axiom.clone(),
                 n: one.found.n,
                 angle: one.angle,
                 heading: one.heading,
-                rules: one.found.text().lines().map(str::to_owned).collect(),
+                rules: one.rules().lines().map(str::to_owned).collect(),
                 draws: one.draws.clone(),
-                symbols: one.found.symbols(),
+                symbols: one.symbols(),
                 agreement: (one.agreement * 1e4).floor() / 1e4,
                 same: one.is_same(),
             });
@@ -159,9 +155,12 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
                 Some(_) => writeln!(out, "None draws this picture. The closest:\n")?,
             }
             for one in &kept {
+                if let Some(named) = &one.named {
+                    writeln!(out, "{}, in the gallery:", named.name)?;
+                }
                 let Drawn { axiom, found, draws, angle, heading, .. } = one;
                 let nearly = if one.is_same() { "" } else { "nearly the same: " };
-                let (text, n, symbols) = (found.text(), found.n, found.symbols());
+                let (text, n, symbols) = (one.rules(), found.n, one.symbols());
                 let steps = if n == 1 { "step" } else { "steps" };
                 writeln!(
                     out,
@@ -176,12 +175,12 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     if is_found { Ok(()) } else { Err(CommandFailure::Said) }
 }
 
-/// Searches until a system is found, and one round more for shorter ones. The finders have tried the same systems at
+/// Searches until a system is found, and some rounds more for a better one. The finders have tried the same systems at
 /// the end of a round, so that the result depends on the machine only if the time runs out.
 fn search(finders: &mut [Finder], limit: Duration) {
     let begin = Instant::now();
     let is_over = move || begin.elapsed() >= limit;
-    let (mut until, mut was_found) = (FIRST, false);
+    let (mut until, mut rounds) = (FIRST, None);
     loop {
         let (is_more, workers) = (AtomicBool::new(false), finders.len());
         let queue = Mutex::new(finders.iter_mut());
@@ -191,10 +190,15 @@ fn search(finders: &mut [Finder], limit: Duration) {
                 is_more.fetch_or(go_on(finder, until, is_over), Ordering::Relaxed);
             }
         });
-        if !is_more.into_inner() || was_found || is_over() {
+        if !is_more.into_inner() || rounds == Some(0) || is_over() {
             return;
         }
-        was_found = finders.iter().any(Finder::is_found);
+        let granted = match () {
+            () if finders.iter().any(Finder::is_same) => Some(AFTER_SAME),
+            () if finders.iter().any(Finder::is_found) => Some(AFTER_NEAR),
+            () => None,
+        };
+        rounds = granted.map(|granted| rounds.map_or(granted, |left: u32| left.min(granted)) - 1);
         until *= 2;
     }
 }
@@ -207,30 +211,4 @@ fn go_on(finder: &mut Finder, until: u64, is_over: impl Fn() -> bool) -> bool {
         }
     }
     true
-}
-
-/// The levels of grey of a PNG on white, with its width and height.
-fn grey(bytes: &[u8]) -> Result<(Vec<u8>, usize, usize), String> {
-    let mut decoder = png::Decoder::new(Cursor::new(bytes));
-    decoder.set_transformations(png::Transformations::normalize_to_color8());
-    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    let info = reader.info();
-    let is_small = u64::from(info.width) * u64::from(info.height) <= MAX_PIXELS;
-    let size = reader.output_buffer_size().filter(|_| is_small).ok_or("the picture has more than 64,000,000 pixels")?;
-    let mut pixels = Vec::new();
-    pixels.try_reserve_exact(size).map_err(|_| "not enough memory for the picture")?;
-    pixels.resize(size, 0);
-    let frame = reader.next_frame(&mut pixels).map_err(|error| error.to_string())?;
-    let channels = frame.color_type.samples();
-    let grey = pixels[..frame.buffer_size()].chunks_exact(channels).map(|pixel| {
-        let [red, green, blue, alpha] = match *pixel {
-            [grey] => [grey, grey, grey, 255],
-            [grey, alpha] => [grey, grey, grey, alpha],
-            [red, green, blue] => [red, green, blue, 255],
-            _ => [pixel[0], pixel[1], pixel[2], pixel[3]],
-        };
-        let light = (u32::from(red) * 299 + u32::from(green) * 587 + u32::from(blue) * 114) / 1000;
-        ((light * u32::from(alpha) + 255 * (255 - u32::from(alpha))) / 255) as u8
-    });
-    Ok((grey.collect(), frame.width as usize, frame.height as usize))
 }

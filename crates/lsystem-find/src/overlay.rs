@@ -1,0 +1,102 @@
+//! A drawing laid on a picture: how much of the ink agrees, whether both are the same, and where they differ.
+
+use crate::drawn::FOUND;
+use crate::hull::Fit;
+use crate::picture::Picture;
+use crate::strokes::Strokes;
+use lsystem_base::Limits;
+use lsystem_drawing::{Plane, System, draw};
+use lsystem_syntax::Definition;
+
+pub use lsystem_render::mask::SIDE;
+
+/// The most segments of a drawing that is laid on a picture.
+pub(crate) const MAX_SEGMENTS: u64 = 200_000;
+/// The limits of such a drawing.
+pub(crate) const LIMITS: Limits =
+    Limits { symbols: 2_000_000, modules: 2_000_000, segments: 400_000, work: 4_000_000, memory: 128 << 20 };
+/// The agreement of drawings that are not the same is at most this.
+pub(crate) const NOT_THE_SAME: f64 = 1.0 - f64::EPSILON;
+/// The sides of the box around a drawing differ from that of the picture by at most this many pixels.
+const OTHER_BOX: f64 = 6.0;
+/// The heading of coordinates in the plane: its cosine and its sine.
+const RIGHT: (f64, f64) = (1.0, 0.0);
+
+/// A drawing laid on a picture.
+pub(crate) struct Overlay {
+    strokes: Strokes,
+    fit: Fit,
+    /// As [`judged`].
+    pub(crate) agreement: f64,
+}
+
+impl Overlay {
+    /// The drawing of a system after `n` steps. `None` if it has no strokes, too many of them, or filled shapes, or if its
+    /// box has another shape than that of the picture.
+    pub(crate) fn of(system: &System, n: u32, picture: &Picture) -> Option<Self> {
+        Self::close(system, n, picture, OTHER_BOX)
+    }
+
+    /// As [`Overlay::of`], if the sides of both boxes differ by at most `most` pixels.
+    fn close(system: &System, n: u32, picture: &Picture, most: f64) -> Option<Self> {
+        let drawing = draw::<Plane>(system, n, &LIMITS).ok()?;
+        if system.is_solid() || drawing.polygon_count() > 0 || drawing.segment_count() > u128::from(MAX_SEGMENTS) {
+            return None;
+        }
+        let own = drawing.bounds()?;
+        let ink = picture.bounds();
+        let sides = |[left, low, right, high]: [f64; 4]| [right - left, high - low];
+        let [wide, high] = sides(own);
+        let [ink_wide, ink_high] = sides(ink);
+        let stroke = picture.stroke;
+        let units = [(ink_wide, wide), (ink_high, high)].map(|(ink, own)| (ink - 2.0 * stroke) / own);
+        let by_longer = if wide > high { units[0] } else { units[1] };
+        let off = |ink: f64, own: f64| (ink - 2.0 * stroke - own * by_longer).abs();
+        if !(by_longer > 0.0 && by_longer.is_finite()) || off(ink_wide, wide).max(off(ink_high, high)) > most {
+            return None;
+        }
+        let strokes = Strokes::of_segments(drawing.segments().map(|at| [at.from, at.to]), RIGHT);
+        // A twig that only one of both has may reach further than all else: so the boxes are laid on each other by each
+        // corner, and by their middles.
+        let place = |unit: f64, part: [f64; 2]| {
+            let along = |at: usize| {
+                let of = |low: f64, high: f64| low + (high - low) * part[at];
+                of(ink[at] + stroke, ink[at + 2] - stroke) - unit * of(own[at], own[at + 2])
+            };
+            Fit { unit, x: along(0), y: along(1), stroke }
+        };
+        let parts = [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        let fits = units.into_iter().flat_map(|unit| parts.map(|part| place(unit, part)));
+        let agreement = |fit: &Fit| strokes.mask(RIGHT, *fit).agreement(&picture.mask);
+        let usable = fits.filter(|fit| fit.unit > 0.0 && fit.unit.is_finite());
+        let (_, fit) = usable.map(|fit| (agreement(&fit), fit)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let (agreement, fit) = judged(&strokes, RIGHT, picture, fit);
+        Some(Self { strokes, fit, agreement })
+    }
+
+    /// The work of the overlay, in systems that are unlike the picture.
+    pub(crate) fn work(&self, picture: &Picture) -> u64 {
+        self.strokes.work(self.fit) + picture.sheet.work()
+    }
+}
+
+impl Picture {
+    /// Where the picture and the drawing of a system differ: a code for each pixel of [`SIDE`] times [`SIDE`], row by row
+    /// from above: 1 for ink of both, 2 for ink of the picture only, 4 for ink of the system only, 0 for none. `None` if the
+    /// system cannot be laid on the picture.
+    #[must_use]
+    pub fn compared(&self, definition: &Definition) -> Option<Vec<u8>> {
+        let system = System::new(definition).0?;
+        let overlay = Overlay::close(&system, definition.iterations, self, f64::INFINITY)?;
+        Some(overlay.strokes.mask(RIGHT, overlay.fit).compared(&self.mask))
+    }
+}
+
+/// The part of the ink of strokes and of a picture that agrees, from 0 to 1, with the best of the fits near this one, and
+/// that fit. It is 1 only if both are the same: the skeletons agree within a stroke width in both directions and nothing
+/// is left over, at the picture's own resolution. `first` is the cosine and the sine of the first heading.
+pub(crate) fn judged(strokes: &Strokes, first: (f64, f64), picture: &Picture, fit: Fit) -> (f64, Fit) {
+    let (agreement, fit) = strokes.fitted(first, picture, fit);
+    let is_same = agreement >= FOUND && picture.sheet.agrees(strokes.in_pixels(first, fit));
+    (if is_same { 1.0 } else { agreement.min(NOT_THE_SAME) }, fit)
+}
