@@ -48,11 +48,10 @@ const notMade = (reason) => ({
  * @param {ReturnType<typeof import('./choices.js').rememberedChoices>} page.remembered
  * @param {ReturnType<typeof import('./exports.js').createExports>} page.exports
  * @param {ReturnType<typeof import('./save-file.js').createSaveFile>} page.files
- * @param {{readonly space: boolean}} page.stage
  * @param {() => import('../protocol.js').Canvas} page.canvas
  * @param {readonly import('./choices.js').CustomRow[]} page.custom
  */
-export function createSaveDialog({ store, stage, remembered, exports, files, canvas, custom }) {
+export function createSaveDialog({ store, remembered, exports, files, canvas, custom }) {
     addElements(markup, [styles]);
     const dialog = byId('save-dialog', HTMLDialogElement);
     const save = button('save-now');
@@ -177,10 +176,7 @@ export function createSaveDialog({ store, stage, remembered, exports, files, can
     /** Takes a picture of pixels where strokes lose what the drawing shows. */
     function advise() {
         advised.clear();
-        if (
-            store.state.ink === 'density' &&
-            isStrokes(rowOf({ ...choices, purpose: 'screen' }, groups).name)
-        )
+        if (store.state.ink === 'density' && isStrokes(rowOf({ ...choices, purpose: 'screen' }, groups).name))
             advised.set('screen', { name: 'png', why: 'PNG, because files of strokes lose the glow of additive ink.' });
     }
 

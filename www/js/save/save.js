@@ -26,7 +26,7 @@ export function createSave({ store, engine, storage, stage, open }) {
     const remembered = rememberedChoices(storage, custom);
     const exports = createExports();
     const files = createSaveFile({ store, engine, exports, canvas });
-    const dialog = createSaveDialog({ store, stage, remembered, exports, files, canvas, custom });
+    const dialog = createSaveDialog({ store, remembered, exports, files, canvas, custom });
 
     return {
         open: dialog.open,

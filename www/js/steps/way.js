@@ -15,7 +15,8 @@ const PAUSE = 260;
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** A symbol with the number of its arguments. @param {string} module */
-const kindOf = (module) => `${/^\?[A-Z]\(/.exec(module)?.[0] ?? [...module][0] ?? ''}${/\(.+\)$/s.test(module) ? module.split(',').length : 0}`;
+const kindOf = (module) =>
+    `${/^\?[A-Z]\(/.exec(module)?.[0] ?? [...module][0] ?? ''}${/\(.+\)$/s.test(module) ? module.split(',').length : 0}`;
 
 /** Right and up of the picture of a drawing in space: a little from the right and from above. */
 const [TURNED, RAISED] = [(25 * Math.PI) / 180, (12 * Math.PI) / 180];
