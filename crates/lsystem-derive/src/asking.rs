@@ -2,12 +2,12 @@
 //! answers replace the arguments of the query modules.
 
 use crate::rewriting::{Fault, Rewriter};
-use core::fmt::Debug;
+use core::fmt;
 use lsystem_base::Meter;
 use std::sync::Arc;
 
 /// Starts interpretations of the words of one system.
-pub trait Interpret: Debug + Send + Sync {
+pub trait Interpret: Send + Sync {
     /// Starts the interpretation of the rewriter's word.
     fn start(&self, rewriter: &Rewriter) -> Box<dyn Interpretation>;
 
@@ -16,7 +16,7 @@ pub trait Interpret: Debug + Send + Sync {
 }
 
 /// The interpretation of one word.
-pub trait Interpretation: Debug + Send + Sync {
+pub trait Interpretation: Send + Sync {
     /// Goes on until the meter is spent. Returns whether the word is at its end. Adds the answers in the order of the
     /// word's query modules.
     ///
@@ -26,9 +26,6 @@ pub trait Interpretation: Debug + Send + Sync {
 
     /// The bytes of its memory.
     fn bytes(&self) -> u64;
-
-    /// A copy in the same state.
-    fn copy(&self) -> Box<dyn Interpretation>;
 }
 
 /// The answer to one query module.
@@ -44,8 +41,14 @@ pub struct Answer {
 
 /// The interpreter of a system that has query modules. It follows from the system's turtle, so two interpreters of equal
 /// rules count as equal.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Interpreter(pub Arc<dyn Interpret>);
+
+impl fmt::Debug for Interpreter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Interpreter")
+    }
+}
 
 impl PartialEq for Interpreter {
     fn eq(&self, _: &Self) -> bool {
@@ -54,15 +57,24 @@ impl PartialEq for Interpreter {
 }
 
 /// An interpretation under way, with its answers so far.
-#[derive(Debug)]
 pub(crate) struct Asking {
     interpretation: Box<dyn Interpretation>,
     answers: Vec<Answer>,
 }
 
-impl Clone for Asking {
+impl fmt::Debug for Asking {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Asking")
+    }
+}
+
+/// The interpretation of a rewriter's word, while there is one. A copy of the rewriter begins it again.
+#[derive(Debug, Default)]
+pub(crate) struct AskingSlot(pub(crate) Option<Box<Asking>>);
+
+impl Clone for AskingSlot {
     fn clone(&self) -> Self {
-        Self { interpretation: self.interpretation.copy(), answers: self.answers.clone() }
+        Self(None)
     }
 }
 

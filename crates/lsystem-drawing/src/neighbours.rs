@@ -1,6 +1,7 @@
 //! The surroundings of points in space: how many others are near, and how much of the sky's light reaches a point.
 
 use crate::room::bytes_of;
+use lsystem_base::sorted::sort;
 use lsystem_base::{Meter, Progress};
 
 /// A point, and the number that its module gives with the question: a radius or the side of a cube.
@@ -22,7 +23,7 @@ const POINTS_PER_UNIT: usize = 8;
 const CELLS_PER_UNIT: usize = 64;
 
 /// The number of other sites nearer than each site's radius, up to [`Crowd::MOST`].
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Crowd {
     sites: Vec<Site>,
     /// The side of a cell: the largest radius.
@@ -48,7 +49,7 @@ impl Crowd {
             let sizes = self.sites.iter().map(|site| site.size).filter(|size| size.is_finite());
             self.side = sizes.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
             self.cells = self.sites.iter().zip(0..).map(|(site, number)| (self.cell(site.at), number)).collect();
-            self.cells.sort_unstable();
+            sort(&mut self.cells);
             meter.charge((self.sites.len() / POINTS_PER_UNIT) as u64);
             self.counts.reserve_exact(self.sites.len());
         }
@@ -104,7 +105,7 @@ impl Crowd {
 /// The light of the sky at each site, 0 to 1, after Palubicki et al. 2009, "Self-organizing tree models for image
 /// synthesis", section 4.1: each site casts a shadow into the cubes below it. The shadow is a pyramid; it is
 /// [`SHADE`] in the site's own cube and [`FADING`] times as strong in each layer below.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Sky {
     sites: Vec<Site>,
     grid: Grid,
@@ -126,7 +127,7 @@ const LAYERS: usize = 8;
 const MOST_CUBES: f64 = (1 << 22) as f64;
 
 /// Cubes around all sites.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 struct Grid {
     /// The least coordinates.
     low: [f64; 3],

@@ -9,7 +9,7 @@ use super::context::{ContextRole, Neighbours, roles};
 use super::modules::{Modules, NotFinite};
 use super::room::held;
 use super::table::{Sides, Table};
-use crate::asking::Asking;
+use crate::asking::{Asking, AskingSlot};
 use crate::rules::{Rule, Rules};
 use core::ops::Range;
 use lsystem_base::{LimitName, Limits, Meter};
@@ -42,7 +42,7 @@ pub struct Rewriter {
     /// The records of the present step, if steps are recorded.
     record: Option<Record>,
     /// The interpretation of the word, while its queries are answered.
-    asking: Option<Box<Asking>>,
+    asking: AskingSlot,
 }
 
 #[derive(Clone, Debug)]
@@ -154,7 +154,7 @@ impl Rewriter {
             work: 0,
             spent: 0,
             record: None,
-            asking: None,
+            asking: AskingSlot::default(),
         };
         if let Some(interpreter) = new.plan.rules.interpreter.clone() {
             if interpreter.0.needs_keys() {
@@ -169,7 +169,7 @@ impl Rewriter {
     /// Goes on answering the queries of the word. Returns whether all are answered.
     fn ask(&mut self, meter: &mut Meter) -> Result<bool, Fault> {
         let Some(interpreter) = &self.plan.rules.interpreter else { return Ok(true) };
-        let mut asking = match self.asking.take() {
+        let mut asking = match self.asking.0.take() {
             Some(asking) => asking,
             None => Box::new(Asking::new(interpreter, self)),
         };
@@ -178,7 +178,7 @@ impl Rewriter {
         if done {
             asking.fill(&mut self.word.arguments);
         } else {
-            self.asking = Some(asking);
+            self.asking.0 = Some(asking);
         }
         Ok(done)
     }
@@ -391,7 +391,7 @@ impl Rewriter {
 
     /// The bytes of all memory except the next generation's.
     fn others(&self) -> u64 {
-        let asking = self.asking.as_ref().map_or(0, |asking| asking.bytes());
+        let asking = self.asking.0.as_ref().map_or(0, |asking| asking.bytes());
         others(&self.word, &self.neighbours, &self.sides, self.record.as_ref()) + asking
     }
 

@@ -13,7 +13,6 @@ use lsystem_syntax::Query;
 
 /// Answers the queries of a system with this turtle. Growth and sway of the last generation do not count: they would
 /// change what earlier generations have decided.
-#[derive(Debug)]
 pub(crate) struct TurtleInterpreter {
     turtle: Turtle,
 }
@@ -44,20 +43,17 @@ impl Interpret for TurtleInterpreter {
     }
 }
 
-#[derive(Clone, Debug)]
 struct TurtleInterpretation {
     task: Task<Solid>,
     stage: Stage,
 }
 
-#[derive(Clone, Debug)]
 enum Stage {
     Walk(Box<Walk>),
     /// Counts neighbours, then light. The arguments of the modules that ask are in the order of the sites.
     Look(Box<Look>),
 }
 
-#[derive(Clone, Debug)]
 struct Look {
     crowd: Crowd,
     sky: Sky,
@@ -65,7 +61,6 @@ struct Look {
 }
 
 /// The turtle on its way.
-#[derive(Clone, Debug)]
 struct Walk {
     reader: TurtleOpReader<Solid>,
     pen: Pen<Solid>,
@@ -113,10 +108,6 @@ impl Interpretation for TurtleInterpretation {
             }
             Stage::Look(look) => look.crowd.bytes() + look.sky.bytes() + waiting(&look.waiting),
         }
-    }
-
-    fn copy(&self) -> Box<dyn Interpretation> {
-        Box::new(self.clone())
     }
 }
 
