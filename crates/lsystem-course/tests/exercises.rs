@@ -240,7 +240,7 @@ fn other_things_can_be_asked() {
     let wrong = mark(&doubling, "A -> AB\nB -> B");
     assert!(
         !wrong.is_solved
-            && wrong.words.contains("The first 2 symbols agree. Your string has 7 symbols, the target 21."),
+            && wrong.words.contains("The first 2 symbols agree. Length of your string: 7; of the target: 21."),
         "{wrong:?}"
     );
     let many = Exercise { asks: Asks::Segments, ..exercise(&system("F", "F -> F+F--F+F", 60.0, 3)) };

@@ -157,14 +157,14 @@ impl Drawn {
 }
 
 /// Adds a system to those that are kept, best first.
-pub(crate) fn keep(kept: &mut Vec<Drawn>, drawn: Drawn) {
+pub(crate) fn keep(kept: &mut Vec<Drawn>, mut drawn: Drawn) {
     let key = drawn.key();
     if let Some(at) = kept.iter().position(|other| other.key() == key) {
-        // A name is worth more than the same rules without one.
-        if kept[at].named.is_some() || drawn.named.is_none() {
-            return;
-        }
-        kept.remove(at);
+        // A search may place the same rules more exactly. The name stays with them.
+        let other = kept.remove(at);
+        let name = other.named.clone().or_else(|| drawn.named.clone());
+        let is_better = drawn.agreement > other.agreement;
+        drawn = Drawn { named: name, ..if is_better { drawn } else { other } };
     }
     kept.push(drawn);
     let best = kept.iter().map(|drawn| drawn.agreement).fold(0.0, f64::max);
