@@ -43,6 +43,9 @@ const ANSWERS = {
     'late-fern': { rules: 'A -> F[+B][-B]A\nB -> C\nC -> A' },
     'random-weed': { rules: 'F -> F[+F]F : 1\nF -> F[+F]F[-F]F : 1' },
     signal: { rules: 'B < A -> B\nB -> A' },
+    'trim-hedge': {
+        rules: 'shape hedge = box(-3, 0, -1, 3, 4, 1)\n?P(x,y) < A : inside(hedge, x, y) -> F[+?P(0,0)A][-?P(0,0)A]?P(0,0)A',
+    },
 };
 
 for (const [name, options] of /** @type {const} */ ([
@@ -52,7 +55,7 @@ for (const [name, options] of /** @type {const} */ ([
     test(`every exercise of the gallery can be solved on ${name}`, () =>
         withPage({ address: ADDRESS, hash: linkOf('left-plant'), options }, async (page) => {
             const listed = EXERCISES.filter(({ shelf }) => shelf !== 'lesson');
-            assert.equal(listed.length, 15);
+            assert.equal(listed.length, 16);
             for (const { id, title } of name === 'a phone' ? listed.slice(0, 4) : listed) {
                 const answer = ANSWERS[id] ?? assert.fail(id);
                 await page.goto('about:blank');
