@@ -31,6 +31,7 @@ test('shelves say what one sees, the simple systems first', () =>
             'Tilings',
             'Stars',
             'In space',
+            'Plants that look around',
             'By chance',
             'Signals',
             'Books and courses',

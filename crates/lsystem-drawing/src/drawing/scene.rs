@@ -16,7 +16,7 @@ impl SceneSize {
     /// The most links, strokes and triangles of a node.
     pub const WIDTH: usize = 16;
     /// The most bytes of a node.
-    pub const NODE: usize = 536;
+    pub const NODE: usize = 512;
     /// The bytes of a sample of a node's strokes.
     pub const SAMPLE: usize = 56;
     /// The bytes of a mean colour.

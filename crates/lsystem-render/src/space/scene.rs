@@ -32,6 +32,8 @@ pub(super) struct Scene {
     kept: usize,
     /// By node, then by the colour at its entry: the mean colour of its strokes.
     means: Vec<[f32; 3]>,
+    /// By node, for additive ink: the length of all strokes, and the area of all triangles, without a limit.
+    wholes: Vec<[Amount; 2]>,
     /// The number of colours at a node's entry that `means` distinguishes.
     entries: u32,
     /// The picture's inks.
@@ -81,8 +83,6 @@ pub(super) struct Summary {
     radius: f64,
     /// The length of all strokes and of the longest sides of triangles.
     pub(super) length: f32,
-    /// The length of all strokes, and the area of all triangles: without a limit.
-    pub(super) whole: [Amount; 2],
     /// The area of all triangles.
     area: f32,
     pub(super) bundle: Bundle,
@@ -365,6 +365,7 @@ impl Scene {
         self.lines.truncate(lines);
         self.samples.truncate(nodes * self.kept);
         self.means.truncate(nodes * self.entries as usize);
+        self.wholes.truncate(nodes);
         self.root = drawing.root.and_then(|root| self.blocks.get(root.0 as usize).copied().flatten());
         self.one = Amount::ONE.of(self.count(self.root));
         self.shown = Stretch { from: 0.0, size: 1.0 };

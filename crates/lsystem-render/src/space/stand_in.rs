@@ -5,7 +5,7 @@ use super::open_node::{Entry, OpenNode};
 use super::painter::TilePainter;
 use super::path::Stretch;
 use super::place::Place;
-use super::scene::{SampleStroke, Scene, SceneNode, Summary};
+use super::scene::{SampleStroke, Scene, SceneNode};
 use super::setup::Setup;
 use super::stroke::{Dot, span};
 use super::tile::ScreenTile;
@@ -73,7 +73,8 @@ pub(super) fn dot(
 /// An upper bound of a picture's ink, as an amount in layers times samples.
 pub(super) fn most(scene: &Scene, setup: &Setup) -> Amount {
     let Some(root) = scene.root else { return Amount::default() };
-    let Summary { whole: [length, area], widest, .. } = scene.nodes[root as usize].summary;
+    let widest = scene.nodes[root as usize].summary.widest;
+    let [length, area] = scene.whole_of(root);
     let scale = Place::root(&setup.lens).scale / NEAR;
     let width = (setup.widths.widest(widest) * setup.lens.step / NEAR).max(2.0 * setup.hairline);
     length.times(scale).times(width).plus(area.times(scale).times(scale))
@@ -82,7 +83,7 @@ pub(super) fn most(scene: &Scene, setup: &Setup) -> Amount {
 /// The ink of the content `lane` of the open `node`, as an amount in layers times samples.
 pub(super) fn amount(scene: &Scene, open: &OpenNode, (node, lane): (&SceneNode, usize), disc: Disc) -> Amount {
     let link = &scene.links[node.first_link as usize + lane];
-    let [length, area] = scene.nodes[link.node as usize].summary.whole;
+    let [length, area] = scene.whole_of(link.node);
     let scale = open.place.inside(link).scale * disc.factor;
     let view = open.towards[1];
     // The mean of a stick's length as it is seen.
@@ -96,12 +97,12 @@ pub(super) fn amount(scene: &Scene, open: &OpenNode, (node, lane): (&SceneNode, 
 #[inline(always)]
 pub(super) fn main_line(painter: &mut TilePainter, scene: &Scene, setup: &Setup, id: u32, entry: Entry) -> i64 {
     let Entry { place, shade, path, widths, .. } = entry;
-    let Summary { main_line, whole, .. } = &scene.nodes[id as usize].summary;
+    let main_line = &scene.nodes[id as usize].summary.main_line;
     let ink = scene.mean(id, shade, path);
     let parts = main_line.parts(widths);
     if painter.additive.is_some() {
         let length = norm(minus(main_line.to, main_line.from));
-        let times = if length > 0.0 { whole[0].times(1.0 / length) } else { Amount::ONE };
+        let times = if length > 0.0 { scene.whole_of(id)[0].times(1.0 / length) } else { Amount::ONE };
         return parts
             .map(|(ends, widths)| painter.strokes(setup, ends.map(|end| place.point(end)), widths, times, ink))
             .sum();
@@ -120,7 +121,8 @@ pub(super) fn samples(painter: &mut TilePainter, scene: &Scene, setup: &Setup, i
     let all = scene.samples(id);
     if painter.additive.is_some() {
         // All of them in any view, so that nothing flickers while the camera moves.
-        let times = own.whole[0].times(1.0 / (f64::from(own.sampled) * all.len() as f64).max(f64::MIN_POSITIVE));
+        let times =
+            scene.whole_of(id)[0].times(1.0 / (f64::from(own.sampled) * all.len() as f64).max(f64::MIN_POSITIVE));
         let stroke = |sample: &SampleStroke| {
             let ends = [sample.from, sample.to].map(|end| place.point(end.map(f64::from)));
             let style = sample.style();

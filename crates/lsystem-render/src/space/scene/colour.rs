@@ -30,6 +30,14 @@ impl Scene {
             self.means.clear();
             self.means.reserve_exact(self.nodes.len() * self.entries as usize);
         }
+        while additive && self.wholes.len() < self.nodes.len() {
+            if meter.is_spent() {
+                return Progress::More;
+            }
+            let node = &self.nodes[self.wholes.len()];
+            meter.charge(1 + u64::from(node.links + node.lines) / 4);
+            self.wholes.push(self.summed(node));
+        }
         let known = self.means.len() / self.entries.max(1) as usize;
         for node in self.nodes.get(known..).unwrap_or_default().iter().filter(|_| self.entries > 0) {
             if meter.is_spent() {
@@ -61,6 +69,28 @@ impl Scene {
             }
         }
         Progress::Done
+    }
+
+    /// The length of a node's strokes and the area of its triangles. Those of the nodes inside are known.
+    fn summed(&self, node: &SceneNode) -> [Amount; 2] {
+        let mut whole = [Amount::default(); 2];
+        for link in &self.links[node.first_link as usize..][..usize::from(node.links)] {
+            let scale = if link.same { 1.0 } else { norm(link.axes[0]) };
+            let [length, area] = self.whole_of(link.node);
+            whole = [whole[0].plus(length.times(scale)), whole[1].plus(area.times(scale).times(scale))];
+        }
+        for line in &self.lines[node.first_line as usize..][..usize::from(node.lines)] {
+            match line.corner {
+                Some(_) => whole[1] = whole[1].plus(Amount::new(line.area().into())),
+                None => whole[0] = whole[0].plus(Amount::new(norm(line.way()))),
+            }
+        }
+        whole
+    }
+
+    /// The length of a node's strokes and the area of its triangles, for additive ink.
+    pub(in crate::space) fn whole_of(&self, node: u32) -> [Amount; 2] {
+        self.wholes.get(node as usize).copied().unwrap_or_default()
     }
 
     /// The only ink of a picture; `None` if there may be several.

@@ -27,10 +27,6 @@ impl Scene {
         self.set_path(&mut run);
         let mut balls = [[0.0; WIDTH]; 4];
         let mut widest = WidthChange { factor: 0.0, offset: 0.0 };
-        let mut whole = [Amount::default(); 2];
-        let mut add = |[length, area]: [Amount; 2], scale: f64| {
-            whole = [whole[0].plus(length.times(scale)), whole[1].plus(area.times(scale).times(scale))];
-        };
         let (mut length, mut area, mut bundle) = (0.0_f32, 0.0_f32, Bundle::default());
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         let mut main_lines: Vec<MainLine> = Vec::with_capacity(WIDTH);
@@ -50,7 +46,6 @@ impl Scene {
             put(lane, [link.at[0] + x, link.at[1] + y, link.at[2] + z], own.radius * scale);
             main_lines.push(self.main_line_of(link, &own.main_line));
             widest = widest.widest(link.widest);
-            add(own.whole, scale);
             length += link.length;
             area += link.area;
             bundle.add(&link.bundle, link.length);
@@ -72,10 +67,8 @@ impl Scene {
                 put(run.links.len() + lane, centre, norm(half).max(norm(minus(corner, centre))));
                 main_line.reach = distance(&main_line, corner);
                 area += line.area();
-                add([Amount::default(), Amount::new(line.area().into())], 1.0);
             } else {
                 put(run.links.len() + lane, centre, norm(half));
-                add([Amount::new(2.0 * norm(half)), Amount::default()], 1.0);
                 widest = widest.widest(main_line.style.width);
             }
             main_lines.push(main_line);
@@ -100,7 +93,7 @@ impl Scene {
         let need = (needs.sum::<f32>() + contents as f32).min(MOST_NEED);
         let sampled = self.sample(&run, length);
         let summary =
-            Summary { centre, radius, length, whole, area, bundle, widest, main_line, need, sampled, count: run.count };
+            Summary { centre, radius, length, area, bundle, widest, main_line, need, sampled, count: run.count };
         self.nodes.push(SceneNode {
             balls,
             first_link: self.links.len() as u32,
