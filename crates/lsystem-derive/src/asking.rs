@@ -24,6 +24,9 @@ pub trait Interpretation: Send + Sync {
     /// As [`Rewriter::image`].
     fn step(&mut self, rewriter: &Rewriter, answers: &mut Vec<Answer>, meter: &mut Meter) -> Result<bool, Fault>;
 
+    /// The work beyond the walk so far, in modules: it counts towards the limit of the derivation.
+    fn work(&self) -> u64;
+
     /// The bytes of its memory.
     fn bytes(&self) -> u64;
 }
@@ -96,6 +99,11 @@ impl Asking {
                 *place = *value;
             }
         }
+    }
+
+    /// As [`Interpretation::work`].
+    pub(crate) fn work(&self) -> u64 {
+        self.interpretation.work()
     }
 
     /// The bytes of its memory.

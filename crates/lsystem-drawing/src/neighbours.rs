@@ -19,6 +19,8 @@ fn distance_2(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// Points in a unit of work, where each is only put into its cell.
 const POINTS_PER_UNIT: usize = 8;
+/// Sites looked at in a unit of work.
+const LOOKS_PER_UNIT: u64 = 16;
 /// Cells in a unit of work.
 const CELLS_PER_UNIT: usize = 64;
 
@@ -32,6 +34,8 @@ pub(crate) struct Crowd {
     cells: Vec<([i64; 3], u32)>,
     /// By site.
     counts: Vec<u32>,
+    /// The number of sites looked at.
+    looked: u64,
 }
 
 impl Crowd {
@@ -58,8 +62,9 @@ impl Crowd {
                 return Progress::More;
             }
             let (count, looked) = self.near(site, self.counts.len() as u32);
-            meter.charge(1 + looked / 16);
+            meter.charge(1 + looked / LOOKS_PER_UNIT);
             self.counts.push(count);
+            self.looked += looked;
         }
         Progress::Done
     }
@@ -95,6 +100,11 @@ impl Crowd {
     /// By site.
     pub(crate) fn counts(&self) -> &[u32] {
         &self.counts
+    }
+
+    /// The units of work so far.
+    pub(crate) fn work(&self) -> u64 {
+        self.looked / LOOKS_PER_UNIT
     }
 
     pub(crate) fn bytes(&self) -> u64 {

@@ -195,3 +195,14 @@ fn what_is_printed_reads_back() {
     assert_eq!(again, grammar, "{}", print_rules(&grammar));
     assert!(print_rules(&grammar).contains("?P(x, y, z)"));
 }
+
+#[test]
+fn questions_have_bounded_work() {
+    use lsystem::base::LimitName;
+    use lsystem::syntax::Kind;
+    // One module asks far around, so that all the others look at each other, and none is near enough to be counted.
+    let own = definition("?C(0,100000)A", "A -> AA?C(0,0.000001)f(0.001)", 90.0);
+    let limits = Limits { work: 200_000, ..Limits::default() };
+    let error = expand(&system(&own), 14, &limits).unwrap_err();
+    assert!(matches!(error.kind, Kind::Limit { limit: LimitName::Work, .. }), "{error:?}");
+}

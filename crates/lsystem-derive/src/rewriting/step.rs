@@ -175,7 +175,11 @@ impl Rewriter {
         };
         let done = asking.step(self, meter)?;
         self.afford(self.next.bytes() + asking.bytes())?;
+        if self.work.saturating_add(asking.work()) > self.plan.limits.work {
+            return Err(Fault::Limit(LimitName::Work));
+        }
         if done {
+            self.work += asking.work();
             asking.fill(&mut self.word.arguments);
         } else {
             self.asking.0 = Some(asking);

@@ -100,6 +100,13 @@ impl Interpretation for TurtleInterpretation {
         }
     }
 
+    fn work(&self) -> u64 {
+        match &self.stage {
+            Stage::Walk(_) => 0,
+            Stage::Look(look) => look.crowd.work(),
+        }
+    }
+
     fn bytes(&self) -> u64 {
         let waiting = |lists: &[Vec<usize>; 2]| lists.iter().map(bytes_of).sum::<u64>();
         match &self.stage {
