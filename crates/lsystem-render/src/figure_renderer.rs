@@ -201,14 +201,14 @@ fn parts(picture: &PictureOptions, is_solid: bool) -> Vec<(Pane, Pass)> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use lsystem_base::{Limits, MAX_PALETTE};
     use lsystem_drawing::{System, draw};
     use lsystem_syntax::{Colour, Definition};
 
     /// All rows of a picture.
-    fn paint(renderer: &mut FigureRenderer, picture: PictureOptions) -> Vec<u8> {
+    pub(crate) fn paint(renderer: &mut FigureRenderer, picture: PictureOptions) -> Vec<u8> {
         renderer.begin(picture);
         let mut pixels = vec![];
         loop {

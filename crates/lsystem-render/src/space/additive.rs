@@ -32,8 +32,6 @@ pub(super) struct Additive {
     grid: Option<Grid>,
     planes: usize,
     size: [usize; 2],
-    /// The greatest amount of ink that the picture can have, in layers times pixels.
-    most: Amount,
     empty: bool,
     pass: Pass,
     /// The pigment of a picture in one ink.
@@ -78,8 +76,7 @@ impl Additive {
         if self.sheet.empty(self.size, self.planes, meter) == Progress::More {
             return Progress::More;
         }
-        self.most = most();
-        self.sheet.exponent = self.most.exponent().map_or(0, |exponent| (exponent - LARGEST_EXPONENT).max(0));
+        self.sheet.exponent = most().exponent().map_or(0, |exponent| (exponent - LARGEST_EXPONENT).max(0));
         self.empty = true;
         Progress::Done
     }

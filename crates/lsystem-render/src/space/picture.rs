@@ -348,9 +348,10 @@ impl Picture {
             open.spare += (share - 1.0).clamp(0.0, UNLIMITED);
             self.painter.stats.stamps += 1;
             let clear = 1.0 - setup.light.spot(open.place.point(node.centre(lane))).haze;
-            let amount = stand_in::amount(scene, open, (node, lane), disc).times(clear.into());
+            let place = open.place.inside(link);
+            let amount = stand_in::amount(scene, (open, link), place.scale, disc).times(clear.into());
             let MainLine { from, to, .. } = inner.summary.main_line;
-            let [x, y, _] = combine(&open.place.inside(link).axes, minus(to, from));
+            let [x, y, _] = combine(&place.axes, minus(to, from));
             return additive.dot(
                 disc.at,
                 (2.0 * f64::from(stroke), [x, y]),

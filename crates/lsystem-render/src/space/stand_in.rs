@@ -5,7 +5,7 @@ use super::open_node::{Entry, OpenNode};
 use super::painter::TilePainter;
 use super::path::Stretch;
 use super::place::Place;
-use super::scene::{SampleStroke, Scene, SceneNode};
+use super::scene::{Link, SampleStroke, Scene, SceneNode};
 use super::setup::Setup;
 use super::stroke::{Dot, span};
 use super::tile::ScreenTile;
@@ -80,11 +80,10 @@ pub(super) fn most(scene: &Scene, setup: &Setup) -> Amount {
     length.times(scale).times(width).plus(area.times(scale).times(scale))
 }
 
-/// The ink of the content `lane` of the open `node`, as an amount in layers times samples.
-pub(super) fn amount(scene: &Scene, open: &OpenNode, (node, lane): (&SceneNode, usize), disc: Disc) -> Amount {
-    let link = &scene.links[node.first_link as usize + lane];
+/// The ink of a link of an open node, whose unit has this `scale` in samples, as an amount in layers times samples.
+pub(super) fn amount(scene: &Scene, (open, link): (&OpenNode, &Link), scale: f64, disc: Disc) -> Amount {
     let [length, area] = scene.whole_of(link.node);
-    let scale = open.place.inside(link).scale * disc.factor;
+    let scale = scale * disc.factor;
     let view = open.towards[1];
     // The mean of a stick's length as it is seen.
     let seen = f64::from((1.0 - link.bundle.along(view)).max(0.0)).sqrt();

@@ -1,7 +1,8 @@
 use super::camera::Lens;
 use super::light::LIGHT;
 use super::*;
-use crate::{FigureRenderer, Painted, PictureOptions, Vantage, fitted_ends, fitted_scale};
+use crate::figure_renderer::tests::paint;
+use crate::{FigureRenderer, PictureOptions, Vantage, fitted_ends, fitted_scale};
 use lsystem_base::Limits;
 use lsystem_drawing::rotation::{Vector, dot};
 use lsystem_drawing::{Figure, Solid, System, draw};
@@ -554,9 +555,7 @@ fn flat_and_solid(rules: &str, n: u32, style: &Style, viewport: Viewport) -> [Ve
         let mut renderer = FigureRenderer::new();
         renderer.load(&figure);
         let (style, quality, band) = (style.clone(), Quality::FINEST, u32::MAX);
-        renderer.begin(PictureOptions { style, viewport, vantage, upto: None, quality, band });
-        while renderer.step(10_000) != Painted::All {}
-        renderer.pixels().to_vec()
+        paint(&mut renderer, PictureOptions { style, viewport, vantage, upto: None, quality, band })
     })
 }
 
@@ -594,20 +593,12 @@ fn additive_panes_have_the_tone_of_the_whole() {
     for (system, n) in [(tree(), 3), (bush(), 7), (bush(), 20)] {
         let mut renderer = FigureRenderer::new();
         renderer.load(&Figure::Space(drawing(&system, n)));
-        let mut paint = |band| {
+        let mut in_bands = |band| {
             let style = Style { ink: Ink::Density, ..Style::default() };
             let (vantage, quality) = (Vantage::default(), Quality::BEST);
-            renderer.begin(PictureOptions { style, viewport, vantage, upto: None, quality, band });
-            let mut pixels = vec![];
-            loop {
-                match renderer.step(10_000) {
-                    Painted::Nothing => {}
-                    Painted::Rows => pixels.extend_from_slice(renderer.pixels()),
-                    Painted::All => return pixels,
-                }
-            }
+            paint(&mut renderer, PictureOptions { style, viewport, vantage, upto: None, quality, band })
         };
-        let (whole, panes) = (paint(u32::MAX), paint(600 * 48));
+        let (whole, panes) = (in_bands(u32::MAX), in_bands(600 * 48));
         let (mean, _) = difference(&whole, &panes, 255);
         assert!(whole.len() == panes.len() && mean < 1.0, "n = {n}: {mean}");
     }
