@@ -185,7 +185,7 @@ fn compile(
             compile(b, meaning, randoms, ops, held + 1)?;
             ops.push(Op::Binary(*operator));
         }
-        Expr::Call(function @ (Function::Inside | Function::Distance), arguments) => {
+        Expr::Call(function, arguments) if function.takes_shape() => {
             let shape = match arguments.first() {
                 Some(Expr::Name(name)) => match meaning(name) {
                     Some(Meaning::Shape(shape)) => shape,
@@ -193,12 +193,10 @@ fn compile(
                 },
                 _ => return Err(Unusable::Unknown(String::new())),
             };
+            // In the plane z is left out.
+            let flat = Expr::Number(0.0);
             for index in 0..3 {
-                match arguments.get(index + 1) {
-                    Some(argument) => compile(argument, meaning, randoms, ops, held + index)?,
-                    // In the plane.
-                    None => ops.push(Op::Number(0.0)),
-                }
+                compile(arguments.get(index + 1).unwrap_or(&flat), meaning, randoms, ops, held + index)?;
             }
             ops.push(Op::Distance(shape));
             if *function == Function::Inside {
@@ -223,7 +221,6 @@ fn compile(
             });
         }
     }
-    // A distance from constants has a comparison after it and is not the last operation.
     let constant = |op: &Op| matches!(op, Op::Number(_));
     if let [arguments @ .., last] = &ops[start..]
         && !arguments.is_empty()
@@ -287,5 +284,27 @@ mod tests {
             Expr::Binary(Operator::Add, Box::new(Expr::Name("w".into())), Box::new(inner))
         });
         assert_eq!(code(&deep), Err(Unusable::TooDeep));
+    }
+
+    #[test]
+    fn points_of_shapes_stay_on_the_stack() {
+        let meaning = |name: &str| match name {
+            "l" => Some(Meaning::Slot(0)),
+            _ => Some(Meaning::Shape(Arc::new(Shape::Ball([0.0, 0.0, 0.0, 1.0])))),
+        };
+        let l = || Box::new(Expr::Name("l".into()));
+        let point = vec![Expr::Name("ball".into()), Expr::Name("l".into()), Expr::Name("l".into())];
+        let mut expr = Expr::Call(Function::Distance, point);
+        for depth in 0..2 * STACK {
+            match Code::new(&expr, &meaning, &mut 0) {
+                Ok(code) => {
+                    // Each level adds 3, and the point (3, 3) is 18^0.5 - 1 away.
+                    let value = code.value(&[3.0], &|_| 0.0);
+                    assert!((value - (18_f64.sqrt() - 1.0 + 3.0 * depth as f64)).abs() < 1e-9, "{depth}: {value}");
+                }
+                Err(error) => assert!(error == Unusable::TooDeep && depth + 3 > STACK, "{depth}"),
+            }
+            expr = Expr::Binary(Operator::Add, l(), Box::new(expr));
+        }
     }
 }
