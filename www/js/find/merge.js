@@ -27,10 +27,11 @@ export function merged(reports) {
     /** @type {Map<string, Candidate>} */
     const all = new Map();
     for (const candidate of reports.flatMap(({ candidates }) => candidates)) {
-        const other = all.get(candidate.key);
-        // A name is worth more than the same rules without one.
-        if (!other || (other.name === null && (candidate.name !== null || other.agreement < candidate.agreement)))
-            all.set(candidate.key, candidate);
+        const other = all.get(candidate.key) ?? candidate;
+        // One search may place the same rules more exactly than another. The name stays with them.
+        const better = candidate.agreement > other.agreement ? candidate : other;
+        const rank = Math.min(candidate.rank, other.rank);
+        all.set(candidate.key, { ...better, name: other.name ?? candidate.name, rank });
     }
     const isFound = [...all.values()].some((candidate) => candidate.isFound);
     const candidates = [...all.values()]

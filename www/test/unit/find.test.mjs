@@ -113,6 +113,10 @@ test('what several workers found is one list: the shortest that are found, or th
     const usual = { ...candidate('F -> +F+F', 1, 3), rank: 1003 };
     const parts = [[candidate('F -> F+F', 1, 4), usual], [forked]].map((candidates) => ({ ...slow, candidates }));
     for (const reports of [parts, [...parts].reverse()]) assert.deepEqual(merged(reports).candidates, [forked, usual]);
+    // A search that places the same rules more exactly does not lose the name.
+    const loose = { ...forked, agreement: 0.999 };
+    const placed = [[candidate('F -> F+F', 1, 4)], [loose]].map((candidates) => ({ ...slow, candidates }));
+    for (const reports of [placed, [...placed].reverse()]) assert.deepEqual(merged(reports).candidates, [forked]);
     assert.equal(verdict({ candidates: [candidate('A -> AB', 1, 3)] }, true), 'One system derives the string.');
     assert.match(verdict({ candidates: [] }, false), /None of the searched/);
 });
