@@ -31,8 +31,8 @@ pub(crate) fn import(files: &[PathBuf], to: &Path) -> Result<(), CommandFailure>
     let files: Vec<PathBuf> = files.iter().flat_map(|file| listed(file, 0)).collect();
     // No output of a file replaces a later one.
     files.iter().for_each(|file| input::keep(file));
-    let is_beside = |file: &&PathBuf| files.iter().any(|other| companions(other, &files).any(|own| own == *file));
-    for file in files.iter().filter(|file| !is_beside(file)) {
+    let beside: BTreeSet<&PathBuf> = files.iter().flat_map(|file| companions(file, &files)).collect();
+    for file in files.iter().filter(|file| !beside.contains(file)) {
         import_one(file, &files, to, &mut taken, &mut totals);
     }
     let Totals { files, failed_files, converted, refused } = totals;
