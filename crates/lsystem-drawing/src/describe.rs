@@ -60,7 +60,7 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             let names = if names.is_empty() { String::new() } else { format!("({})", names.join(",")) };
             LegendEntry {
                 module: match query {
-                    Some(query) => format!("?{}{names}", query.letter()),
+                    Some(query) => format!("{query}{names}"),
                     None => format!("{symbol}{names}"),
                 },
                 actions: match query {

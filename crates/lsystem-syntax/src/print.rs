@@ -152,8 +152,8 @@ pub fn print_module(ch: char, arguments: &[f64], out: &mut String) {
 /// Appends a query with its letter, if the symbol is one and has arguments. Returns whether it is.
 fn query(symbol: char, arguments: usize, out: &mut String) -> bool {
     let query = Query::of_symbol(symbol).filter(|_| arguments > 0);
-    out.extend(query.into_iter().flat_map(|query| ['?', query.letter()]));
-    query.is_some()
+    // Writing to a string never fails.
+    query.is_some_and(|query| write!(out, "{query}").is_ok())
 }
 
 /// Appends one symbol, in backquotes if it would be misread or if `quote`.

@@ -2,6 +2,8 @@
 //! turtle, and the answers replace the modules' arguments (ABOP's successor: Prusinkiewicz, James and Mech, Synthetic
 //! Topiary, 1994, as in cpfg).
 
+use core::fmt;
+
 /// What a query module asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Query {
@@ -83,5 +85,12 @@ impl Query {
             Self::Crowd | Self::Sky => 1,
             _ => 3,
         }
+    }
+}
+
+impl fmt::Display for Query {
+    /// The query as the notation writes it, such as `?P`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "?{}", self.letter())
     }
 }

@@ -3,6 +3,7 @@
 //! The output needs no packages except `amsmath`, and compiles with pdfLaTeX in its default encodings.
 
 use lsystem_base::number::number;
+use lsystem_syntax::Query;
 
 /// A text in LaTeX. Characters that pdfLaTeX does not have become their numbers, as in `[U+1F33F]`.
 pub(super) fn text(text: &str) -> String {
@@ -35,6 +36,9 @@ fn character(c: char) -> String {
 
 /// A symbol of a system in LaTeX's math mode, as a letter: without the spaces around operators.
 pub(super) fn symbol(c: char) -> String {
+    if let Some(query) = Query::of_symbol(c) {
+        return format!("{{{query}}}");
+    }
     match c {
         '^' => r"{\wedge}".into(),
         '~' => r"{\sim}".into(),
@@ -94,7 +98,7 @@ fn unknown(c: char) -> String {
 }
 
 /// Characters that are commands of math mode.
-const GLYPHS: [(char, &str); 54] = [
+const GLYPHS: [(char, &str); 48] = [
     ('α', r"\alpha"),
     ('β', r"\beta"),
     ('γ', r"\gamma"),
@@ -143,12 +147,6 @@ const GLYPHS: [(char, &str); 54] = [
     ('≠', r"\neq"),
     ('∞', r"\infty"),
     ('∗', r"\ast"),
-    ('Ⓟ', "?P"),
-    ('Ⓗ', "?H"),
-    ('Ⓛ', "?L"),
-    ('Ⓤ', "?U"),
-    ('Ⓒ', "?C"),
-    ('Ⓢ', "?S"),
 ];
 
 #[cfg(test)]

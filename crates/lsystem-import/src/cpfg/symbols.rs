@@ -306,7 +306,7 @@ impl<'p> Symbols<'p> {
         };
         match self.meanings.get(symbol).copied() {
             Some(Symbol(symbol)) => match Query::of_symbol(symbol).filter(|_| inside.is_some()) {
-                Some(query) => out.extend(['?', query.letter()]),
+                Some(query) => out.push_str(&query.to_string()),
                 None => out.push(symbol),
             },
             Some(Disc { radius, sphere }) => {
