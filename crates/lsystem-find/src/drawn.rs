@@ -19,7 +19,7 @@ pub const FOUND: f64 = 0.985;
 const AS_GOOD: f64 = 0.005;
 /// The most systems that are kept.
 const MAX_KEPT: usize = 20;
-/// More turns than this one after the other are no usual way to write a successor.
+/// More turns in a row than this are unusual in a successor.
 const MOST_TURNS: usize = 2;
 /// The rank of a successor that is written in another way than usual: all usual ones of its length come before it.
 const UNUSUAL: usize = 1000;

@@ -1,6 +1,6 @@
 //! Query modules: modules that ask about their place. Before each derivation step the word is interpreted with the
-//! turtle, and the answers replace the modules' arguments (ABOP's successor: Prusinkiewicz, James and Mech, Synthetic
-//! Topiary, 1994, as in cpfg).
+//! turtle, and the answers replace the modules' arguments (Prusinkiewicz, James and Mech, Synthetic Topiary, 1994;
+//! as in cpfg).
 
 use core::fmt;
 

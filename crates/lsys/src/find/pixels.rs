@@ -33,7 +33,7 @@ pub(super) fn grey(bytes: &[u8]) -> Result<(Vec<u8>, usize, usize), String> {
         return Err("the picture has more than 64,000,000 pixels".to_owned());
     }
     let orientation = decoder.orientation().map_err(words)?;
-    // Decoders reserve without a question. A turned copy and the levels of grey take as much again.
+    // Decoders reserve memory without checking that there is enough. A turned copy and the levels of grey take as much again.
     let size = usize::try_from(decoder.total_bytes()).unwrap_or(usize::MAX).saturating_mul(2);
     Vec::<u8>::new().try_reserve_exact(size).map_err(|_| "not enough memory for the picture")?;
     let mut image = DynamicImage::from_decoder(decoder).map_err(words)?;
