@@ -60,13 +60,15 @@ fn listed(path: &Path, depth: usize) -> Vec<PathBuf> {
     inside.iter().flat_map(|path| listed(path, depth + 1)).collect()
 }
 
-/// The files that a file of cpfg may name: view files and surfaces in its folder.
+/// The files that a file of cpfg may name: view files, surfaces and functions in its folder.
 fn companions<'f>(file: &Path, files: &'f [PathBuf]) -> impl Iterator<Item = &'f PathBuf> {
     let ending = |path: &Path| path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
     let is_system = ending(file).as_deref() == Some("l");
     let folder = file.parent().map(Path::to_owned);
     files.iter().filter(move |other| {
-        is_system && other.parent().map(Path::to_owned) == folder && matches!(ending(other).as_deref(), Some("v" | "s"))
+        is_system
+            && other.parent().map(Path::to_owned) == folder
+            && matches!(ending(other).as_deref(), Some("v" | "s" | "func" | "fset"))
     })
 }
 

@@ -401,3 +401,61 @@ fn surfaces_of_other_files() {
     let again = Figure::draw(&again.unwrap(), 1, &Limits::default()).unwrap();
     assert_eq!((again.polygon_count(), again.bounds()), (figure.polygon_count(), figure.bounds()), "{written}");
 }
+
+#[test]
+fn function_files_are_curves() {
+    let system =
+        |which: &str| cpfg(&format!("derivation length: 1\naxiom: A(0)A(0.5)A(2)\nA(x) --> F(1+10*func({which}, x))"));
+    // Bernstein polynomials: at 0.5 the value is (3*1 + 3*2)/8, at the ends 0.
+    let lengths = [1.0, 12.25, 1.0];
+    let third = 1.0 / 3.0;
+    let old = format!("range: 0.0 1.0\npoints: 4\n0 0\n{third} 1\n{} 2\n1 0\n", 2.0 * third);
+    let new = |times: usize| {
+        let points = format!("0.0 0.0 1\n{third} 1 {times}\n{} 2 1\n1 0 1\n", 2.0 * third);
+        format!("fver 1 1\nname: hill\nsamples: 100\nflip: off\npoints: 4\n{points}")
+    };
+    let view = "\n==> a/plant.v <==\nangle factor: 8\nfunction: other.func 100\nfunction: hill.func 100\n";
+    for file in [&old, &new(1)] {
+        let others = "==> other.func <==\nrange: 0 1\npoints: 0\n";
+        let all = format!("{}{view}==> hill.func <==\n{file}{others}", system("2"));
+        let found: Vec<f64> = segments(&all).iter().map(|(along, _)| along[1]).collect();
+        assert!(found.iter().zip(lengths).all(|(a, b)| (a - b).abs() < 1e-6) && found.len() == 3, "{found:?}");
+        noted(&all, "`other.func` is no function");
+        refused(&all.replace("func(2", "func(1"), "not given or cannot be read");
+        refused(&all.replace("func(2", "func(3"), "not given or cannot be read");
+    }
+    let set = format!(
+        "{}==> functions.fset <==\nfuncgalleryver 1 1\nitems: 2\n{}{}",
+        system("hill"),
+        new(2),
+        new(1).replace("hill", "other")
+    );
+    let rules = read(&set).rules;
+    let twice = format!("({third}, 1) ({third}, 1)");
+    assert!(rules.starts_with(&format!("curve hill = (0, 0) {twice} (0.666")) && !rules.contains("other"), "{rules}");
+    noted(&format!("{}{view}", system("1").replace("func(1, x)", "x")), "is missing");
+    // The curve has a name that is free in our notation.
+    let named = format!("{}{view}==> hill.func <==\n{old}", system("2"));
+    let rules = read(&named.replace("A(x)", "A(hill)").replace(" x)", " hill)")).rules;
+    assert!(rules.contains("10*hill_( hill)"), "{rules}");
+}
+
+#[test]
+fn curves_are_written_as_function_files() {
+    let rules = "curve line = (-1, 2) (3, 4)\ncurve arch = (0, 1) (0.5, 3) (1, 1)\n\
+        curve wave = (0, 1) (2, 3) (2, 1) (4, 5) (8, 1)\n\
+        A(x) : x < 8 -> F(line(x - 1) + arch(x/8))[+F(wave(x))]A(x + 0.5)";
+    let definition = Definition { axiom: "A(0)".into(), rules: rules.into(), iterations: 20, ..Definition::default() };
+    let notation = |name: &str| lsystem_import::write::NOTATIONS.iter().find(|notation| notation.name == name).unwrap();
+    let text = lsystem_import::write::export(&definition, notation("cpfg")).unwrap().text;
+    let lengths = |definition: &Definition| -> Vec<f64> {
+        let figure = Figure::draw(&system(definition), 20, &Limits::default()).unwrap();
+        let square = |a: [f64; 3], b: [f64; 3]| (0..3).map(|axis| (a[axis] - b[axis]).powf(2.0)).sum::<f64>();
+        figure.segments_from(0).map(|s| square(s.from, s.to).sqrt()).collect()
+    };
+    let (ours, theirs) = (lengths(&definition), lengths(&read(&text)));
+    assert_eq!((ours.len(), theirs.len()), (32, 32), "{text}");
+    let scale = theirs[0] / ours[0];
+    assert!(ours.iter().zip(&theirs).all(|(a, b)| (a * scale - b).abs() < 1e-6), "{ours:?} {theirs:?}");
+    assert!(lsystem_import::write::export(&definition, notation("houdini")).is_err());
+}

@@ -1,5 +1,6 @@
 //! Compiled expressions: common forms directly, all others as postfix operations.
 
+use crate::curve::Curve;
 use crate::expr::{Expr, Function, Operator};
 use crate::shape::Shape;
 use std::sync::Arc;
@@ -43,6 +44,8 @@ pub enum Op {
     NormalRandom(u16),
     /// The signed distance of the point on top from a shape.
     Distance(Arc<Shape>),
+    /// The value of a curve.
+    Curve(Arc<Curve>),
 }
 
 /// The most values on the stack. Deeper expressions do not compile.
@@ -55,6 +58,8 @@ pub enum Meaning {
     Constant(f64),
     /// A named shape.
     Shape(Arc<Shape>),
+    /// A named curve.
+    Curve(Arc<Curve>),
     /// The parameter with this index, 0-based.
     Slot(u16),
 }
@@ -102,10 +107,14 @@ impl Code {
         }
     }
 
-    /// The number of operations, with those of shapes.
+    /// The number of operations, with those of shapes and curves.
     #[must_use]
     pub fn length(&self) -> u64 {
-        let of = |op: &Op| if let Op::Distance(shape) = op { 8 * shape.work() } else { 1 };
+        let of = |op: &Op| match op {
+            Op::Distance(shape) => 8 * shape.work(),
+            Op::Curve(curve) => curve.work(),
+            _ => 1,
+        };
         if let Self::Postfix(ops) = self { ops.iter().map(of).sum() } else { 1 }
     }
 
@@ -138,6 +147,7 @@ fn run(ops: &[Op], slots: &[f64], random: &impl Fn(u16) -> f64) -> f64 {
                 (mean + deviation * normal(random(*place), random(place.wrapping_add(1))), 2)
             }
             Op::Distance(shape) => (shape.distance([stack[top - 3], stack[top - 2], stack[top - 1]]), 3),
+            Op::Curve(curve) => (curve.value(stack[top - 1]), 1),
         };
         top -= used;
         stack[top] = value;
@@ -169,8 +179,8 @@ fn compile(
         Expr::Name(name) => match meaning(name) {
             Some(Meaning::Constant(value)) => ops.push(Op::Number(value)),
             Some(Meaning::Slot(slot)) => ops.push(Op::Slot(slot)),
-            // A shape is no number.
-            Some(Meaning::Shape(_)) | None => return Err(Unusable::Unknown(name.clone())),
+            // Shapes and curves are no numbers.
+            Some(Meaning::Shape(_) | Meaning::Curve(_)) | None => return Err(Unusable::Unknown(name.clone())),
         },
         Expr::Negative(a) => {
             compile(a, meaning, randoms, ops, held)?;
@@ -184,6 +194,11 @@ fn compile(
             compile(a, meaning, randoms, ops, held)?;
             compile(b, meaning, randoms, ops, held + 1)?;
             ops.push(Op::Binary(*operator));
+        }
+        Expr::Curve(name, argument) => {
+            let Some(Meaning::Curve(curve)) = meaning(name) else { return Err(Unusable::Unknown(name.clone())) };
+            compile(argument, meaning, randoms, ops, held)?;
+            ops.push(Op::Curve(curve));
         }
         Expr::Call(function, arguments) if function.takes_shape() => {
             let shape = match arguments.first() {

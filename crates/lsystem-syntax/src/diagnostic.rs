@@ -348,6 +348,23 @@ pub enum Kind {
         /// The shape's name.
         name: String,
     },
+    /// A curve that no rule names.
+    CurveUnused {
+        /// The curve's name.
+        name: String,
+    },
+    /// In a curve: something else in place of a point.
+    CurvePoint {
+        /// The text there.
+        found: String,
+    },
+    /// In a curve: a point whose x is less than that of the point before.
+    CurveBack,
+    /// A curve with too few or too many points, or with no two different x.
+    CurveCount {
+        /// The number of points.
+        found: usize,
+    },
     /// In a shape: something else in place of a solid with its numbers.
     SolidExpected {
         /// The text there; empty at the end of the line.
@@ -681,6 +698,7 @@ impl Diagnostic {
             | Kind::MixedWeights { .. }
             | Kind::ConstantUnused { .. }
             | Kind::ShapeUnused { .. }
+            | Kind::CurveUnused { .. }
             | Kind::OverrideTwice { .. }
             | Kind::UnknownSurface { .. }
             | Kind::EmptyAxiom

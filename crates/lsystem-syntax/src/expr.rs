@@ -21,6 +21,8 @@ pub enum Expr {
     Binary(Operator, Box<Self>, Box<Self>),
     /// A function call, as in `sin(a)`.
     Call(Function, Vec<Self>),
+    /// The value of a named curve, as in `taper(a)`.
+    Curve(String, Box<Self>),
 }
 
 /// An operator between two values.
@@ -269,7 +271,7 @@ impl Expr {
     fn precedence(&self) -> u8 {
         match self {
             Self::Number(value) if value.is_sign_negative() => SIGN,
-            Self::Number(_) | Self::Name(_) | Self::Call(..) => 8,
+            Self::Number(_) | Self::Name(_) | Self::Call(..) | Self::Curve(..) => 8,
             Self::Negative(_) | Self::Not(_) => SIGN,
             Self::Binary(operator, ..) => operator.precedence(),
         }
@@ -325,6 +327,12 @@ impl Expr {
                     f.write_str(operator.symbol())?;
                 }
                 b.write(f, right)
+            }
+            Self::Curve(name, argument) => {
+                f.write_str(name)?;
+                f.write_str("(")?;
+                argument.write(f, 0)?;
+                f.write_str(")")
             }
             Self::Call(function, arguments) => {
                 write!(f, "{}(", function.name())?;

@@ -1,6 +1,7 @@
 //! A parsed L-system: its axiom and productions.
 
 use crate::code::{Code, Meaning};
+use crate::curve::Curve;
 use crate::expr::Expr;
 use crate::shape::Shape;
 use lsystem_base::sorted::{set, sort};
@@ -20,6 +21,8 @@ pub struct Grammar {
     pub constants: Vec<Constant>,
     /// Named shapes in text order.
     pub shapes: Vec<NamedShape>,
+    /// Named curves in text order.
+    pub curves: Vec<NamedCurve>,
     /// The symbols that contexts see.
     pub seen: Seen,
 }
@@ -74,8 +77,8 @@ impl SeenSymbols {
     }
 }
 
-/// The values of constants and the shapes, sorted by name for fast look-up.
-pub struct Values<'a>(Vec<(&'a str, usize, f64)>, &'a [NamedShape]);
+/// The values of constants, sorted by name for fast look-up, the shapes and the curves.
+pub struct Values<'a>(Vec<(&'a str, usize, f64)>, &'a [NamedShape], &'a [NamedCurve]);
 
 impl Values<'_> {
     /// The value of a constant.
@@ -88,7 +91,8 @@ impl Values<'_> {
     #[must_use]
     pub fn meaning(&self, name: &str) -> Option<Meaning> {
         let shape = || self.1.iter().find(|shape| shape.name == name).map(|found| Meaning::Shape(found.shape.clone()));
-        self.of(name).map(Meaning::Constant).or_else(shape)
+        let curve = || self.2.iter().find(|curve| curve.name == name).map(|found| Meaning::Curve(found.curve.clone()));
+        self.of(name).map(Meaning::Constant).or_else(shape).or_else(curve)
     }
 
     /// The value of an expression of constants; `None` if it has parameters, random numbers or unknown names.
@@ -152,6 +156,15 @@ pub struct NamedShape {
     pub name: String,
     /// The shape.
     pub shape: Arc<Shape>,
+}
+
+/// `curve name = (0, 1) (0.4, 0.8) …`
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedCurve {
+    /// The name, as that of a constant.
+    pub name: String,
+    /// The curve.
+    pub curve: Arc<Curve>,
 }
 
 impl From<char> for Module {
@@ -220,7 +233,7 @@ impl Grammar {
         let mut order: Vec<(&str, usize)> = constants.map(|(at, constant)| (constant.name.as_str(), at)).collect();
         sort(&mut order);
         let values = order.into_iter().map(|(name, at)| (name, at, self.constants[at].value));
-        Values(values.collect(), &self.shapes)
+        Values(values.collect(), &self.shapes, &self.curves)
     }
 
     /// The value of an expression of constants; `None` if it has parameters, random numbers or unknown names.

@@ -31,6 +31,7 @@ mod surface;
 mod value;
 
 mod code;
+mod curve;
 mod expr;
 pub mod grammar;
 mod heading;
@@ -56,6 +57,7 @@ pub use characters::look_alike;
 pub use class::Class;
 pub use classify::classify;
 pub use code::{Code, Meaning, Op, Unusable};
+pub use curve::Curve;
 pub use definition::Definition;
 pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, Severity, TikzObstacle};
 pub use dialect::Dialect;

@@ -1,5 +1,6 @@
 //! The words of all diagnostics, in English, in one place.
 
+use crate::curve::MOST_POINTS;
 use crate::{Diagnostic, Expected, Function, JsonError, Kind, Role, SurfaceProblem, TikzObstacle};
 use lsystem_base::number::number;
 use lsystem_base::{LimitName, MAX_PALETTE, MAX_SURFACE_PATCHES, MAX_SURFACES};
@@ -389,6 +390,20 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         Kind::ShapeUnused { name } => {
             hinted(format!("Nothing uses the shape `{name}`"), format!("Use it as in `inside({name}, x, y, z)`."))
         }
+        Kind::CurveUnused { name } => {
+            hinted(format!("Nothing uses the curve `{name}`"), format!("Use it as in `{name}(x)`."))
+        }
+        Kind::CurvePoint { found } => hinted(
+            format!("`{found}` is not a point of a curve"),
+            "Write each point with x and y, as in `(0, 1) (0.5, 2)`.".into(),
+        ),
+        Kind::CurveBack => {
+            hinted("This point lies to the left of the point before it".into(), "x must not decrease along a curve.".into())
+        }
+        Kind::CurveCount { found } => hinted(
+            format!("This curve has {}", plural(*found, "point")),
+            format!("A curve has 2 to {MOST_POINTS} points, and the last is to the right of the first."),
+        ),
         Kind::SolidExpected { found } => hinted(
             if found.is_empty() { "A solid is missing".into() } else { format!("`{found}` is not a solid with its numbers") },
             "Solids are ball(x, y, z, r), box, cylinder, cone, half and outline, joined by +, - or &.".into(),

@@ -1,7 +1,7 @@
 //! Printing a grammar in the notation, as text that reads back as the same grammar.
 
 use crate::characters::{is_blank, is_invisible, look_alike};
-use crate::grammar::NamedShape;
+use crate::grammar::{NamedCurve, NamedShape};
 use crate::notation::token::disc;
 use crate::{Expr, Grammar, Module, Pattern, Production, Query, Seen};
 use core::fmt::Write;
@@ -25,6 +25,9 @@ pub fn print_rules(grammar: &Grammar) -> String {
     }
     for NamedShape { name, shape } in &grammar.shapes {
         lines.push(format!("shape {name} = {shape}"));
+    }
+    for NamedCurve { name, curve } in &grammar.curves {
+        lines.push(format!("curve {name} = {curve}"));
     }
     match &grammar.seen {
         Seen::All => {}

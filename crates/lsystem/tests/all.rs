@@ -9,6 +9,7 @@ mod compact;
 mod contexts;
 mod cost;
 mod course;
+mod curves;
 mod drawing;
 mod export;
 mod films;

@@ -1,8 +1,8 @@
 //! The notation: printed texts read back as the same, and no text causes a panic.
 
-use lsystem::syntax::grammar::NamedShape;
+use lsystem::syntax::grammar::{NamedCurve, NamedShape};
 use lsystem::syntax::{
-    Constant, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen, Shape, parse,
+    Constant, Curve, Expr, Function, Grammar, Kind, Module, Operator, Pattern, Production, Seen, Shape, parse,
     parse_overrides, print_axiom, print_overrides, print_rules,
 };
 use lsystem::{Definition, Diagnostic, System};
@@ -41,6 +41,7 @@ fn expression(names: Vec<String>) -> impl Strategy<Value = Expr> {
                 a => Expr::Negative(Box::new(a)),
             }),
             inner.clone().prop_map(|a| Expr::Not(Box::new(a))),
+            inner.clone().prop_map(|a| Expr::Curve(CURVE.into(), Box::new(a))),
             (prop::sample::select(&Operator::ALL), two()).prop_map(|(operator, (a, b))| Expr::Binary(
                 operator,
                 Box::new(a),
@@ -114,8 +115,13 @@ fn production(contexts: bool, constants: Vec<String>) -> impl Strategy<Value = P
     })
 }
 
-/// A name that no random name equals.
+/// Names that no random name equals.
 const SHAPE: &str = "crown_of_the_tree";
+const CURVE: &str = "taper_of_the_stem";
+
+fn curve() -> Curve {
+    Curve::new(vec![[-1.0, 1.5], [0.25, 1e-7], [0.25, -3.0], [1e9, 0.1]]).unwrap()
+}
 
 fn shape() -> Shape {
     let solids = [
@@ -148,6 +154,7 @@ fn grammar() -> impl Strategy<Value = Grammar> {
             images,
             constants: constants.clone(),
             shapes: vec![NamedShape { name: SHAPE.into(), shape: Arc::new(shape()) }],
+            curves: vec![NamedCurve { name: CURVE.into(), curve: Arc::new(curve()) }],
             seen,
         })
     })

@@ -139,6 +139,7 @@ pub(crate) fn expression(source: &mut Source<'_>, names: &[&str], depth: u32) ->
             let point: Vec<String> = (0..source.pick(&[2, 3])).map(|_| expression(source, names, depth - 1)).collect();
             format!("{name}(crown, {})", point.join(", "))
         }
+        7 if source.once_in(6) => format!("taper({})", expression(source, names, depth - 1)),
         7 => {
             let (name, arity) = source.pick(&FUNCTIONS);
             let arguments: Vec<String> = (0..arity).map(|_| expression(source, names, depth - 1)).collect();
@@ -228,6 +229,15 @@ fn shape(source: &mut Source<'_>, depth: u32) -> String {
     format!("{name}({})", numbers.join(", "))
 }
 
+/// A curve, mostly with points in order.
+fn curve(source: &mut Source<'_>) -> String {
+    let points = (0..source.pick(&[0, 1, 2, 2, 3, 4, 4, 6, 9, 70])).map(|at| {
+        let x = if source.once_in(12) { source.pick(&["-1", "r", "1e300"]).to_owned() } else { at.to_string() };
+        format!("({x}, {})", source.pick(&["0", "1", "-2.5", "r", "1e9", "1e300"]))
+    });
+    points.collect::<Vec<_>>().join(" ")
+}
+
 /// Rules, one on each line.
 pub(super) fn rules(source: &mut Source<'_>, features: SystemFeatures) -> String {
     let mut lines = vec![];
@@ -236,6 +246,7 @@ pub(super) fn rules(source: &mut Source<'_>, features: SystemFeatures) -> String
     }
     if features.parameters {
         lines.push(format!("shape crown = {}", shape(source, 2)));
+        lines.push(format!("curve taper = {}", curve(source)));
     }
     if features.contexts && source.once_in(2) {
         lines.push(source.pick(&["ignore: +-F", "consider: ABX", "ignore: +-&^/\\", "ignore:"]).to_owned());

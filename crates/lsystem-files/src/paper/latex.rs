@@ -4,7 +4,7 @@ use super::facts::{self, Fact, Unit};
 use super::tex;
 use core::fmt::Write;
 use lsystem_drawing::System;
-use lsystem_syntax::grammar::NamedShape;
+use lsystem_syntax::grammar::{NamedCurve, NamedShape};
 use lsystem_syntax::{Definition, Expr, Function, Module, Operator, Pattern, Production};
 
 /// The most characters of a successor before a line may break.
@@ -25,6 +25,9 @@ pub fn latex(definition: &Definition, system: &System) -> String {
     row(&mut text, "", &constants.collect::<Vec<_>>().join(", "));
     for NamedShape { name, shape } in &grammar.shapes {
         row(&mut text, "", &format!("${}$ is the shape {}.", tex::name(name), tex::text(&shape.to_string())));
+    }
+    for NamedCurve { name, curve } in &grammar.curves {
+        row(&mut text, "", &format!("${}$ is the curve through ${curve}$.", tex::name(name)));
     }
     if let Some((word, symbols)) = facts::seen(grammar) {
         let symbols: String = symbols.iter().map(|&c| tex::symbol(c)).collect();
@@ -147,7 +150,7 @@ const ATOM: u8 = 8;
 fn expression(expr: &Expr, outer: u8, text: &mut String) {
     let own = match expr {
         Expr::Number(value) if value.is_sign_negative() => SIGN,
-        Expr::Number(_) | Expr::Name(_) | Expr::Call(..) => ATOM,
+        Expr::Number(_) | Expr::Name(_) | Expr::Call(..) | Expr::Curve(..) => ATOM,
         Expr::Negative(_) | Expr::Not(_) => SIGN,
         Expr::Binary(operator, ..) => operator.precedence(),
     };
@@ -179,6 +182,12 @@ fn expression(expr: &Expr, outer: u8, text: &mut String) {
             expression(b, own + 1, text);
         }
         Expr::Call(function, arguments) => call(*function, arguments, text),
+        Expr::Curve(name, argument) => {
+            text.push_str(&tex::name(name));
+            text.push('(');
+            expression(argument, 0, text);
+            text.push(')');
+        }
     }
 }
 

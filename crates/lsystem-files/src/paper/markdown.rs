@@ -5,7 +5,7 @@ use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_drawing::System;
 use lsystem_syntax::Query;
-use lsystem_syntax::grammar::NamedShape;
+use lsystem_syntax::grammar::{NamedCurve, NamedShape};
 use lsystem_syntax::{Definition, Expr, Module, Pattern, Production};
 
 /// A system as Markdown: the title, the numbers, and a list with constants, axiom and productions.
@@ -25,6 +25,9 @@ pub fn markdown(definition: &Definition, system: &System) -> String {
     }
     for NamedShape { name, shape } in &grammar.shapes {
         item(&mut text, &code(&format!("shape {name} = {shape}")));
+    }
+    for NamedCurve { name, curve } in &grammar.curves {
+        item(&mut text, &code(&format!("curve {name} = {curve}")));
     }
     if let Some((word, symbols)) = facts::seen(grammar) {
         item(&mut text, &format!("{word}: {}", code(&symbols.iter().map(|&c| shown(c)).collect::<String>())));

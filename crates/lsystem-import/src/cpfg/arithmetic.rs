@@ -12,13 +12,15 @@ pub(super) struct Arithmetic {
     pub(super) macros: Macros,
     /// The elements of arrays that never change.
     pub(super) arrays: BTreeMap<String, Vec<f64>>,
+    /// The functions of cpfg's files in their order: their names there, and as curves, if they can be read.
+    pub(super) curves: Vec<(String, Option<String>)>,
 }
 
 /// A reason why arithmetic cannot be read.
 pub(super) type Wrong = String;
 
 /// The functions of ours that arithmetic may call.
-const FUNCTIONS: [&str; 19] = [
+pub(super) const FUNCTIONS: [&str; 19] = [
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "abs", "floor", "ceil", "min", "max",
     "random", "ran", "nran", "not",
 ];
@@ -61,7 +63,7 @@ impl Arithmetic {
         if kind == Kind::LPy {
             macros.define("pi".to_owned(), None, "3.141592653589793".to_owned(), false);
         }
-        Self { kind, macros, arrays: BTreeMap::new() }
+        Self { kind, macros, arrays: BTreeMap::new(), curves: Vec::new() }
     }
 
     /// Arithmetic in our notation.
@@ -111,6 +113,13 @@ impl Arithmetic {
                 valued = true;
                 if let Some(inside) = opened.strip_prefix('[') {
                     rest = self.element(token, inside, &mut out)?;
+                    continue;
+                }
+                if token == "func"
+                    && let Some(inside) = opened.strip_prefix('(')
+                {
+                    rest = self.curve(inside, &mut out)?;
+                    valued = false;
                     continue;
                 }
                 self.check_function(token, opened)?;
@@ -169,10 +178,23 @@ impl Arithmetic {
             return Ok(());
         }
         Err(match (name, self.kind) {
-            ("func", Kind::Cpfg) => "`func` reads a curve of another file".into(),
             (_, Kind::Cpfg) => format!("The function `{name}` of cpfg has no equal here"),
             (_, Kind::LPy) => format!("Python code is not run: `{name}(...)`"),
         })
+    }
+
+    /// Writes the beginning of a curve's value, up to its argument, for `func(1, x)` or `func(taper, x)`; `inside` begins
+    /// behind the parenthesis. Returns the text of the argument and behind.
+    fn curve<'t>(&self, inside: &'t str, out: &mut String) -> Result<&'t str, Wrong> {
+        let Some((which, rest)) = inside.split_once(',') else { return Err("`func` needs two arguments".into()) };
+        let which = which.trim();
+        let named = self.curves.iter().find(|(name, _)| name == which);
+        let found = named.or_else(|| self.curves.get((self.value(which)? as usize).checked_sub(1)?));
+        let Some((_, Some(name))) = found else {
+            return Err("`func` reads a curve of another file, which is not given or cannot be read".into());
+        };
+        out.extend([name, "("]);
+        Ok(rest)
     }
 
     /// Writes an element of an array as arithmetic; `inside` begins behind the bracket. Returns the text behind.

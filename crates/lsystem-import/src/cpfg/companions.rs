@@ -9,10 +9,14 @@
 //! ```
 
 use super::Places;
+use super::function_file::read_functions;
 use super::surface_file::read_surface;
 use crate::draft::Draft;
 use lsystem_base::{MAX_SURFACES, MAX_SURFACES_TEXT};
-use lsystem_syntax::{Surface, print_surfaces};
+use lsystem_syntax::{Curve, Surface, print_surfaces};
+
+/// The most functions of a text.
+const MOST_FUNCTIONS: usize = 100;
 
 /// A file in a text.
 #[derive(Clone, Copy)]
@@ -87,6 +91,48 @@ pub(super) fn read_surfaces(text: &str, places: &Places<'_>, draft: &mut Draft<'
     }
     draft.definition.surfaces = print_surfaces(&surfaces);
     names
+}
+
+/// A function of one variable that the files name.
+pub(super) struct NamedFunction<'c> {
+    /// The name of the file or in a set, without its ending.
+    pub(super) name: &'c str,
+    /// The curve; `None` if it is missing or cannot be read.
+    pub(super) curve: Option<Curve>,
+}
+
+/// The functions of lines such as `function: taper.func 100`, in their order; without such lines, those of a set.
+pub(super) fn read_curves<'c>(text: &'c str, places: &Places<'c>, draft: &mut Draft<'_>) -> Vec<NamedFunction<'c>> {
+    let parts = parts(text);
+    let mut functions: Vec<NamedFunction<'_>> = Vec::new();
+    for (line, words) in text.lines().map(str::trim).filter_map(|line| Some((line, value(line, "function")?))) {
+        let place = places.of(line);
+        draft.covers(place.clone());
+        let file = words.split_whitespace().next().unwrap_or_default();
+        let name = file.rsplit(['/', '\\']).next().unwrap_or_default().trim_end_matches(".func");
+        let part = parts.iter().find(|part| is_same_file(part.name, file)).filter(|_| functions.len() < MOST_FUNCTIONS);
+        let curve = part.and_then(|part| read_functions(part.text).into_iter().next()?.1);
+        match (part, &curve) {
+            (None, _) => draft.note_at(place, format!("The file `{file}` is missing; give it together with this one")),
+            (_, None) => draft.note_at(place, format!("The file `{file}` is no function that can be read")),
+            (Some(part), Some(_)) => {
+                for place in [place, places.of(part.text)] {
+                    draft.covers(place.clone());
+                    draft.read(place, format!("the curve {name}"));
+                }
+            }
+        }
+        functions.push(NamedFunction { name, curve });
+    }
+    let set = parts.iter().find(|part| part.text.trim_start().starts_with("funcgalleryver"));
+    if let Some(set) = set.filter(|_| functions.is_empty()) {
+        let place = places.of(set.text);
+        draft.covers(place.clone());
+        draft.read(place, "a set of curves");
+        let read = read_functions(set.text).into_iter().take(MOST_FUNCTIONS);
+        functions.extend(read.map(|(name, curve)| NamedFunction { name, curve }));
+    }
+    functions
 }
 
 /// The angle of turns, in degrees, by the line `angle factor` of a view file.

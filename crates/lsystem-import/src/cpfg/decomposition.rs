@@ -119,6 +119,7 @@ impl<'a> Decomposition<'a> {
             }
             Expr::Negative(of) => Expr::Negative(Box::new(inner(of)?)),
             Expr::Not(of) => Expr::Not(Box::new(inner(of)?)),
+            Expr::Curve(name, of) => Expr::Curve(name.clone(), Box::new(inner(of)?)),
             Expr::Binary(operator, a, b) => Expr::Binary(*operator, Box::new(inner(a)?), Box::new(inner(b)?)),
             Expr::Call(function, arguments) => {
                 Expr::Call(*function, arguments.iter().map(inner).collect::<Result<_, _>>()?)
@@ -151,7 +152,7 @@ impl<'a> Decomposition<'a> {
 fn size(expr: &Expr) -> usize {
     1 + match expr {
         Expr::Number(_) | Expr::Name(_) => 0,
-        Expr::Negative(of) | Expr::Not(of) => size(of),
+        Expr::Negative(of) | Expr::Not(of) | Expr::Curve(_, of) => size(of),
         Expr::Binary(_, a, b) => size(a) + size(b),
         Expr::Call(_, arguments) => arguments.iter().map(size).sum(),
     }
@@ -161,7 +162,7 @@ fn size(expr: &Expr) -> usize {
 fn is_random(expr: &Expr) -> bool {
     match expr {
         Expr::Number(_) | Expr::Name(_) => false,
-        Expr::Negative(of) | Expr::Not(of) => is_random(of),
+        Expr::Negative(of) | Expr::Not(of) | Expr::Curve(_, of) => is_random(of),
         Expr::Binary(_, a, b) => is_random(a) || is_random(b),
         Expr::Call(function, arguments) => {
             matches!(function, Function::Random | Function::NormalRandom) || arguments.iter().any(is_random)

@@ -75,6 +75,8 @@ fn system(source: Source<'_>) -> Draft<'_> {
         draft.note_at(rest, why);
     }
     file.parts.surfaces = companions::read_surfaces(&text, &places, &mut draft);
+    let functions = companions::read_curves(&text, &places, &mut draft);
+    file.parts.set_curves(functions);
     file.parts.angle = companions::read_angle(&text, &places, &mut draft);
     translate::translate(&file.parts, &places, &mut draft);
     draft

@@ -13,8 +13,8 @@
 //!
 //! The rules are nearly in our notation. Names of several letters become single symbols. Macros are replaced, except
 //! those that are constants. Decompositions are written into the successors, and the values of assignments in place of
-//! their names. Other code and includes are refused. The angle and the surfaces of cpfg stand in
-//! other files, which may follow in the same text (`companions.rs`).
+//! their names. Other code and includes are refused. The angle, the surfaces and the functions of cpfg
+//! stand in other files, which may follow in the same text (`companions.rs`).
 
 mod arithmetic;
 mod assignments;
@@ -23,6 +23,7 @@ mod code;
 mod companions;
 mod decomposition;
 mod file;
+mod function_file;
 mod lpy;
 mod macros;
 mod parts;
@@ -35,6 +36,7 @@ mod tests;
 mod translate;
 
 pub(super) use file::read as read_cpfg;
+pub(super) use function_file::function_file;
 pub(super) use lpy::read as read_lpy;
 pub(super) use surface_file::surface_file;
 

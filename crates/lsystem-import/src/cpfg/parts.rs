@@ -1,7 +1,9 @@
 //! The parts of a system, as texts of its own notation.
 
 use super::Kind;
-use super::arithmetic::Arithmetic;
+use super::arithmetic::{Arithmetic, FUNCTIONS};
+use super::companions::NamedFunction;
+use super::macros::is_part;
 use core::ops::Range;
 use lsystem_base::number::number;
 use std::borrow::Cow;
@@ -46,6 +48,8 @@ pub(super) struct Parts<'c> {
     pub(super) is_stochastic: bool,
     /// The surfaces: their names in cpfg, and in the definition.
     pub(super) surfaces: Vec<(char, char)>,
+    /// Curves by name, as points in our notation.
+    pub(super) curves: Vec<(String, String)>,
     /// Names of several characters that the text declares.
     pub(super) names: BTreeSet<String>,
 }
@@ -67,6 +71,7 @@ impl<'c> Parts<'c> {
             angle: None,
             is_stochastic: false,
             surfaces: Vec::new(),
+            curves: Vec::new(),
             names: BTreeSet::new(),
         }
     }
@@ -78,6 +83,24 @@ impl<'c> Parts<'c> {
             self.constants.retain(|(known, _)| known != name);
         }
         self.constants.push((name.to_owned(), text));
+    }
+
+    /// Sets the functions of cpfg's files, with names that nothing else has.
+    pub(super) fn set_curves(&mut self, functions: Vec<NamedFunction<'_>>) {
+        let heads = self.all_rules().flat_map(|rule| rule.head.split(|c: char| !is_part(c)));
+        let mut taken: BTreeSet<String> = heads.chain(FUNCTIONS).chain(["and", "or"]).map(str::to_owned).collect();
+        taken.extend(self.constants.iter().map(|(name, _)| name.clone()));
+        for NamedFunction { name, curve } in functions {
+            let mut own: String = name.chars().take(40).map(|c| if is_part(c) { c } else { '_' }).collect();
+            if own.starts_with(|c: char| c.is_ascii_digit()) || own.is_empty() {
+                own.insert(0, 'f');
+            }
+            while !taken.insert(own.clone()) {
+                own.push('_');
+            }
+            self.arithmetic.curves.push((name.to_owned(), curve.is_some().then(|| own.clone())));
+            self.curves.extend(curve.map(|curve| (own, curve.to_string())));
+        }
     }
 
     /// All rules, in the order of the sections.

@@ -70,6 +70,8 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     used.extend([&rules[..], &images, &decompositions].into_iter().flatten().flat_map(|line| identifiers(line)));
     let constants = parts.constants.iter().filter(|(name, _)| used.contains(name.as_str()));
     let mut text: Vec<String> = constants.map(|(name, value)| format!("{name} = {value}")).collect();
+    let curves = parts.curves.iter().filter(|(name, _)| used.contains(name.as_str()));
+    text.extend(curves.map(|(name, points)| format!("curve {name} = {points}")));
     let decompositions = [&text[..], &decompositions].concat().join("\n");
     text.extend(seen);
     text.extend(rules);

@@ -6,7 +6,7 @@
 use super::Refusal;
 use super::expression::{Arithmetic, COMMON};
 use super::source::{Need, Source, Symbol, plain_number};
-use crate::cpfg::surface_file;
+use crate::cpfg::{function_file, surface_file};
 use core::f64::consts::FRAC_1_SQRT_2;
 use core::fmt::Write;
 use lsystem_base::number::number;
@@ -72,11 +72,19 @@ pub(super) fn write_cpfg(source: &Source<'_>) -> Result<String, Refusal> {
     let surfaces = parse_surfaces(&source.definition.surfaces).unwrap_or_default();
     let drawn = |name: char| source.acts(|action| matches!(action, Action::Surface(own, _) if own == name));
     let surfaces: Vec<_> = surfaces.into_iter().filter(|surface| drawn(surface.name)).collect();
-    if !surfaces.is_empty() {
+    let curves = &source.grammar.curves;
+    if !surfaces.is_empty() || !curves.is_empty() {
         text.push_str("\n==> view.v <==\n");
+    }
+    // As many values are computed as cpfg's own models have.
+    for at in 1..=curves.len() {
+        let _ = writeln!(text, "function: f{at}.func 100");
     }
     for Surface { name, .. } in &surfaces {
         let _ = writeln!(text, "surface: {name} {name}.s 1");
+    }
+    for (at, curve) in curves.iter().enumerate() {
+        let _ = write!(text, "\n==> f{}.func <==\n{}", at + 1, function_file(&curve.curve));
     }
     for surface in &surfaces {
         let _ = write!(text, "\n==> {}.s <==\n{}", surface.name, surface_file(surface));
@@ -240,7 +248,19 @@ impl<'a> File<'a> {
         let functions: &[_] =
             if self.kind == Kind::Cpfg { &[COMMON, &[(Function::NormalRandom, "nran")]].concat() } else { &[] };
         let has_powers = self.kind == Kind::Cpfg;
-        Arithmetic { label: self.label, name: &value, functions, has_powers }.write(expr)
+        let curve = |name: &str, argument: &str| self.curve(name, argument);
+        Arithmetic { label: self.label, name: &value, functions, has_powers, curve: &curve }.write(expr)
+    }
+
+    /// The value of a curve, whose file has x from 0 to 1.
+    fn curve(&self, name: &str, argument: &str) -> Option<String> {
+        let curves = &self.source.grammar.curves;
+        let at = curves.iter().position(|curve| curve.name == name).filter(|_| self.kind == Kind::Cpfg)?;
+        let [first, .., last] = *curves[at].curve.points() else { return None };
+        Some(match (first[0], last[0] - first[0]) {
+            (0.0, 1.0) => format!("func({},{argument})", at + 1),
+            (from, width) => format!("func({},(({argument})-({}))/{})", at + 1, number(from), number(width)),
+        })
     }
 
     /// The line with the symbols that contexts see.

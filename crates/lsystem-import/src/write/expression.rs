@@ -11,6 +11,8 @@ pub(super) struct Arithmetic<'a> {
     pub(super) name: &'a dyn Fn(&str) -> String,
     /// The names of functions; the notation lacks all others.
     pub(super) functions: &'a [(Function, &'a str)],
+    /// The value of a curve, given its name and its argument; `None` if the notation lacks curves.
+    pub(super) curve: &'a dyn Fn(&str, &str) -> Option<String>,
     /// Whether the notation has `^` for powers.
     pub(super) has_powers: bool,
 }
@@ -35,7 +37,7 @@ impl Arithmetic<'_> {
                 let text = (self.name)(name);
                 if text.starts_with('-') { SIGN } else { ATOM }
             }
-            Expr::Number(_) | Expr::Call(..) => ATOM,
+            Expr::Number(_) | Expr::Call(..) | Expr::Curve(..) => ATOM,
             Expr::Negative(_) | Expr::Not(_) => SIGN,
             Expr::Binary(operator, ..) => operator.precedence(),
         };
@@ -65,6 +67,10 @@ impl Arithmetic<'_> {
                 self.part(a, own + tight, out)?;
                 out.push_str(operator.symbol());
                 self.part(b, own + 1, out)?;
+            }
+            Expr::Curve(name, argument) => {
+                let value = (self.curve)(name, &self.write(argument)?);
+                out.push_str(&value.ok_or_else(|| Refusal(format!("{} cannot express curves", self.label)))?);
             }
             Expr::Call(function, arguments) => {
                 let name = self.functions.iter().find(|(own, _)| own == function);

@@ -49,7 +49,7 @@ fn number(dice: &mut Dice, grammar: &mut Grammar) -> bool {
         match expr {
             Expr::Number(number) => list.push(number),
             Expr::Name(_) => {}
-            Expr::Negative(inner) | Expr::Not(inner) => numbers(inner, list),
+            Expr::Negative(inner) | Expr::Not(inner) | Expr::Curve(_, inner) => numbers(inner, list),
             Expr::Binary(_, left, right) => {
                 numbers(left, list);
                 numbers(right, list);

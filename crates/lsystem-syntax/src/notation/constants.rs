@@ -3,12 +3,9 @@
 use super::expression::Names;
 use crate::Kind;
 use crate::code::Meaning;
-use crate::grammar::NamedShape;
 use crate::notes::{Notes, excerpt, similar};
-use crate::shape::Shape;
 use core::ops::Range;
 use std::collections::HashMap;
-use std::sync::Arc;
 
 /// A named constant and the place of its value.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,13 +27,14 @@ pub(crate) struct Constants {
     places: HashMap<String, usize>,
     /// In text order.
     defined: Vec<Defined>,
-    shapes: Vec<DefinedShape>,
+    /// Shapes and curves.
+    others: Vec<DefinedOther>,
 }
 
 #[derive(Debug)]
-struct DefinedShape {
+struct DefinedOther {
     name: String,
-    shape: Arc<Shape>,
+    meaning: Meaning,
     /// The span of the name, in bytes.
     span: Range<usize>,
     used: bool,
@@ -55,12 +53,12 @@ struct Defined {
 
 impl Constants {
     pub(super) fn contains(&self, name: &str) -> bool {
-        self.places.contains_key(name) || self.shapes.iter().any(|shape| shape.name == name)
+        self.places.contains_key(name) || self.others.iter().any(|other| other.name == name)
     }
 
-    /// Adds a shape with the span of its name.
-    pub(super) fn shape(&mut self, NamedShape { name, shape }: NamedShape, span: Range<usize>) {
-        self.shapes.push(DefinedShape { name, shape, span, used: false });
+    /// Adds a shape or a curve with the span of its name.
+    pub(super) fn other(&mut self, name: String, meaning: Meaning, span: Range<usize>) {
+        self.others.push(DefinedOther { name, meaning, span, used: false });
     }
 
     /// Adds a constant with its value as written and the span of its name, and returns its value. A wrong value counts
@@ -83,8 +81,9 @@ impl Constants {
                 *below = self.meaning(name).is_some();
             }
         });
-        for DefinedShape { name, span, .. } in self.shapes.into_iter().filter(|shape| !shape.used) {
-            notes.add(Kind::ShapeUnused { name: excerpt(&name) }, span);
+        for DefinedOther { name, meaning, span, .. } in self.others.into_iter().filter(|other| !other.used) {
+            let (name, is_curve) = (excerpt(&name), matches!(meaning, Meaning::Curve(_)));
+            notes.add(if is_curve { Kind::CurveUnused { name } } else { Kind::ShapeUnused { name } }, span);
         }
         for Defined { place, text, span, used, .. } in self.defined {
             if !used {
@@ -96,9 +95,9 @@ impl Constants {
 
 impl Names for Constants {
     fn meaning(&mut self, name: &str) -> Option<Meaning> {
-        if let Some(shape) = self.shapes.iter_mut().find(|shape| shape.name == name) {
-            shape.used = true;
-            return Some(Meaning::Shape(shape.shape.clone()));
+        if let Some(other) = self.others.iter_mut().find(|other| other.name == name) {
+            other.used = true;
+            return Some(other.meaning.clone());
         }
         let constant = &mut self.defined[*self.places.get(name)?];
         constant.used = true;

@@ -314,12 +314,13 @@ impl ExpressionReader<'_> {
         if let Some(open) = self.peek().filter(|t| t.is('(') && t.joined) {
             return self.call(&name, span, open);
         }
-        if let Some(meaning) = self.names.meaning(&name).filter(|meaning| !matches!(meaning, Meaning::Shape(_))) {
-            let constant = matches!(meaning, Meaning::Constant(_));
+        let meaning = self.names.meaning(&name);
+        if let Some(Meaning::Constant(_) | Meaning::Slot(_)) = meaning {
+            let constant = matches!(meaning, Some(Meaning::Constant(_)));
             self.notes.class(if constant { Class::Constant } else { Class::Parameter }, span);
             return Some(Expr::Name(name));
         }
-        let kind = if function(&name).is_some() {
+        let kind = if function(&name).is_some() || matches!(meaning, Some(Meaning::Curve(_))) {
             Kind::FunctionBare { name: text }
         } else if is_reserved(&name) {
             Kind::NumberExpected
@@ -334,7 +335,11 @@ impl ExpressionReader<'_> {
     fn call(&mut self, name: &str, span: Range<usize>, open: Token) -> Option<Expr> {
         let Some(function) = function(name) else {
             let known = Function::ALL.iter().map(|f| f.name());
-            let kind = if self.names.meaning(name).is_some() {
+            let meaning = self.names.meaning(name);
+            if let Some(Meaning::Curve(_)) = meaning {
+                return self.curve(name, span, open);
+            }
+            let kind = if meaning.is_some() {
                 Kind::NotAFunction { name: crate::notes::excerpt(name) }
             } else {
                 let similar = if self.notes.is_full() { None } else { similar(name, known) };
@@ -378,6 +383,15 @@ impl ExpressionReader<'_> {
 }
 
 impl ExpressionReader<'_> {
+    /// Steps over the argument of a curve.
+    fn curve(&mut self, name: &str, span: Range<usize>, open: Token) -> Option<Expr> {
+        self.notes.class(Class::Function, span);
+        self.at += 1;
+        let argument = self.nested(open, Self::disjunction)?;
+        self.closed(open)?;
+        Some(Expr::Curve(name.to_owned(), Box::new(argument)))
+    }
+
     /// Steps over the name of a shape after `open`.
     fn shape_name(&mut self, open: Token) -> Option<Expr> {
         let start = self.peek().filter(|t| !t.literal && is_name_start(t.ch));

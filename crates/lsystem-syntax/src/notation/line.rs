@@ -6,9 +6,9 @@ use super::expression;
 use super::production::{self, ProductionLine};
 use super::token::{Token, span_of, text_of, tokens};
 use super::{Reading, arrow};
-use crate::grammar::NamedShape;
+use crate::grammar::{NamedCurve, NamedShape};
 use crate::notes::{Notes, excerpt};
-use crate::{Class, Constant, Expr, Kind, Production, Role, Seen, Shape};
+use crate::{Class, Constant, Curve, Expr, Kind, Meaning, Production, Role, Seen, Shape};
 use core::ops::Range;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -77,8 +77,10 @@ impl RulesReader<'_> {
         }
         if let Some(arrow) = arrow::find(tokens) {
             self.productions.push(ProductionLine { tokens: tokens.to_vec(), arrow, end, drawing: self.drawing });
-        } else if let Some((name, equals)) = super::shape::name(tokens) {
-            self.shape(tokens, (name, equals), end);
+        } else if let Some(places) = super::shape::name(tokens, "shape") {
+            self.shape(tokens, places, end);
+        } else if let Some(places) = super::shape::name(tokens, "curve") {
+            self.curve(tokens, places, end);
         } else if let Some(equals) = tokens.iter().position(|t| t.is('=')) {
             self.constant(tokens, equals, end);
         } else {
@@ -200,23 +202,49 @@ impl RulesReader<'_> {
     }
 
     /// Reads `shape name = …`; the name and `=` are at these places.
-    fn shape(&mut self, tokens: &[Token], (name, equals): (usize, usize), end: usize) {
+    fn shape(&mut self, tokens: &[Token], places: (usize, usize), end: usize) {
+        let Some((name, span)) = self.named(tokens, places, end) else { return };
+        // A wrong shape is noted already. The name is defined, so that its uses are not noted too.
+        let shape = super::shape::read(&tokens[places.1 + 1..], end, self.constants, self.notes);
+        let shape = Arc::new(shape.unwrap_or(Shape::Ball([0.0; 4])));
+        self.constants.other(name.clone(), Meaning::Shape(shape.clone()), span);
+        self.reading.grammar.shapes.push(NamedShape { name, shape });
+    }
+
+    /// Reads `curve name = …`; the name and `=` are at these places.
+    fn curve(&mut self, tokens: &[Token], places: (usize, usize), end: usize) {
+        let Some((name, span)) = self.named(tokens, places, end) else { return };
+        if expression::function(&name).is_some() {
+            return self.notes.add(Kind::ConstantTwice { name }, span);
+        }
+        // As with shapes, the name is defined in any case.
+        let curve = super::curve::read(&tokens[places.1 + 1..], end, self.constants, self.notes);
+        let Some(curve) = curve.or_else(|| Curve::new(vec![[0.0; 2], [1.0; 2]])).map(Arc::new) else { return };
+        self.constants.other(name.clone(), Meaning::Curve(curve.clone()), span);
+        self.reading.grammar.curves.push(NamedCurve { name, curve });
+    }
+
+    /// The name in a line such as `shape name = …`, with its span; `None` if it is wrong or taken, which is noted.
+    fn named(
+        &mut self,
+        tokens: &[Token],
+        (name, equals): (usize, usize),
+        end: usize,
+    ) -> Option<(String, Range<usize>)> {
         self.notes.class(Class::Heading, span_of(&tokens[..name], end));
         self.notes.class(Class::Mark, tokens[equals].span());
-        let (words, value) = (&tokens[name..equals], &tokens[equals + 1..]);
+        let words = &tokens[name..equals];
         let (span, text): (_, String) = (span_of(words, end), words.iter().map(|t| t.ch).collect());
         if !is_name(words) || expression::is_reserved(&text) {
-            return self.notes.add(Kind::ConstantName { text: text_of(words) }, span);
+            self.notes.add(Kind::ConstantName { text: text_of(words) }, span);
+            return None;
         }
         if self.constants.contains(&text) {
-            return self.notes.add(Kind::ConstantTwice { name: excerpt(&text) }, span);
+            self.notes.add(Kind::ConstantTwice { name: excerpt(&text) }, span);
+            return None;
         }
         self.notes.class(Class::Constant, span.clone());
-        // A wrong shape is noted already. The name is defined, so that its uses are not noted too.
-        let shape = super::shape::read(value, end, self.constants, self.notes);
-        let shape = NamedShape { name: text, shape: Arc::new(shape.unwrap_or(Shape::Ball([0.0; 4]))) };
-        self.constants.shape(shape.clone(), span);
-        self.reading.grammar.shapes.push(shape);
+        Some((text, span))
     }
 
     fn no_arrow(&mut self, tokens: &[Token]) {

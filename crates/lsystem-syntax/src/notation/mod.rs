@@ -6,6 +6,7 @@
 //! A < B > C -> D                             if A stands before and C after, along the axis
 //! A(l, w) : l > 0.1 -> F(l)A(l*r, w)         with parameters, and a condition
 //! r = 0.9                                    a constant; also: #define r 0.9
+//! curve taper = (0, 1) (0.4, 0.8) (1, 0.1)   a function of one variable, used as in `taper(x)`
 //! ignore: +-F                                symbols that contexts skip; `consider:` lists the symbols they see
 //! draw:                                      the productions below apply only to the drawing
 //! // a comment                               also: # a comment, and /* anywhere */
@@ -26,6 +27,7 @@
 pub(crate) mod arrow;
 mod comment;
 pub(crate) mod constants;
+mod curve;
 pub(crate) mod expression;
 mod line;
 mod production;

@@ -10,14 +10,13 @@ use crate::{Class, Kind, Role};
 /// The most nested parentheses, and the most signs in a shape: printing and measuring it are recursive.
 const DEPTH: usize = 64;
 
-/// The places of the name and of `=` in the line of a shape; `None` for another line.
-pub(super) fn name(tokens: &[Token]) -> Option<(usize, usize)> {
-    const WORD: &str = "shape";
-    let is_word = tokens.len() > WORD.len()
-        && WORD.chars().zip(tokens).enumerate().all(|(at, (ch, t))| t.is(ch) && (at == 0 || t.joined))
-        && !tokens[WORD.len()].joined;
+/// The places of the name and of `=` in a line that begins with `word`; `None` for another line.
+pub(super) fn name(tokens: &[Token], word: &str) -> Option<(usize, usize)> {
+    let is_word = tokens.len() > word.len()
+        && word.chars().zip(tokens).enumerate().all(|(at, (ch, t))| t.is(ch) && (at == 0 || t.joined))
+        && !tokens[word.len()].joined;
     let equals = tokens.iter().position(|t| t.is('='))?;
-    (is_word && equals > WORD.len()).then_some((WORD.len(), equals))
+    (is_word && equals > word.len()).then_some((word.len(), equals))
 }
 
 /// Reads a shape; `None` if it is wrong, which is noted. `end` is the place of what is missing, in bytes.

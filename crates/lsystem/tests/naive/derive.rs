@@ -371,6 +371,12 @@ impl Scope<'_> {
                     Operator::Power => libm::pow(a, b),
                 }
             }
+            // The core's function; its own test compares it with cpfg's recursion.
+            Expr::Curve(name, argument) => {
+                let found = self.grammar.curves.iter().find(|curve| curve.name == *name);
+                let argument = self.value(argument);
+                found.map_or(f64::NAN, |found| found.curve.value(argument))
+            }
             Expr::Call(function, arguments) => {
                 let values: Vec<f64> = arguments.iter().map(|a| self.value(a)).collect();
                 match (function, values.as_slice()) {

@@ -218,6 +218,7 @@ fn degree(code: &Code, length: &impl Fn(u16) -> bool) -> Option<Degree> {
                 unscaled(stack.pop()?)?;
                 unscaled(stack.pop()?)?
             }
+            Op::Curve(_) => unscaled(stack.pop()?)?,
             Op::Random(_) | Op::NormalRandom(_) => return None,
         };
         stack.push(degree);
