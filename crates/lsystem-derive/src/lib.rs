@@ -47,7 +47,7 @@ pub use counts::{Counter, weigh_until};
 pub use derivation::{derive_once, derive_string, derive_symbol, fault};
 pub use key::{Key, Varied};
 pub use rewrite::Rewrite;
-pub use rewriting::{Age, Fault, History, Image, Rewriter};
+pub use rewriting::{Age, Fault, History, Image, Rewriter, between};
 pub use rules::{Letter, LetterId, Rule, Rules, Template};
 pub use tally::Tally;
 pub use walk::{Fate, Next, Walk};

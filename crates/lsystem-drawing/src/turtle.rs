@@ -62,7 +62,8 @@ pub struct Turtle {
     pub length_variation: f64,
     /// The growth of the modules that the last derivation step made, from 0 to 1: their angles and lengths times this
     /// factor. One module of a successor continues its predecessor and is fully grown: the first of the predecessor's
-    /// letter, or else, if the predecessor draws, the first that draws.
+    /// letter, whose numbers then are this part of the way from the predecessor's; or else, if the predecessor draws,
+    /// the first that draws.
     pub growth: f64,
 }
 

@@ -14,6 +14,7 @@ mod drawing;
 mod export;
 mod films;
 mod gallery;
+mod growing;
 mod import;
 mod json;
 mod language;

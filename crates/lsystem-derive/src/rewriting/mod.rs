@@ -15,7 +15,7 @@ mod table;
 
 pub use history::History;
 pub use image::Image;
-pub use modules::Age;
+pub use modules::{Age, between};
 pub use step::{Fault, Rewriter};
 
 #[cfg(test)]

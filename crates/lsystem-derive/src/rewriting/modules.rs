@@ -48,6 +48,12 @@ impl Chance {
     }
 }
 
+/// The number this part of the way from one finite number to another.
+#[must_use]
+pub fn between(from: f64, to: f64, part: f64) -> f64 {
+    if from == to { to } else { (1.0 - part) * from + part * to }
+}
+
 impl Modules {
     pub(super) fn clear(&mut self) {
         self.letters.clear();
@@ -83,6 +89,19 @@ impl Modules {
             since: if child == letter { age.since } else { step as u16 },
             made: if continuing == Some(index) { age.made } else { step as u16 },
         }));
+    }
+
+    /// Moves the numbers of the first module of a letter among those from `made` on, a module and an argument, the part
+    /// `grown` of the way from `before`.
+    pub(super) fn blend(&mut self, made: (usize, usize), letter: LetterId, before: &[f64], grown: f64, arities: &[u8]) {
+        let mut argument = made.1;
+        for &child in &self.letters[made.0..] {
+            if child == letter {
+                let own = self.arguments[argument..].iter_mut();
+                return own.zip(before).for_each(|(value, before)| *value = between(*before, *value, grown));
+            }
+            argument += usize::from(arities[usize::from(child)]);
+        }
     }
 
     /// The random key of the module at `place`; meaningless if keys are not kept.

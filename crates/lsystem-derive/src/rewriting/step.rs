@@ -72,6 +72,8 @@ pub(super) struct RewritePlan {
     pub(super) random: bool,
     /// By letter: whether it draws; empty if ages are not kept.
     draws: Vec<bool>,
+    /// The step whose modules grow, and the part that has grown.
+    growing: Option<(u32, f64)>,
     contexts: bool,
     cutting: bool,
     /// The look-up table by three letters, if the rules allow it.
@@ -138,6 +140,7 @@ impl Rewriter {
             random,
             costs: costs(&rules),
             draws: vec![],
+            growing: None,
             arities,
             roles,
             rules,
@@ -199,6 +202,12 @@ impl Rewriter {
         self.plan.random = true;
         self.plan.table = None;
         self.plan.draws = draws.unwrap_or_default();
+    }
+
+    /// Lets the modules of `step` grow: a module that continues one of the same letter then has numbers this part of the
+    /// way from those of its predecessor. The following steps would go on from there.
+    pub fn grow(&mut self, step: u32, part: f64) {
+        self.plan.growing = Some((step, part));
     }
 
     /// Records every step, for a grammar of this many productions. Call this before the first step.

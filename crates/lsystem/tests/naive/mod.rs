@@ -147,7 +147,24 @@ fn drawn(system: &System, n: u32) -> Vec<Module> {
         }
         symbols.into_iter().any(|symbol| actions(system, symbol).iter().any(|action| action.draws()))
     });
-    images(&system.grammar, system.seed, &aged.expect("finite numbers")).expect("finite numbers")
+    let mut aged = aged.expect("finite numbers");
+    if n > 0 && system.turtle.growth < 1.0 {
+        blend(&mut aged, &modules(&system.grammar, system.seed, n - 1).expect("finite numbers"), system.turtle.growth);
+    }
+    images(&system.grammar, system.seed, &aged).expect("finite numbers")
+}
+
+/// Under growth, the numbers of a module that continues one of the same letter are on the way from the numbers before.
+fn blend(word: &mut [Module], before: &[Module], growth: f64) {
+    let mut continued = std::collections::BTreeSet::new();
+    for module in word.iter_mut().filter(|module| module.production.is_some()) {
+        let parent = &before[module.parent];
+        let is_like = (parent.symbol, parent.arguments.len()) == (module.symbol, module.arguments.len());
+        if is_like && continued.insert(module.parent) {
+            let numbers = module.arguments.iter_mut().zip(&parent.arguments);
+            numbers.for_each(|(number, before)| *number = before + growth * (*number - before));
+        }
+    }
 }
 
 /// The factors of a module's length and angle, by variation and growth. `slot` is as in [`slot`].

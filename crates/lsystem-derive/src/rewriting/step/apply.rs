@@ -145,11 +145,14 @@ impl Rewriter {
             return Ok(());
         };
         meter.charge(plan.costs[rule.production]);
-        let from = next.letters.len();
+        let (from, first) = (next.letters.len(), next.arguments.len());
         next.make(&rule.successor, at.slots(rule, scratch), &chance, plan.random)
             .map_err(|NotFinite| Fault::NotFinite(Some(rule.production)))?;
         if let Some(age) = word.age_of(place).filter(|_| !plan.draws.is_empty()) {
             next.grow(from, word.letters[place], age, step, &plan.draws);
+        }
+        if let Some((_, part)) = plan.growing.filter(|&(growing, _)| growing == step) {
+            next.blend((from, first), word.letters[place], &word.arguments[own], part, &plan.arities);
         }
         Ok(())
     }

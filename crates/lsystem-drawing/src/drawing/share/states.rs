@@ -22,7 +22,7 @@ use crate::style::ColourChange;
 use crate::turtle::{Score, TurtleOp, continuation};
 use core::ops::Range;
 use lsystem_base::Meter;
-use lsystem_derive::{Fault, LetterId, Rules, Template, fault};
+use lsystem_derive::{Fault, LetterId, Rules, Template, between, fault};
 use lsystem_syntax::Diagnostic;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -162,6 +162,8 @@ struct Planning<S: Space> {
     /// If the arguments are still to be computed: the predecessor, the index of its production, the range of its
     /// arguments, and the index of the successor's next argument.
     made: Option<(LetterId, usize, Range<usize>, usize)>,
+    /// Whether a module may still come whose numbers grow from those of the predecessor.
+    blends: bool,
     /// The index of the word's first part.
     first: u32,
     /// The number of derivation steps left.
@@ -225,7 +227,8 @@ impl<S: Space> States<S> {
         new.arguments.extend_from_slice(&word.arguments);
         let (heading, vertical) = turtle.start::<S>();
         let (letters, orientation) = (word.letters.clone(), Orientation::new(heading, vertical));
-        let planning = Planning { letters, done: 0, argument: 0, made: None, first: 0, depth: n, orientation };
+        let planning =
+            Planning { letters, done: 0, argument: 0, made: None, blends: false, first: 0, depth: n, orientation };
         new.planning = Some(planning);
         Ok(new)
     }
@@ -384,7 +387,8 @@ impl<S: Space> States<S> {
             (Some(rule), Some(at)) => (rule.successor.letters.clone(), arguments.len(), Some((letter, at, own, 0))),
             _ => (vec![letter], from, None),
         };
-        Planning { letters, done: 0, argument, made, first, depth, orientation }
+        let blends = depth == 0 && !self.shows.is_empty();
+        Planning { letters, done: 0, argument, made, blends, first, depth, orientation }
     }
 
     /// Appends parts of the word that is being planned, until the meter is spent. An error means too many parts. A
@@ -403,7 +407,10 @@ impl<S: Space> States<S> {
             meter.charge(2 + arity as u64);
             if let Some((former, rule, own, code)) = &mut planning.made {
                 let rule = &self.rules.by_letter[usize::from(*former)][*rule];
-                for made in &rule.successor.arguments[*code..*code + arity] {
+                let blends = planning.blends && letter == *former;
+                planning.blends &= !blends;
+                let grown = if blends { task.score.growth } else { 1.0 };
+                for (at, made) in rule.successor.arguments[*code..*code + arity].iter().enumerate() {
                     let value = made.value(&self.arguments[own.clone()], &|_| 0.0);
                     if !value.is_finite() {
                         let error = Fault::NotFinite(Some(rule.production));
@@ -411,6 +418,7 @@ impl<S: Space> States<S> {
                         return Ok(Some(fault(&self.rules, error, steps.saturating_sub(1), &task.limits, None)));
                     }
                     reserve(&mut self.arguments, 1);
+                    let value = if grown < 1.0 { between(self.arguments[own.start + at], value, grown) } else { value };
                     self.arguments.push(value);
                 }
                 *code += arity;

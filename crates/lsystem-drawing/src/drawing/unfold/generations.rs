@@ -52,11 +52,14 @@ struct Draft<S: Space> {
 
 impl<S: Space> Generations<S> {
     /// Prepares to draw from the axiom on.
-    pub(super) fn new(Task { rules, score, seed, limits, .. }: &Task<S>) -> Result<Self, Diagnostic> {
+    pub(super) fn new(Task { rules, score, seed, n, limits, .. }: &Task<S>) -> Result<Self, Diagnostic> {
         let mut rewriter =
             Rewriter::new(rules.clone(), *seed, *limits).map_err(|fault_| fault(rules, fault_, 0, limits, None))?;
         if score.differs_by_module() {
             rewriter.remember(score.differs_by_age().then(|| score.shows(rules)));
+        }
+        if score.growth < 1.0 {
+            rewriter.grow(*n, score.growth);
         }
         Ok(Self { rewriter, reader: TurtleOpReader::default(), stage: Stage::Derive })
     }
