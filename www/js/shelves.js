@@ -118,6 +118,7 @@ export const SHELVES = {
         'garden/roots-and-stones': '',
         'garden/elbow-room': 'Curves',
         'garden/hedge-arch': 'Trees',
+        'garden/tabebuia': 'Trees',
     },
     'By chance': {
         'garden/cherry-in-bloom': 'Flowers and leaves',

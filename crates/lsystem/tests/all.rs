@@ -4,6 +4,7 @@ mod access;
 mod annotated;
 mod assertions;
 mod assistants;
+mod borchert;
 mod boundary;
 mod compact;
 mod contexts;
