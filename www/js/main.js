@@ -48,6 +48,8 @@ import { createWind } from './wind.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
 
+/** Whether rules may have a curve, whose editor then loads. */
+const CURVE = /^[^\S\r\n]*curve\s/m;
 /** The most problems in one message; longer messages are not read. */
 const MOST_PROBLEMS = 3;
 
@@ -202,6 +204,7 @@ function show(state, before) {
         playback.forget();
     }
     if (before && before.camera !== state.camera) hover.turned();
+    if (before?.rules !== state.rules && CURVE.test(state.rules)) void dialogs.part('curves');
     showNames(state);
     showPrintText(state, before);
     button('undo').disabled = !store.canUndo;

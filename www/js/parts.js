@@ -8,6 +8,7 @@ import { createCheck } from './course/check.js';
 import { createMaker } from './course/maker.js';
 import { createMarks } from './course/marks.js';
 import { createMathematics } from './course/mathematics.js';
+import { createCurves } from './curves/curves.js';
 import { createFavourites } from './favourites/dialog.js';
 import { createFileOpening } from './file-opening.js';
 import { createFilms } from './film/films.js';
@@ -39,6 +40,7 @@ export const PARTS = {
     film: createFilms,
     find: createFinding,
     import: createImporting,
+    curves: createCurves,
     maker: createMaker,
     check: createCheck,
     marks: createMarks,
