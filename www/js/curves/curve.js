@@ -14,7 +14,7 @@ const LINE = /^([^\S\r\n]*curve[^\S\r\n]+([\p{L}_][\p{L}\p{N}_]*)[^\S\r\n]*=)([^
 export function curvesIn(rules) {
     const found = [];
     for (const { index, 1: head = '', 2: name = '', 3: rest = '' } of rules.matchAll(LINE)) {
-        const text = rest.split(/\/[/*]/)[0] ?? '';
+        const text = rest.split('/*')[0] ?? '';
         if (text.replace(POINT, '').replace(/[\s,]/g, '') !== '') continue;
         const points = [...text.matchAll(POINT)].map(({ 1: x, 2: y }) => /** @type {Point} */ ([Number(x), Number(y)]));
         const start = index + head.length + text.indexOf('(');

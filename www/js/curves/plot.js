@@ -51,6 +51,8 @@ export function createPlot(name, { change, settle }) {
     /** The point that the buttons are about. */
     let chosen = 0;
     let held = false;
+    /** The plot's place when a drag began: the text above may become longer, and then the plot moves. @type {DOMRect | null} */
+    let grip = null;
     /** @type {HTMLElement[]} */
     const handles = [];
 
@@ -73,7 +75,7 @@ export function createPlot(name, { change, settle }) {
 
     /** @param {PointerEvent} event @returns {Point} */
     function pointAt({ clientX, clientY }) {
-        const box = area.getBoundingClientRect();
+        const box = grip ?? area.getBoundingClientRect();
         const [x, y] = [(clientX - box.left) / box.width, 1 - (clientY - box.top) / box.height];
         return [
             onSteps(extent.left + x * (extent.right - extent.left), across()),
@@ -92,7 +94,8 @@ export function createPlot(name, { change, settle }) {
         handle.addEventListener('focus', () => choose(at));
         handle.addEventListener('pointerdown', (event) => {
             held = true;
-            handle.focus();
+            grip = area.getBoundingClientRect();
+            handle.focus({ preventScroll: true });
             handle.setPointerCapture(event.pointerId);
         });
         handle.addEventListener('pointermove', (event) => {
@@ -104,6 +107,7 @@ export function createPlot(name, { change, settle }) {
         });
         handle.addEventListener('lostpointercapture', () => {
             held = false;
+            grip = null;
             settle();
             show(points);
         });

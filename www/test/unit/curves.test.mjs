@@ -15,7 +15,7 @@ import {
 
 const RULES = `// curve no = (0, 1) (1, 2)
 r = 2
-  curve taper = (0, 1)(.4,-8e-1), (1, 0.1) // narrow
+  curve taper = (0, 1)(.4,-8e-1), (1, 0.1) /* narrow */
 curve wrong = (0, r) (1, 2)
 curve back = (0, 1) (2, 1) (1, 0)
 curve one = (0, 1)
@@ -44,7 +44,7 @@ test('curves are found by their places, and others are left alone', () => {
             [3, 1e-7],
         ]) +
         RULES.slice(taper?.end);
-    assert.match(changed, /curve taper = \(0, 0\.5\) \(3, 1e-7\) \/\/ narrow\n/);
+    assert.match(changed, /curve taper = \(0, 0\.5\) \(3, 1e-7\) \/\* narrow \*\/\n/);
     assert.deepEqual(curvesIn(changed)[0]?.points, [
         [0, 0.5],
         [3, 1e-7],
