@@ -450,7 +450,7 @@ fn curves_are_written_as_function_files() {
     let text = lsystem_import::write::export(&definition, notation("cpfg")).unwrap().text;
     let lengths = |definition: &Definition| -> Vec<f64> {
         let figure = Figure::draw(&system(definition), 20, &Limits::default()).unwrap();
-        let square = |a: [f64; 3], b: [f64; 3]| (0..3).map(|axis| (a[axis] - b[axis]).powf(2.0)).sum::<f64>();
+        let square = |a: [f64; 3], b: [f64; 3]| (0..3).map(|axis| libm::pow(a[axis] - b[axis], 2.0)).sum::<f64>();
         figure.segments_from(0).map(|s| square(s.from, s.to).sqrt()).collect()
     };
     let (ours, theirs) = (lengths(&definition), lengths(&read(&text)));
