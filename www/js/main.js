@@ -113,6 +113,7 @@ const dialogs = createDialogs({
     session,
     favourites,
     stage,
+    listening: { play: () => playback.setPlaying(true), present: sounded, mark: marks.sounding },
     readAt: reader.readAt,
     theme,
     restyle: (definition) => withThemeScheme(definition, theme()),
@@ -230,6 +231,15 @@ function showNames(state) {
 function begins(other) {
     other.stop();
     playback.forget();
+}
+
+/** Sound takes the place of growth and wind. @param {import('./playback.js').Show | null} show */
+function sounded(show) {
+    if (show && (growing.running || wind.blowing)) {
+        growing.stop();
+        begins(wind);
+    }
+    playback.present(show);
 }
 
 /** @param {Report} next @param {boolean} past whether the report is about the last good state */

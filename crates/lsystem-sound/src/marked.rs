@@ -7,6 +7,8 @@ use lsystem_drawing::{Colouring, System, Triangle};
 use lsystem_syntax::Action;
 use std::sync::Arc;
 
+/// The colour index of all else.
+const OTHER: i32 = 0;
 /// The colour index of the mark at the beginning of a branch. A letter has its number plus [`LETTERS`].
 pub(crate) const BRANCH: i32 = 1;
 /// The first colour index of letters.
@@ -19,24 +21,26 @@ const SIZE: f64 = 1.0 / (1 << 30) as f64;
 /// The corners of a mark about the turtle, ahead and to the left.
 const CORNERS: Triangle = [[SIZE, 0.0, 0.0], [-0.5 * SIZE, SIZE, 0.0], [-0.5 * SIZE, -SIZE, 0.0]];
 
-/// The system with marks in place of its colours, widths and polygons. The marks are for [`Walk`](crate::Walk).
+/// The system with marks in place of its colours and widths. The marks are for [`Walk`](crate::Walk).
 #[must_use]
 pub fn marked(system: &System) -> System {
     let mut system = system.clone();
     let turtle = &mut system.turtle;
     (turtle.colouring, turtle.tapers, turtle.max_width) = (Colouring::Symbols, false, 0.0);
     turtle.surfaces.push((MARK, Arc::new([CORNERS])));
-    let point = Action::Surface(MARK, None);
     for (letter, actions) in (0..).zip(&mut turtle.actions) {
         let mut marked = Vec::with_capacity(actions.len());
         for &action in &*actions {
-            marked.push(if is_drawn(action) { action } else { silent() });
+            marked.push(if is_look(action) { SILENT } else { action });
             let mark = match action {
                 Action::Push => Some(BRANCH),
                 _ if action.segments() > 0 => Some(LETTERS + letter),
                 _ => None,
             };
-            marked.extend(mark.into_iter().flat_map(|colour| [Action::SetColour(colour), point]));
+            let point = Action::Surface(MARK, None);
+            marked.extend(
+                mark.into_iter().flat_map(|colour| [Action::SetColour(colour), point, Action::SetColour(OTHER)]),
+            );
         }
         *actions = marked;
     }
@@ -54,23 +58,10 @@ pub(crate) fn drawing_letters(system: &System) -> Vec<usize> {
     system.turtle.actions.iter().map(number).collect()
 }
 
-/// The action in place of one that is not heard. A module's number may replace the number of this action, too.
-const fn silent() -> Action {
-    Action::AddColour(0)
-}
+/// The action in place of one that is not heard: it does nothing to a drawing, also with a module's number.
+const SILENT: Action = Action::Cut;
 
-/// Whether lines depend on the action.
-fn is_drawn(action: Action) -> bool {
-    !matches!(
-        action,
-        Action::SetColour(_)
-            | Action::AddColour(_)
-            | Action::SetWidth(_)
-            | Action::ScaleWidth(_)
-            | Action::Fill(..)
-            | Action::Surface(..)
-            | Action::OpenPolygon
-            | Action::Vertex
-            | Action::ClosePolygon
-    )
+/// Whether the action changes only colours and widths.
+const fn is_look(action: Action) -> bool {
+    matches!(action, Action::SetColour(_) | Action::AddColour(_) | Action::SetWidth(_) | Action::ScaleWidth(_))
 }

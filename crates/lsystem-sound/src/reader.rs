@@ -39,8 +39,10 @@ pub(crate) fn lines<S: Space>(marks: impl Iterator<Item = Mark<S>>) -> impl Iter
                     ready.push_back(Line { ends, level: tint.level, letter: None });
                 }
                 Some(Mark::Polygon(_, tint)) => {
-                    let letter = usize::try_from(tint.index - LETTERS).ok();
-                    ready.extend(open.drain(..).map(|line| Line { letter: letter.or(Some(0)), ..line }));
+                    // Other polygons are no marks.
+                    let letter = usize::try_from(tint.index - LETTERS);
+                    let Ok(letter) = letter else { continue };
+                    ready.extend(open.drain(..).map(|line| Line { letter: Some(letter), ..line }));
                 }
                 None => {
                     ready.extend(open.drain(..));

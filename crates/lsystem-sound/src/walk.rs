@@ -37,6 +37,12 @@ impl Walk {
         Self { figure, letters: drawing_letters(system), extent }
     }
 
+    /// The drawing.
+    #[must_use]
+    pub const fn figure(&self) -> &Figure {
+        &self.figure
+    }
+
     /// The number of lines; saturating.
     #[must_use]
     pub fn segments(&self) -> u128 {

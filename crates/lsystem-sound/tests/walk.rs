@@ -2,7 +2,7 @@
 
 use lsystem_base::{Limits, Meter};
 use lsystem_drawing::{Figure, System, expand};
-use lsystem_sound::{Heard, Pitch, SoundOptions, Time, Tune, Walk, listen, marked};
+use lsystem_sound::{Heard, Note, Pitch, SoundOptions, Time, Tune, Walk, listen, marked};
 use lsystem_syntax::{Definition, Halt, Work};
 use proptest::prelude::*;
 
@@ -198,6 +198,27 @@ fn notes_of_published_systems_are_the_lines_of_a_turtle() {
     compare(&own("F", "F -> FfF\nf -> fff", 90.0, 5));
     compare(&own("A(1)", "A(s) -> F(s)[+A(s/2)][-A(s*0.7)]F(s/3)", 40.0, 5));
     compare(&own("GF[+F]F[-F]F", "G < F -> G\nG -> F[+G]F", 30.0, 4));
+}
+
+#[test]
+fn colours_widths_and_leaves_change_no_note() {
+    let plain = Definition {
+        axiom: "F[+FF]F[-F]F".into(),
+        rules: "F -> FF[+F]".into(),
+        angle: 30.0,
+        iterations: 2,
+        ..Definition::default()
+    };
+    let shown =
+        Definition { axiom: "!F[+'F{.F.}●(3)]F,(3)[-;F]F".into(), rules: "F -> F#F[!(2)+F]".into(), ..plain.clone() };
+    let [plain, shown] = [plain, shown].map(|definition| heard(&definition, &SoundOptions::default()));
+    assert_eq!((plain.notes.len(), plain.voices), (shown.notes.len(), shown.voices));
+    for (one, other) in plain.notes.iter().zip(&shown.notes) {
+        // A leaf may be the highest place.
+        let Note { key, side, at, .. } = *one;
+        assert_eq!(*one, Note { key, side, at, ..*other });
+        assert!(far([at[0], at[1]], [other.at[0], other.at[1]]) < 1e-9);
+    }
 }
 
 #[test]
