@@ -5,7 +5,7 @@ use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, w
 use lsystem_base::{LimitName, Limits, Progress};
 use lsystem_drawing::{Drawer, Drawing, Figure, Outlook, Projection, Solid, System, expand};
 use lsystem_render::{Camera, Vantage, View, Viewport, fit, opening_camera};
-use lsystem_sound::listen;
+use lsystem_sound::{SoundOptions, listen};
 use lsystem_syntax::{Definition, Diagnostic, Halt, Work, run_steps};
 use std::sync::Arc;
 
@@ -109,7 +109,9 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
         }
         Content::Sound => {
             let draw = &mut |system: &System, n, work: &mut dyn Work| task.figure_of(system, n, work);
-            let tune = listen(system, definition.iterations, &options.sound, draw, sink)?;
+            let notes = u64::from(options.sound.notes).min(limits.segments) as u32;
+            let sound = SoundOptions { notes, ..options.sound };
+            let tune = listen(system, definition.iterations, &sound, draw, sink)?;
             midi_file(&tune, &options, sink)?;
             Ok(Notes { summary: Some(tune.words(options.sound.step_seconds())), ..Notes::default() })
         }

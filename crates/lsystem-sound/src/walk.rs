@@ -8,9 +8,9 @@ use lsystem_drawing::{Figure, System};
 use lsystem_syntax::{Halt, Work};
 
 /// The units of work to read a line.
-const LINE_WORK: u64 = 64;
+const LINE_WORK: u64 = 16;
 /// The units of work to find a line by its number: a descent through nested blocks.
-const FIND_WORK: u64 = 4_096;
+const FIND_WORK: u64 = 128;
 /// The velocity of the stem, how much less each branch level has, and the least.
 const VELOCITY: [u32; 3] = [100, 9, 48];
 /// The longest rest, in steps: a drawing may jump as far as numbers go.
