@@ -1,5 +1,6 @@
 /** The drawing as sound: the notes of the turtle's walk, in step with playback or by themselves. */
 
+import markup from './sound.html';
 import styles from '../../css/sound.css';
 import { toast } from '../announce.js';
 import { button, html, input, make } from '../dom.js';
@@ -140,7 +141,7 @@ function createRow(stored, changed) {
         changed('volume');
     });
     paint();
-    addElements('<div id="play-sound" class="play-more play-sound"></div>', [styles], html('playback'));
+    addElements(markup, [styles], html('playback'));
     const row = html('play-sound');
     row.append(
         ...lists.flatMap(({ label, list }) => [label, list]),
