@@ -113,7 +113,7 @@ const dialogs = createDialogs({
     session,
     favourites,
     stage,
-    listening: { play: () => playback.setPlaying(true), present: sounded, mark: marks.sounding },
+    listening: { play: () => playback.presented ?? playback.setPlaying(true), present: sounded, mark: marks.sounding },
     readAt: reader.readAt,
     theme,
     restyle: (definition) => withThemeScheme(definition, theme()),
@@ -233,11 +233,12 @@ function begins(other) {
     playback.forget();
 }
 
-/** Sound takes the place of growth and wind. @param {import('./playback.js').Show | null} show */
+/** Sound takes the place of growth, wind and the segments. @param {import('./playback.js').Show | null} show */
 function sounded(show) {
-    if (show && (growing.running || wind.blowing)) {
+    if (show && playback.presented !== show) {
         growing.stop();
-        begins(wind);
+        wind.stop();
+        playback.stop();
     }
     playback.present(show);
 }

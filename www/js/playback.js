@@ -140,6 +140,12 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         },
 
         close: () => bar.set(false),
+        stop,
+
+        /** What the bar plays in place of the segments. */
+        get presented() {
+            return other;
+        },
 
         /** Plays something else in place of the segments, or the segments again. @param {Show | null} next */
         present(next) {

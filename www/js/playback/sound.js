@@ -92,7 +92,9 @@ export function createSound({ store, storage, listening }) {
         if (!sameDrawing(state, before)) forget();
     });
     // Nothing sounds beside a closed bar.
-    button('close-playback').addEventListener('click', () => voice && set(false));
+    new MutationObserver(() => html('playback').hidden && voice && set(false)).observe(html('playback'), {
+        attributeFilter: ['hidden'],
+    });
 
     /** @param {boolean} on */
     function set(on) {
