@@ -32,7 +32,9 @@ pub(crate) fn midi_file(tune: &Tune, options: &FileOptions, sink: &mut Sink<'_>)
     sink.bytes(&head)?;
     sink.bytes(&chunk(&conductor(tune, options)))?;
     for (number, notes) in tracks.iter().enumerate() {
-        sink.charge(notes.len() as u64 * 16)?;
+        for part in notes.chunks(64) {
+            sink.charge(part.len() as u64 * 16)?;
+        }
         sink.bytes(&chunk(&track(number, notes)))?;
     }
     Ok(())
