@@ -132,7 +132,7 @@ function createRow(stored, changed) {
         const before = String(stored?.[name]);
         list.value = before in words ? before : usual;
         list.addEventListener('change', () => changed(name));
-        return { name, list, label: make('label', { for: `sound-${name}` }, option.label) };
+        return { name, list, label: make('label', { class: 'sound-choice' }, option.label, list) };
     });
     const loudness = make('input', { id: 'sound-volume', type: 'range', min: '0', max: '100', step: '1' });
     const before = stored?.['volume'];
@@ -145,11 +145,7 @@ function createRow(stored, changed) {
     paint();
     addElements(markup, [styles], html('playback'));
     const row = html('play-sound');
-    row.append(
-        ...lists.flatMap(({ label, list }) => [label, list]),
-        make('label', { for: 'sound-volume' }, 'Volume'),
-        loudness,
-    );
+    row.append(...lists.map(({ label }) => label), make('label', { class: 'sound-choice' }, 'Volume', loudness));
     return {
         row,
         choices: () => Object.fromEntries(lists.map(({ name, list }) => [name, list.value])),
