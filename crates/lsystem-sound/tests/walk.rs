@@ -39,7 +39,7 @@ struct Turtle {
 }
 
 fn far(from: [f64; 2], to: [f64; 2]) -> f64 {
-    f64::hypot(to[0] - from[0], to[1] - from[1])
+    libm::hypot(to[0] - from[0], to[1] - from[1])
 }
 
 /// All lines, the least and greatest y of lines and branches, and the mean length.
