@@ -13,6 +13,7 @@ import { createLate } from './late.js';
  * @property {ReturnType<typeof import('./session.js').createSession>} session
  * @property {ReturnType<typeof import('./favourites/stored.js').createStored>} favourites
  * @property {{readonly space: boolean, readonly branches: boolean, camera: () => import('./camera.js').Camera, resolution: () => import('./protocol.js').Canvas}} stage
+ * @property {{play: () => void, present: (show: import('./playback.js').Show | null) => void, mark: (places: number[][]) => void}} listening plays the segments, or something else in their place, and marks places
  * @property {(index: bigint) => void} readAt opens the string at a symbol
  * @property {() => string} theme its name
  * @property {(definition: Definition) => Definition} restyle gives a system with default colours the theme's colours

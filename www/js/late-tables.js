@@ -23,6 +23,7 @@ export const FORMATS = /* @__PURE__ */ Object.freeze({
     'latex': { ending: 'tex', mime: 'text/x-tex', label: 'LaTeX', help: 'System typeset as in books: axiom, productions, constants and angles', picture: false, purposes: ['paper'], content: 'words', options: [] },
     'markdown': { ending: 'md', mime: 'text/markdown', label: 'Markdown', help: 'System as a list: axiom, productions, constants and angles', picture: false, purposes: ['paper'], content: 'words', options: [] },
     'bibtex': { ending: 'bib', mime: 'text/x-bibtex', label: 'BibTeX', help: 'Entries of the system\'s source and of its picture', picture: false, purposes: ['paper'], content: 'words', options: [] },
+    'midi': { ending: 'mid', mime: 'audio/midi', label: 'MIDI', help: 'Walk of the turtle as notes: lines are notes, branches are voices', picture: false, purposes: ['sound'], content: 'sound', options: ['pitch', 'time', 'scale', 'octaves', 'tempo', 'notes'] },
     'json': { ending: 'json', mime: 'application/json', label: 'JSON', help: 'System, to open again', picture: false, purposes: ['data'], content: 'system', options: [] },
     'txt': { ending: 'txt', mime: 'text/plain', label: 'Text', help: 'Derived string', picture: false, purposes: ['data'], content: 'string', options: [] },
     'csv': { ending: 'csv', mime: 'text/csv', label: 'CSV', help: 'Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour', picture: false, purposes: ['data'], content: 'segments', options: [] },
@@ -64,6 +65,7 @@ export const PURPOSES = /* @__PURE__ */ Object.freeze({
     paper: 'Article',
     print: 'Poster',
     mesh: '3D',
+    sound: 'Sound',
     data: 'Data',
 });
 
@@ -91,6 +93,12 @@ export const FILE_OPTIONS = /* @__PURE__ */ Object.freeze({
     'lift': { kind: 'number', low: 0, high: 60, step: 0.1, default: 0.2, label: 'Lift time', help: 'Seconds to raise and lower the pen, for the estimate of time', unit: 's' },
     'whole-sheet': { kind: 'flag', label: 'Whole sheet', help: 'Fill the sheet, instead of ending the page at the edge of the drawing', unit: '' },
     'finest': { kind: 'number', low: 0, high: 20, step: 0.1, default: 0, label: 'Finest part', help: 'Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all', unit: '%' },
+    'pitch': { kind: 'word', words: { 'height': 'By height', 'letter': 'By letter' }, default: 'height', label: 'Pitch', help: 'Pitch of a note, by the height of the line\'s end or by the letter that draws the line', unit: '' },
+    'time': { kind: 'word', words: { 'step': 'Line after line', 'length': 'By length, branches together' }, default: 'step', label: 'Time', help: 'Time of a note: line after line in drawing order, or by length with branches together', unit: '' },
+    'scale': { kind: 'word', words: { 'pentatonic': 'Pentatonic', 'major': 'Major', 'minor': 'Minor', 'chromatic': 'Chromatic' }, default: 'pentatonic', label: 'Scale', help: 'Tones of an octave, on C', unit: '' },
+    'octaves': { kind: 'number', low: 1, high: 6, step: 1, default: 3, label: 'Range', help: 'Range of the pitches, about middle C', unit: 'octaves' },
+    'tempo': { kind: 'number', low: 20, high: 400, step: 1, default: 120, label: 'Tempo', help: 'Quarter notes in a minute; a line lasts a sixteenth', unit: 'per minute' },
+    'notes': { kind: 'number', low: 1, high: 100000, step: 1, default: 2000, label: 'Most notes', help: 'Number of notes; of longer walks, lines at even distances are heard, or by length an earlier generation', unit: '' },
     'bare': { kind: 'flag', label: 'Without the rules inside', help: 'Leave the system out of the file; the file cannot be opened again as a system', unit: '' },
 });
 

@@ -115,6 +115,7 @@ const dialogs = createDialogs({
     session,
     favourites,
     stage,
+    listening: { play: () => playback.presented ?? playback.setPlaying(true), present: sounded, mark: marks.sounding },
     readAt: reader.readAt,
     theme,
     restyle: (definition) => withThemeScheme(definition, theme()),
@@ -233,6 +234,16 @@ function showNames(state) {
 function begins(other) {
     other.stop();
     playback.forget();
+}
+
+/** Sound takes the place of growth, wind and the segments. @param {import('./playback.js').Show | null} show */
+function sounded(show) {
+    if (show && playback.presented !== show) {
+        growing.stop();
+        wind.stop();
+        playback.stop();
+    }
+    playback.present(show);
 }
 
 /** @param {Report} next @param {boolean} past whether the report is about the last good state */

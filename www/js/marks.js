@@ -50,6 +50,7 @@ export function createMarks() {
     const found = byId('mark-found', SVGGElement);
     const part = byId('mark-part', SVGGElement);
     const turtle = byId('mark-turtle', SVGGElement);
+    const dots = byId('mark-sounding', SVGPathElement);
     /** @type {Viewpoint | null} */
     let viewpoint = null;
     /** The ends of a segment, or the corners of a polygon. @type {Point[]} */
@@ -60,6 +61,8 @@ export function createMarks() {
     let outline = [];
     /** @type {FittedPose | null} */
     let pose = null;
+    /** @type {Point[]} */
+    let places = [];
 
     /** @param {Point} point @returns {[number, number]} CSS pixels from the stage's upper left corner */
     function place(point) {
@@ -111,7 +114,7 @@ export function createMarks() {
     }
 
     function draw() {
-        show(frame, viewpoint !== null && (points.length > 0 || outline.length > 0 || pose !== null));
+        show(frame, viewpoint !== null && (points.length + outline.length + places.length > 0 || pose !== null));
         if (!viewpoint) return;
         show(found, points.length > 0);
         if (points.length > 0) {
@@ -132,6 +135,8 @@ export function createMarks() {
             const short = encircle(part, corners);
             for (const path of part.querySelectorAll('path')) show(path, !short);
         }
+        // Lines without length have round ends.
+        set(dots, { d: places.map((place) => `M${pair(seen(place))}h0`).join('') });
         show(turtle, pose !== null);
         if (pose) {
             const [x = 0, y = 0] = seen(pose.at);
@@ -162,14 +167,17 @@ export function createMarks() {
             outline = last;
             draw();
         },
-        /** Returns where the turtle is seen: from the stage's left edge and lower edge, as parts of width and height. @param {FittedPose | null} next @returns {[number, number] | null} */
+        /** @param {FittedPose | null} next */
         turtle(next) {
-            if (pose === null && next === null) return null;
+            if (pose === null && next === null) return;
             pose = next;
             draw();
-            if (!pose || !viewpoint) return null;
-            const [x = 0, y = 0] = seen(pose.at);
-            return [x / viewpoint.size.width, 1 - y / viewpoint.size.height];
+        },
+        /** Marks the places of notes that sound. @param {Point[]} next */
+        sounding(next) {
+            if (places.length === 0 && next.length === 0) return;
+            places = next;
+            draw();
         },
     };
 }

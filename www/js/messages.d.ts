@@ -579,6 +579,39 @@ overrides: string,
 constants: Array<ConstantSpan>, };
 
 /**
+ * A note of a tune.
+ */
+export type Note = { 
+/**
+ * The start, in steps.
+ */
+start: number, 
+/**
+ * The length, in steps.
+ */
+length: number, 
+/**
+ * The pitch as a key of the MIDI standard: 60 is middle C.
+ */
+key: number, 
+/**
+ * The loudness, from 1 to 127.
+ */
+velocity: number, 
+/**
+ * The branch, or the branch level.
+ */
+voice: number, 
+/**
+ * From left (-1) to right (1).
+ */
+side: number, 
+/**
+ * The end of the line, as the page's marks take it; empty for notes in drawing order.
+ */
+fitted: Array<number>, };
+
+/**
  * The one thing in a picture of a single colour.
  */
 export type Only = "background" | "ink";
@@ -1018,6 +1051,23 @@ legend: Array<[string, string]>, };
  * A track.
  */
 export type TrackObject = { subject: string, keys: Array<KeyObject>, };
+
+/**
+ * A tune.
+ */
+export type Tune = { notes: Array<Note>, 
+/**
+ * The length, in steps.
+ */
+length: number, 
+/**
+ * The seconds of a step.
+ */
+step: number, 
+/**
+ * The facts in words.
+ */
+words: string, };
 
 /**
  * The turtle's state after a symbol.

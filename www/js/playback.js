@@ -9,14 +9,14 @@ import { REACH, portion, ratio, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
 import { createToggled } from './toggled.js';
 
-/** What the bar plays in place of the segments. @typedef {{readonly playing: boolean, readonly part: number, readonly words: string, toggle: () => void, seek: (part: number) => void, stop: () => void}} Show */
+/** What the bar plays in place of the segments; `left` is called when something else takes its place. @typedef {{readonly playing: boolean, readonly part: number, readonly words: string, toggle: () => void, seek: (part: number) => void, stop: () => void, left?: () => void}} Show */
 
 /** The number of slider positions. */
 const SLIDER_POSITIONS = 10_000;
 
 /**
  * @param {import('./engine.js').Engine} engine
- * @param {{turtle: (pose: import('./marks.js').FittedPose | null) => [number, number] | null, offered?: () => boolean}} page
+ * @param {{turtle: (pose: import('./marks.js').FittedPose | null) => void, offered?: () => boolean}} page
  */
 export function createPlayback(engine, { turtle, offered = () => true }) {
     /** The number of segments that can be played, null while unknown, and the exact number of segments. @type {bigint | null} */
@@ -74,6 +74,8 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         upto = next === null || total === null || next >= total ? null : within(next, 0n, total);
         if (upto === null) turtle(null);
         engine.play(upto);
+        const walk = { upto, perSecond: clock.running ? pace.perSecond() : 0 };
+        html('drawing').dispatchEvent(new CustomEvent('walk', { detail: walk }));
         show();
     }
 
@@ -112,8 +114,7 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
 
     /** Shows where the turtle is. @param {import('./protocol.js').Pose} pose */
     function follow(pose) {
-        const place = turtle({ at: pose.fitted, heading: pose.heading });
-        if (place) html('drawing').dispatchEvent(new CustomEvent('turtle', { detail: place }));
+        turtle({ at: pose.fitted, heading: pose.heading });
         setText(html('play-pose'), poseText(pose));
     }
 
@@ -139,9 +140,16 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
         },
 
         close: () => bar.set(false),
+        stop,
+
+        /** What the bar plays in place of the segments. */
+        get presented() {
+            return other;
+        },
 
         /** Plays something else in place of the segments, or the segments again. @param {Show | null} next */
         present(next) {
+            if (next !== other) other?.left?.();
             other = next;
             if (next) bar.set(true);
             show();

@@ -103,6 +103,17 @@ export {};
  * The calls of the tool for new systems; `descent` answers with an animated GIF.
  * @typedef {{surprise: {asked: {seed: number}, answer: Definition}, breed: {asked: {parents: Definition[], seed: number, count: number}, answer: Definition[]}, descent: {asked: {definitions: Definition[], side: number}, answer: Uint8Array<ArrayBuffer>}}} InventCalls
  */
+/** The choices for what is heard: names and values of tables.js that differ from their defaults. @typedef {Record<string, boolean | number | string>} SoundChoices */
+/** @typedef {import('./messages.js').Note} Note */
+/** @typedef {import('./messages.js').Tune} Tune */
+/**
+ * The calls of the tool for sound, about the system of the last `listen`: some lines in drawing order, or all.
+ * @typedef {{
+ *     listen: {asked: {definition: Definition}, answer: null},
+ *     part: {asked: {from: bigint, stride: bigint, count: number, options: SoundChoices}, answer: Tune},
+ *     tune: {asked: {options: SoundChoices}, answer: Tune},
+ * }} SoundCalls
+ */
 /** @typedef {import('./messages.js').Given} Given */
 /** @typedef {import('./messages.js').Asks} Asks */
 /** @typedef {import('./messages.js').Exercise} Exercise */

@@ -19,7 +19,7 @@ export class Cancelled extends Error {}
 
 /**
  * @template {Record<string, {asked: object, answer: unknown}>} Calls
- * @param {'course' | 'export' | 'film' | 'find' | 'import' | 'invent'} tool
+ * @param {'course' | 'export' | 'film' | 'find' | 'import' | 'invent' | 'sound'} tool
  * @param {{isStraight?: boolean}} [options] whether the worker hears nothing while it answers a call, so that a cancel ends it
  */
 export function createTool(tool, { isStraight = false } = {}) {

@@ -34,7 +34,7 @@ static FLAGS: LazyLock<Vec<(String, Vec<String>)>> = LazyLock::new(|| {
     names.iter().map(|name| ((*name).to_owned(), flags(name))).collect()
 });
 
-const VALUES: [&str; 40] = [
+const VALUES: [&str; 42] = [
     "0",
     "1",
     "-1",
@@ -57,6 +57,8 @@ const VALUES: [&str; 40] = [
     "png",
     "svg",
     "stl",
+    "midi",
+    "length",
     "glb",
     "txt",
     "zoomify",

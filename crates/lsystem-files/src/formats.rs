@@ -49,14 +49,16 @@ pub enum Purpose {
     Print,
     /// Meshes for viewers and for printers in space.
     Mesh,
+    /// Notes for instruments.
+    Sound,
     /// Systems, strings and tables, to open again or to compute with.
     Data,
 }
 
 impl Purpose {
     /// All purposes, in the order of the page's dialog.
-    pub const ALL: [Self; 7] =
-        [Self::Screen, Self::Film, Self::Plotter, Self::Paper, Self::Print, Self::Mesh, Self::Data];
+    pub const ALL: [Self; 8] =
+        [Self::Screen, Self::Film, Self::Plotter, Self::Paper, Self::Print, Self::Mesh, Self::Sound, Self::Data];
 
     /// The purpose's name in scripts.
     #[must_use]
@@ -68,6 +70,7 @@ impl Purpose {
             Self::Paper => "paper",
             Self::Print => "print",
             Self::Mesh => "mesh",
+            Self::Sound => "sound",
             Self::Data => "data",
         }
     }
@@ -82,6 +85,7 @@ impl Purpose {
             Self::Paper => "Article",
             Self::Print => "Poster",
             Self::Mesh => "3D",
+            Self::Sound => "Sound",
             Self::Data => "Data",
         }
     }
@@ -119,6 +123,8 @@ pub enum Content {
         /// Writes a drawing in space.
         space: fn(&Drawing<Solid>, u64, &mut Sink<'_>) -> Result<(), Halt>,
     },
+    /// The notes of the turtle's walk.
+    Sound,
     /// A mesh of tubes. A drawing in the plane becomes one in space.
     Mesh(fn(Arc<Drawing<Solid>>, &Style, &FileOptions, &mut Sink<'_>) -> Written),
 }
@@ -134,13 +140,14 @@ impl Content {
             Self::Paper(_) => "strokes",
             Self::Segments { .. } => "segments",
             Self::Words(_) => "words",
+            Self::Sound => "sound",
             Self::Mesh(_) => "mesh",
         }
     }
 }
 
 /// All formats, in the order of the page's list.
-pub static FORMATS: [Format; 16] = [
+pub static FORMATS: [Format; 17] = [
     Format {
         name: "svg",
         ending: "svg",
@@ -278,6 +285,18 @@ pub static FORMATS: [Format; 16] = [
         is_made_in_memory: false,
         content: Content::Words(|definition, system, _, sink| words(&bibtex(definition, system), sink)),
         options: &[],
+    },
+    Format {
+        name: "midi",
+        ending: "mid",
+        mime: "audio/midi",
+        label: "MIDI",
+        help: "Walk of the turtle as notes: lines are notes, branches are voices",
+        purposes: &[Purpose::Sound],
+        is_binary: true,
+        is_made_in_memory: false,
+        content: Content::Sound,
+        options: &["pitch", "time", "scale", "octaves", "tempo", "notes"],
     },
     Format {
         name: "json",

@@ -1,5 +1,5 @@
 //! File formats: systems as JSON, in links and typeset; drawings as SVG, PDF, TikZ, CSV and plots; meshes as OBJ, glTF
-//! and STL; PNG pictures.
+//! and STL; PNG pictures; the turtle's walk as MIDI.
 //!
 //! [`FORMATS`] is the table of all formats that are written, [`FILE_OPTIONS`] that of the choices for them. [`make`]
 //! writes a file of any format from a definition and its system. It is straight code over a [`Sink`], which hands
@@ -27,6 +27,7 @@ pub mod link;
 mod link_write;
 mod make;
 mod mesh_file;
+mod midi;
 mod number;
 mod obj;
 mod option_table;

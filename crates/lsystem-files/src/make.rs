@@ -1,9 +1,11 @@
 //! The way from a system to a file of any format.
 
+use crate::midi::midi_file;
 use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
 use lsystem_base::{LimitName, Limits, Progress};
 use lsystem_drawing::{Drawer, Drawing, Figure, Outlook, Projection, Solid, System, expand};
 use lsystem_render::{Camera, Vantage, View, Viewport, fit, opening_camera};
+use lsystem_sound::{SoundOptions, listen};
 use lsystem_syntax::{Definition, Diagnostic, Halt, Work, run_steps};
 use std::sync::Arc;
 
@@ -105,6 +107,14 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
             let drawing = task.on_paper(figure, sink)?;
             write(drawing, style, &FileOptions { description, ..options }, sink)
         }
+        Content::Sound => {
+            let draw = &mut |system: &System, n, work: &mut dyn Work| task.figure_of(system, n, work);
+            let notes = u64::from(options.sound.notes).min(limits.segments) as u32;
+            let sound = SoundOptions { notes, ..options.sound };
+            let tune = listen(system, definition.iterations, &sound, draw, sink)?;
+            midi_file(&tune, &options, sink)?;
+            Ok(Notes { summary: Some(tune.words(options.sound.step_seconds())), ..Notes::default() })
+        }
         Content::Mesh(write) => {
             let [most, memory] = limits.mesh;
             write(task.in_space(sink)?, style, &FileOptions { most, memory, ..options }, sink)
@@ -120,7 +130,11 @@ impl FileView {
 
 impl FileTask<'_> {
     fn figure(&self, work: &mut dyn Work) -> Result<Figure, Halt> {
-        let mut drawer = Figure::drawer(self.system, self.definition.iterations, self.limits.drawing);
+        self.figure_of(self.system, self.definition.iterations, work)
+    }
+
+    fn figure_of(&self, system: &System, n: u32, work: &mut dyn Work) -> Result<Figure, Halt> {
+        let mut drawer = Figure::drawer(system, n, self.limits.drawing);
         self.draw(work, |units| (drawer.step(units), drawer.bytes()))?;
         Ok(drawer.finish()?)
     }

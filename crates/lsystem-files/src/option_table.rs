@@ -6,6 +6,7 @@ use crate::FileOptions;
 use lsystem_base::number::number;
 use lsystem_base::{MAX_PICTURE_SIDE, decimal};
 use lsystem_plot::{Corner, SHEETS, Sheet};
+use lsystem_sound::{MAX_NOTES, Pitch, Scale, Time};
 use lsystem_syntax::message::grouped;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -77,7 +78,7 @@ pub enum OptionValue {
 }
 
 /// All choices. Values are applied in this order.
-pub static FILE_OPTIONS: [FileOption; 18] = [
+pub static FILE_OPTIONS: [FileOption; 24] = [
     FileOption {
         name: "size",
         label: "Size",
@@ -258,6 +259,69 @@ pub static FILE_OPTIONS: [FileOption; 18] = [
         unit: "%",
         kind: OptionKind::Number { low: 0.0, high: 20.0, step: 0.1, default: 0.0 },
         set: |options, value| options.finest = value.number() / 100.0,
+    },
+    FileOption {
+        name: "pitch",
+        label: "Pitch",
+        help: "Pitch of a note, by the height of the line's end or by the letter that draws the line",
+        unit: "",
+        kind: OptionKind::Word { words: &[("height", "By height"), ("letter", "By letter")], default: "height" },
+        set: |options, value| {
+            options.sound.pitch = if value.text() == "letter" { Pitch::Letter } else { Pitch::Height }
+        },
+    },
+    FileOption {
+        name: "time",
+        label: "Time",
+        help: "Time of a note: line after line in drawing order, or by length with branches together",
+        unit: "",
+        kind: OptionKind::Word {
+            words: &[("step", "Line after line"), ("length", "By length, branches together")],
+            default: "step",
+        },
+        set: |options, value| options.sound.time = if value.text() == "length" { Time::Length } else { Time::Step },
+    },
+    FileOption {
+        name: "scale",
+        label: "Scale",
+        help: "Tones of an octave, on C",
+        unit: "",
+        kind: OptionKind::Word {
+            words: &[("pentatonic", "Pentatonic"), ("major", "Major"), ("minor", "Minor"), ("chromatic", "Chromatic")],
+            default: "pentatonic",
+        },
+        set: |options, value| {
+            options.sound.scale = match value.text() {
+                "major" => Scale::Major,
+                "minor" => Scale::Minor,
+                "chromatic" => Scale::Chromatic,
+                _ => Scale::Pentatonic,
+            }
+        },
+    },
+    FileOption {
+        name: "octaves",
+        label: "Range",
+        help: "Range of the pitches, about middle C",
+        unit: "octaves",
+        kind: OptionKind::Number { low: 1.0, high: 6.0, step: 1.0, default: 3.0 },
+        set: |options, value| options.sound.octaves = value.number() as u8,
+    },
+    FileOption {
+        name: "tempo",
+        label: "Tempo",
+        help: "Quarter notes in a minute; a line lasts a sixteenth",
+        unit: "per minute",
+        kind: OptionKind::Number { low: 20.0, high: 400.0, step: 1.0, default: 120.0 },
+        set: |options, value| options.sound.tempo = value.number(),
+    },
+    FileOption {
+        name: "notes",
+        label: "Most notes",
+        help: "Number of notes; of longer walks, lines at even distances are heard, or by length an earlier generation",
+        unit: "",
+        kind: OptionKind::Number { low: 1.0, high: MAX_NOTES as f64, step: 1.0, default: 2_000.0 },
+        set: |options, value| options.sound.notes = value.number() as u32,
     },
     FileOption {
         name: "bare",

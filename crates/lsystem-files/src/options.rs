@@ -1,6 +1,7 @@
 //! The choices for a file. Each format reads those that it needs.
 
 use lsystem_plot::{PlotOptions, Sheet};
+use lsystem_sound::SoundOptions;
 
 /// The content of a file beside the drawing, and the layout of the drawing.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +33,8 @@ pub struct FileOptions {
     pub is_cropped: bool,
     /// The choices for plots.
     pub plot: PlotOptions,
+    /// The choices for tunes.
+    pub sound: SoundOptions,
 }
 
 impl Default for FileOptions {
@@ -47,6 +50,7 @@ impl Default for FileOptions {
             sheet: Sheet::default(),
             is_cropped: true,
             plot: PlotOptions::default(),
+            sound: SoundOptions::default(),
             size: None,
             dpi: None,
             transparent: false,

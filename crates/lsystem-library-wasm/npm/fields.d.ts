@@ -110,6 +110,8 @@ export type FileFormat =
     | 'markdown'
     /** BibTeX: Entries of the system's source and of its picture */
     | 'bibtex'
+    /** MIDI: Walk of the turtle as notes: lines are notes, branches are voices */
+    | 'midi'
     /** JSON: System, to open again */
     | 'json'
     /** Text: Derived string */
@@ -125,7 +127,7 @@ export type FileFormat =
     ;
 
 /** Formats that are no texts. */
-export type BinaryFormat = 'png' | 'pdf' | 'glb' | 'stl';
+export type BinaryFormat = 'png' | 'pdf' | 'midi' | 'glb' | 'stl';
 
 /** Options of files; each format has some of them. */
 export interface FileOptions {
@@ -163,6 +165,18 @@ export interface FileOptions {
     'whole-sheet'?: boolean;
     /** Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all: a number from 0 to 20. For obj, glb, stl. */
     finest?: number;
+    /** Pitch of a note, by the height of the line's end or by the letter that draws the line: one of `height`, `letter`. For midi. */
+    pitch?: 'height' | 'letter';
+    /** Time of a note: line after line in drawing order, or by length with branches together: one of `step`, `length`. For midi. */
+    time?: 'step' | 'length';
+    /** Tones of an octave, on C: one of `pentatonic`, `major`, `minor`, `chromatic`. For midi. */
+    scale?: 'pentatonic' | 'major' | 'minor' | 'chromatic';
+    /** Range of the pitches, about middle C: a number from 1 to 6. For midi. */
+    octaves?: number;
+    /** Quarter notes in a minute; a line lasts a sixteenth: a number from 20 to 400. For midi. */
+    tempo?: number;
+    /** Number of notes; of longer walks, lines at even distances are heard, or by length an earlier generation: a number from 1 to 100000. For midi. */
+    notes?: number;
     /** Leave the system out of the file; the file cannot be opened again as a system: true or false. For svg, svg-compact, png, pdf. */
     bare?: boolean;
 }

@@ -13,6 +13,8 @@ mod find;
 mod import;
 #[cfg(feature = "invent")]
 mod invent;
+#[cfg(feature = "sound")]
+mod sound;
 #[cfg(test)]
 mod tables;
 
@@ -30,6 +32,8 @@ pub use find::{DrawnSvg, RuleFinder};
 pub use import::{import_systems, write_system};
 #[cfg(feature = "invent")]
 pub use invent::{DescentFilm, breed, surprise};
+#[cfg(feature = "sound")]
+pub use sound::Listener;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -10,6 +10,7 @@ use crate::film::preset::PresetObject;
 use crate::film::script::{ScriptObject, SubjectObject};
 use crate::find::{FindQuestion, FindReport};
 use crate::import::{ImportReport, WriteReport};
+use crate::sound::TuneObject;
 use expect_test::expect_file;
 use lsystem_course::steps::{Rows, Single, Trace};
 use lsystem_course::{Exercise, Varied};
@@ -59,7 +60,8 @@ fn declarations() -> String {
         FindReport,
         ScriptObject,
         SubjectObject,
-        PresetObject
+        PresetObject,
+        TuneObject
     );
     all.texts.into_values().fold(HEAD.to_owned(), |file, text| file + &text)
 }

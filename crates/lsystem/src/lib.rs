@@ -49,6 +49,7 @@ pub use lsystem_import as import;
 pub use lsystem_invent as invent;
 pub use lsystem_plot as plot;
 pub use lsystem_render as render;
+pub use lsystem_sound as sound;
 pub use lsystem_syntax as syntax;
 
 // The most used items.

@@ -10,7 +10,7 @@ pub(crate) use markdown::{escape, shortened};
 use std::path::Path;
 
 /// The documents that become pages. Documents for developers, such as `worker.md`, are left out.
-const PAGES: [&str; 22] = [
+const PAGES: [&str; 23] = [
     "lesson",
     "notation",
     "links",
@@ -26,6 +26,7 @@ const PAGES: [&str; 22] = [
     "papers",
     "plotting",
     "meshes",
+    "sound",
     "about",
     "security",
     "access",

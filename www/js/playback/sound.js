@@ -1,64 +1,154 @@
-/** The drawing as a sound while it is played: the turtle's height is the pitch, its place from left to right the side. */
+/** The drawing as sound: the notes of the turtle's walk, in step with playback or by themselves. */
 
-import { button, html } from '../dom.js';
+import markup from './sound.html';
+import styles from '../../css/sound.css';
+import { toast } from '../announce.js';
+import { button, html, input, make } from '../dom.js';
+import { addElements } from '../late.js';
+import { optionOf } from '../save/choices.js';
+import { definitionOf, sameDrawing } from '../state.js';
+import { createTool } from '../tool.js';
+import { createFollower } from './follower.js';
+import { createInstrument } from './instrument.js';
+import { createTogether } from './together.js';
 
-/** The pitch of the middle, in Hertz, and the octaves from the lowest to the highest place. */
-const [MIDDLE, OCTAVES] = [330, 3];
-const LOUDNESS = 0.15;
-/** Pitch, side and loudness glide within this time, in seconds: steps would click. */
-const GLIDE = 0.02;
-/** The sound fades when the turtle has stood still for this long, in milliseconds. */
-const STILL = 300;
+/** The choices on the page; a file has more. */
+const CHOICES = /** @type {const} */ (['pitch', 'time', 'scale']);
+/** The loudness at the first time, in percent. */
+const VOLUME = 60;
+/** The key in the storage. */
+const KEY = 'sound';
 
-const within = (/** @type {number} */ part) => Math.min(1, Math.max(0, part));
-/** @param {number} y from 0 (low) to 1; what is beyond sounds as the edge @returns {number} Hertz */
-export const pitchAt = (y) => MIDDLE * 2 ** (OCTAVES * (within(y) - 0.5));
-/** @param {number} x from 0 (left) to 1 @returns {number} from -1 (left) to 1 */
-export const sideAt = (x) => 2 * within(x) - 1;
-
-export function createSound() {
+/** @param {import('../dialogs.js').Page} page */
+export function createSound({ store, storage, listening }) {
     const listen = button('listen');
-    /** @type {{context: AudioContext, tone: OscillatorNode, side: StereoPannerNode, loudness: GainNode} | null} */
+    /** @type {ReturnType<typeof createTool<import('../protocol.js').SoundCalls>>} */
+    const tool = createTool('sound');
+    /** @type {{context: AudioContext, instrument: ReturnType<typeof createInstrument>} | null} */
     let voice = null;
-    let timer = 0;
+    /** Whether the tool has the present system. @type {Promise<unknown> | null} */
+    let told = null;
+    /** The number of the last tune that was asked for. */
+    let asked = 0;
+    const stored = /** @type {Record<string, unknown> | null} */ (storage.read(KEY) ?? null);
+    const { row, choices, volume } = createRow(stored, changed);
 
-    /** Browsers let a page sound only after the button was pressed. */
-    function start() {
-        const context = new AudioContext();
-        const [tone, side, loudness] = [context.createOscillator(), context.createStereoPanner(), context.createGain()];
-        tone.type = 'triangle';
-        loudness.gain.value = 0;
-        tone.connect(side).connect(loudness).connect(context.destination);
-        tone.start();
-        voice = { context, tone, side, loudness };
-    }
-
-    function hush() {
-        clearTimeout(timer);
-        voice?.loudness.gain.setTargetAtTime(0, voice.context.currentTime, GLIDE);
-    }
-
-    // The turtle is seen at x to the right and y upwards, from 0 to 1.
-    html('drawing').addEventListener('turtle', (event) => {
-        if (!voice) return;
-        const [x, y] = /** @type {CustomEvent<[number, number]>} */ (event).detail;
-        const now = voice.context.currentTime;
-        voice.tone.frequency.setTargetAtTime(pitchAt(y), now, GLIDE);
-        voice.side.pan.setTargetAtTime(sideAt(x), now, GLIDE);
-        voice.loudness.gain.setTargetAtTime(LOUDNESS, now, GLIDE);
-        clearTimeout(timer);
-        timer = window.setTimeout(hush, STILL);
+    const follower = createFollower({
+        async ask(from, stride, count) {
+            await system();
+            return (await tool.call('part', { from, stride, count, options: choices() })).notes;
+        },
+        play: (note, seconds) => voice?.instrument.play(note, voice.instrument.now, seconds),
     });
+    const together = createTogether({
+        now: () => voice?.instrument.now ?? 0,
+        play: (note, at, seconds) => voice?.instrument.play(note, at, seconds),
+        hush: () => voice?.instrument.hush(),
+        present: listening.present,
+        mark: listening.mark,
+    });
+
+    /** Tells the tool the system, once. */
+    function system() {
+        told ??= tool.call('listen', { definition: definitionOf(store.state) });
+        return told;
+    }
+
+    function forget() {
+        told = null;
+        asked++;
+        follower.forget();
+        together.leave();
+    }
+
+    /** Plays, by length from the beginning. */
+    async function begin() {
+        if (choices()['time'] !== 'length') return listening.play();
+        const own = ++asked;
+        try {
+            await system();
+            const tune = await tool.call('tune', { options: choices() });
+            if (voice && own === asked) together.begin(tune);
+        } catch (error) {
+            if (own === asked) toast(`No sound: ${error instanceof Error ? error.message : error}`);
+        }
+    }
+
+    /** A choice has changed. @param {string} name */
+    function changed(name) {
+        storage.write(KEY, { ...choices(), volume: volume() });
+        if (name === 'volume') return voice?.instrument.setVolume(volume() / 100);
+        asked++;
+        follower.forget();
+        together.leave();
+        if (voice) void begin();
+    }
+
+    html('drawing').addEventListener('walk', (event) => {
+        if (voice && choices()['time'] !== 'length')
+            void follower.follow(/** @type {CustomEvent<Parameters<typeof follower.follow>[0]>} */ (event).detail);
+    });
+    store.subscribe((state, before) => {
+        if (!sameDrawing(state, before)) forget();
+    });
+    // Nothing sounds beside a closed bar.
+    new MutationObserver(() => html('playback').hidden && voice && set(false)).observe(html('playback'), {
+        attributeFilter: ['hidden'],
+    });
+
+    /** @param {boolean} on */
+    function set(on) {
+        listen.setAttribute('aria-pressed', String(on));
+        row.hidden = !on;
+        if (on) {
+            const context = new AudioContext();
+            const instrument = createInstrument(context);
+            instrument.setVolume(volume() / 100);
+            voice = { context, instrument };
+            return void begin();
+        }
+        forget();
+        void voice?.context.close();
+        voice = null;
+        tool.leave();
+    }
 
     return {
         /** Begins to sound, or ends. */
-        open() {
-            const on = voice === null;
-            listen.setAttribute('aria-pressed', String(on));
-            if (on) return start();
-            clearTimeout(timer);
-            voice?.context.close();
-            voice = null;
-        },
+        open: () => set(voice === null),
+    };
+}
+
+/** The row with the choices, below the playback bar. @param {Record<string, unknown> | null} stored @param {(name: string) => void} changed */
+function createRow(stored, changed) {
+    const lists = CHOICES.map((name) => {
+        const option = optionOf(name);
+        const [words, usual] = option.kind === 'word' ? [option.words, option.default] : [{}, ''];
+        const list = make(
+            'select',
+            { id: `sound-${name}`, title: option.help },
+            ...Object.entries(words).map(([word, text]) => make('option', { value: word }, text)),
+        );
+        const before = String(stored?.[name]);
+        list.value = before in words ? before : usual;
+        list.addEventListener('change', () => changed(name));
+        return { name, list, label: make('label', { class: 'sound-choice' }, option.label, list) };
+    });
+    const loudness = make('input', { id: 'sound-volume', type: 'range', min: '0', max: '100', step: '1' });
+    const before = stored?.['volume'];
+    loudness.value = String(typeof before === 'number' ? before : VOLUME);
+    const paint = () => loudness.style.setProperty('--at', String(Number(loudness.value) / 100));
+    loudness.addEventListener('input', () => {
+        paint();
+        changed('volume');
+    });
+    paint();
+    addElements(markup, [styles], html('playback'));
+    const row = html('play-sound');
+    row.append(...lists.map(({ label }) => label), make('label', { class: 'sound-choice' }, 'Volume', loudness));
+    return {
+        row,
+        choices: () => Object.fromEntries(lists.map(({ name, list }) => [name, list.value])),
+        volume: () => Number(input('sound-volume').value),
     };
 }

@@ -540,44 +540,6 @@ test('with reduced motion nothing is animated', () =>
         assert.equal(moving, 0);
     }));
 
-test('a drawing can be heard: its height as the pitch, left and right as the side', () => {
-    /** Notes what the sound is set to. @param {import('playwright-core').Page} page */
-    const noting = (page) =>
-        page.addInitScript(() => {
-            const all = /** @type {{frequency: number[], pan: number[]}} */ ({ frequency: [], pan: [] });
-            Object.assign(window, { heard: all });
-            const glide = AudioParam.prototype.setTargetAtTime;
-            AudioParam.prototype.setTargetAtTime = function (value, ...rest) {
-                if (this.maxValue === 1 && this.minValue === -1) all.pan.push(value);
-                else if (value > 1) all.frequency.push(value);
-                return glide.call(this, value, ...rest);
-            };
-        });
-    return withPage(
-        { hash: '#v=1&axiom=A&rules=A%20-%3E%20A+A&n=5&angle=5&do=A:%20draw', before: noting },
-        async (page) => {
-            await page.click('#open-playback');
-            await page.click('#listen');
-            assert.equal(await page.getAttribute('#listen', 'aria-pressed'), 'true');
-            await page.focus('#play-slider');
-            await page.keyboard.press('Home');
-            const heard = () => page.evaluate(() => /** @type {any} */ (window).heard);
-            for (let key = 0; key < 8; key++) {
-                const before = (await heard()).pan.length;
-                await page.keyboard.press('PageUp');
-                await until(async () => (await heard()).pan.length > before, 'another place sounds');
-            }
-            const { frequency, pan } = await heard();
-            assert.ok(new Set(frequency).size > 5 && new Set(pan).size > 5, 'pitch and side follow the turtle');
-            // The arc rises first, then bends to the left.
-            assert.ok(frequency.at(3) > frequency.at(0));
-            assert.ok(pan.at(-1) < pan.at(0));
-            await page.click('#listen');
-            assert.equal(await page.getAttribute('#listen', 'aria-pressed'), 'false');
-        },
-    );
-});
-
 test('a line that was clicked stays in place while the buttons zoom, so that nothing needs dragging', () =>
     withPage({ hash: '#v=1&axiom=F-F-F-F&rules=F%20-%3E%20F&n=0&angle=90' }, async (page) => {
         const box = await page.locator('#drawing').boundingBox();

@@ -40,6 +40,7 @@ test('the documents for readers are pages, and no others', () => {
         'plotting.html',
         'scale.html',
         'security.html',
+        'sound.html',
     ]);
 });
 
@@ -61,6 +62,7 @@ const UNLISTED = [
     'papers.html',
     'plotting.html',
     'scale.html',
+    'sound.html',
 ];
 
 /** @typedef {import('playwright-core').Page} Page */

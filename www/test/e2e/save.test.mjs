@@ -184,7 +184,7 @@ test('on a phone the dialog fills the screen and nothing is cut', () =>
         await page.tap('#tab-save');
         await page.tap('#open-save');
         await page.waitForSelector('#save-preview img');
-        for (const value of ['png', 'data', 'mesh']) await page.tap(`.save-tile:has([value=${value}])`);
+        for (const value of ['png', 'data', 'mesh', 'sound']) await page.tap(`.save-tile:has([value=${value}])`);
         assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
         const wide = await page.evaluate(
             () =>
@@ -280,7 +280,7 @@ test('the dialog keeps its place and its size while its choices change', () =>
         await open(page);
         await stillDialog(page);
         const first = await page.locator('#save-dialog').boundingBox();
-        for (const purpose of ['film', 'plotter', 'paper', 'print', 'mesh', 'data', 'screen']) {
+        for (const purpose of ['film', 'plotter', 'paper', 'print', 'mesh', 'sound', 'data', 'screen']) {
             await choose(page, purpose);
             assert.deepEqual(await page.locator('#save-dialog').boundingBox(), first, purpose);
         }

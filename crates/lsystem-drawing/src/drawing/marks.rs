@@ -30,20 +30,28 @@ impl<S: Space> Drawing<S> {
     /// All marks in drawing order; a polygon comes before the marks that are drawn while it is open. A shared drawing
     /// may have too many marks to read them all.
     pub fn marks(&self) -> impl Iterator<Item = Mark<S>> {
+        self.marks_from(0)
+    }
+
+    /// The marks from segment number `start` (0-based) on. The time depends on the depth of nested blocks, not on
+    /// `start`. Unless `start` is 0, the places along the path are those of the drawing order.
+    pub fn marks_from(&self, start: u128) -> impl Iterator<Item = Mark<S>> {
         let unit = self.unit();
         let frame = BlockFrame::new(1.0, StyleChange::start(self.width));
-        self.marks_by(frame, self.step.abs(), move |point| self.model(point, unit))
+        self.marks_by(start, frame, self.step.abs(), move |point| self.model(point, unit))
     }
 
     /// As [`Drawing::marks`], but in the outer frame of `frame`, the frame of the root block. A step of the turtle has
     /// the length `step` there.
     pub fn marks_in(&self, frame: BlockFrame<S>, step: f64) -> impl Iterator<Item = Mark<S>> {
-        self.marks_by(frame, step, |point| point)
+        self.marks_by(0, frame, step, |point| point)
     }
 
-    /// The marks in the outer frame of `frame`, whose points `place_point` moves. A step is as long as `step`.
+    /// The marks from segment `start` on in the outer frame of `frame`, whose points `place_point` moves. A step is as
+    /// long as `step`.
     fn marks_by(
         &self,
+        start: u128,
         frame: BlockFrame<S>,
         step: f64,
         place_point: impl Fn(S::Point) -> S::Point,
@@ -52,12 +60,14 @@ impl<S: Space> Drawing<S> {
         if let Some(root) = self.root {
             cursor.enter(self, root, &frame);
         }
+        cursor.pass(self, start);
         let all = self.segment_count() as f64;
-        let (mut segments, mut marks) = (0_u64, 0);
+        // As a number that large starts do not overflow: exact up to 2^53.
+        let (mut segments, mut marks) = (start as f64, if start == 0 { 0 } else { self.places.len() });
         core::iter::from_fn(move || {
             let (part, frame) = cursor.next_part(self)?;
             let change = |id: StyleId| frame.style.then(&self.styles[id.0 as usize]);
-            let own = if all > 0.0 { (segments as f64 + 0.5) / all } else { 0.0 };
+            let own = if all > 0.0 { (segments + 0.5) / all } else { 0.0 };
             let place = self.places.get(marks).copied().unwrap_or(own);
             marks += 1;
             let tint = |style: &StyleChange| Tint { index: style.colour.of(0), level: style.level, place };
@@ -65,7 +75,7 @@ impl<S: Space> Drawing<S> {
                 ItemRef::Stroke(stroke) => {
                     let style = change(stroke.style);
                     let [from, to] = [stroke.from, stroke.to].map(|end| place_point(frame.transform(end)));
-                    segments += 1;
+                    segments += 1.0;
                     Mark::Segment(Segment::new([from, to], &style, step), tint(&style))
                 }
                 ItemRef::Polygon(polygon) => {

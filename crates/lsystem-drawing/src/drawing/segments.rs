@@ -160,6 +160,28 @@ impl<S: Space> Cursor<S> {
             }
         }
     }
+
+    /// Skips the next `count` strokes, and the polygons before the stroke that is then the next one.
+    pub(super) fn pass(&mut self, drawing: &Drawing<S>, mut count: u128) {
+        while count > 0 {
+            let Some((next, end, frame)) = self.open.last_mut() else { return };
+            let items = &drawing.items[*next as usize..*end as usize];
+            let (passed, left) = drawing.before(items, count);
+            *next += passed as u32;
+            count = left;
+            match items.get(passed) {
+                Some(Item::Block(placed)) => {
+                    *next += 1;
+                    let inner = frame.place(placed, drawing, &mut self.directions);
+                    self.enter(drawing, placed.block, &inner);
+                }
+                Some(_) => return,
+                None => {
+                    self.open.pop();
+                }
+            }
+        }
+    }
 }
 
 /// The strokes of a block in drawing order: the ends in the frame of entry, and the style.
@@ -194,25 +216,8 @@ impl<'a, S: Space> Strokes<'a, S> {
     }
 
     /// Skips the next `count` strokes.
-    fn pass(&mut self, mut count: u128) {
-        while count > 0 {
-            let Some((next, end, frame)) = self.cursor.open.last_mut() else { return };
-            let items = &self.drawing.items[*next as usize..*end as usize];
-            let (passed, left) = self.drawing.before(items, count);
-            *next += passed as u32;
-            count = left;
-            match items.get(passed) {
-                Some(Item::Block(placed)) => {
-                    *next += 1;
-                    let inner = frame.place(placed, self.drawing, &mut self.cursor.directions);
-                    self.enter(placed.block, &inner);
-                }
-                Some(_) => return,
-                None => {
-                    self.cursor.open.pop();
-                }
-            }
-        }
+    fn pass(&mut self, count: u128) {
+        self.cursor.pass(self.drawing, count);
     }
 }
 
