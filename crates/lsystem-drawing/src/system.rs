@@ -3,6 +3,7 @@
 use crate::drawing::TurtleInterpreter;
 use crate::space::Tropism;
 use crate::sway::Sway;
+use crate::wireframe::wireframe;
 use crate::{Look, Turtle};
 use lsystem_base::sorted::{set, sort};
 use lsystem_base::{LimitName, MAX_LETTERS};
@@ -130,6 +131,9 @@ impl System {
             let style = system.look().applied(&system.style, &system.acting());
             system.style = style;
             system.turtle.take_style(&system.style);
+        }
+        if system.style.shapes && !system.grammar.shapes.is_empty() {
+            system.turtle.wires = wireframe(&system.grammar.shapes, system.is_solid()).into();
         }
         (Some(system), diagnostics)
     }

@@ -167,7 +167,7 @@ fn wrong_shapes_are_told_with_their_places() {
     for (shape, message) in [
         ("shape s = bal(1, 2, 3, 4)", "`bal` is not a solid with its numbers"),
         ("shape s = ball(1, 2, 3)", "`ball` takes 4 numbers, not 3"),
-        ("shape s = outline(1, 2, 3, 4)", "`outline` takes two numbers for each corner, for three corners or more"),
+        ("shape s = outline(1, 2, 3, 4)", "`outline` takes two numbers for each of 3 to 2000 corners"),
         ("shape s = ball(1, 2, 3, 4) +", "A solid is missing"),
         ("shape s = ", "A solid is missing"),
         ("shape 1s = ball(1, 2, 3, 4)", "`1s` cannot be the name"),
