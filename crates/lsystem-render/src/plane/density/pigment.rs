@@ -83,7 +83,8 @@ impl Pigments {
 
     /// Takes the inks of a style. Returns whether anything changed.
     pub(super) fn prepare(&mut self, style: &Style, choice: Choice) -> bool {
-        let inks: Vec<Pigment> = (0..choice.inks()).map(|number| pigment(style.ink(choice.ink(number)), style.background)).collect();
+        let inks: Vec<Pigment> =
+            (0..choice.inks()).map(|number| pigment(style.ink(choice.ink(number)), style.background)).collect();
         if inks == self.inks {
             return false;
         }
