@@ -118,6 +118,8 @@ export const SHELVES = {
         'garden/roots-and-stones': '',
         'garden/elbow-room': 'Curves',
         'garden/hedge-arch': 'Trees',
+        'garden/ivy-trellis': 'Flowers and leaves',
+        'garden/cloud-pine': 'Trees',
     },
     'By chance': {
         'garden/cherry-in-bloom': 'Flowers and leaves',

@@ -298,3 +298,121 @@ fn mix(a: Point, b: Point, t: f64) -> Point {
 fn mean([a, b]: [Point; 2]) -> Point {
     mix(a, b, 0.5)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lsystem_syntax::{Definition, notation};
+
+    fn shape(text: &str) -> NamedShape {
+        let reading = notation::read("A", &format!("shape s = {text}\nA -> A(inside(s, 0, 0, 0))"));
+        reading.grammar.shapes.into_iter().next().unwrap_or_else(|| panic!("{text}"))
+    }
+
+    /// The distance of a point from the nearest wire.
+    fn from_wires(wires: &[[Point; 2]], at: Point) -> f64 {
+        let from = |[a, b]: &[Point; 2]| {
+            let way = minus(*b, *a);
+            let part = (dot(minus(at, *a), way) / dot(way, way)).clamp(0.0, 1.0);
+            norm(minus(at, mix(*a, *b, part)))
+        };
+        wires.iter().map(from).fold(f64::INFINITY, f64::min)
+    }
+
+    const SHAPES: [&str; 8] = [
+        "ball(0, 0, 0, 9) - half(0, 3, 0, 0.1, 1, 0.2)",
+        "cone(1, 0, 0, 2, 9, 1, 5) & half(1, 4, 0, 1, 1, 0)",
+        "cylinder(0, -5, 0.5, 1, 5, 0, 4) & half(0, 0, 0, 1, 0, 0.3) & half(0, 1, 0, 0, 0.2, 1)",
+        "box(-12, 0, -2.5, 12, 13, 2.5) - cylinder(0, 4, -4, 0, 4, 4, 5) - box(-5, -1, -4, 5, 4, 4)",
+        "outline(-3, 0, 10, 2, 4, 6, 5, 10) - ball(2, 4, 0, 2)",
+        "outline(0, 0, 4, 0, 4, 4) & half(0, 0, 1, 0, 0.3, 1)",
+        "mesh(0,0,0, 0,4,0, 4,0,0, 0,0,0, 4,0,0, 0,0,4, 0,0,0, 0,0,4, 0,4,0, 4,0,0, 0,4,0, 0,0,4) - half(1, 1, 1, 1, 0, 0)",
+        "ball(0, 0, 0, 3) + ball(2, 1, 1, 3)",
+    ];
+
+    #[test]
+    fn wires_lie_on_the_surface() {
+        for text in SHAPES {
+            let named = shape(text);
+            for is_solid in [false, true] {
+                let wires = wires(&named.shape, is_solid);
+                assert!(wires.len() > 2, "{text}: {}", wires.len());
+                for [from, to] in wires {
+                    for end in [from, to] {
+                        assert!(named.shape.distance(end).abs() < 1e-5, "{text} {is_solid}: {end:?}");
+                        assert!(is_solid || end[2].abs() < 1e-9);
+                    }
+                    // The chord of a piece of a circle is near its arc.
+                    assert!(named.shape.distance(mean([from, to])).abs() < 0.02, "{text} {is_solid}: {from:?} {to:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn sections_are_whole() {
+        for text in SHAPES {
+            let named = shape(text);
+            let wires = wires(&named.shape, false);
+            // Where the plane goes from outside to inside along a line of a grid, there is a wire.
+            let mut crossings = 0;
+            for row in 0..60 {
+                let fixed = -14.97 + f64::from(row) * 0.5;
+                for flips in [false, true] {
+                    let at = |t: f64| if flips { [fixed, t, 0.0] } else { [t, fixed, 0.0] };
+                    let on = |t: f64| named.shape.contains(at(t));
+                    for step in 0..600 {
+                        let [mut low, mut high] = [step, step + 1].map(|step| -15.0 + f64::from(step) * 0.05);
+                        let was = on(low);
+                        if was == on(high) {
+                            continue;
+                        }
+                        crossings += 1;
+                        for _ in 0..40 {
+                            let middle = 0.5 * (low + high);
+                            *(if on(middle) == was { &mut low } else { &mut high }) = middle;
+                        }
+                        let off = from_wires(&wires, at(low));
+                        assert!(off < 0.02, "{text}: {:?} is {off} from all wires", at(low));
+                    }
+                }
+            }
+            assert!(crossings > 20, "{text}");
+        }
+    }
+
+    #[test]
+    fn rims_are_whole() {
+        // The rim of a dome is a circle in the plane that cuts the ball.
+        let named = shape(SHAPES[0]);
+        let wires = wires(&named.shape, true);
+        let across = times([0.1, 1.0, 0.2], 1.0 / norm([0.1, 1.0, 0.2]));
+        let high = 3.0 * across[1];
+        let [u, v] = plane_of(across);
+        for step in 0..360 {
+            let at = around(times(across, high), [u, v], (81.0 - high * high).sqrt(), f64::from(step) / 360.0);
+            assert!(from_wires(&wires, at) < 0.01, "{at:?}");
+        }
+        // Below the plane there is no wire.
+        assert!(wires.iter().flatten().all(|at| dot(*at, across) > high - 1e-5));
+    }
+
+    #[test]
+    fn shapes_are_drawn_if_the_style_says_so() {
+        let rules = "shape s = box(-1, -1, -1, 1, 3, 1)\nA -> F(inside(s, 0, 0))A";
+        let mut definition = Definition { axiom: "A".into(), rules: rules.into(), ..Definition::default() };
+        let segments = |definition: &Definition| {
+            let system = crate::System::new(definition).0.unwrap();
+            let limits = lsystem_base::Limits::default();
+            let drawing = crate::draw::<crate::Plane>(&system, 3, &limits).unwrap();
+            (drawing.segment_count(), drawing.bounds().unwrap())
+        };
+        // The box is a rectangle in the plane; one of its sides has two strokes, since the rays begin there.
+        assert_eq!(segments(&definition), (3 + 5, [-1.0, -1.0, 1.0, 3.0]));
+        definition.style.shapes = false;
+        assert_eq!(segments(&definition), (3, [0.0, 0.0, 0.0, 3.0]));
+        // Shared drawings have the same shapes.
+        (definition.style.shapes, definition.rules) = (true, "shape s = box(-1, -1, -1, 1, 3, 1)\nA -> F+F".into());
+        assert_eq!(segments(&definition).0, 2 + 5);
+    }
+}

@@ -319,4 +319,63 @@ mod tests {
             assert_eq!(all.each_ref().map(|shape| shape.contains(at)), [p || q, p && !q, p && q], "{at:?}");
         }
     }
+
+    /// The two triangles of a square.
+    fn square([a, b, c, d]: [Point; 4]) -> [[Point; 3]; 2] {
+        [[a, b, c], [a, c, d]]
+    }
+
+    /// A block as a mesh.
+    fn block([x0, y0, z0, x1, y1, z1]: [f64; 6]) -> Vec<[Point; 3]> {
+        let at = |i: usize| [[x0, x1][i & 1], [y0, y1][i >> 1 & 1], [z0, z1][i >> 2 & 1]];
+        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        sides.iter().flat_map(|corners| square(corners.map(at))).collect()
+    }
+
+    #[test]
+    fn a_mesh_of_a_block_is_the_block() {
+        let numbers = [-1.0, 0.0, -2.0, 2.0, 3.0, 1.0];
+        let (own, mesh) = (Shape::Block(numbers), Shape::Mesh(block(numbers)));
+        let turned = Shape::Mesh(block(numbers).into_iter().map(|[a, b, c]| [a, c, b]).collect());
+        for i in 0..4_000 {
+            let part = |by: f64| (f64::from(i) * by).fract() * 9.0 - 4.0;
+            let at = [part(0.618_033_988_7), part(0.754_877_666_2), part(0.569_840_290_9)];
+            for mesh in [&mesh, &turned] {
+                assert!((own.distance(at) - mesh.distance(at)).abs() < 1e-9, "{at:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_mesh_with_a_dent_is_that_of_rays_and_samples() {
+        // A block whose upper side is a funnel down to near its lower side.
+        let mut triangles = block([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0]);
+        triangles.retain(|triangle| triangle.iter().any(|corner| corner[1] < 0.0));
+        let rim = [[-1.0, 1.0, -1.0], [-1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, -1.0]];
+        triangles.extend((0..4).map(|at| [rim[at], rim[(at + 1) % 4], [0.1, -0.8, 0.0]]));
+        let mesh = Shape::Mesh(triangles.clone());
+        // Moller and Trumbore 1997: whether a ray meets a triangle.
+        let meets = |at: Point, way: Point, [a, b, c]: &[Point; 3]| {
+            let (u, v, off) = (minus(*b, *a), minus(*c, *a), minus(at, *a));
+            let (p, q) = (cross(way, v), cross(off, u));
+            let [s, t, far] = [dot(off, p), dot(way, q), dot(v, q)].map(|value| value / dot(u, p));
+            s >= 0.0 && t >= 0.0 && s + t <= 1.0 && far > 0.0
+        };
+        for i in 0..400 {
+            let part = |by: f64| (f64::from(i) * by).fract() * 3.0 - 1.5;
+            let at = [part(0.618_033_988_7), part(0.754_877_666_2), part(0.569_840_290_9)];
+            let way = [part(0.414_213_562), part(0.732_050_807), part(0.236_067_977)];
+            let crossings = triangles.iter().filter(|triangle| meets(at, way, triangle)).count();
+            assert_eq!(mesh.contains(at), crossings % 2 == 1, "{at:?} {way:?}");
+            let samples = (0..=60).flat_map(|s| (0..=60 - s).map(move |t| [f64::from(s) / 60.0, f64::from(t) / 60.0]));
+            let near = triangles.iter().flat_map(|[a, b, c]| {
+                samples
+                    .clone()
+                    .map(|[s, t]| length([0, 1, 2].map(|i| a[i] * (1.0 - s - t) + b[i] * s + c[i] * t - at[i])))
+            });
+            let near = near.fold(f64::INFINITY, f64::min);
+            let own = mesh.distance(at).abs();
+            assert!(own <= near + 1e-12 && near - own < 0.06, "{at:?}: {own}, sampled {near}");
+        }
+    }
 }
