@@ -5,6 +5,7 @@ import { listProblems, placesIn } from './controls/editor.js';
 import { html } from './dom.js';
 import { FORMAT, LARGEST_FILE } from './favourites.js';
 import { isPicture } from './find/files.js';
+import { withShape } from './shape-line.js';
 import { createTool } from './tool.js';
 
 /** Larger JSON files are not read, in bytes: a system's texts have at most 1 MiB, and more when escaped. */
@@ -13,14 +14,6 @@ const LARGEST_JSON = 4 << 20;
 const LARGEST_PICTURE = 64 << 20;
 /** Outlines are small. Larger SVGs are not read as shapes, in bytes. */
 const LARGEST_OUTLINE = 1 << 20;
-
-/** The rules with a shape in their first line, and its name, which is new. @param {string} rules @param {string} shape @returns {[string, string]} */
-export function withShape(rules, shape) {
-    const isTaken = (/** @type {string} */ name) => new RegExp(`\\b${name}\\b`).test(rules);
-    let name = 'form';
-    for (let number = 2; isTaken(name); number++) name = `form${number}`;
-    return [`shape ${name} = ${shape}\n${rules}`, name];
-}
 
 /** @param {import('./dialogs.js').Page} page */
 export function createFileOpening({ store, engine, part, open }) {
