@@ -138,6 +138,13 @@ impl System {
         (Some(system), diagnostics)
     }
 
+    /// The system whose drawing has no wireframes of shapes.
+    #[must_use]
+    pub fn without_wires(mut self) -> Self {
+        self.turtle.wires = Arc::default();
+        self
+    }
+
     /// The look that the system would choose by itself.
     #[must_use]
     pub fn look(&self) -> Look {
