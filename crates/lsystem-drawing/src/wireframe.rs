@@ -26,17 +26,7 @@ pub(crate) fn wireframe(shapes: &[NamedShape], is_solid: bool) -> Vec<[Point; 2]
 fn wires(shape: &Shape, is_solid: bool) -> Vec<[Point; 2]> {
     let mut solids = vec![];
     leaves(shape, &mut solids);
-    let mut size = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    solids.iter().for_each(|solid| {
-        curves(solid, &mut |curve| {
-            for at in 0..=PIECES {
-                let point = curve(f64::from(at) / f64::from(PIECES));
-                size = [0, 1].map(|end| {
-                    [0, 1, 2].map(|i| if end == 0 { size[0][i].min(point[i]) } else { size[1][i].max(point[i]) })
-                });
-            }
-        })
-    });
+    let size = extent(&solids);
     let reach = norm(minus(size[1], size[0]));
     if !reach.is_finite() || reach <= 0.0 {
         return vec![];
@@ -53,6 +43,21 @@ fn wires(shape: &Shape, is_solid: bool) -> Vec<[Point; 2]> {
         tracer.cut(&solids, [[0.0; 3], [0.0, 0.0, 1.0]], mean(size));
     }
     if tracer.left == 0 { vec![] } else { tracer.wires }
+}
+
+/// The least and the greatest coordinates of the curves of solids.
+fn extent(solids: &[&Shape]) -> [Point; 2] {
+    let [mut least, mut most] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for solid in solids {
+        curves(solid, &mut |curve| {
+            for piece in 0..=PIECES {
+                let point = curve(f64::from(piece) / f64::from(PIECES));
+                least = [0, 1, 2].map(|i| least[i].min(point[i]));
+                most = [0, 1, 2].map(|i| most[i].max(point[i]));
+            }
+        });
+    }
+    [least, most]
 }
 
 /// The solids that a shape is made of.

@@ -39,7 +39,7 @@ pub(super) fn shape(filled: Option<Filled>, work: &mut Work) -> Result<String, S
         return Err(format!("this SVG has {} outlines, and a shape has at most {MOST_OUTLINES}", outlines.len()));
     }
     outlines.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    let placed = place(outlines.into_iter().map(|(_, points)| points).collect());
+    let placed = place(&outlines.into_iter().map(|(_, points)| points).collect::<Vec<_>>());
     let mut text = String::new();
     for (at, points) in placed.iter().enumerate() {
         let corners = simplified(points, work)?;
@@ -69,7 +69,7 @@ fn area(points: &[Point]) -> f64 {
 }
 
 /// Polygons in model units: y upwards from 0, x around 0.
-fn place(outlines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
+fn place(outlines: &[Vec<Point>]) -> Vec<Vec<Point>> {
     let all = || outlines.iter().flatten();
     let least = [0, 1].map(|axis| all().map(|at| at[axis]).fold(f64::INFINITY, f64::min));
     let most = [0, 1].map(|axis| all().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max));
