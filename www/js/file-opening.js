@@ -5,14 +5,34 @@ import { listProblems, placesIn } from './controls/editor.js';
 import { html } from './dom.js';
 import { FORMAT, LARGEST_FILE } from './favourites.js';
 import { isPicture } from './find/files.js';
+import { withShape } from './shape-line.js';
+import { createTool } from './tool.js';
 
 /** Larger JSON files are not read, in bytes: a system's texts have at most 1 MiB, and more when escaped. */
 const LARGEST_JSON = 4 << 20;
 /** Larger pictures are not read, in bytes. */
 const LARGEST_PICTURE = 64 << 20;
+/** Outlines are small. Larger SVGs are not read as shapes, in bytes. */
+const LARGEST_OUTLINE = 1 << 20;
 
 /** @param {import('./dialogs.js').Page} page */
 export function createFileOpening({ store, engine, part, open }) {
+    /** @type {ReturnType<typeof createTool<import('./protocol.js').FindCalls>>} */
+    const tool = createTool('find');
+
+    /** Adds the outline in a picture to the rules, as a shape to grow in. Returns whether there is one. @param {File} file */
+    async function addOutline(file) {
+        if (!/svg/i.test(`${file.type} ${file.name}`) || file.size > LARGEST_OUTLINE) return false;
+        const shape = await tool.call('outline', { bytes: new Uint8Array(await file.arrayBuffer()) });
+        if (shape === null) return false;
+        const [rules, name] = withShape(store.state.rules, shape);
+        store.change({ rules, shapes: true }, '');
+        toast(`${file.name} is the shape \`${name}\` now, 20 units in size: \`inside(${name}, x, y)\`.`, {
+            action: { label: 'Find its rules', act: () => void open('find', file) },
+        });
+        return true;
+    }
+
     return {
         /** @param {File} file */
         async open(file) {
@@ -33,10 +53,12 @@ export function createFileOpening({ store, engine, part, open }) {
                 if (text !== null && (await (await part('import'))?.offer(text))) return;
                 listProblems(problems, diagnostics, text ?? undefined);
                 if (!definition) {
-                    if (isPicture(file))
+                    if (isPicture(file)) {
+                        if (await addOutline(file)) return;
                         return toast(`${file.name} has no system inside.`, {
                             action: { label: 'Find its rules', act: () => void open('find', file) },
                         });
+                    }
                     const mistake = diagnostics.find(({ severity }) => severity === 'error');
                     const words = [
                         text !== null && mistake && `${placesIn(text)(mistake.start)}: `,

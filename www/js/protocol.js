@@ -166,6 +166,7 @@ export {};
  *     compare: {asked: {definition: Definition}, answer: Uint8Array | null},
  *     search: {asked: {until: number}, answer: FindReport},
  *     svg: {asked: {bytes: Uint8Array<ArrayBuffer>}, answer: DrawnPicture},
+ *     outline: {asked: {bytes: Uint8Array<ArrayBuffer>}, answer: string | null},
  * }} FindCalls
  */
 /** A film: a system with the view that it begins with, and the text of its tracks (docs/films.md). @typedef {{definition: Definition, view: View | null, camera: Camera | null, text: string}} Film */

@@ -119,6 +119,8 @@ export const SHELVES = {
         'garden/elbow-room': 'Curves',
         'garden/hedge-arch': 'Trees',
         'garden/tabebuia': 'Trees',
+        'garden/ivy-trellis': 'Flowers and leaves',
+        'garden/cloud-pine': 'Trees',
     },
     'By chance': {
         'garden/cherry-in-bloom': 'Flowers and leaves',

@@ -50,6 +50,7 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
  * @property {number} hue by how many degrees the palette's hues are turned
  * @property {number} exposure brightness of additive blending, in stops: each doubles it
  * @property {boolean} shadows whether a drawing in space has soft shadows
+ * @property {boolean} shapes whether the drawing has the outlines of the shapes in the rules, in a faint colour
  * @property {boolean} auto whether widths, and what the colour follows, are chosen after the system in place of the values given
  * @property {string} name a short name, unique within its folder
  * @property {string} source where the system was published
@@ -114,6 +115,7 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
     hue: { link: 'hue', kind: 'number', low: -360, high: 360, default: 0, label: 'Hue', expected: 'a number from -360 to 360', unit: 'degrees', slider: { from: 0, parts: [[360, 5]], arrow: 5 }, affects: 'look' },
     exposure: { link: 'exposure', kind: 'number', low: -10, high: 10, default: 0, label: 'Exposure (stops)', expected: 'a number from -10 to 10', unit: 'stops', slider: { from: -4, parts: [[4, 0.25]], arrow: 0.25 }, affects: 'look' },
     shadows: { link: 'shadows', kind: 'flag', default: true, label: 'Shadows', expected: 'true or false', affects: 'look' },
+    shapes: { link: 'shapes', kind: 'flag', default: true, label: 'Shapes', expected: 'true or false', affects: 'drawing' },
     auto: { link: 'auto', kind: 'flag', default: false, label: 'Automatic look', expected: 'true or false', affects: 'look' },
     name: { link: 'name', kind: 'text', maxLength: 200, default: '', label: 'Name', expected: 'a text of at most 200 characters', affects: 'caption' },
     source: { link: 'source', kind: 'text', maxLength: 1000, default: '', label: 'Source', expected: 'a text of at most 1,000 characters', affects: 'caption' },
@@ -123,4 +125,4 @@ export const FIELDS = /* @__PURE__ */ Object.freeze({
 });
 
 /** Attributes of the element and the keys in links that they stand for. */
-export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', sway: 'sway', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', surfaces: 'surfaces', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', taper: 'taper', thin: 'thin', thick: 'thick', ink: 'ink', hue: 'hue', exposure: 'exposure', shadows: 'shadows', auto: 'auto', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };
+export const ATTRIBUTES = { caption: 'title', axiom: 'axiom', rules: 'rules', n: 'n', angle: 'angle', right: 'right', seed: 'seed', turtle: 'turtle', down: 'down', up: 'up', roll: 'roll', rollright: 'rollright', heading: 'heading', step: 'step', start: 'start', tropism: 'tropism', elasticity: 'elasticity', sway: 'sway', shorter: 'shorter', vary: 'vary', varylength: 'varylength', growth: 'growth', do: 'do', surfaces: 'surfaces', palette: 'palette', colour: 'colour', hold: 'hold', turns: 'turns', bg: 'bg', stroke: 'width', thinner: 'thinner', taper: 'taper', thin: 'thin', thick: 'thick', ink: 'ink', hue: 'hue', exposure: 'exposure', shadows: 'shadows', shapes: 'shapes', auto: 'auto', name: 'name', source: 'source', notes: 'notes', view: 'view', camera: 'camera' };

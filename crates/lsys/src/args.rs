@@ -19,6 +19,8 @@ pub(crate) enum Command {
     View { file: PathBuf, options: ViewOptions, changes: Changes },
     /// Print the link of a system.
     Link { file: PathBuf, page: Option<String>, changes: Changes },
+    /// Print a shape.
+    Shape { file: PathBuf },
     /// Print the derived string.
     Expand { file: PathBuf, changes: Changes },
     /// Write or print pictures and other files.
@@ -103,6 +105,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             changes: Changes { entry, ..Changes::default() },
         }),
         Verb::Link { file, page, changes } => Ok(Command::Link { file, page, changes }),
+        Verb::Shape { file } => Ok(Command::Shape { file }),
         Verb::Expand { file, changes } => Ok(Command::Expand { file, changes }),
         Verb::Draw { files, out_dir, look, changes } => match jobs(files, out_dir.as_deref(), &look) {
             Ok(jobs) => Ok(Command::Draw { jobs, folder: out_dir, look, changes }),
@@ -314,7 +317,8 @@ mod tests {
             Ok(Command::View { file, options, changes }) => format!("view {file:?} {options:?} {}", with(changes)),
             Ok(Command::Link { file, page, changes }) => format!("link {file:?} {page:?} {}", with(changes)),
             Ok(
-                command @ (Command::Surprise { .. }
+                command @ (Command::Shape { .. }
+                | Command::Surprise { .. }
                 | Command::Breed { .. }
                 | Command::Exhibit { .. }
                 | Command::Scorm { .. }),

@@ -82,6 +82,16 @@ pub(crate) enum Verb {
         #[command(flatten)]
         changes: Changes,
     },
+    /// Print the outline in an SVG, or a mesh, as a shape for rules
+    ///
+    /// The line begins with `shape NAME =`, after the name of the file. The longest side is 20 units; the shape stands on
+    /// y = 0, in the middle of x and z. A mesh must be closed, and has at most 2,000 triangles.
+    #[command(verbatim_doc_comment)]
+    Shape {
+        /// SVG whose shapes are filled, or a closed mesh as OBJ or GLB
+        #[arg(value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+    },
     /// Print the derived string
     Expand {
         #[arg(help = FILE, value_hint = ValueHint::FilePath)]

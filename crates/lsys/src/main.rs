@@ -27,6 +27,7 @@ mod pending;
 mod progress;
 mod scorm;
 mod settings;
+mod shape;
 mod tiles;
 mod view;
 
@@ -102,6 +103,7 @@ fn run(command: Command) -> Result<(), CommandFailure> {
         Command::Print(text) => print(|out| out.write_all(text.as_bytes())),
         Command::View { file, options, changes } => view::view(&file, &options, &changes),
         Command::Link { file, page, changes } => link::link(&file, page.as_deref(), &changes),
+        Command::Shape { file } => shape::shape(&file),
         Command::Expand { file, changes } => expand(&file, &changes),
         Command::Draw { jobs, folder, look, changes } => draw::draw(&jobs, folder.as_deref(), &look, &changes),
         Command::Tiles { file, dir, options, changes } => tiles::tiles(&file, &dir, &options, &changes),

@@ -31,6 +31,7 @@ mod style;
 mod sway;
 mod tube;
 mod turtle;
+mod wireframe;
 
 mod look;
 mod neighbours;

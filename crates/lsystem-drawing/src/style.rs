@@ -62,6 +62,7 @@ impl StyleChange {
         let colours = style.palette.len().clamp(1, i32::MAX as usize) as i32;
         let seen = |index: i32| if style.holds() { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) };
         match style.colour_by {
+            _ if style.is_faint(self.colour.of(0)) => (Style::FAINT, 0),
             ColourBy::Single | ColourBy::Path | ColourBy::Density => (0, 0),
             ColourBy::Symbol | ColourBy::Turn | ColourBy::Generation => (seen(self.colour.of(0)), 0),
             ColourBy::Level => (0, seen(i32::try_from(self.level).unwrap_or(i32::MAX)).cast_unsigned()),

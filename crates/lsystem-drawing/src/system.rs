@@ -3,6 +3,7 @@
 use crate::drawing::TurtleInterpreter;
 use crate::space::Tropism;
 use crate::sway::Sway;
+use crate::wireframe::wireframe;
 use crate::{Look, Turtle};
 use lsystem_base::sorted::{set, sort};
 use lsystem_base::{LimitName, MAX_LETTERS};
@@ -131,7 +132,17 @@ impl System {
             system.style = style;
             system.turtle.take_style(&system.style);
         }
+        if system.style.shapes && !system.grammar.shapes.is_empty() {
+            system.turtle.wires = wireframe(&system.grammar.shapes, system.is_solid()).into();
+        }
         (Some(system), diagnostics)
+    }
+
+    /// The system whose drawing has no wireframes of shapes.
+    #[must_use]
+    pub fn without_wires(mut self) -> Self {
+        self.turtle.wires = Arc::default();
+        self
     }
 
     /// The look that the system would choose by itself.

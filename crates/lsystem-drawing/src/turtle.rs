@@ -21,6 +21,8 @@ pub struct Turtle {
     pub actions: Vec<Vec<Action>>,
     /// The triangles of the surfaces that letters draw, by name.
     pub surfaces: Vec<(char, Arc<[Triangle]>)>,
+    /// The wireframes of shapes that are drawn after all else, in model units.
+    pub wires: Arc<[[[f64; 3]; 2]]>,
     /// The angle of a left turn, counter-clockwise.
     pub left: Heading,
     /// The angle of a right turn, clockwise.
@@ -174,6 +176,7 @@ impl Default for Turtle {
         Self {
             actions: vec![],
             surfaces: vec![],
+            wires: Arc::default(),
             left: Heading::EAST,
             right: Heading::EAST,
             pitch_down: Heading::EAST,

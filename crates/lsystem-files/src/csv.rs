@@ -8,7 +8,8 @@ use lsystem_syntax::{Diagnostic, Halt, Work};
 
 /// Writes all segments in drawing order, one on each line. The header is `x0,y0,x1,y1,level,colour` in the plane and
 /// `x0,y0,z0,x1,y1,z1,level,colour` in space. Coordinates are in model units, with the fewest digits that read back as
-/// the same number. `level` is the branch level; `colour` is the colour index, not wrapped to a palette.
+/// the same number. `level` is the branch level; `colour` is the colour index, not wrapped to a palette;
+/// the lines of shapes have the smallest 32-bit integer.
 ///
 /// # Errors
 /// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if there are more than `most` segments and vertices of polygons.

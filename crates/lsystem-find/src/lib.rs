@@ -52,7 +52,7 @@ pub use picture::Picture;
 pub use picture_search::{Known, PictureSearch};
 pub use share::Share;
 pub use strings::StringFinder;
-pub use svg::{Svg, draw_svg, is_svg};
+pub use svg::{Svg, draw_svg, is_svg, outline_of_svg};
 
 use lsystem_syntax::print_module;
 

@@ -78,6 +78,8 @@ export interface Fields {
     exposure: number;
     /** whether a drawing in space has soft shadows: true or false */
     shadows: boolean;
+    /** whether the drawing has the outlines of the shapes in the rules, in a faint colour: true or false */
+    shapes: boolean;
     /** whether widths, and what the colour follows, are chosen after the system in place of the values given: true or false */
     auto: boolean;
     /** a short name, unique within its folder: a text of at most 200 characters */

@@ -374,7 +374,7 @@ pub enum Kind {
     SolidNumbers {
         /// The solid's name.
         name: &'static str,
-        /// How many it has; `None` for an even number of 6 or more.
+        /// How many it has; `None` for a list.
         expected: Option<usize>,
         /// How many are given.
         found: usize,

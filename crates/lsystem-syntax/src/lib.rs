@@ -74,7 +74,7 @@ pub use place::{byte_offset, line_of, render_diagnostic, utf16_letters, utf16_sp
 pub use print::{print_axiom, print_module, print_rules};
 pub use problem::{Problem, problems};
 pub use query::Query;
-pub use shape::Shape;
+pub use shape::{MOST_SIDES, Shape};
 pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
 pub use surface::{Patch, SURFACE_STRIPS, Surface, SurfacePoint, SurfaceProblem, parse_surfaces, print_surfaces};
 pub use value::Value;

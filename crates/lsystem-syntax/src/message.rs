@@ -1,7 +1,7 @@
 //! The words of all diagnostics, in English, in one place.
 
 use crate::curve::MOST_POINTS;
-use crate::{Diagnostic, Expected, Function, JsonError, Kind, Role, SurfaceProblem, TikzObstacle};
+use crate::{Diagnostic, Expected, Function, JsonError, Kind, MOST_SIDES, Role, SurfaceProblem, TikzObstacle};
 use lsystem_base::number::number;
 use lsystem_base::{LimitName, MAX_PALETTE, MAX_SURFACE_PATCHES, MAX_SURFACES};
 
@@ -406,18 +406,20 @@ fn words(kind: &Kind) -> (String, Option<String>) {
         ),
         Kind::SolidExpected { found } => hinted(
             if found.is_empty() { "A solid is missing".into() } else { format!("`{found}` is not a solid with its numbers") },
-            "Solids are ball(x, y, z, r), box, cylinder, cone, half and outline, joined by +, - or &.".into(),
+            "Solids are ball(x, y, z, r), box, cylinder, cone, half, outline and mesh, joined by +, - or &.".into(),
         ),
         Kind::SolidNumbers { name, expected, found } => hinted(
             match expected {
                 Some(expected) => format!("`{name}` takes {}, not {found}", plural(*expected, "number")),
-                None => format!("`{name}` takes two numbers for each corner, for three corners or more"),
+                None if *name == "mesh" => format!("`mesh` takes nine numbers for each of 4 to {MOST_SIDES} triangles"),
+                None => format!("`{name}` takes two numbers for each of 3 to {MOST_SIDES} corners"),
             },
             match *name {
                 "ball" => "`ball(x, y, z, r)` has a centre and a radius.".into(),
                 "box" => "`box(x, y, z, x, y, z)` has two opposite corners.".into(),
                 "cylinder" | "cone" => format!("`{name}(x, y, z, x, y, z, r)` has two ends and a radius."),
                 "half" => "`half(x, y, z, a, b, c)` has a point of its plane, and a direction out of it.".into(),
+                "mesh" => "`mesh(x, y, z, x, y, z, x, y, z, ...)` has the corners of its triangles.".into(),
                 _ => "`outline(x, y, x, y, x, y)` has its corners in order.".into(),
             },
         ),

@@ -1,5 +1,5 @@
-//! Shapes that plants grow in or around: solids made of balls, boxes, cylinders, cones, half-spaces and outlines, and
-//! of their unions, differences and intersections.
+//! Shapes that plants grow in or around: solids made of balls, boxes, cylinders, cones, half-spaces, outlines and
+//! meshes, and of their unions, differences and intersections.
 //!
 //! A shape is asked for its signed distance: how far a point is outside, or, negative, how far it is inside. For a
 //! single solid the distance is exact. For a union outside, and for an intersection or a difference inside, it is exact
@@ -24,6 +24,9 @@ pub enum Shape {
     /// `outline(x0, y0, x1, y1, …)`: what is inside a polygon in the plane, at any z. Its sides may cross: a point is
     /// inside if the polygon winds around it.
     Outline(Vec<[f64; 2]>),
+    /// `mesh(x, y, z, x, y, z, x, y, z, …)`: what is inside a closed mesh of triangles, three corners each. A point is
+    /// inside if the mesh winds around it, from whichever side its triangles are seen.
+    Mesh(Vec<[[f64; 3]; 3]>),
     /// `a + b`: what is in either.
     Union(Box<Self>, Box<Self>),
     /// `a - b`: what is in the first and not in the second.
@@ -32,15 +35,20 @@ pub enum Shape {
     Intersection(Box<Self>, Box<Self>),
 }
 
-/// The solids by name: how many numbers each has; `None` for an even number of 6 or more.
-pub(crate) const SOLIDS: [(&str, Option<usize>); 6] = [
+/// The solids by name: how many numbers each has; `None` for lists, an even number of 6 or more for an outline, and 9 for
+/// each triangle of a mesh.
+pub(crate) const SOLIDS: [(&str, Option<usize>); 7] = [
     ("ball", Some(4)),
     ("box", Some(6)),
     ("cylinder", Some(7)),
     ("cone", Some(7)),
     ("half", Some(6)),
     ("outline", None),
+    ("mesh", None),
 ];
+
+/// The most triangles of a mesh, and the most corners of an outline: each distance looks at all of them.
+pub const MOST_SIDES: usize = 2000;
 
 type Point = [f64; 3];
 
@@ -74,7 +82,14 @@ impl Shape {
             "half" => Self::Half(numbers.try_into().ok()?),
             "outline" => {
                 let (corners, rest) = numbers.as_chunks::<2>();
-                (corners.len() >= 3 && rest.is_empty()).then(|| Self::Outline(corners.to_vec()))?
+                let fits = (3..=MOST_SIDES).contains(&corners.len()) && rest.is_empty();
+                fits.then(|| Self::Outline(corners.to_vec()))?
+            }
+            "mesh" => {
+                let (corners, rest) = numbers.as_chunks::<3>();
+                let (triangles, odd) = corners.as_chunks::<3>();
+                let fits = (4..=MOST_SIDES).contains(&triangles.len()) && rest.is_empty() && odd.is_empty();
+                fits.then(|| Self::Mesh(triangles.to_vec()))?
             }
             _ => return None,
         })
@@ -105,6 +120,7 @@ impl Shape {
                 if size > 0.0 { dot(minus(at, [x, y, z]), [a, b, c]) / size } else { f64::INFINITY }
             }
             Self::Outline(corners) => outline(corners, [at[0], at[1]]),
+            Self::Mesh(triangles) => mesh(triangles, at),
             Self::Union(a, b) => a.distance(at).min(b.distance(at)),
             Self::Difference(a, b) => a.distance(at).max(-b.distance(at)),
             Self::Intersection(a, b) => a.distance(at).max(b.distance(at)),
@@ -117,11 +133,12 @@ impl Shape {
         self.distance(at) <= 0.0
     }
 
-    /// The units of work of a distance: 1 for each solid, and 1 for each side of an outline.
+    /// The units of work of a distance: 1 for each solid, 1 for each side of an outline, and 4 for each triangle.
     #[must_use]
     pub fn work(&self) -> u64 {
         match self {
             Self::Outline(corners) => corners.len() as u64,
+            Self::Mesh(triangles) => 4 * triangles.len() as u64,
             Self::Union(a, b) | Self::Difference(a, b) | Self::Intersection(a, b) => 1 + a.work() + b.work(),
             _ => 1,
         }
@@ -177,6 +194,44 @@ fn outline(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     if winding != 0 { -near.sqrt() } else { near.sqrt() }
 }
 
+/// The vector product.
+fn cross(a: Point, b: Point) -> Point {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The signed distance from a mesh of triangles: that of the nearest triangle, and the winding number as the sum of the
+/// solid angles of all triangles (Van Oosterom and Strackee 1983; Jacobson et al. 2013).
+fn mesh(triangles: &[[Point; 3]], at: Point) -> f64 {
+    let (mut near, mut angles) = (f64::INFINITY, 0.0);
+    for corners in triangles {
+        let [a, b, c] = corners.map(|corner| minus(corner, at));
+        near = near.min(from_triangle([a, b, c]));
+        let [u, v, w] = [a, b, c].map(length);
+        angles += libm::atan2(dot(a, cross(b, c)), u * v * w + dot(a, b) * w + dot(b, c) * u + dot(c, a) * v);
+    }
+    // The sum is half of all angles, so a full turn of 4 pi is 2 pi here; half a turn decides.
+    if angles.abs() > core::f64::consts::PI { -near.sqrt() } else { near.sqrt() }
+}
+
+/// The square of the distance of the origin from a triangle.
+fn from_triangle([a, b, c]: [Point; 3]) -> f64 {
+    let normal = cross(minus(b, a), minus(c, a));
+    let square = dot(normal, normal);
+    let sides = [(a, b), (b, c), (c, a)];
+    if square > 0.0 && sides.iter().all(|&(from, to)| dot(cross(minus(to, from), normal), from) >= 0.0) {
+        let off = dot(normal, a);
+        return off * off / square;
+    }
+    let from_side = |(from, to): (Point, Point)| {
+        let way = minus(to, from);
+        let size = dot(way, way);
+        let part = if size > 0.0 { (-dot(from, way) / size).clamp(0.0, 1.0) } else { 0.0 };
+        let off = [0, 1, 2].map(|i| from[i] + part * way[i]);
+        dot(off, off)
+    };
+    sides.map(from_side).into_iter().fold(f64::INFINITY, f64::min)
+}
+
 impl Shape {
     /// Prints the shape, in parentheses if it is not a single solid and `inner`.
     fn write(&self, f: &mut fmt::Formatter<'_>, inner: bool) -> fmt::Result {
@@ -191,6 +246,7 @@ impl Shape {
             Self::Cone(numbers) => return solid(f, "cone", numbers),
             Self::Half(numbers) => return solid(f, "half", numbers),
             Self::Outline(corners) => return solid(f, "outline", corners.as_flattened()),
+            Self::Mesh(triangles) => return solid(f, "mesh", triangles.as_flattened().as_flattened()),
             Self::Union(a, b) => ('+', a, b),
             Self::Difference(a, b) => ('-', a, b),
             Self::Intersection(a, b) => ('&', a, b),
@@ -261,6 +317,65 @@ mod tests {
         for at in [[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0], [1.5, 0.0, 0.0], [-1.5, 0.0, 0.0]] {
             let [p, q] = [a.contains(at), b.contains(at)];
             assert_eq!(all.each_ref().map(|shape| shape.contains(at)), [p || q, p && !q, p && q], "{at:?}");
+        }
+    }
+
+    /// The two triangles of a square.
+    fn square([a, b, c, d]: [Point; 4]) -> [[Point; 3]; 2] {
+        [[a, b, c], [a, c, d]]
+    }
+
+    /// A block as a mesh.
+    fn block([x0, y0, z0, x1, y1, z1]: [f64; 6]) -> Vec<[Point; 3]> {
+        let at = |i: usize| [[x0, x1][i & 1], [y0, y1][i >> 1 & 1], [z0, z1][i >> 2 & 1]];
+        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        sides.iter().flat_map(|corners| square(corners.map(at))).collect()
+    }
+
+    #[test]
+    fn a_mesh_of_a_block_is_the_block() {
+        let numbers = [-1.0, 0.0, -2.0, 2.0, 3.0, 1.0];
+        let (own, mesh) = (Shape::Block(numbers), Shape::Mesh(block(numbers)));
+        let turned = Shape::Mesh(block(numbers).into_iter().map(|[a, b, c]| [a, c, b]).collect());
+        for i in 0..4_000 {
+            let part = |by: f64| (f64::from(i) * by).fract() * 9.0 - 4.0;
+            let at = [part(0.618_033_988_7), part(0.754_877_666_2), part(0.569_840_290_9)];
+            for mesh in [&mesh, &turned] {
+                assert!((own.distance(at) - mesh.distance(at)).abs() < 1e-9, "{at:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_mesh_with_a_dent_is_that_of_rays_and_samples() {
+        // A block whose upper side is a funnel down to near its lower side.
+        let mut triangles = block([-1.0, -1.0, -1.0, 1.0, 1.0, 1.0]);
+        triangles.retain(|triangle| triangle.iter().any(|corner| corner[1] < 0.0));
+        let rim = [[-1.0, 1.0, -1.0], [-1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, -1.0]];
+        triangles.extend((0..4).map(|at| [rim[at], rim[(at + 1) % 4], [0.1, -0.8, 0.0]]));
+        let mesh = Shape::Mesh(triangles.clone());
+        // Moller and Trumbore 1997: whether a ray meets a triangle.
+        let meets = |at: Point, way: Point, [a, b, c]: &[Point; 3]| {
+            let (u, v, off) = (minus(*b, *a), minus(*c, *a), minus(at, *a));
+            let (p, q) = (cross(way, v), cross(off, u));
+            let [s, t, far] = [dot(off, p), dot(way, q), dot(v, q)].map(|value| value / dot(u, p));
+            s >= 0.0 && t >= 0.0 && s + t <= 1.0 && far > 0.0
+        };
+        for i in 0..400 {
+            let part = |by: f64| (f64::from(i) * by).fract() * 3.0 - 1.5;
+            let at = [part(0.618_033_988_7), part(0.754_877_666_2), part(0.569_840_290_9)];
+            let way = [part(0.414_213_562), part(0.732_050_807), part(0.236_067_977)];
+            let crossings = triangles.iter().filter(|triangle| meets(at, way, triangle)).count();
+            assert_eq!(mesh.contains(at), crossings % 2 == 1, "{at:?} {way:?}");
+            let samples = (0..=60).flat_map(|s| (0..=60 - s).map(move |t| [f64::from(s) / 60.0, f64::from(t) / 60.0]));
+            let near = triangles.iter().flat_map(|[a, b, c]| {
+                samples
+                    .clone()
+                    .map(|[s, t]| length([0, 1, 2].map(|i| a[i] * (1.0 - s - t) + b[i] * s + c[i] * t - at[i])))
+            });
+            let near = near.fold(f64::INFINITY, f64::min);
+            let own = mesh.distance(at).abs();
+            assert!(own <= near + 1e-12 && near - own < 0.06, "{at:?}: {own}, sampled {near}");
         }
     }
 }

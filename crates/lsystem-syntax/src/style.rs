@@ -107,6 +107,8 @@ pub struct Style {
     pub exposure: f64,
     /// Whether a drawing in space has soft shadows, also on the ground, and is darker inside, in pictures at rest.
     pub shadows: bool,
+    /// Whether the wireframes of the system's shapes are part of the drawing, in a faint colour.
+    pub shapes: bool,
     /// Whether widths and the property that decides colours follow from the system (`Look` of `lsystem-drawing`) in place
     /// of `colour_by`, `palette_holds`, `width`, `width_factor`, `min_width` and `max_width`.
     pub auto: bool,
@@ -152,6 +154,7 @@ impl Default for Style {
             hue: 0.0,
             exposure: 0.0,
             shadows: true,
+            shapes: true,
             auto: false,
         }
     }
@@ -173,9 +176,31 @@ impl Style {
         }
     }
 
+    /// The colour index of wireframes of shapes: no palette has so many entries.
+    pub const FAINT: i32 = i32::MIN;
+
+    /// The ink of wireframes of shapes, after those of the palette.
+    pub const FAINT_INK: u32 = u32::MAX;
+
+    /// The colour of wireframes of shapes: between the background and black or white, whichever is farther from it.
+    #[must_use]
+    pub fn faint(&self) -> Colour {
+        let [r, g, b] = self.background.rgb.map(u32::from);
+        let end = if 2 * r + 5 * g + b < 8 * 128 { 255 } else { 0 };
+        Colour { rgb: [r, g, b].map(|channel| ((3 * channel + end) / 4) as u8) }
+    }
+
+    /// Whether a stroke has the faint colour, if it has this colour index.
+    pub fn is_faint(&self, index: i32) -> bool {
+        index == Self::FAINT && !matches!(self.colour_by, ColourBy::Path | ColourBy::Density)
+    }
+
     /// The colour of a stroke.
     #[must_use]
     pub fn colour_of(&self, tint: Tint) -> Colour {
+        if self.is_faint(tint.index) {
+            return self.faint();
+        }
         let wrapped = |index: i64| index.rem_euclid(self.palette.len().max(1) as i64) as u32;
         let held = |index: i64| if self.holds() { index.clamp(0, i64::from(u32::MAX)) as u32 } else { wrapped(index) };
         self.ink(match self.colour_by {
@@ -204,6 +229,9 @@ impl Style {
 
     /// The colour of the ink `number`: a palette's entry or a step of the gradient.
     pub fn ink(&self, number: u32) -> Colour {
+        if number == Self::FAINT_INK {
+            return self.faint();
+        }
         if self.colour_by == ColourBy::Path {
             return self.gradient((f64::from(number) + 0.5) / f64::from(GRADIENT));
         }

@@ -57,6 +57,13 @@ pub(crate) struct Candidate {
     is_found: bool,
 }
 
+/// The outline in an SVG as a shape in the notation, as [`lsystem_find::outline_of_svg`]; undefined if it is no outline.
+#[wasm_bindgen(js_name = outlineOfSvg)]
+#[must_use]
+pub fn outline_of_svg(bytes: &[u8]) -> Option<String> {
+    lsystem_find::outline_of_svg(bytes).ok()
+}
+
 /// An SVG picture as levels of grey.
 #[wasm_bindgen]
 pub struct DrawnSvg(Svg);

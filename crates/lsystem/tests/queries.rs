@@ -134,6 +134,36 @@ fn conditions_prune_what_leaves_a_shape() {
 }
 
 #[test]
+fn differences_of_distances_keep_ivy_on_its_trellis() {
+    let path = format!("{}/../../data_in/garden/ivy-trellis.json", env!("CARGO_MANIFEST_DIR"));
+    let own = lsystem::read_json(&std::fs::read_to_string(path).unwrap()).0.unwrap();
+    // The bars as lines: two ends and a radius.
+    let posts = [-5.0, 0.0, 5.0].map(|x| ([x, 0.0, 0.0], [x, 15.0, 0.0], 0.25));
+    let bars = [3.0, 7.0, 11.0, 14.0].map(|y| ([-6.5, y, 0.0], [6.5, y, 0.0], 0.2));
+    let off = |at: &[f64]| {
+        let lines = posts.iter().chain(&bars).map(|&(from, to, radius): &([f64; 3], [f64; 3], f64)| {
+            let points = (0..=1000).map(|part| {
+                let t = f64::from(part) / 1000.0;
+                let way = [0, 1, 2].map(|i| from[i] * (1.0 - t) + to[i] * t - at[i]);
+                way.iter().map(|c| c * c).sum::<f64>().sqrt() - radius
+            });
+            points.fold(f64::INFINITY, f64::min)
+        });
+        lines.fold(f64::INFINITY, f64::min)
+    };
+    let median = |own: &Definition| {
+        let word = string(own, 50);
+        let places = modules(&word).into_iter().filter(|(symbol, _)| symbol == "?P").map(|(_, place)| place);
+        let mut offs: Vec<f64> = places.map(|place| off(&place)).collect();
+        offs.sort_by(f64::total_cmp);
+        offs[offs.len() / 2]
+    };
+    let free = Definition { rules: own.rules.replace("-250", "0"), ..own.clone() };
+    let [own, free] = [median(&own), median(&free)];
+    assert!(own < 0.7 && free > 2.0 * own, "{own}, and {free} without the turns");
+}
+
+#[test]
 fn crowds_and_light_are_asked_in_the_same_way() {
     // Five apices in a row, a step apart, and one above the middle of them.
     let axiom = "-(90)f[?C(0,1.5)?S(0,1)]f[?C(0,1.5)?S(0,1)]f[?C(0,1.5)?S(0,1)+(90)fff?S(0,1)]f[?C(0,1.5)?S(0,1)]f?C(0,1.5)?S(0,1)";
@@ -167,7 +197,7 @@ fn wrong_shapes_are_told_with_their_places() {
     for (shape, message) in [
         ("shape s = bal(1, 2, 3, 4)", "`bal` is not a solid with its numbers"),
         ("shape s = ball(1, 2, 3)", "`ball` takes 4 numbers, not 3"),
-        ("shape s = outline(1, 2, 3, 4)", "`outline` takes two numbers for each corner, for three corners or more"),
+        ("shape s = outline(1, 2, 3, 4)", "`outline` takes two numbers for each of 3 to 2000 corners"),
         ("shape s = ball(1, 2, 3, 4) +", "A solid is missing"),
         ("shape s = ", "A solid is missing"),
         ("shape 1s = ball(1, 2, 3, 4)", "`1s` cannot be the name"),

@@ -54,6 +54,7 @@ export function lookPanel(store) {
         for (const option of inkKind.options) if (option.value === 'auto') option.disabled = space;
         html('exposure-row').hidden = !adds;
         html('shadows-row').hidden = !space || isDensity;
+        html('shapes-row').hidden = !/^\s*shape\s/m.test(state.rules);
         setText(
             html('ink-note'),
             isDensity
@@ -72,10 +73,11 @@ export function lookPanel(store) {
     colourBy.addEventListener('change', () => {
         store.change({ colourBy: /** @type {import('../state.js').ColourBy} */ (colourBy.value) }, '');
     });
-    const flags = /** @type {[HTMLInputElement, 'paletteHolds' | 'tapers' | 'shadows'][]} */ ([
+    const flags = /** @type {[HTMLInputElement, 'paletteHolds' | 'tapers' | 'shadows' | 'shapes'][]} */ ([
         [input('palette-holds'), 'paletteHolds'],
         [input('tapers'), 'tapers'],
         [input('shadows'), 'shadows'],
+        [input('shapes'), 'shapes'],
     ]);
     for (const [box, name] of flags) box.addEventListener('change', () => store.change({ [name]: box.checked }, ''));
     const turnFields = ['left-colour', 'right-colour'].map((id, side) =>

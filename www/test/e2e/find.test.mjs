@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test, { after } from 'node:test';
-import { DESKTOP, PHONE, close, quiet, until, withPage } from './browser.mjs';
+import { DESKTOP, PHONE, close, nextPicture, quiet, sameAgain, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -97,6 +97,26 @@ const found = (page) =>
         'a system is found',
         PATIENCE,
     );
+
+test('a dropped outline becomes a shape that is drawn faintly, one undo away', () =>
+    withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F' }, async (page) => {
+        const svg = "<svg viewBox='0 0 10 20'><path d='M0 0 10 0 10 20 0 20Z'/></svg>";
+        await give(page, 'drop', Buffer.from(svg), 'tall.svg', 'image/svg+xml');
+        const line = 'shape form = outline(-5, 20, 5, 20, 5, 0, -5, 0)';
+        await until(async () => (await page.inputValue('#rules')) === `${line}\nF -> F`, 'the line');
+        assert.match(await text(page, '#toast'), /tall\.svg is the shape form now/);
+        // The row of the choice is there only while there is a shape.
+        await page.click('#tab-look');
+        assert.equal(await page.isChecked('#shapes'), true);
+        const faint = await stillPicture(page);
+        await page.uncheck('#shapes');
+        const plain = await nextPicture(page, faint);
+        assert.ok(plain.digest !== faint.digest);
+        await page.click('#undo');
+        await sameAgain(page, faint);
+        await page.click('#undo');
+        assert.equal(await page.inputValue('#rules'), 'F -> F');
+    }));
 
 test('a dropped picture without a system is offered, its rules are found and opened', () =>
     withPage({}, async (page) => {

@@ -30,6 +30,7 @@ const BUTTONS = [
     '#palette-holds',
     '#tapers',
     '#shadows',
+    '#shapes',
     '#copy-link',
     '#add-favourite',
     'summary',

@@ -38,6 +38,7 @@ export const calls = {
         drawn.free();
         return picture;
     },
+    outline: ({ bytes }) => wasm_bindgen.outlineOfSvg(bytes) ?? null,
     *search({ until }) {
         let last = performance.now();
         while (search?.isMore && search.work < until) {

@@ -224,6 +224,7 @@ fn shape(source: &mut Source<'_>, depth: u32) -> String {
         ("half", 6),
         ("outline", 6),
         ("outline", 40),
+        ("mesh", 36),
     ]);
     let numbers: Vec<&str> = (0..count).map(|_| number(source)).collect();
     format!("{name}({})", numbers.join(", "))

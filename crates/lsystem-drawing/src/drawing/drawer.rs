@@ -1,15 +1,16 @@
 //! Drawing in resumable steps: with shared blocks if possible, unfolded otherwise.
 
 use super::Drawing;
-use super::block::{BlockId, Space};
+use super::block::{BlockId, Item, Placed, Space, Stroke};
 use super::builder::Builder;
 use super::pieces::Pieces;
 use super::share::Share;
 use super::task::{Made, Outcome, Task};
 use super::unfold::Unfold;
-use crate::{Plane, System};
+use crate::space::times;
+use crate::{ColourChange, Plane, StyleChange, System, Turtle};
 use lsystem_base::{LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
-use lsystem_syntax::Diagnostic;
+use lsystem_syntax::{Diagnostic, Style};
 use std::sync::OnceLock;
 
 /// Draws generation `n` in a space: `draw::<Plane>` or `draw::<Solid>`. In space also a system that does not [leave the
@@ -174,7 +175,8 @@ impl<S: Space> Drawer<S> {
             Outcome::Paused => {}
             Outcome::Ended(made) => {
                 *symbols = made.symbols;
-                *stage = complete(made);
+                let root = with_wires(made.root, task, builder);
+                *stage = complete(Made { root, ..made });
             }
             Outcome::NotShareable(largest) => {
                 *shares = false;
@@ -183,6 +185,25 @@ impl<S: Space> Drawer<S> {
             Outcome::Failed(diagnostic) => *stage = Stage::Failed(diagnostic),
         }
     }
+}
+
+/// The drawing, followed by the wireframes of its shapes.
+fn with_wires<S: Space>(root: Option<BlockId>, task: &Task<S>, builder: &mut Builder<S>) -> Option<BlockId> {
+    let Turtle { wires, start: [x, y], .. } = &task.turtle;
+    if wires.is_empty() {
+        return root;
+    }
+    let look = StyleChange { colour: ColourChange::Set(Style::FAINT), ..StyleChange::start(0.0) };
+    let style = builder.styles.id(&look);
+    let place = |[a, b, c]: [f64; 3]| times(S::point([a - x, b - y, c]), 1.0 / task.score.step);
+    let strokes = wires.iter().map(|[from, to]| Item::Stroke(Stroke { from: place(*from), to: place(*to), style }));
+    let wires = builder.block(&strokes.collect::<Vec<_>>(), 0);
+    let unchanged = builder.styles.id(&StyleChange::NONE);
+    let whole = [root, wires].into_iter().flatten().map(|block| {
+        let scale = libm::scalbn(1.0, builder.blocks[block.0 as usize].exponent);
+        Item::Block(Placed { block, style: unchanged, at: S::Point::default(), heading: S::AHEAD, scale })
+    });
+    builder.block(&whole.collect::<Vec<_>>(), 0)
 }
 
 /// The stage after all blocks are made.

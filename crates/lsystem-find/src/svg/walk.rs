@@ -36,9 +36,42 @@ pub(super) fn drawn(
     sheet: &Sheet,
     work: &mut Work,
 ) -> Result<(Canvas, Vec<&'static str>), String> {
-    let root = document.element(0);
-    let (first, size, pixels) = page(root);
-    let mut canvas = Canvas::new(pixels[0], pixels[1]);
+    let (_, _, [width, height]) = page(document.element(0));
+    let mut canvas = Canvas::new(width, height);
+    let left_out = walk(document, sheet, work, &mut |element, around, work| draw(element, around, &mut canvas, work))?;
+    Ok((canvas, left_out))
+}
+
+/// The polygons that are filled, in pixels with y downwards, and the names of what was left out. `None` if something has a
+/// stroke only.
+pub(super) fn filled(document: &Document, sheet: &Sheet, work: &mut Work) -> Result<Option<Filled>, String> {
+    let (mut polygons, mut is_filled) = (Vec::new(), true);
+    let left_out = walk(document, sheet, work, &mut |element, around, work| {
+        let shades = around.style.shades();
+        if shades == [None; 2] {
+            return Ok(());
+        }
+        let mut pencil = Pencil::new(around.transform, work);
+        pencil.shape(element, around.size)?;
+        let lines = pencil.lines();
+        is_filled &= shades[0].is_some() && element.name != "line" || lines.is_empty();
+        polygons.extend(lines.iter().map(|line| line.points.iter().map(|&at| around.transform.of(at)).collect()));
+        Ok(())
+    })?;
+    Ok(Some((polygons, left_out)).filter(|_| is_filled))
+}
+
+/// Polygons, and the names of what was left out.
+pub(super) type Filled = (Vec<Vec<[f64; 2]>>, Vec<&'static str>);
+
+/// Calls `paint` with each shape. Returns the names of what was left out.
+fn walk(
+    document: &Document,
+    sheet: &Sheet,
+    work: &mut Work,
+    paint: &mut dyn FnMut(&Element, &Around, &mut Work) -> Result<(), String>,
+) -> Result<Vec<&'static str>, String> {
+    let (first, size, _) = page(document.element(0));
     let mut left_out = Vec::new();
     let diagonal = libm::hypot(size[0], size[1]) / std::f64::consts::SQRT_2;
     let around =
@@ -99,10 +132,10 @@ pub(super) fn drawn(
                 }
                 waiting[from..].reverse();
             }
-            _ => draw(element, &inside, &mut canvas, work)?,
+            _ => paint(element, &inside, work)?,
         }
     }
-    Ok((canvas, left_out))
+    Ok(left_out)
 }
 
 fn is_drawn(name: &str, is_target: bool) -> bool {

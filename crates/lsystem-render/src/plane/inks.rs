@@ -28,6 +28,8 @@ pub(crate) struct Choice {
     by: ColourBy,
     /// The number of colours in the palette; at least 1.
     pub colours: u32,
+    /// Whether a stroke has the faint colour, whose number is `colours`.
+    has_faint: bool,
     /// Whether numbers beyond the palette mean its last entry. Otherwise they wrap around.
     holds: bool,
 }
@@ -41,7 +43,19 @@ impl Choice {
             by != ColourBy::Level && changes.iter().any(|change| matches!(change.colour, ColourChange::Add(..0)));
         let largest = changes.iter().map(|change| change.colour.of(0).max(0).unsigned_abs());
         let apart = if style.holds() && falls { largest.max().unwrap_or(0).saturating_add(1) } else { 1 };
-        Self { by, colours: style.inks().max(apart).min(MAX_PALETTE as u32), holds: style.holds() && !falls }
+        let has_faint = style.is_faint(Style::FAINT) && changes.iter().any(is_faint);
+        let most = MAX_PALETTE as u32 - u32::from(has_faint);
+        Self { by, colours: style.inks().max(apart).min(most), has_faint, holds: style.holds() && !falls }
+    }
+
+    /// The number of inks: the colours of the palette, and the faint colour.
+    pub(crate) fn inks(self) -> u32 {
+        self.colours + u32::from(self.has_faint)
+    }
+
+    /// The ink of a number, for [`Style::ink`].
+    pub(crate) fn ink(self, number: u32) -> u32 {
+        if number == self.colours { Style::FAINT_INK } else { number }
     }
 
     /// The palette entry for an index.
@@ -54,6 +68,9 @@ impl Choice {
     pub(crate) fn shade(self, change: &StyleChange) -> Shade {
         let wrapped = |index: i32| self.wrapped(i64::from(index));
         let moving = |number: u32| Shade { number, fixed: false };
+        if self.has_faint && is_faint(change) {
+            return Shade { number: self.colours, fixed: true };
+        }
         match (self.by, change.colour) {
             // Colours along the path come from the descent, and those by density from the tone curve.
             (ColourBy::Single | ColourBy::Path | ColourBy::Density, _) => moving(0),
@@ -72,6 +89,11 @@ impl Choice {
         let beyond = if self.holds { self.colours.max(1) - 1 } else { sum.wrapping_sub(self.colours) };
         Shade { number: if sum >= self.colours { beyond } else { sum }, fixed: first.fixed }
     }
+}
+
+/// Whether a change sets the faint colour.
+fn is_faint(change: &StyleChange) -> bool {
+    change.colour == ColourChange::Set(Style::FAINT)
 }
 
 /// The shades of a block.
@@ -158,7 +180,7 @@ impl InkTable {
         self.used = match drawing.root.map(|root| self.of(root.0 as usize).after(choice, start)) {
             Some(Inks::One(_)) if choice.by == ColourBy::Path => (0..choice.colours).collect(),
             Some(Inks::One(shade)) => vec![shade.number],
-            Some(Inks::Many) => (0..choice.colours).collect(),
+            Some(Inks::Many) => (0..choice.inks()).collect(),
             _ => vec![],
         };
     }
@@ -175,7 +197,7 @@ impl InkTable {
 
     /// Binary digits of a palette entry's number.
     pub(super) fn digits(&self) -> usize {
-        (u32::BITS - (self.choice.colours - 1).leading_zeros()) as usize
+        (u32::BITS - (self.choice.inks() - 1).leading_zeros()) as usize
     }
 
     /// The number of bit planes for the colours of the picture.
@@ -298,7 +320,7 @@ mod tests {
     fn dyeing_adds_within_the_palette() {
         for (colours, holds) in [2, 3, 5, 8, 100, 256].into_iter().flat_map(|c| [(c, false), (c, true)]) {
             let digits = (u32::BITS - (colours - 1_u32).leading_zeros()) as usize;
-            let choice = Choice { by: ColourBy::Symbol, colours, holds };
+            let choice = Choice { by: ColourBy::Symbol, colours, has_faint: false, holds };
             for by in (0..colours).step_by(7) {
                 for number in 0..colours {
                     for fixed in [false, true] {

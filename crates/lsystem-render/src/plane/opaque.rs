@@ -44,7 +44,7 @@ impl Opaque {
 
     /// Makes room for the pixels. Returns the units of work.
     pub(super) fn open(&mut self, plan: &Plan) -> u64 {
-        self.output.begin(plan, self.picture.inks())
+        self.output.begin(plan, &self.picture.inks())
     }
 
     /// Paints the drawing.

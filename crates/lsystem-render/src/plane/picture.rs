@@ -164,9 +164,10 @@ impl Picture {
         &self.painter.canvases[0]
     }
 
-    /// The palette entries of the picture's colours.
-    pub(super) fn inks(&self) -> &[u32] {
-        self.painter.inks.used()
+    /// The inks of the picture's colours, for `Style::ink`.
+    pub(super) fn inks(&self) -> Vec<u32> {
+        let table = &self.painter.inks;
+        table.used().iter().map(|&number| table.choice.ink(number)).collect()
     }
 
     pub(super) fn stats(&self) -> RenderStats {

@@ -69,7 +69,7 @@ const CAMERA: &[(&str, Expected)] = &[
 ];
 
 /// All fields, in the order of links.
-pub static FIELDS: [FieldSpec; 44] = [
+pub static FIELDS: [FieldSpec; 45] = [
     FieldSpec {
         name: "title",
         link: "title",
@@ -511,6 +511,16 @@ pub static FIELDS: [FieldSpec; 44] = [
         label: "Shadows",
         help: "whether a drawing in space has soft shadows",
         access: Some(at!(style.shadows)),
+        ..FIELD
+    },
+    FieldSpec {
+        name: "shapes",
+        link: "shapes",
+        file: Some((Section::Style, "shapes")),
+        expected: Expected::Boolean,
+        label: "Shapes",
+        help: "whether the drawing has the outlines of the shapes in the rules, in a faint colour",
+        access: Some(at!(style.shapes)),
         ..FIELD
     },
     FieldSpec {

@@ -132,9 +132,7 @@ impl Picture {
         let other_dots = core::mem::replace(&mut self.dots.extent, grid.dot) != grid.dot;
         self.grid = grid;
         self.tiling.limit(grid.chunks);
-        if self.pigments.prepare(&plan.style, self.table.choice.colours) | changed | other_dots
-            || measure != self.measure
-        {
+        if self.pigments.prepare(&plan.style, self.table.choice) | changed | other_dots || measure != self.measure {
             self.measure = measure;
             self.tiling.clear();
         }

@@ -2,7 +2,7 @@
 
 use super::deposit::{Deposit, part};
 use super::sheet::Pigment;
-use crate::plane::inks::{InkTable, Inks, Shade};
+use crate::plane::inks::{Choice, InkTable, Inks, Shade};
 use crate::plane::mixer::Mixer;
 use core::hash::BuildHasherDefault;
 use lsystem_base::Meter;
@@ -82,8 +82,9 @@ impl Pigments {
     }
 
     /// Takes the inks of a style. Returns whether anything changed.
-    pub(super) fn prepare(&mut self, style: &Style, colours: u32) -> bool {
-        let inks: Vec<Pigment> = (0..colours).map(|ink| pigment(style.ink(ink), style.background)).collect();
+    pub(super) fn prepare(&mut self, style: &Style, choice: Choice) -> bool {
+        let inks: Vec<Pigment> =
+            (0..choice.inks()).map(|number| pigment(style.ink(choice.ink(number)), style.background)).collect();
         if inks == self.inks {
             return false;
         }

@@ -13,7 +13,7 @@ impl Scene {
         let additive = style.ink == Ink::Density;
         let colour =
             |ink| if additive { pigment(style.ink(ink), style.background) } else { style.ink(ink).rgb.map(f32::from) };
-        let palette: Vec<[f32; 3]> = (0..colours).map(colour).collect();
+        let palette: Vec<[f32; 3]> = (0..choice.inks()).map(|number| colour(choice.ink(number))).collect();
         if choice != self.choice || palette != self.palette || self.means.is_empty() && !self.along {
             (self.choice, self.palette) = (choice, palette);
             // Unfolded drawings enter each node once, so one mean for each node is enough.

@@ -1,0 +1,48 @@
+//! Closed meshes as shapes.
+
+use super::Triangle;
+use lsystem::base::number::number;
+use std::collections::HashMap;
+
+/// The longest side of a mesh, in model units.
+const SIZE: f64 = 20.0;
+/// The places on a side of a model unit: coordinates have three digits after the point.
+const GRID: f64 = 1000.0;
+
+/// The text of a mesh, such as `mesh(0, 0, 0, …)`.
+///
+/// # Errors
+/// If the mesh is empty or not closed.
+pub(super) fn mesh(triangles: &[Triangle]) -> Result<String, String> {
+    let all = || triangles.iter().flatten();
+    let least = [0, 1, 2].map(|axis| all().map(|at| at[axis]).fold(f64::INFINITY, f64::min));
+    let most = [0, 1, 2].map(|axis| all().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max));
+    let longest = (0..3).map(|axis| most[axis] - least[axis]).fold(0.0, f64::max);
+    let scale = SIZE / longest;
+    if !(longest > 0.0 && scale.is_finite() && scale > 0.0) {
+        return Err("this file has no triangles".to_owned());
+    }
+    let origin = [0.5 * (least[0] + most[0]), least[1], 0.5 * (least[2] + most[2])];
+    let placed = |at: &[f64; 3]| [0, 1, 2].map(|axis| ((at[axis] - origin[axis]) * scale * GRID).round() as i64);
+    let placed: Vec<[[i64; 3]; 3]> = (triangles.iter().map(|triangle| triangle.each_ref().map(placed)))
+        .filter(|[a, b, c]| a != b && b != c && c != a)
+        .collect();
+    let mut sides: HashMap<[[i64; 3]; 2], i32> = HashMap::new();
+    for [a, b, c] in &placed {
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            let (ends, sign) = if from < to { ([*from, *to], 1) } else { ([*to, *from], -1) };
+            *sides.entry(ends).or_default() += sign;
+        }
+    }
+    match sides.values().filter(|&&count| count != 0).count() {
+        0 => {}
+        open => {
+            let edges = if open == 1 { "1 edge has" } else { &format!("{open} edges have") };
+            return Err(format!(
+                "this mesh is not closed: {edges} a triangle on one side only, or two that face apart"
+            ));
+        }
+    }
+    let numbers = placed.iter().flatten().flatten().map(|&value| number(value as f64 / GRID));
+    Ok(format!("mesh({})", numbers.collect::<Vec<_>>().join(", ")))
+}
