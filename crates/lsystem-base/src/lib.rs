@@ -14,6 +14,7 @@
 //! ```
 
 pub mod decimal;
+pub mod fixed;
 mod limits;
 mod meter;
 pub mod number;

@@ -71,7 +71,9 @@ impl<S: Space> Drawer<S> {
         } else {
             Unfold::new(&task, None).map_or_else(Stage::Failed, Stage::Unfold)
         };
-        Self { task, shares, builder: Builder::within(limits.memory), symbols: None, stage, spent: 0 }
+        let mut builder = Builder::within(limits.memory);
+        builder.course.keep(shares && S::LEVEL, task.score.exponent);
+        Self { task, shares, builder, symbols: None, stage, spent: 0 }
     }
 
     /// Continues for about `work` units (100,000 take a few milliseconds). Returns whether there is more to do.
@@ -142,6 +144,7 @@ impl<S: Space> Drawer<S> {
             step: self.task.score.step,
             width: self.task.score.width,
             pieces,
+            course: self.builder.course,
             memoised: self.shares,
             places: vec![],
             depths: vec![],
@@ -178,6 +181,7 @@ impl<S: Space> Drawer<S> {
             }
             Outcome::NotShareable(largest) => {
                 *shares = false;
+                builder.course.keep(false, 0);
                 *stage = Unfold::new(task, largest).map_or_else(Stage::Failed, Stage::Unfold);
             }
             Outcome::Failed(diagnostic) => *stage = Stage::Failed(diagnostic),
