@@ -5,12 +5,13 @@ use crate::memory;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
-use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE};
+use lsystem::base::fixed::Fixed;
+use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, decimal};
 use lsystem::course::ScormStandard;
-use lsystem::files::{FORMATS, Format};
+use lsystem::files::{FORMATS, FileView, Format};
 use lsystem::film::{Easing, Ending};
 use lsystem::import::write::{NOTATIONS, Notation};
-use lsystem::render::{Share, TilePlace};
+use lsystem::render::{Share, TilePlace, View};
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -351,9 +352,40 @@ pub(crate) struct Look {
     /// Write a small SVG that defines each block once and places copies
     #[arg(long)]
     pub(crate) compact: bool,
+    /// Magnify a picture of pixels in the plane: 1 shows the whole drawing
+    #[arg(long, value_name = "TIMES", value_parser = magnification)]
+    pub(crate) zoom: Option<f64>,
+    /// Put the start of segment N (from 0) into the middle of the picture; N may have 302 digits, TIMES may be 1e301
+    #[arg(long, value_name = "N", value_parser = segment)]
+    pub(crate) segment: Option<Fixed>,
     #[command(flatten)]
     pub(crate) flags: FileFlags,
 }
+
+impl Look {
+    /// The view of pictures of pixels.
+    pub(crate) fn view(&self) -> FileView {
+        FileView {
+            view: View { zoom: self.zoom.unwrap_or(1.0), ..View::default() },
+            segment: self.segment.clone(),
+            ..FileView::default()
+        }
+    }
+}
+
+/// A magnification as `--zoom` reads it.
+fn magnification(text: &str) -> Result<f64, String> {
+    let zoom = decimal::read(text).filter(|zoom| (1e-2..=1e301).contains(zoom));
+    zoom.ok_or_else(|| "a number from 0.01 to 1e301 is expected".to_owned())
+}
+
+/// The number of a segment.
+fn segment(text: &str) -> Result<Fixed, String> {
+    Fixed::read(text, MAX_DIGITS).ok_or_else(|| "a whole number is expected, without sign".to_owned())
+}
+
+/// The most digits of the number of a segment: n = 1,000 with a thousand symbols in a successor.
+const MAX_DIGITS: usize = 3001;
 
 /// The options of an exhibition.
 #[derive(Args, Clone, Debug, Default, PartialEq)]

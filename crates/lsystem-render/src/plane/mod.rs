@@ -64,6 +64,7 @@ mod amount;
 mod blend;
 mod bottom_up;
 mod canvas;
+mod closeup;
 mod density;
 mod descent;
 mod exact;
@@ -94,6 +95,7 @@ mod sample;
 mod tests;
 
 pub(crate) use amount::Amount;
+pub use closeup::Closeup;
 pub(crate) use density::{Grid, Pigment, Print, Sheet, Tone, pigment};
 pub(crate) use exact::{fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};

@@ -97,7 +97,7 @@ pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
     let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
     let options = FileOptions::from_values(&options)?;
     let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into));
-    let view = FileView { view, camera, upto, ratio: Some(ratio), is_described: true };
+    let view = FileView { view, segment: None, camera, upto, ratio: Some(ratio), is_described: true };
     let mut page = Page { tell, piece: vec![] };
     let Report { complete, diagnostics } = make(&Order { definition, format, options, view }, &mut page);
     let complete = complete && page.hand_on().is_ok();
