@@ -9,9 +9,9 @@ use lsystem::base::fixed::Fixed;
 use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, decimal};
 use lsystem::course::ScormStandard;
 use lsystem::files::{FORMATS, FileView, Format};
-use lsystem::film::{Easing, Ending};
+use lsystem::film::{Easing, Ending, MAX_SEGMENT_DIGITS};
 use lsystem::import::write::{NOTATIONS, Notation};
-use lsystem::render::{Share, TilePlace, View};
+use lsystem::render::{MAX_ZOOM, Share, TilePlace, View};
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -355,7 +355,7 @@ pub(crate) struct Look {
     /// Magnify a picture of pixels in the plane: 1 shows the whole drawing
     #[arg(long, value_name = "TIMES", value_parser = magnification)]
     pub(crate) zoom: Option<f64>,
-    /// Put the start of segment N (from 0) into the middle of the picture; N may have 302 digits, TIMES may be 1e301
+    /// Put the start of segment N (from 1) into the middle of the picture: then TIMES may be 1e301
     #[arg(long, value_name = "N", value_parser = segment)]
     pub(crate) segment: Option<Fixed>,
     #[command(flatten)]
@@ -375,17 +375,16 @@ impl Look {
 
 /// A magnification as `--zoom` reads it.
 fn magnification(text: &str) -> Result<f64, String> {
-    let zoom = decimal::read(text).filter(|zoom| (1e-2..=1e301).contains(zoom));
+    let zoom = decimal::read(text).filter(|zoom| (1e-2..=MAX_ZOOM).contains(zoom));
     zoom.ok_or_else(|| "a number from 0.01 to 1e301 is expected".to_owned())
 }
 
-/// The number of a segment.
+/// A segment (0-based), from its number from 1.
 fn segment(text: &str) -> Result<Fixed, String> {
-    Fixed::read(text, MAX_DIGITS).ok_or_else(|| "a whole number is expected, without sign".to_owned())
+    let number = Fixed::read(text, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero());
+    let number = number.ok_or_else(|| "expected a number of a segment, from 1".to_owned())?;
+    Ok(number.minus(&Fixed::units(1)))
 }
-
-/// The most digits of the number of a segment: n = 1,000 with a thousand symbols in a successor.
-const MAX_DIGITS: usize = 3001;
 
 /// The options of an exhibition.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
@@ -584,8 +583,8 @@ pub(crate) enum FilmFormat {
 }
 
 /// The segment at the end of a dive, from 1; `None` for the one in the middle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Dive(pub(crate) Option<u128>);
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Dive(pub(crate) Option<Fixed>);
 
 impl FromStr for Dive {
     type Err = String;
@@ -594,8 +593,7 @@ impl FromStr for Dive {
         if text.is_empty() {
             return Ok(Self(None));
         }
-        let number = text.parse().ok().filter(|&number| number > 0);
-        number.map(|number| Self(Some(number))).ok_or_else(|| "expected a number of a segment, from 1".to_owned())
+        segment(text).map(|number| Self(Some(number)))
     }
 }
 

@@ -50,8 +50,9 @@ pub use gif::GifWriter;
 pub use painter::{LIMITS, Painter};
 pub use palette::{IndexedFrame, Palette, PaletteMaker, palette_samples};
 pub use preset::{
-    Preset, dive, dive_in_space, grow, middle_segment, sway, sway_strength, turntable, turtle, vantage_of_segment,
+    Preset, dive, dive_in_space, dive_to, grow, middle_segment, sway, sway_strength, turntable, turtle,
+    vantage_of_segment,
 };
-pub use script::{Ending, Script};
+pub use script::{Ending, MAX_SEGMENT_DIGITS, Script};
 pub use subject::Subject;
 pub use track::{Keyframe, Track};

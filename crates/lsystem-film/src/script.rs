@@ -1,6 +1,7 @@
 //! A script: the length, the size and the tracks of a film.
 
 use crate::{Easing, Track};
+use lsystem_base::fixed::Fixed;
 
 /// The longest text of a script, in bytes.
 pub(crate) const MAX_SCRIPT: usize = 20_000;
@@ -12,6 +13,8 @@ pub(crate) const MAX_KEYS: usize = 1_000;
 pub(crate) const MAX_SECONDS: f64 = 3_600.0;
 /// The shortest film, in seconds: one frame of 25 a second.
 pub(crate) const MIN_SECONDS: f64 = 0.04;
+/// The most digits of the number of a segment: those of a successor with a thousand symbols at n = 1,000.
+pub const MAX_SEGMENT_DIGITS: usize = 3_001;
 /// The most frames a second.
 pub(crate) const MAX_RATE: u32 = 60;
 /// The most pixels of a side of a frame.
@@ -69,6 +72,8 @@ pub struct Script {
     /// Whether all frames are framed as the drawing at the end of the tracks is. Otherwise each frame's drawing is
     /// fitted, so that the camera follows a growing drawing.
     pub fixed: bool,
+    /// The segment (0-based) whose start is the origin of views in the plane; `None` for the fitted centre.
+    pub segment: Option<Fixed>,
     /// The tracks, each of another subject.
     pub tracks: Vec<Track>,
 }
@@ -82,6 +87,7 @@ impl Default for Script {
             ending: Ending::default(),
             easing: Easing::default(),
             fixed: false,
+            segment: None,
             tracks: Vec::new(),
         }
     }

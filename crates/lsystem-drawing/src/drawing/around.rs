@@ -22,6 +22,8 @@ use std::sync::OnceLock;
 pub struct Around {
     /// What lies near the segment, in the directions of the whole drawing. The segment begins at the origin of the model.
     pub drawing: Drawing,
+    /// The segment's start, in units of the whole drawing's root block.
+    pub start: [f64; 2],
     /// By item of the root block: the number of its first segment in the whole drawing.
     pub firsts: Vec<Fixed>,
 }
@@ -58,9 +60,11 @@ impl Drawing {
         let way = self.way(&counts, segment)?;
         let mut exact = Exact::new(self, &way, reach);
         let centre = exact.centre(&way)?;
+        let unit = self.course.exponent - self.blocks[self.root?.0 as usize].exponent;
+        let start = exact.number(&centre).map(|c| libm::scalbn(c, unit));
         let mut finder = Finder::new(self, exact, &counts, reach);
         finder.find(centre)?;
-        finder.finish()
+        finder.finish(start)
     }
 
     /// The numbers of segments of all blocks.
@@ -477,7 +481,7 @@ impl<'a> Finder<'a> {
     }
 
     /// The drawing of the items found.
-    fn finish(self) -> Option<Around> {
+    fn finish(self, start: [f64; 2]) -> Option<Around> {
         let Self { drawing, styles, vertices, items, firsts, reach, .. } = self;
         let mut builder = Builder::new();
         builder.blocks.clone_from(&drawing.blocks);
@@ -505,6 +509,7 @@ impl<'a> Finder<'a> {
                 scene: SceneSize::default(),
                 extent: OnceLock::new(),
             },
+            start,
             firsts,
         })
     }

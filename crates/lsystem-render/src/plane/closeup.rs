@@ -11,6 +11,9 @@ const MARGIN: i32 = 4;
 /// Neighbourhoods reach to powers of `2^STEP` steps, so that one serves many views.
 const STEP: i32 = 16;
 
+/// The largest zoom of close views.
+pub const MAX_ZOOM: f64 = 1e301;
+
 /// Close views of a drawing around one segment. The segment's start is the origin of views.
 #[derive(Clone, Debug)]
 pub struct Closeup {
@@ -18,13 +21,26 @@ pub struct Closeup {
     segment: Fixed,
     /// The neighbourhood drawn last, by the exponent of its reach.
     near: Option<(i32, Arc<Drawing>)>,
+    /// The segment's start in the fitted whole: right of the centre and above it, in fitted extents.
+    pub place: [f64; 2],
 }
 
 impl Closeup {
     /// Views around the segment with a number (0-based).
     #[must_use]
     pub fn new(whole: Arc<Drawing>, segment: Fixed) -> Self {
-        Self { whole, segment, near: None }
+        Self { whole, segment, near: None, place: [0.0; 2] }
+    }
+
+    /// A close-up and the view that shows one step of the turtle as `share` of the fitted side of a picture; `None` as for
+    /// [`Closeup::show`].
+    pub fn on_step(whole: Arc<Drawing>, segment: Fixed, share: f64) -> Option<(Self, View)> {
+        let mut new = Self::new(whole, segment);
+        let viewport = Viewport { width: 1, height: 1, ratio: 1.0 };
+        new.show(viewport, View::default())?;
+        let exponent = new.whole.blocks[new.whole.root?.0 as usize].exponent;
+        let zoom = libm::scalbn(share * root_bounds(&new.whole).1.longer_side(), exponent);
+        Some((new, View { zoom: zoom.clamp(1.0, MAX_ZOOM), ..View::default() }))
     }
 
     /// The drawing and its view that show what `view` shows of the whole drawing. The view's zoom and coordinates are
@@ -39,7 +55,11 @@ impl Closeup {
         let window = f64::from(viewport.width.max(viewport.height)) / pixels;
         let reach = ((exponent_of(window).saturating_add(whole) + MARGIN).div_euclid(STEP) + 1) * STEP;
         if self.near.as_ref().is_none_or(|(known, _)| *known != reach) {
-            self.near = Some((reach, Arc::new(self.whole.around(&self.segment, reach)?.drawing)));
+            let around = self.whole.around(&self.segment, reach)?;
+            let (_, bounds) = root_bounds(&self.whole);
+            let centre = bounds.centre();
+            self.place = [0, 1].map(|axis| (around.start[axis] - centre[axis]) / bounds.longer_side());
+            self.near = Some((reach, Arc::new(around.drawing)));
         }
         let (_, near) = self.near.as_ref()?;
         let (inner, ratio) = (PlaneFraming::of_root(near), whole - exponent(near));

@@ -95,7 +95,7 @@ mod sample;
 mod tests;
 
 pub(crate) use amount::Amount;
-pub use closeup::Closeup;
+pub use closeup::{Closeup, MAX_ZOOM};
 pub(crate) use density::{Grid, Pigment, Print, Sheet, Tone, pigment};
 pub(crate) use exact::{fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
