@@ -32,7 +32,7 @@ mod task;
 mod tree;
 mod unfold;
 
-pub use around::Around;
+pub use around::{Around, count_of};
 pub use block::{Block, BlockId, Item, Placed, Polygon, Space, Stroke};
 pub use bulk::SegmentArrays;
 pub use drawer::{Drawer, draw};

@@ -128,7 +128,7 @@ impl FileView {
         };
         let (near, view) =
             near.ok_or_else(|| Diagnostic { kind: Kind::NoCloseup, field: Field::Numbers, span: 0..0 })?;
-        Ok((Figure::Plane(near), Vantage { view, ..vantage }))
+        Ok((Figure::Plane(near.drawing.clone()), Vantage { view, ..vantage }))
     }
 
     fn vantage(&self, figure: &Figure) -> Vantage {

@@ -53,6 +53,6 @@ pub use preset::{
     Preset, dive, dive_in_space, dive_to, grow, middle_segment, sway, sway_strength, turntable, turtle,
     vantage_of_segment,
 };
-pub use script::{Ending, MAX_SEGMENT_DIGITS, Script};
+pub use script::{Ending, Script};
 pub use subject::Subject;
 pub use track::{Keyframe, Track};

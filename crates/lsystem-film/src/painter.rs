@@ -1,7 +1,6 @@
 //! From frames to pixels.
 
 use crate::Frame;
-use lsystem_base::fixed::Fixed;
 use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Figure, FigureDrawer, System};
 use lsystem_render::{Closeup, Detail, FigureRenderer, Framing, Painted, PictureOptions, Quality, Vantage, Viewport};
@@ -54,8 +53,8 @@ pub struct Painter {
     limits: Limits,
     system: Option<Subject>,
     figure: Option<Figure>,
-    /// Close views of the figure, if the film has them, and their segment.
-    closeup: Option<(Fixed, Closeup)>,
+    /// Close views of the figure, if the film has them.
+    closeup: Option<Closeup>,
     /// The system that frames the film, and its framing once it is drawn.
     framed: Option<(Subject, Option<Framing>)>,
     task: Task,
@@ -194,11 +193,10 @@ impl Painter {
         let vantage = framing.map_or(frame.vantage, |framing| framing.hold(figure, self.viewport, &frame.vantage));
         let mut shown = (figure.clone(), vantage);
         if let (Some(segment), Figure::Plane(whole)) = (&frame.segment, figure) {
-            let (_, closeup) = (self.closeup.take().filter(|(known, _)| known == segment))
-                .map_or_else(|| (segment.clone(), Closeup::new(whole.clone(), segment.clone())), |known| known);
-            let (_, closeup) = self.closeup.insert((segment.clone(), closeup));
+            let known = self.closeup.take().filter(|known| known.segment == *segment);
+            let closeup = self.closeup.insert(known.unwrap_or_else(|| Closeup::new(whole.clone(), segment.clone())));
             if let Some((near, view)) = closeup.show(self.viewport, vantage.view) {
-                shown = (Figure::Plane(near), Vantage { view, ..vantage });
+                shown = (Figure::Plane(near.drawing.clone()), Vantage { view, ..vantage });
             }
         }
         let (figure, vantage) = shown;
@@ -243,6 +241,7 @@ fn first_part(all: u128, part: f64) -> Option<u128> {
 mod tests {
     use super::*;
     use crate::{Ending, Film, Script, dive_to};
+    use lsystem_base::fixed::Fixed;
 
     const SIZE: [u32; 2] = [160, 120];
 

@@ -122,7 +122,7 @@ pub fn dive_to(script: &mut Script, figure: &Figure, segment: &Fixed, from: &Van
         (Figure::Plane(whole), _) => whole,
     };
     let (closeup, to) = Closeup::on_step(whole.clone(), segment.clone(), SHARE)?;
-    let [x, y] = closeup.place.map(|place| 0.0 - place);
+    let [x, y, ..] = closeup.place()?.map(|place| 0.0 - place);
     script.segment = Some(segment.clone());
     let keys = [(REST, vec![x, y, 1.0]), (END, vec![0.0, 0.0, to.zoom])];
     Some(track(script, Subject::View, &keys, Easing::Smooth))

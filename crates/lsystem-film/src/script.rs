@@ -13,8 +13,6 @@ pub(crate) const MAX_KEYS: usize = 1_000;
 pub(crate) const MAX_SECONDS: f64 = 3_600.0;
 /// The shortest film, in seconds: one frame of 25 a second.
 pub(crate) const MIN_SECONDS: f64 = 0.04;
-/// The most digits of the number of a segment: those of a successor with a thousand symbols at n = 1,000.
-pub const MAX_SEGMENT_DIGITS: usize = 3_001;
 /// The most frames a second.
 pub(crate) const MAX_RATE: u32 = 60;
 /// The most pixels of a side of a frame.

@@ -29,8 +29,6 @@ const LONGEST_NAME: usize = 100;
 const SWAY: &str = "sway";
 /// The prefix of constants in scripts.
 const CONSTANT: &str = "rules.";
-/// The smallest zoom of a view.
-const MIN_ZOOM: f64 = 1e-2;
 /// The most degrees of an azimuth: 100 turns.
 const MAX_AZIMUTH: f64 = 36_000.0;
 
@@ -128,7 +126,6 @@ impl Subject {
         match self {
             Self::Generation => Expected::Between(0.0, f64::from(MAX_ITERATIONS)),
             Self::Drawn => Expected::Between(0.0, 1.0),
-            Self::View if at == 2 => Expected::Between(MIN_ZOOM, lsystem_render::MAX_ZOOM),
             Self::View => record("view").get([0, 1, 2, 3, 4][at.min(4)]).map_or(Expected::Number, |member| member.1),
             Self::Camera if at == 0 => Expected::Between(-MAX_AZIMUTH, MAX_AZIMUTH),
             Self::Camera => {

@@ -6,11 +6,12 @@
 
 use crate::error::{ScriptError, ScriptProblem};
 use crate::script::{MAX_FRAME_PIXELS, MAX_KEYS, MAX_RATE, MAX_SCRIPT, MAX_SECONDS, MAX_SIDE, MAX_TRACKS};
-use crate::script::{MAX_SEGMENT_DIGITS, MIN_SECONDS, MIN_SIDE};
+use crate::script::{MIN_SECONDS, MIN_SIDE};
 use crate::{Easing, Ending, Keyframe, Script, Subject, Track};
 use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
+use lsystem_base::MAX_SEGMENT_DIGITS;
 use lsystem_base::decimal;
 use lsystem_base::fixed::Fixed;
 use lsystem_base::number::number as written;

@@ -15,17 +15,28 @@ use crate::style::{StyleChange, StyleId, Styles};
 use lsystem_base::fixed::{Circle, Fixed};
 use lsystem_syntax::Heading;
 use std::collections::{BTreeSet, HashMap, HashSet};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// The neighbourhood of a segment.
 #[derive(Clone, Debug)]
 pub struct Around {
     /// What lies near the segment, in the directions of the whole drawing. The segment begins at the origin of the model.
-    pub drawing: Drawing,
-    /// The segment's start, in units of the whole drawing's root block.
-    pub start: [f64; 2],
+    pub drawing: Arc<Drawing>,
+    /// The segment's start, in units of the whole drawing's root block: x, y, and their rounding remainders.
+    pub start: [f64; 4],
     /// By item of the root block: the number of its first segment in the whole drawing.
     pub firsts: Vec<Fixed>,
+}
+
+impl Around {
+    /// The number in the whole drawing of a segment of the neighbourhood (both 0-based); `None` after the last.
+    #[must_use]
+    pub fn number_of(&self, segment: u128) -> Option<Fixed> {
+        let items = self.drawing.items_of(self.drawing.root?);
+        let (at, within) = self.drawing.before(items, segment);
+        // Blocks of the size of the reach have fewer than 2^64 segments.
+        Some(self.firsts.get(at)?.plus(&Fixed::units(u64::try_from(within).ok()?)))
+    }
 }
 
 /// A block is taken whole if its size is at most this times the reach.
@@ -61,14 +72,18 @@ impl Drawing {
         let mut exact = Exact::new(self, &way, reach);
         let centre = exact.centre(&way)?;
         let unit = self.course.exponent - self.blocks[self.root?.0 as usize].exponent;
-        let start = exact.number(&centre).map(|c| libm::scalbn(c, unit));
+        let high = exact.number(&centre);
+        let low = [0, 1].map(|axis| centre[axis].minus(&Fixed::of(high[axis], exact.places[0])));
+        let low = exact.number(&low);
+        let start = [high[0], high[1], low[0], low[1]].map(|c| libm::scalbn(c, unit));
         let mut finder = Finder::new(self, exact, &counts, reach);
         finder.find(centre)?;
         finder.finish(start)
     }
 
-    /// The numbers of segments of all blocks.
-    fn counts(&self) -> Vec<Fixed> {
+    /// The numbers of segments of all blocks, exactly.
+    #[must_use]
+    pub fn counts(&self) -> Vec<Fixed> {
         let mut counts: Vec<Fixed> = Vec::with_capacity(self.blocks.len());
         for block in &self.blocks {
             let all =
@@ -101,8 +116,9 @@ impl Drawing {
     }
 }
 
-/// The number of segments in an item.
-fn count_of(counts: &[Fixed], item: &Item) -> Fixed {
+/// The number of segments in an item, from those of all blocks.
+#[must_use]
+pub fn count_of(counts: &[Fixed], item: &Item) -> Fixed {
     match item {
         Item::Stroke(_) => Fixed::units(1),
         Item::Polygon(_) => Fixed::default(),
@@ -481,7 +497,7 @@ impl<'a> Finder<'a> {
     }
 
     /// The drawing of the items found.
-    fn finish(self, start: [f64; 2]) -> Option<Around> {
+    fn finish(self, start: [f64; 4]) -> Option<Around> {
         let Self { drawing, styles, vertices, items, firsts, reach, .. } = self;
         let mut builder = Builder::new();
         builder.blocks.clone_from(&drawing.blocks);
@@ -490,7 +506,7 @@ impl<'a> Finder<'a> {
         (builder.styles, builder.vertices) = (styles, vertices);
         let root = builder.new_block(&items, reach, Spot::ENTRY)?;
         Some(Around {
-            drawing: Drawing {
+            drawing: Arc::new(Drawing {
                 blocks: builder.blocks,
                 items: builder.items,
                 corners: builder.corners,
@@ -508,7 +524,7 @@ impl<'a> Finder<'a> {
                 symbols: None,
                 scene: SceneSize::default(),
                 extent: OnceLock::new(),
-            },
+            }),
             start,
             firsts,
         })
