@@ -50,12 +50,14 @@ const colours = {
 const flag = { write: (value) => (value ? '1' : '0'), read: (value) => ({ 0: false, 1: true })[value] };
 /** @type {Form} */
 const view = {
-    write: ({ x, y, zoom, fx = 0, fy = 0 }) => (fx === 0 && fy === 0 ? [x, y, zoom] : [x, y, zoom, fx, fy]).join(),
+    write: ({ x, y, zoom, fx = 0, fy = 0, at }) =>
+        [x, y, zoom, ...(at || fx !== 0 || fy !== 0 ? [fx, fy] : []), ...(at ? [at] : [])].join(),
     read: (value) => {
-        const numbers = value.split(',', 6).map(number.read);
-        if ((numbers.length !== 3 && numbers.length !== 5) || numbers.includes(undefined)) return undefined;
+        const parts = value.split(',', 7);
+        const numbers = parts.slice(0, 5).map(number.read);
+        if (![3, 5, 6].includes(parts.length) || numbers.includes(undefined)) return undefined;
         const [x, y, zoom, fx = 0, fy = 0] = numbers;
-        return fx === 0 && fy === 0 ? { x, y, zoom } : { x, y, zoom, fx, fy };
+        return { x, y, zoom, ...(fx === 0 && fy === 0 ? {} : { fx, fy }), ...(parts[5] ? { at: parts[5] } : {}) };
     },
 };
 

@@ -152,6 +152,14 @@ export function createMarks() {
             viewpoint = next;
             draw();
         },
+        /** Tells all marks from another origin. @param {Point} origin from the present one */
+        from(origin) {
+            const moved = (/** @type {Point} */ point) => point.map((value, at) => value - (origin[at] ?? 0));
+            points = points.map(moved);
+            outline = outline.map(moved);
+            for (const [owner, own] of outlines) outlines.set(owner, own.map(moved));
+            if (pose) pose = { ...pose, at: moved(pose.at) };
+        },
         /** @param {Point[]} next the ends of a segment, or the corners of a polygon */
         found(next) {
             if (points.length === 0 && next.length === 0) return;

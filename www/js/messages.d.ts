@@ -66,6 +66,19 @@ production: number | null,
 position: number, };
 
 /**
+ * A segment as the origin of views.
+ */
+export type Anchor = { 
+/**
+ * The segment's number, from 1.
+ */
+at: string, 
+/**
+ * The segment's start, from the origin of the present view.
+ */
+place: Array<number>, };
+
+/**
  * The property in which an answer must equal the target.
  */
 export type Asks = "picture" | "text" | "segments" | "statistics";

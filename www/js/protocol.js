@@ -47,6 +47,7 @@ export {};
  * @property {{asked: {generation: number, start: bigint, count: number}, answer: StringPage}} string a page of a generation's string
  * @property {{asked: {generation: number, index: bigint}, answer: SymbolFacts}} symbol its ancestry, and the symbols and segments derived from it in the drawn generation
  * @property {{asked: {generation: number, index: bigint, later: number}, answer: {start: string | null}}} descendant the index of the first symbol derived from a symbol, in a later generation
+ * @property {{asked: {}, answer: {anchor: import('./messages.js').Anchor | null}}} anchor a segment in the middle of the picture
  * @property {{asked: {x: number, y: number, tolerance: number}, answer: Picked}} pick the visible segment or polygon near a place, in device pixels
  * @property {{asked: {texts: Texts}, answer: Notation}} notation
  * @property {{asked: {texts: Texts, field: 'axiom' | 'rules', offset: number}, answer: {site: Site | null}}} site the module at a UTF-16 offset into a text; null for other text
@@ -58,7 +59,7 @@ export {};
 /** @typedef {keyof Questions} Asked */
 /** @template {Asked} [T=Asked] @typedef {{[K in T]: {type: K, id: number} & Questions[K]['asked']}[T]} Question */
 /** An answer has the type and the id of its question. @template {Asked} [T=Asked] @typedef {{[K in T]: {type: K, id: number} & Questions[K]['answer']}[T]} Answer */
-/** The types of questions about the newest definition's string and drawing. @typedef {'string' | 'symbol' | 'descendant' | 'pick'} Reading */
+/** The types of questions about the newest definition's string and drawing. @typedef {'string' | 'symbol' | 'descendant' | 'anchor' | 'pick'} Reading */
 
 // Messages.
 

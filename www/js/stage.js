@@ -14,7 +14,7 @@ import { createMoves } from './stage/moves.js';
 import { createNothingHere } from './stage/nothing-here.js';
 import { createPicture } from './stage/picture.js';
 import { watchSize } from './stage/size.js';
-import { FITTED } from './view.js';
+import { FITTED, isFarOff, viewFrom } from './view.js';
 
 /** Zooming in with buttons and keys holds a line within this part of the stage's smaller side from the middle. */
 const HELD = 0.45;
@@ -39,7 +39,7 @@ function toolsOn(frame) {
 /**
  * @param {import('./store.js').Store} store
  * @param {import('./engine.js').Engine} engine
- * @param {{look: (viewpoint: import('./marks.js').Viewpoint | null) => void}} marks the marks on the picture, which move with it
+ * @param {{look: (viewpoint: import('./marks.js').Viewpoint | null) => void, from?: (place: number[]) => void}} marks the marks on the picture, which move with it
  * @param {{takes?: (event: Event) => boolean, keys?: () => readonly ('angle' | 'iterations')[], isBesideTools?: boolean}} [page]
  *   `isBesideTools` lets a fitted drawing leave the tools free; `takes` tells which gestures are for the drawing rather than the page around it; `keys` tells which fields the arrow
  *   keys change
@@ -99,11 +99,34 @@ export function createStage(
     function look() {
         place();
         engine.look(resolution(), moves.view(), moves.camera());
+        aim();
     }
 
     /** Finds what is near a place. @param {[number, number]} at CSS pixels from the middle @param {number} reach in CSS pixels */
     const pick = ([x, y], reach) =>
         engine.pick((x + size.width / 2) * size.ratio, (y + size.height / 2) * size.ratio, reach * size.ratio);
+    /** Whether a segment is being looked for. */
+    let aiming = false;
+
+    /** Gives a deep view a segment in the picture as its origin, so that all places in the picture stay exact. */
+    async function aim() {
+        if (aiming || space || !isFarOff(moves.view())) return;
+        aiming = true;
+        const { at } = moves.view();
+        try {
+            const anchor = await engine.anchor();
+            if (anchor && moves.view().at === at) {
+                picture.from(anchor.place, anchor.at);
+                marks.from?.(anchor.place);
+                hold.forget();
+                store.setView(viewFrom(moves.view(), anchor.place, anchor.at));
+            }
+        } catch {
+            // The worker was replaced. The next move asks again.
+        }
+        aiming = false;
+    }
+
     const hold = createHold({ pick, seen: moves.seen, pointBetween: moves.pointBetween });
     const nothingHere = createNothingHere({
         pick,

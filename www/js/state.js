@@ -15,8 +15,9 @@ import { FIELDS as TABLE } from './tables.js';
 
 /**
  * A view of a drawing in the plane. `x` and `y` move the picture's centre; the unit is the longer side of what Fit
- * shows, y up. `zoom` 1 is fitted. `fx` and `fy` are rounding remainders to add to `x` and `y`.
- * @typedef {{x: number, y: number, zoom: number, fx?: number, fy?: number}} View
+ * shows, y up. `zoom` 1 is fitted. `fx` and `fy` are rounding remainders to add to `x` and `y`. `at` is the number, from
+ * 1, of the segment whose start is the origin; without it, the origin is the fitted centre.
+ * @typedef {{x: number, y: number, zoom: number, fx?: number, fy?: number, at?: string}} View
  */
 
 /**
@@ -63,8 +64,8 @@ export function maxLengthOf(field) {
 export function cleanField(field, value) {
     const { [field]: found } = TABLE;
     if (value === null && found.optional) return null;
-    // Drop the view's rounding remainders if both are 0.
-    if (field === 'view') return viewOf(nearest(found, typeof value === 'object' ? { fx: 0, fy: 0, ...value } : value));
+    if (field === 'view')
+        return viewOf(nearest(found, typeof value === 'object' ? { fx: 0, fy: 0, at: '', ...value } : value));
     return nearest(found, value);
 }
 
@@ -187,10 +188,16 @@ function all(list) {
     return list.includes(undefined) ? undefined : list;
 }
 
-/** @param {Required<View> | undefined} view */
+/** The largest zoom about the fitted centre: beyond, two numbers are too coarse for a place. */
+export const DEEPEST = 1e25;
+
+/** A view with only those members that say something. @param {Required<View> | undefined} view @returns {View | undefined} */
 function viewOf(view) {
-    if (view === undefined || view.fx !== 0 || view.fy !== 0) return view;
-    return { x: view.x, y: view.y, zoom: view.zoom };
+    if (view === undefined) return view;
+    const { x, y, zoom, fx, fy, at } = view;
+    const own = /^[1-9]\d*$/.test(at) ? { at } : {};
+    const rest = fx !== 0 || fy !== 0 ? { fx, fy } : {};
+    return { x, y, zoom: own.at ? zoom : Math.min(zoom, DEEPEST), ...rest, ...own };
 }
 
 /**

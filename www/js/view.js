@@ -1,6 +1,6 @@
 /** Views in the plane: pan, zoom, and the position of an old picture in a new view. Pure functions. */
 
-import { rangeOf } from './state.js';
+import { DEEPEST, rangeOf } from './state.js';
 
 /** @typedef {import('./state.js').View} View */
 
@@ -35,7 +35,7 @@ export function pan(view, dx, dy, scale) {
  * @returns {View}
  */
 export function zoomAt(view, factor, px, py, scale) {
-    const zoom = Math.min(ZOOM.high, Math.max(ZOOM.low, view.zoom * factor));
+    const zoom = Math.min(view.at ? ZOOM.high : DEEPEST, Math.max(ZOOM.low, view.zoom * factor));
     const shift = (1 / view.zoom - 1 / zoom) / scale;
     return moved(view, px * shift, -py * shift, zoom);
 }
@@ -49,10 +49,10 @@ export function zoomAt(view, factor, px, py, scale) {
  * @param {number} zoom
  * @returns {View}
  */
-function moved({ x, y, fx = 0, fy = 0 }, dx, dy, zoom) {
+function moved({ x, y, fx = 0, fy = 0, at }, dx, dy, zoom) {
     const [nextX, fineX] = sum(x, fx, dx);
     const [nextY, fineY] = sum(y, fy, dy);
-    const next = { x: nextX, y: nextY, zoom };
+    const next = { x: nextX, y: nextY, zoom, ...(at ? { at } : {}) };
     return zoom < COARSE ? next : { ...next, fx: fineX, fy: fineY };
 }
 
@@ -97,8 +97,30 @@ export function seen(view, [x = 0, y = 0, fx = 0, fy = 0], scale) {
 }
 
 /** The view with a place in the middle. @param {View} view @param {number[]} place @returns {View} */
-export const centredOn = ({ zoom }, [x = 0, y = 0, fx = 0, fy = 0]) =>
-    zoom < COARSE ? { x: x + fx, y: y + fy, zoom } : { x, y, fx, fy, zoom };
+export const centredOn = ({ zoom, at }, [x = 0, y = 0, fx = 0, fy = 0]) => ({
+    ...(zoom < COARSE ? { x: x + fx, y: y + fy, zoom } : { x, y, fx, fy, zoom }),
+    ...(at ? { at } : {}),
+});
+
+/** Beyond this zoom, views are about a segment. */
+const DEEP = 1e15;
+/** A view's centre is at most this many pictures away from its segment: in a number, that is a hundredth of a pixel. */
+const ASIDE = 1e10;
+
+/** Whether a view should be about a segment nearby. @param {View} view */
+export const isFarOff = ({ x, y, zoom, at }) => zoom > DEEP && (!at || Math.hypot(x, y) * zoom > ASIDE);
+
+/**
+ * The same view from another origin.
+ * @param {View} view
+ * @param {number[]} place of the new origin, from the old one
+ * @param {string} at the number of the segment there
+ * @returns {View}
+ */
+export function viewFrom(view, [x = 0, y = 0, fx = 0, fy = 0], at) {
+    const { x: nextX, y: nextY, fx: fineX, fy: fineY } = moved(moved(view, -x, -y, view.zoom), -fx, -fy, view.zoom);
+    return { x: nextX, y: nextY, zoom: view.zoom, ...(fineX || fineY ? { fx: fineX, fy: fineY } : {}), at };
+}
 
 /**
  * Interpolates between two views, at `t` from 0 to 1: a zoom about the point that both views share, or a pan.
@@ -108,6 +130,7 @@ export const centredOn = ({ zoom }, [x = 0, y = 0, fx = 0, fy = 0]) =>
  * @returns {View}
  */
 export function between(from, to, t) {
+    if (from.at !== to.at) return to;
     const zoom = from.zoom * (to.zoom / from.zoom) ** t;
     const whole = 1 / from.zoom - 1 / to.zoom;
     const left = Math.abs(whole) < 1e-9 / from.zoom ? 1 - t : (1 / zoom - 1 / to.zoom) / whole;
@@ -123,6 +146,7 @@ export function between(from, to, t) {
  * @param {number} scale CSS pixels per fitted extent at zoom 1
  */
 export function placement(drawn, view, scale) {
+    if (drawn.at !== view.at) return { x: 0, y: 0, factor: 1 };
     const pixels = scale * view.zoom;
     const [dx, dy] = offset(view, drawn);
     return { x: dx * pixels, y: -dy * pixels, factor: view.zoom / drawn.zoom };

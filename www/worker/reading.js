@@ -16,6 +16,7 @@ export function createReading(playground) {
         descendant: ({ generation, index, later }) => ({
             start: playground.descendant(generation, index, later) ?? null,
         }),
+        anchor: () => ({ anchor: playground.anchor() }),
         pick: ({ x, y, tolerance }) => playground.pick(x, y, tolerance),
     };
 

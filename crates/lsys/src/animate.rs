@@ -6,10 +6,9 @@ mod sink;
 use crate::CommandFailure;
 use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
 use crate::input::{self, InputSystem};
-use lsystem::film::{
-    Film, LIMITS, Script, dive, dive_in_space, grow, middle_segment, sway, sway_strength, turntable, turtle,
-    vantage_of_segment,
-};
+use lsystem::base::MAX_SEGMENT_DIGITS;
+use lsystem::base::fixed::Fixed;
+use lsystem::film::{Film, LIMITS, Script, dive_to, grow, sway, sway_strength, turntable, turtle};
 use lsystem::render::opening_camera;
 use lsystem::{Camera, Figure, Limits, Vantage};
 use pool::Pool;
@@ -83,14 +82,18 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
         }
         tracks.push(sway(&script, sway_strength(&input.definition)));
     }
-    if let Some(Dive(number)) = options.dive {
+    if let Some(Dive(number)) = &options.dive {
         let figure = draw()?;
         let segments = figure.segment_count();
-        let number = number.unwrap_or(middle_segment(segments) + 1);
-        let missing = || words(format!("--dive={number}: the drawing has {segments} segments"));
-        let place = number.checked_sub(1).ok_or_else(missing)?;
-        let to = vantage_of_segment(&figure, place, &vantage).ok_or_else(missing)?;
-        tracks.push(if is_solid { dive_in_space(&script, &to.camera) } else { dive(&script, to.view) });
+        let count = match &figure {
+            Figure::Plane(drawing) => drawing.exact_count(),
+            Figure::Space(_) => Fixed::read(&segments.to_string(), MAX_SEGMENT_DIGITS).unwrap_or_default(),
+        };
+        let place = number.clone().unwrap_or_else(|| count.minus(&Fixed::units(1)).shifted(-1));
+        tracks.push(dive_to(&mut script, &figure, &place, &vantage).ok_or_else(|| {
+            let number = place.plus(&Fixed::units(1)).decimal();
+            words(format!("--dive={number}: the drawing has {} segments", count.decimal()))
+        })?);
     }
     for track in tracks {
         script.tracks.retain(|other| other.subject != track.subject);

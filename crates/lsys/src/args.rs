@@ -197,10 +197,13 @@ fn command_first(mut words: Vec<OsString>, cli: &clap::Command) -> Vec<OsString>
 /// # Errors
 /// A message if options or files contradict each other.
 fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: &Look) -> Result<Vec<Job>, String> {
-    let &Look { format, compact, ref flags } = look;
+    let &Look { format, compact, zoom, ref segment, ref flags } = look;
     let is = |name| format.is_some_and(|format: &Format| format.name == name);
     if compact && format.is_some() && !is("svg") {
         return Err("--compact needs --format svg or no --format".to_owned());
+    }
+    if (zoom.is_some() || segment.is_some()) && !is("png") {
+        return Err("--zoom and --segment need --format png".to_owned());
     }
     let picture = if compact { "svg-compact" } else { "svg" };
     let names = match format {

@@ -5,12 +5,13 @@ use crate::memory;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
-use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE};
+use lsystem::base::fixed::Fixed;
+use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, MAX_SEGMENT_DIGITS, decimal};
 use lsystem::course::ScormStandard;
-use lsystem::files::{FORMATS, Format};
+use lsystem::files::{FORMATS, FileView, Format};
 use lsystem::film::{Easing, Ending};
 use lsystem::import::write::{NOTATIONS, Notation};
-use lsystem::render::{Share, TilePlace};
+use lsystem::render::{MAX_ZOOM, Share, TilePlace, View};
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -361,8 +362,38 @@ pub(crate) struct Look {
     /// Write a small SVG that defines each block once and places copies
     #[arg(long)]
     pub(crate) compact: bool,
+    /// Magnify a picture of pixels in the plane: 1 shows the whole drawing
+    #[arg(long, value_name = "TIMES", value_parser = magnification)]
+    pub(crate) zoom: Option<f64>,
+    /// Put the start of segment N (from 1) into the middle of the picture: then TIMES may be 1e301
+    #[arg(long, value_name = "N", value_parser = segment)]
+    pub(crate) segment: Option<Fixed>,
     #[command(flatten)]
     pub(crate) flags: FileFlags,
+}
+
+impl Look {
+    /// The view of pictures of pixels.
+    pub(crate) fn view(&self) -> FileView {
+        FileView {
+            view: View { zoom: self.zoom.unwrap_or(1.0), ..View::default() },
+            segment: self.segment.clone(),
+            ..FileView::default()
+        }
+    }
+}
+
+/// A magnification as `--zoom` reads it.
+fn magnification(text: &str) -> Result<f64, String> {
+    let zoom = decimal::read(text).filter(|zoom| (1e-2..=MAX_ZOOM).contains(zoom));
+    zoom.ok_or_else(|| "a number from 0.01 to 1e301 is expected".to_owned())
+}
+
+/// A segment (0-based), from its number from 1.
+fn segment(text: &str) -> Result<Fixed, String> {
+    let number = Fixed::read(text, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero());
+    let number = number.ok_or_else(|| "expected a number of a segment, from 1".to_owned())?;
+    Ok(number.minus(&Fixed::units(1)))
 }
 
 /// The options of an exhibition.
@@ -562,8 +593,8 @@ pub(crate) enum FilmFormat {
 }
 
 /// The segment at the end of a dive, from 1; `None` for the one in the middle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Dive(pub(crate) Option<u128>);
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Dive(pub(crate) Option<Fixed>);
 
 impl FromStr for Dive {
     type Err = String;
@@ -572,8 +603,7 @@ impl FromStr for Dive {
         if text.is_empty() {
             return Ok(Self(None));
         }
-        let number = text.parse().ok().filter(|&number| number > 0);
-        number.map(|number| Self(Some(number))).ok_or_else(|| "expected a number of a segment, from 1".to_owned())
+        segment(text).map(|number| Self(Some(number)))
     }
 }
 

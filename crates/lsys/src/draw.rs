@@ -53,8 +53,9 @@ fn draw_one(
         Destination::Print(format) => {
             let wrong = |error: io::Error| CommandFailure::io("standard output", &error);
             limits.make(|shares| {
-                let write =
-                    |out: &mut dyn Write| write_file(&input, format, &look.flags.options(), shares, say, out, &wrong);
+                let write = |out: &mut dyn Write| {
+                    write_file(&input, format, (&look.flags.options(), look.view()), shares, say, out, &wrong)
+                };
                 within(|write| print(|out| write(out)), write)
             })
         }
@@ -66,7 +67,7 @@ fn draw_one(
                 let wrong = |error: io::Error| CommandFailure::io(path.display(), &error);
                 let file = limits.make(|shares| {
                     let write = |out: &mut dyn Write| {
-                        write_file(&input, format, &look.flags.options(), shares, say, out, &wrong)
+                        write_file(&input, format, (&look.flags.options(), look.view()), shares, say, out, &wrong)
                     };
                     within(|write| Pending::write(&path, |out| write(out)).map_err(wrong), write)
                 })?;
@@ -91,7 +92,7 @@ pub(crate) fn picture(
     let Some(png) = Format::named("png") else { return Ok(Vec::new()) };
     let (options, mut bytes) = (FileOptions { size: Some(size), ..FileOptions::default() }, Vec::new());
     let wrong = |error: io::Error| CommandFailure::io("memory", &error);
-    write_file(input, png, &options, shares, say, &mut bytes, &wrong)?;
+    write_file(input, png, (&options, FileView::default()), shares, say, &mut bytes, &wrong)?;
     Ok(bytes)
 }
 
@@ -130,7 +131,7 @@ impl Owner for Stream<'_> {
 fn write_file(
     input: &InputSystem,
     format: &'static Format,
-    options: &FileOptions,
+    (options, view): (&FileOptions, FileView),
     shares: u64,
     say: Say<'_>,
     out: &mut dyn Write,
@@ -147,7 +148,7 @@ fn write_file(
         system: &input.system,
         format,
         options,
-        view: FileView::default(),
+        view,
         limits: FileLimits {
             drawing: input.drawing_limits(),
             drawing_bytes: limits.memory,

@@ -87,6 +87,8 @@ impl Limits {
 
 /// The most derivation steps of a system.
 pub const MAX_ITERATIONS: u32 = 1_000;
+/// The most digits of the number of a segment: those of a successor with a thousand symbols after 1,000 steps.
+pub const MAX_SEGMENT_DIGITS: usize = 3_001;
 
 /// The most segments and vertices of polygons that a viewer of a mesh draws, copies of shared parts included. A segment
 /// has 16 to 32 triangles, and viewers turn some ten million triangles smoothly.

@@ -6,6 +6,7 @@
 //! productions) are [unfolded](unfold) into a tree of blocks of the same type, so that every reader sees one data
 //! structure.
 
+mod around;
 mod block;
 mod body;
 mod builder;
@@ -31,6 +32,7 @@ mod task;
 mod tree;
 mod unfold;
 
+pub use around::{Around, count_of};
 pub use block::{Block, BlockId, Item, Placed, Polygon, Space, Stroke};
 pub use bulk::SegmentArrays;
 pub use drawer::{Drawer, draw};
@@ -47,8 +49,10 @@ pub(crate) use solid_reader::{SolidMark, SolidReader};
 pub(crate) use unfold::TurtleInterpreter;
 
 use self::block::Contents;
+
 use crate::Plane;
 use crate::chunks::Chunks;
+use crate::course::Course;
 use crate::room::bytes_of;
 use crate::space::finite;
 use crate::style::{StyleChange, StyleId, Widths};
@@ -80,6 +84,8 @@ pub struct Drawing<S: Space = Plane> {
     pub step: f64,
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub width: f64,
+    /// The ways to the places of a shared drawing in the plane.
+    pub(crate) course: Course<S>,
     /// The words of the shared pieces.
     pub(crate) pieces: Pieces<S>,
     /// Whether blocks are shared.
@@ -209,6 +215,7 @@ impl<S: Space> Drawing<S> {
             + bytes_of(&self.places)
             + bytes_of(&self.depths)
             + self.pieces.bytes()
+            + self.course.bytes()
             + self.scene.bytes(self.memoised)
     }
 

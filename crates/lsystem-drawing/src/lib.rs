@@ -23,6 +23,7 @@
 mod chunks;
 mod room;
 
+mod course;
 mod plane;
 pub mod rotation;
 mod solid;
@@ -48,10 +49,11 @@ pub mod triangulate;
 mod describe;
 mod figure;
 
+pub use course::Spot;
 pub use describe::{kind, legend, why_empty};
 pub use drawing::{
-    Block, BlockFrame, BlockId, Drawer, Drawing, Item, Line, Mark, Outlook, Placed, Polygon, Projection, SceneSize,
-    Segment, SegmentArrays, Shape, Space, Stroke, draw, hull,
+    Around, Block, BlockFrame, BlockId, Drawer, Drawing, Item, Line, Mark, Outlook, Placed, Polygon, Projection,
+    SceneSize, Segment, SegmentArrays, Shape, Space, Stroke, count_of, draw, hull,
 };
 pub use drawn::drawn_by_letter;
 pub use figure::{Figure, FigureDrawer};

@@ -1,6 +1,7 @@
 //! The turtle: the actions of each letter, and the turtle's state at the start.
 
 use crate::Plane;
+use crate::course::{By, Leg, Spot};
 use crate::room::{bytes_of, reserve};
 use crate::rotation::Axis;
 use crate::space::{Geometry, Tropism, exponent_of, finite, unit_of};
@@ -638,6 +639,8 @@ const CORNERS: [[f64; 2]; CIRCLE_SIDES as usize] = {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pen<S: Geometry = Plane> {
     pub at: S::Point,
+    /// The place, exactly.
+    pub spot: Spot,
     pub heading: S::Turn,
     pub style: StyleChange,
     /// The factor of lengths, by branches and by [`TurtleOp::ScaleLength`].
@@ -652,12 +655,14 @@ pub(crate) struct Pen<S: Geometry = Plane> {
 
 /// A receiver of segments and polygons.
 pub(crate) trait Paper<S: Geometry> {
+    /// Notes a leg of the turtle's way. Returns the place at its end.
+    fn go(&mut self, leg: Leg<S>) -> Spot;
     /// Adds a segment of the branch.
-    fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
+    fn stroke(&mut self, ends: [S::Point; 2], spots: [Spot; 2], style: &StyleChange);
     /// Adds a segment beside the branch.
-    fn side(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
+    fn side(&mut self, ends: [S::Point; 2], spots: [Spot; 2], style: &StyleChange);
     /// Adds a stroke of a tube, which tapers to the width `style.next`.
-    fn tube(&mut self, from: S::Point, to: S::Point, style: &StyleChange);
+    fn tube(&mut self, ends: [S::Point; 2], style: &StyleChange);
     /// Interrupts the branch: the turtle moves.
     fn gap(&mut self);
     /// Opens a branch.
@@ -667,9 +672,9 @@ pub(crate) trait Paper<S: Geometry> {
     /// Opens a polygon.
     fn open(&mut self, style: &StyleChange);
     /// Adds a vertex to the innermost open polygon, if any, unless the polygon has vertices already.
-    fn first_vertex(&mut self, at: S::Point);
+    fn first_vertex(&mut self, at: S::Point, spot: Spot);
     /// Adds a vertex to the innermost open polygon, if any.
-    fn vertex(&mut self, at: S::Point);
+    fn vertex(&mut self, at: S::Point, spot: Spot);
     /// Closes the innermost open polygon, if any.
     fn close(&mut self);
 }
@@ -685,7 +690,7 @@ impl<S: Geometry> Pen<S> {
     pub(crate) fn new(heading: S::Turn, style: StyleChange) -> Self {
         let at = S::Point::default();
         let tube = TubeEnd { at, heading, width: style.width };
-        Self { at, heading, style, scale: 1.0, swapped: false, vertical: S::UPWARDS, tube }
+        Self { at, spot: Spot::ENTRY, heading, style, scale: 1.0, swapped: false, vertical: S::UPWARDS, tube }
     }
 
     /// Performs operations, with lengths times `scale`, and draws on `paper`. `saved` is the stack of open branches. A
@@ -701,12 +706,12 @@ impl<S: Geometry> Pen<S> {
         for &op in ops {
             match op {
                 TurtleOp::Draw(length) => {
-                    let from = self.at;
-                    self.forward(length * scale, directions);
-                    paper.stroke(from, self.at, &self.style);
+                    let (from, spot) = (self.at, self.spot);
+                    self.forward(length, scale, directions, paper);
+                    paper.stroke([from, self.at], [spot, self.spot], &self.style);
                 }
                 TurtleOp::Move(length) => {
-                    self.forward(length * scale, directions);
+                    self.forward(length, scale, directions, paper);
                     paper.gap();
                 }
                 TurtleOp::Turn(by) => self.heading = S::then(self.heading, by.turn(self.swapped)),
@@ -714,25 +719,25 @@ impl<S: Geometry> Pen<S> {
                 TurtleOp::SwapTurns => self.swapped = !self.swapped,
                 TurtleOp::ScaleLength(factor) => self.scale_by(factor),
                 TurtleOp::Circle(diameter) => {
-                    let corners = self.circle(diameter * scale, directions);
-                    for (at, &from) in corners.iter().enumerate() {
-                        paper.side(from, corners[(at + 1) % corners.len()], &self.style);
+                    let axes = self.axes(0.5 * diameter * scale, directions);
+                    let corners = CORNERS.map(|[x, y]| self.corner(&axes, [x, y, 0.0], 0.5 * diameter, paper));
+                    for (at, &(from, spot)) in corners.iter().enumerate() {
+                        let (to, next) = corners[(at + 1) % corners.len()];
+                        paper.side([from, to], [spot, next], &self.style);
                     }
                 }
                 TurtleOp::Fill(outline, size) => {
                     paper.open(&self.style);
                     if let Some(corners) = outline.leaf() {
-                        let axes = S::scaled(S::axes(directions, self.heading), size * scale * self.scale);
-                        corners.for_each(|[x, y]| paper.vertex(S::transform(&axes, self.at, S::point([x, y, 0.0]))));
+                        self.fill(corners.map(|[x, y]| [x, y, 0.0]), size, scale, directions, paper);
                     } else {
-                        self.circle(size * scale, directions).into_iter().for_each(|corner| paper.vertex(corner));
+                        self.fill(CORNERS.iter().map(|[x, y]| [*x, *y, 0.0]), 0.5 * size, scale, directions, paper);
                     }
                     paper.close();
                 }
                 TurtleOp::Triangle { corners, size, .. } => {
                     paper.open(&self.style);
-                    let axes = S::scaled(S::axes(directions, self.heading), size * scale * self.scale);
-                    corners.iter().for_each(|&corner| paper.vertex(S::transform(&axes, self.at, S::point(corner))));
+                    self.fill(corners.iter().copied(), size, scale, directions, paper);
                     paper.close();
                 }
                 TurtleOp::Upright => self.heading = S::upright(self.heading, &self.vertical),
@@ -756,8 +761,8 @@ impl<S: Geometry> Pen<S> {
                     self.style.colour = ColourChange::Set(sides[usize::from(self.swapped)]);
                 }
                 TurtleOp::OpenPolygon => paper.open(&self.style),
-                TurtleOp::FirstVertex => paper.first_vertex(self.at),
-                TurtleOp::Vertex => paper.vertex(self.at),
+                TurtleOp::FirstVertex => paper.first_vertex(self.at, self.spot),
+                TurtleOp::Vertex => paper.vertex(self.at, self.spot),
                 TurtleOp::ClosePolygon => paper.close(),
                 TurtleOp::OpenTube => self.tube = self.tube_end(),
                 TurtleOp::Tube => {
@@ -767,7 +772,7 @@ impl<S: Geometry> Pen<S> {
                     paper.gap();
                     for ends in curve.windows(2) {
                         let [(from, width), (to, next)] = [ends[0], ends[1]];
-                        paper.tube(from, to, &StyleChange { width, next: Some(next), ..self.style });
+                        paper.tube([from, to], &StyleChange { width, next: Some(next), ..self.style });
                     }
                 }
             }
@@ -794,14 +799,38 @@ impl<S: Geometry> Pen<S> {
         self.scale = scaled(self.scale, factor);
     }
 
-    /// The corners of a circle around the turtle.
-    fn circle(&self, diameter: f64, directions: &mut S::Directions) -> [S::Point; CIRCLE_SIDES as usize] {
-        let axes = S::scaled(S::axes(directions, self.heading), 0.5 * diameter * self.scale);
-        CORNERS.map(|[x, y]| S::transform(&axes, self.at, S::point([x, y, 0.0])))
+    /// The turtle's axes times `size`.
+    fn axes(&self, size: f64, directions: &mut S::Directions) -> S::Axes {
+        S::scaled(S::axes(directions, self.heading), size * self.scale)
     }
 
-    fn forward(&mut self, length: f64, directions: &mut S::Directions) {
-        self.at = S::ahead(&S::axes(directions, self.heading), self.at, length * self.scale);
+    /// A corner of a shape of this size around the turtle, with these axes.
+    fn corner(&self, axes: &S::Axes, corner: [f64; 3], size: f64, paper: &mut impl Paper<S>) -> (S::Point, Spot) {
+        let by = By::Corner([corner[0], corner[1]]);
+        let spot = paper.go(Leg { from: self.spot, by, heading: self.heading, factor: size * self.scale });
+        (S::transform(axes, self.at, S::point(corner)), spot)
+    }
+
+    /// Adds corners of a shape of this size to the open polygon.
+    fn fill(
+        &self,
+        corners: impl Iterator<Item = [f64; 3]>,
+        size: f64,
+        scale: f64,
+        directions: &mut S::Directions,
+        paper: &mut impl Paper<S>,
+    ) {
+        let axes = self.axes(size * scale, directions);
+        corners.for_each(|corner| {
+            let (at, spot) = self.corner(&axes, corner, size, paper);
+            paper.vertex(at, spot);
+        });
+    }
+
+    fn forward(&mut self, length: f64, scale: f64, directions: &mut S::Directions, paper: &mut impl Paper<S>) {
+        let (heading, factor) = (self.heading, length * self.scale);
+        self.at = S::ahead(&S::axes(directions, heading), self.at, length * scale * self.scale);
+        self.spot = paper.go(Leg { from: self.spot, by: By::Ahead, heading, factor });
     }
 }
 

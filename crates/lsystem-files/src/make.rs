@@ -2,11 +2,12 @@
 
 use crate::midi::midi_file;
 use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
+use lsystem_base::fixed::Fixed;
 use lsystem_base::{LimitName, Limits, Progress};
 use lsystem_drawing::{Drawer, Drawing, Figure, Outlook, Projection, Solid, System, expand};
-use lsystem_render::{Camera, Vantage, View, Viewport, fit, opening_camera};
+use lsystem_render::{Camera, Closeup, Vantage, View, Viewport, fit, opening_camera};
 use lsystem_sound::{SoundOptions, listen};
-use lsystem_syntax::{Definition, Diagnostic, Halt, Work, run_steps};
+use lsystem_syntax::{Definition, Diagnostic, Field, Halt, Kind, Work, run_steps};
 use std::sync::Arc;
 
 /// The default length of the longer side of a picture of pixels. At this length a stroke's least width is in pixels;
@@ -18,7 +19,7 @@ const LEAST: u32 = 128;
 const SYMBOLS: usize = 1 << 15;
 
 /// The content, the format and the limits of a file.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct FileTask<'a> {
     /// The definition.
     pub definition: &'a Definition,
@@ -35,10 +36,12 @@ pub struct FileTask<'a> {
 }
 
 /// The view of a drawing in a file.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct FileView {
     /// The view of pictures of pixels in the plane.
     pub view: View,
+    /// The segment (0-based) whose start is the origin of `view`, as in [`Closeup`]; `None` for the fitted centre.
+    pub segment: Option<Fixed>,
     /// The camera of pictures of pixels in space; drawings on paper are projected in its direction. `None` for the
     /// [`opening_camera`].
     pub camera: Option<Camera>,
@@ -80,7 +83,7 @@ pub struct FileLimits {
 /// The diagnostic for an exceeded limit, or for a system that the format cannot express, before the first byte. If the
 /// owner of the sink stops the work.
 pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
-    let FileTask { definition, system, format, options, view, limits } = *task;
+    let &FileTask { definition, system, format, options, ref view, limits } = task;
     let style = &system.style;
     let stored = if options.bare { String::new() } else { write_json(definition) };
     let most = if format.is_made_in_memory { limits.held } else { limits.segments };
@@ -95,7 +98,9 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
         Content::Words(write) => write(definition, system, &options, sink),
         Content::Pixels => {
             let figure = task.figure(sink)?;
-            write_png(&figure, style, view.vantage(&figure), &task.png(&figure, options), sink).map(none)
+            let options = task.png(&figure, options);
+            let (figure, vantage) = view.shown(figure, options.viewport)?;
+            write_png(&figure, style, vantage, &options, sink).map(none)
         }
         Content::Segments { plane, space } => match task.figure(sink)? {
             Figure::Plane(drawing) => plane(&drawing, most, sink).map(none),
@@ -123,6 +128,19 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
 }
 
 impl FileView {
+    /// The drawing of a picture of pixels, and the vantage.
+    fn shown(&self, figure: Figure, viewport: Viewport) -> Result<(Figure, Vantage), Diagnostic> {
+        let vantage = self.vantage(&figure);
+        let Some(segment) = &self.segment else { return Ok((figure, vantage)) };
+        let near = match &figure {
+            Figure::Plane(whole) => Closeup::new(whole.clone(), segment.clone()).show(viewport, vantage.view),
+            Figure::Space(_) => None,
+        };
+        let (near, view) =
+            near.ok_or_else(|| Diagnostic { kind: Kind::NoCloseup, field: Field::Numbers, span: 0..0 })?;
+        Ok((Figure::Plane(near.drawing.clone()), Vantage { view, ..vantage }))
+    }
+
     fn vantage(&self, figure: &Figure) -> Vantage {
         Vantage { view: self.view, camera: self.camera.unwrap_or_else(|| opening_camera(figure)) }
     }

@@ -8,6 +8,8 @@ use core::ops::Range;
 /// A mistake in a script.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ScriptProblem {
+    /// The number of a segment cannot be read.
+    Segment,
     /// The text is longer than [`MAX_SCRIPT`] bytes.
     Long,
     /// The text does not begin with a version that is known.
@@ -60,6 +62,7 @@ impl fmt::Display for ScriptProblem {
                 out,
                 "a frame has {MIN_SIDE} to {MAX_SIDE} pixels each way and at most {MAX_FRAME_PIXELS} in all"
             ),
+            Self::Segment => out.write_str("expected `@` and the number of a segment, from 1"),
             Self::Easing => {
                 write!(out, "an easing is one of {}", Easing::NAMES.map(|name| format!("`{name}`")).join(", "))
             }

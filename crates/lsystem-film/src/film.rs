@@ -4,6 +4,7 @@ use crate::error::FilmError;
 use crate::track::view_of;
 use crate::{Script, Subject};
 use core::ops::Range;
+use lsystem_base::fixed::Fixed;
 use lsystem_base::number::number as written;
 use lsystem_render::{Camera, Vantage};
 use lsystem_syntax::{Definition, classify};
@@ -26,6 +27,8 @@ pub struct Frame {
     pub definition: Definition,
     /// The place from which the drawing is seen.
     pub vantage: Vantage,
+    /// As [`Script::segment`].
+    pub segment: Option<Fixed>,
     /// The part of the segments that is shown, 0 to 1.
     pub drawn: f64,
     /// The system whose drawing has the place and the size of the fitted picture, if not the frame's own: the system at
@@ -101,7 +104,9 @@ impl Film {
     /// The frame at a time in seconds, with a camera that follows the drawing.
     fn fitted_at(&self, time: f64) -> Frame {
         let Self { script, definition, vantage, .. } = self;
-        let mut frame = Frame { definition: definition.clone(), vantage: *vantage, drawn: 1.0, framed: None };
+        let mut frame =
+            Frame { definition: definition.clone(), vantage: *vantage, segment: None, drawn: 1.0, framed: None };
+        frame.segment.clone_from(&script.segment);
         for track in &script.tracks {
             let value = track.at(time);
             match (&track.subject, &value[..]) {

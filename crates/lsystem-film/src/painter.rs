@@ -3,7 +3,7 @@
 use crate::Frame;
 use lsystem_base::{Limits, Progress};
 use lsystem_drawing::{Figure, FigureDrawer, System};
-use lsystem_render::{Detail, FigureRenderer, Framing, Painted, PictureOptions, Quality, Viewport};
+use lsystem_render::{Closeup, Detail, FigureRenderer, Framing, Painted, PictureOptions, Quality, Vantage, Viewport};
 use lsystem_syntax::{Definition, Diagnostic};
 
 /// The limits of the drawings of a film: those of the page. They decide which drawings are made, so that they are the
@@ -53,6 +53,8 @@ pub struct Painter {
     limits: Limits,
     system: Option<Subject>,
     figure: Option<Figure>,
+    /// Close views of the figure, if the film has them.
+    closeup: Option<Closeup>,
     /// The system that frames the film, and its framing once it is drawn.
     framed: Option<(Subject, Option<Framing>)>,
     task: Task,
@@ -71,6 +73,7 @@ impl Painter {
             limits,
             system: None,
             figure: None,
+            closeup: None,
             framed: None,
             task: Task::Done,
             frame: None,
@@ -122,7 +125,7 @@ impl Painter {
             return Ok(());
         }
         // The former drawing is dropped first, so that one drawing is in memory at a time.
-        self.figure = None;
+        (self.figure, self.closeup) = (None, None);
         self.renderer = FigureRenderer::new();
         match framed {
             Some(framed) if !is_framed => {
@@ -188,7 +191,16 @@ impl Painter {
         let (Some(frame), Some(figure), Some((system, _))) = (&self.frame, &self.figure, &self.system) else { return };
         let framing = self.framed.as_ref().filter(|_| frame.framed.is_some()).and_then(|(_, framing)| framing.as_ref());
         let vantage = framing.map_or(frame.vantage, |framing| framing.hold(figure, self.viewport, &frame.vantage));
-        self.renderer.load(figure);
+        let mut shown = (figure.clone(), vantage);
+        if let (Some(segment), Figure::Plane(whole)) = (&frame.segment, figure) {
+            let known = self.closeup.take().filter(|known| known.segment == *segment);
+            let closeup = self.closeup.insert(known.unwrap_or_else(|| Closeup::new(whole.clone(), segment.clone())));
+            if let Some((near, view)) = closeup.show(self.viewport, vantage.view) {
+                shown = (Figure::Plane(near.drawing.clone()), Vantage { view, ..vantage });
+            }
+        }
+        let (figure, vantage) = shown;
+        self.renderer.load(&figure);
         self.renderer.begin(PictureOptions {
             style: system.style.clone(),
             viewport: self.viewport,
@@ -228,8 +240,8 @@ fn first_part(all: u128, part: f64) -> Option<u128> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Film, Script};
-    use lsystem_render::Vantage;
+    use crate::{Ending, Film, Script, dive_to};
+    use lsystem_base::fixed::Fixed;
 
     const SIZE: [u32; 2] = [160, 120];
 
@@ -273,6 +285,34 @@ mod tests {
                 assert_eq!(paint(&mut Painter::new(LIMITS), film, number), frames[number as usize]);
             }
         }
+    }
+
+    #[test]
+    fn a_dive_reaches_a_segment_at_any_depth() {
+        let curve = Definition {
+            axiom: "F".into(),
+            rules: "F -> F+F--F+F".into(),
+            angle: 60.0,
+            iterations: 600,
+            ..Definition::default()
+        };
+        let figure = Figure::draw(&System::new(&curve).0.unwrap(), 600, &Limits::default()).unwrap();
+        let mut script = Script { seconds: 8.0, rate: 1, size: SIZE, ending: Ending::Once, ..Script::default() };
+        let middle = Fixed::units(1).shifted(2 * 600 - 1);
+        let track = dive_to(&mut script, &figure, &middle, &Vantage::default()).unwrap();
+        script.tracks.push(track);
+        let end = script.tracks[0].keys.last().unwrap().value[2];
+        assert!(end > 1e280 && end < 1e301, "{end}");
+        let film = film(&script.to_string(), curve);
+        let frames: Vec<Vec<u8>> = (0..8).map(|number| paint(&mut Painter::new(LIMITS), &film, number)).collect();
+        // The middle of the curve is its tip: it is in every picture's middle once the dive has begun.
+        let is_ink = |frame: &[u8], x: usize, y: usize| frame[4 * (y * 160 + x)] != frame[0];
+        for frame in &frames[1..] {
+            let inked = (70..90).flat_map(|x| (50..70).map(move |y| (x, y))).filter(|&(x, y)| is_ink(frame, x, y));
+            assert!(inked.count() > 10);
+        }
+        let mut painter = Painter::new(LIMITS);
+        assert!([7, 2, 5].iter().all(|&number| paint(&mut painter, &film, number) == frames[number as usize]));
     }
 
     /// The part of the pixels that differ between two pictures by more than a tenth of the range.

@@ -1,8 +1,9 @@
 //! Tracks for the usual films.
 
 use crate::{Easing, Keyframe, Script, Subject, Track};
+use lsystem_base::fixed::Fixed;
 use lsystem_drawing::Figure;
-use lsystem_render::{Camera, Vantage, View, fitted_ends};
+use lsystem_render::{Camera, Closeup, Vantage, View, fitted_ends};
 use lsystem_syntax::Definition;
 
 /// The part of the time after which growth, the turtle's way and a dive are over, so that the end can be seen.
@@ -61,6 +62,7 @@ impl Script {
         self.tracks.retain(|track| !is_preset(&track.subject));
         let track = preset.track(&self);
         self.tracks.push(track);
+        self.segment = None;
         // A plant grows from the ground. A fitted one would begin as a stump that fills the frame.
         self.fixed = matches!(preset, Preset::Growth(_));
         self
@@ -107,6 +109,23 @@ pub fn dive(script: &Script, to: View) -> Track {
     let end =
         if to.fine == [0.0; 2] { vec![to.x, to.y, to.zoom] } else { vec![to.x, to.y, to.zoom, to.fine[0], to.fine[1]] };
     track(script, Subject::View, &[(REST, vec![0.0, 0.0, 1.0]), (END, end)], Easing::Smooth)
+}
+
+/// A dive from the whole drawing to a segment (0-based), in space from the direction of the camera `from`. If the segment
+/// lies deeper than usual views reach, it becomes the origin of the script's views. `None` if there are fewer segments.
+pub fn dive_to(script: &mut Script, figure: &Figure, segment: &Fixed, from: &Vantage) -> Option<Track> {
+    let near = segment.decimal().parse().ok().and_then(|number| vantage_of_segment(figure, number, from));
+    let whole = match (figure, near) {
+        (Figure::Space(_), near) => return near.map(|to| dive_in_space(script, &to.camera)),
+        // At the largest zoom the segment may be smaller than its share of the picture.
+        (_, Some(to)) if to.view.zoom < MAX_ZOOM[0] => return Some(dive(script, to.view)),
+        (Figure::Plane(whole), _) => whole,
+    };
+    let (closeup, to) = Closeup::on_step(whole.clone(), segment.clone(), SHARE)?;
+    let [x, y, ..] = closeup.place()?.map(|place| 0.0 - place);
+    script.segment = Some(segment.clone());
+    let keys = [(REST, vec![x, y, 1.0]), (END, vec![0.0, 0.0, to.zoom])];
+    Some(track(script, Subject::View, &keys, Easing::Smooth))
 }
 
 /// A dive from the whole drawing in space to a camera.

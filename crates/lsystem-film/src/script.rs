@@ -1,6 +1,7 @@
 //! A script: the length, the size and the tracks of a film.
 
 use crate::{Easing, Track};
+use lsystem_base::fixed::Fixed;
 
 /// The longest text of a script, in bytes.
 pub(crate) const MAX_SCRIPT: usize = 20_000;
@@ -69,6 +70,8 @@ pub struct Script {
     /// Whether all frames are framed as the drawing at the end of the tracks is. Otherwise each frame's drawing is
     /// fitted, so that the camera follows a growing drawing.
     pub fixed: bool,
+    /// The segment (0-based) whose start is the origin of views in the plane; `None` for the fitted centre.
+    pub segment: Option<Fixed>,
     /// The tracks, each of another subject.
     pub tracks: Vec<Track>,
 }
@@ -82,6 +85,7 @@ impl Default for Script {
             ending: Ending::default(),
             easing: Easing::default(),
             fixed: false,
+            segment: None,
             tracks: Vec::new(),
         }
     }

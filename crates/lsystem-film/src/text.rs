@@ -11,7 +11,9 @@ use crate::{Easing, Ending, Keyframe, Script, Subject, Track};
 use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
+use lsystem_base::MAX_SEGMENT_DIGITS;
 use lsystem_base::decimal;
+use lsystem_base::fixed::Fixed;
 use lsystem_base::number::number as written;
 use lsystem_syntax::notes::excerpt;
 
@@ -19,6 +21,8 @@ use lsystem_syntax::notes::excerpt;
 const VERSION: &str = "1";
 /// The part of a film with a fixed camera.
 const FIXED: &str = "fixed";
+/// The sign before the number of the segment that is the origin of views, from 1.
+const SEGMENT: char = '@';
 /// Longer numbers are not read, in bytes, as in links.
 const LONGEST_NUMBER: usize = 40;
 
@@ -137,6 +141,12 @@ fn read_part(piece: Piece<'_>, script: &mut Script) -> Result<Option<&'static st
         script.fixed = true;
         return Ok(Some("the camera"));
     }
+    if let Some(number) = piece.text.strip_prefix(SEGMENT) {
+        let number = Fixed::read(number, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero());
+        let number = number.ok_or_else(|| piece.error(ScriptProblem::Segment))?;
+        script.segment = Some(number.minus(&Fixed::units(1)));
+        return Ok(Some("the segment"));
+    }
     if let Some(rate) = piece.without("fps") {
         let rate = rate.whole().filter(|rate| (1..=MAX_RATE).contains(rate));
         script.rate = rate.ok_or_else(|| piece.error(ScriptProblem::Rate))?;
@@ -238,13 +248,16 @@ impl Script {
 
 impl fmt::Display for Script {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { seconds, rate, size: [width, height], ending, easing, fixed, tracks } = self;
+        let Self { seconds, rate, size: [width, height], ending, easing, fixed, segment, tracks } = self;
         write!(out, "{VERSION};{}s;{rate}fps;{width}x{height};{}", written(*seconds), ending.name())?;
         if *easing != Easing::default() {
             write!(out, ";ease={}", easing.name())?;
         }
         if *fixed {
             write!(out, ";{FIXED}")?;
+        }
+        if let Some(segment) = segment {
+            write!(out, ";{SEGMENT}{}", segment.plus(&Fixed::units(1)).decimal())?;
         }
         for Track { subject, keys } in tracks {
             for (at, key) in keys.iter().enumerate() {
@@ -275,6 +288,7 @@ mod tests {
     fn texts_are_read_and_written() {
         for text in [
             "1;10s;25fps;1280x720;repeat",
+            "1;10s;25fps;640x360;once;@18446744073709551617;view=0:0.1/-0.2/1,9:0/0/1e300",
             "1;2.5s;60fps;16x4096;once;ease=smooth;fixed;n=0:0,2:7~hold",
             "1;10s;25fps;640x360;bounce;view=0:0/0/1,9:0.1/-0.2/1e19/1e-18/-2e-18;seed=0:1,1:2;rules.r=0:0.5,10:-1",
             "1;10s;25fps;640x360;repeat;camera=0:25/12,10:385/12;tropism=0:0/-1/0,5:1/0/0;drawn=0:0,9:1",
@@ -300,6 +314,8 @@ mod tests {
         check("1;fixed;fixed", "fixed", "the camera stands twice");
         check("1;0s", "0s", "0.04 to 3600 seconds");
         check("1;99999s", "99999s", "seconds");
+        check("1;@0", "@0", "from 1");
+        check("1;@x", "@x", "from 1");
         check("1;61fps", "61fps", "1 to 60 frames");
         check("1;15x100", "15x100", "16 to 4096");
         check("1;4096x4096", "4096x4096", "8388608 in all");

@@ -43,7 +43,7 @@ pub(crate) fn make(open: &OpenSystem, format: &'static Format, request: &FileReq
     if ratio.is_some_and(|ratio| !RATIO.admits(ratio)) {
         return Err(Refusal::words(format!("ratio must be {}", expected_words(RATIO))));
     }
-    let view = FileView { view, camera, upto: None, ratio: *ratio, is_described: true };
+    let view = FileView { view, segment: None, camera, upto: None, ratio: *ratio, is_described: true };
     let OpenSystem { definition, system } = open;
     let task = FileTask { definition, system, format, options: &options, view, limits: FileLimits::PAGE };
     let mut bytes = vec![];

@@ -43,8 +43,8 @@ pub use figure_renderer::{BAND_PIXEL, FigureRenderer, Painted, PictureOptions};
 pub use framing::Framing;
 pub use page::{PageCamera, PageView};
 pub use plane::{
-    Detail, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target, TilePlace, TileRenderer, Tiles,
-    View, Viewport, fit,
+    Closeup, Detail, MAX_ZOOM, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target, TilePlace,
+    TileRenderer, Tiles, View, Viewport, fit, seen_from, segment_near,
 };
 pub use space::{Camera, Effort, Quality, SolidRenderer, Spent, camera_axes};
 pub use vantage::Vantage;

@@ -1,10 +1,12 @@
 //! Views and cameras as the page's state has them.
 
 use crate::{Camera, View};
+use lsystem_base::MAX_SEGMENT_DIGITS;
+use lsystem_base::fixed::Fixed;
 use serde::Deserialize;
 
 /// A [`View`] of the page's state.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 pub struct PageView {
     x: f64,
     y: f64,
@@ -13,10 +15,22 @@ pub struct PageView {
     fx: f64,
     #[serde(default)]
     fy: f64,
+    /// The number of the segment that is the origin, from 1; empty for the fitted centre.
+    #[serde(default)]
+    at: String,
+}
+
+impl PageView {
+    /// The segment (0-based) whose start is the origin; `None` for the fitted centre.
+    #[must_use]
+    pub fn segment(&self) -> Option<Fixed> {
+        let number = Fixed::read(&self.at, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero())?;
+        Some(number.minus(&Fixed::units(1)))
+    }
 }
 
 impl From<PageView> for View {
-    fn from(PageView { x, y, zoom, fx, fy }: PageView) -> Self {
+    fn from(PageView { x, y, zoom, fx, fy, .. }: PageView) -> Self {
         Self { x, y, zoom, fine: [fx, fy] }
     }
 }

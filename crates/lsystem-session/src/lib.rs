@@ -64,7 +64,8 @@ pub use pace::STEP;
 pub use plain::{ThrownProblems, expand, segments};
 pub use qr::qr_code;
 pub use reading::{
-    AncestryLink, Descendants, Direction, Picked, Place, PolygonFacts, Pose, SegmentFacts, StringPage, SymbolFacts,
+    AncestryLink, Anchor, Descendants, Direction, Picked, Place, PolygonFacts, Pose, SegmentFacts, StringPage,
+    SymbolFacts,
 };
 pub use report::{Legend, Problem, Report};
 pub use session::{Session, StepAnswer};

@@ -4,8 +4,9 @@ use crate::budget::affordable;
 use crate::pace::{STEP, WORK};
 use crate::surface::{Clock, Surface};
 use crate::viewer::{Drawn, Only, PictureSettings, Viewer};
-use lsystem::render::Detail;
-use lsystem::{Drawing, Progress, Renderer};
+use lsystem::drawing::Around;
+use lsystem::render::{Closeup, Detail};
+use lsystem::{Drawing, Progress, Renderer, View};
 use std::sync::Arc;
 
 /// The milliseconds that a fine picture may take before a coarse one is shown instead: a step, since the page gets the next
@@ -16,9 +17,16 @@ const PATIENCE: f64 = STEP;
 /// slowness may have been accidental. If it was not, one picture in five comes later than the others, by one step.
 const SKETCHES: u8 = 4;
 
+/// The neighbourhood of a segment, and its view.
+pub(crate) type Near = (Arc<Around>, View);
+
 /// A drawing in the plane and its picture.
 pub(crate) struct PlaneView {
     drawing: Option<Arc<Drawing>>,
+    /// What the renderers have: the drawing, or what lies around a segment.
+    shown: Option<Arc<Drawing>>,
+    closeup: Option<Closeup>,
+    near: Option<Near>,
     fine: Renderer,
     /// The renderer of coarse pictures. `None` for small pictures, which use `fine` for both and always start coarse.
     coarse: Option<Renderer>,
@@ -45,6 +53,9 @@ impl Default for PlaneView {
     fn default() -> Self {
         Self {
             drawing: None,
+            shown: None,
+            closeup: None,
+            near: None,
             fine: Renderer::new(),
             coarse: Some(Renderer::new()),
             settings: None,
@@ -57,6 +68,7 @@ impl Default for PlaneView {
 
 impl<S: Surface> Viewer<S> for PlaneView {
     fn begin(&mut self, settings: PictureSettings) {
+        let settings = self.aimed(settings);
         self.settings = Some(self.within_room(settings));
         if self.sketches > 0 || self.coarse.is_none() {
             self.sketches = self.sketches.saturating_sub(1);
@@ -123,11 +135,48 @@ impl PlaneView {
     /// Takes the drawing of the next pictures.
     pub(crate) fn load(&mut self, drawing: Arc<Drawing>) {
         self.stage = Stage::Done;
+        (self.closeup, self.near) = (None, None);
+        self.show(drawing.clone());
+        self.drawing = Some(drawing);
+    }
+
+    /// Gives the renderers a drawing.
+    fn show(&mut self, drawing: Arc<Drawing>) {
+        if self.shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, &drawing)) {
+            return;
+        }
         self.fine.load(drawing.clone());
         if let Some(coarse) = &mut self.coarse {
             coarse.load(drawing.clone());
         }
-        self.drawing = Some(drawing);
+        self.shown = Some(drawing);
+    }
+
+    pub(crate) fn closeup(&self) -> Option<(&Closeup, &Near)> {
+        self.closeup.as_ref().zip(self.near.as_ref())
+    }
+
+    /// The settings for what the renderers get: a close-up, if the view has a segment as its origin and the drawing has
+    /// that segment.
+    fn aimed(&mut self, mut settings: PictureSettings) -> PictureSettings {
+        self.near = None;
+        let Some(whole) = &self.drawing else { return settings };
+        let mut shown = whole.clone();
+        if let Some(segment) = &settings.origin {
+            let known = self.closeup.take().filter(|known| known.segment == *segment);
+            let closeup = self.closeup.insert(known.unwrap_or_else(|| Closeup::new(whole.clone(), segment.clone())));
+            self.near = closeup.show(settings.viewport, settings.vantage.view);
+            settings.vantage.view = match &self.near {
+                Some((near, view)) => {
+                    shown = near.drawing.clone();
+                    *view
+                }
+                None => View::default(),
+            };
+            settings.upto = None;
+        }
+        self.show(shown);
+        settings
     }
 
     pub(crate) fn forget(&mut self) {
@@ -136,7 +185,7 @@ impl PlaneView {
 
     /// The settings with as many pixels as fit the memory budget.
     fn within_room(&self, settings: PictureSettings) -> PictureSettings {
-        let Some(drawing) = &self.drawing else { return settings };
+        let Some(drawing) = &self.shown else { return settings };
         let most = |viewport| {
             let most = |detail| Renderer::most_bytes(drawing, &settings.style, viewport, detail);
             most(Detail::Fine) + most(Detail::Coarse)

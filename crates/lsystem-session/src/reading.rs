@@ -6,11 +6,12 @@ use crate::pace::{STEP, WORK};
 use crate::session::Session;
 use crate::surface::Surface;
 use core::ops::Range;
+use lsystem::base::fixed::Fixed;
 use lsystem::derive::{Ancestor, History, Part, Word};
-use lsystem::drawing::{Segment, StyleChange};
-use lsystem::render::{Pointer, Target, fitted_ends, fitted_outline, fitted_polygon};
+use lsystem::drawing::{Around, Segment, StyleChange};
+use lsystem::render::{Closeup, Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, seen_from, segment_near};
 use lsystem::syntax::print_module;
-use lsystem::{Figure, Progress, pick};
+use lsystem::{Figure, Progress, View, pick};
 use serde::Serialize;
 use ts_rs::TS;
 
@@ -29,7 +30,7 @@ enum GenerationReader<'a> {
     Remembered(&'a History),
 }
 
-/// A place relative to the fitted centre, in fitted extents. In the plane: right, up, and a small correction of each. In
+/// A place relative to the origin of the view, usually the fitted centre, in fitted extents. In the plane: right, up, and a small correction of each. In
 /// space: along the three axes of the model.
 pub type Place = Vec<f64>;
 
@@ -139,6 +140,15 @@ pub struct Picked {
     pub filled: Option<PolygonFacts>,
 }
 
+/// A segment as the origin of views.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct Anchor {
+    /// The segment's number, from 1.
+    pub at: String,
+    /// The segment's start, from the origin of the present view.
+    pub place: Place,
+}
+
 /// The turtle after the shown segments.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct Pose {
@@ -211,6 +221,9 @@ impl<S: Surface> Session<S> {
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Picked {
         let pointer = Pointer { at: [x, y], tolerance, upto: self.upto, visits: VISITS };
         let Some(figure) = self.shown.as_ref().filter(|_| self.framing.is_none()) else { return Picked::default() };
+        if let Some((closeup, (near, view))) = self.views.closeup() {
+            return self.pick_near(closeup, near, *view, &pointer).unwrap_or_default();
+        }
         let Some(found) = pick(figure, self.viewport, &self.vantage, &pointer) else { return Picked::default() };
         let (symbol, picked) = match found.target {
             Target::Segment(number) => {
@@ -226,9 +239,73 @@ impl<S: Surface> Session<S> {
         Picked { symbol: symbol.map(|symbol| symbol.to_string()), ancestry, ..picked }
     }
 
+    /// A segment near the middle of the picture, as an origin for deeper views; `None` if there is none, or if the drawing
+    /// cannot be seen from near a segment.
+    pub fn anchor(&self) -> Option<Anchor> {
+        let (number, place) = match (self.views.closeup(), self.shown.as_ref()?) {
+            (Some((closeup, (near, view))), _) => {
+                let local = segment_near(&near.drawing, self.viewport, *view)?.decimal().parse().ok()?;
+                let [start, _] = fitted_ends(&Figure::Plane(near.drawing.clone()), local)?;
+                (near.number_of(local)?, closeup.outside(start[..].try_into().ok()?)?)
+            }
+            (None, Figure::Plane(whole)) => {
+                let number = segment_near(whole, self.viewport, self.vantage.view)?;
+                let mut closeup = Closeup::new(whole.clone(), number.clone());
+                closeup.show(self.viewport, View { zoom: self.vantage.view.zoom, ..View::default() })?;
+                (number, closeup.place()?)
+            }
+            (None, Figure::Space(_)) => return None,
+        };
+        Some(Anchor { at: number.plus(&Fixed::units(1)).decimal(), place: place.to_vec() })
+    }
+
+    /// As [`Session::pick`], in a close-up.
+    fn pick_near(&self, closeup: &Closeup, near: &Around, view: View, pointer: &Pointer) -> Option<Picked> {
+        let figure = Figure::Plane(near.drawing.clone());
+        let found = pick(&figure, self.viewport, &view.into(), &Pointer { upto: None, ..*pointer })?;
+        let outside = |place: &mut Place| {
+            if let Some(out) = place[..].try_into().ok().and_then(|place| closeup.outside(place)) {
+                *place = out.to_vec();
+            }
+        };
+        Some(match found.target {
+            Target::Segment(local) => {
+                let mut stroke = segment_facts(&figure, local)?;
+                [&mut stroke.fitted_from, &mut stroke.fitted_to].into_iter().for_each(outside);
+                if let (Some(Figure::Plane(whole)), [x, y, ..]) = (&self.shown, near.start) {
+                    let start = [whole.start[0] + whole.unit() * x, whole.start[1] + whole.unit() * y];
+                    for end in [&mut stroke.from, &mut stroke.to] {
+                        end.iter_mut().zip(start).for_each(|(at, start)| *at += start);
+                    }
+                }
+                let segment = near.number_of(local)?.decimal();
+                let symbol = segment.parse().ok().and_then(|number| self.symbol_of_segment(number));
+                let ancestry = symbol.map_or_else(Vec::new, |symbol| self.ancestry(self.iterations(), symbol));
+                let symbol = symbol.map(|symbol| symbol.to_string());
+                Picked { segment: Some(segment), symbol, ancestry, stroke: Some(stroke), ..Picked::default() }
+            }
+            Target::Polygon(local) => {
+                let mut filled = polygon_facts(&figure, local)?;
+                filled.outline.iter_mut().for_each(outside);
+                Picked { filled: Some(filled), ..Picked::default() }
+            }
+        })
+    }
+
+    /// A place as one from the origin of the view.
+    fn from_origin(&self, place: Place) -> Place {
+        let origin = self.views.closeup().and_then(|(closeup, _)| closeup.place());
+        match (origin, place[..].try_into()) {
+            (Some(origin), Ok(at)) => seen_from(origin, at).to_vec(),
+            _ => place,
+        }
+    }
+
     /// Segment `number`; `None` after the last.
     pub fn segment(&self, number: u128) -> Option<SegmentFacts> {
-        segment_facts(self.shown.as_ref()?, number)
+        let facts = segment_facts(self.shown.as_ref()?, number)?;
+        let [fitted_from, fitted_to] = [facts.fitted_from, facts.fitted_to].map(|place| self.from_origin(place));
+        Some(SegmentFacts { fitted_from, fitted_to, ..facts })
     }
 
     /// The turtle after the last shown segment, or before the first one; `None` if all segments are shown.
@@ -309,6 +386,7 @@ impl<S: Surface> Session<S> {
     /// A part of the shown generation.
     fn descendants(&self, Part { symbols, segments }: Part) -> Descendants {
         let outline = self.shown.as_ref().map_or_else(Vec::new, |figure| fitted_outline(figure, segments.clone()));
+        let outline = outline.into_iter().map(|place| self.from_origin(place)).collect();
         Descendants { symbols: ends(symbols), segments: ends(segments), outline }
     }
 

@@ -6,6 +6,7 @@ use crate::pace::{REFINING, STEP, WORK};
 use crate::report::Report;
 use crate::surface::{Clock, Surface};
 use crate::viewer::{Drawn, PictureSettings, Views};
+use lsystem::base::fixed::Fixed;
 use lsystem::derive::History;
 use lsystem::drawing::FigureDrawer;
 use lsystem::render::{Framing, Pane, fitted_scale, opening_camera};
@@ -47,6 +48,8 @@ pub struct Session<S> {
     is_report_new: bool,
     pub(crate) viewport: Viewport,
     pub(crate) vantage: Vantage,
+    /// The segment (0-based) whose start is the origin of views in the plane; `None` for the fitted centre.
+    origin: Option<Fixed>,
     /// The camera where the page names none: that of the shown drawing.
     opening: Camera,
     is_camera_named: bool,
@@ -82,6 +85,7 @@ impl<S: Surface> Session<S> {
             is_report_new: false,
             viewport: Viewport { width: 0, height: 0, ratio: 1.0 },
             vantage: Vantage::default(),
+            origin: None,
             opening: Camera::default(),
             is_camera_named: false,
             framing: None,
@@ -135,6 +139,13 @@ impl<S: Surface> Session<S> {
         self.viewport = viewport.within_limits();
         self.is_camera_named = camera.is_some();
         self.vantage = Vantage { view, camera: camera.unwrap_or(self.opening) };
+        self.stale = true;
+    }
+
+    /// Sets the segment (0-based) whose start is the origin of views in the plane; `None` for the fitted centre. All places
+    /// that the session tells are from there.
+    pub fn set_origin(&mut self, segment: Option<Fixed>) {
+        self.origin = segment;
         self.stale = true;
     }
 
@@ -283,6 +294,7 @@ impl<S: Surface> Session<S> {
                 |framing| framing.fitted_scale(viewport, &vantage),
             ),
             vantage: held.map_or(vantage, |framing| framing.hold(figure, viewport, &vantage)),
+            origin: self.origin.clone().filter(|_| held.is_none()),
             upto: self.upto,
             // Mates know neither a refused drawing nor the framing.
             mates: if self.refused || held.is_some() { 0 } else { self.mates },

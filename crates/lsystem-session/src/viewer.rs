@@ -1,9 +1,11 @@
 //! The interface of a drawing's viewer: there is one viewer for the plane and one for space.
 
-use crate::plane::PlaneView;
+use crate::plane::{Near, PlaneView};
 use crate::reading::Pose;
 use crate::solid::SolidView;
 use crate::surface::{Clock, Surface};
+use lsystem::base::fixed::Fixed;
+use lsystem::render::Closeup;
 use lsystem::{Figure, Style, Vantage, Viewport};
 use serde::Serialize;
 use ts_rs::TS;
@@ -17,6 +19,8 @@ pub(crate) struct PictureSettings {
     /// Device pixels of the canvas on the page per fitted extent at zoom 1.
     pub(crate) scale: f64,
     pub(crate) vantage: Vantage,
+    /// The segment whose start is the origin of the view in the plane.
+    pub(crate) origin: Option<Fixed>,
     /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
     /// The number of mates that may help with a picture in space.
@@ -104,6 +108,11 @@ impl Views {
                 self.solid.load(drawing.clone());
             }
         }
+    }
+
+    /// The close-up that is shown, if any.
+    pub(crate) fn closeup(&self) -> Option<(&Closeup, &Near)> {
+        if self.is_solid { None } else { self.plane.closeup() }
     }
 
     pub(crate) fn get<S: Surface>(&self) -> &dyn Viewer<S> {

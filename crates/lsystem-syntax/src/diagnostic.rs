@@ -482,6 +482,8 @@ pub enum Kind {
         /// The derivation step, 1-based; 0 for the axiom.
         step: u32,
     },
+    /// No view around a segment: the drawing has fewer, or its parts are not shared.
+    NoCloseup,
     /// A field of the definition is out of its range.
     Range {
         /// The field's label on the page.

@@ -19,6 +19,8 @@ impl Heading {
     pub const EAST: Self = Self(0);
     /// Along +y.
     pub const UP: Self = Self(TURN / 4);
+    /// The units of a full turn, a multiple of 8.
+    pub const TURN: u64 = TURN;
     /// Half a turn.
     pub const HALF: Self = Self(TURN / 2);
 

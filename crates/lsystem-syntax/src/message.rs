@@ -536,6 +536,10 @@ fn words(kind: &Kind) -> (String, Option<String>) {
             },
             "Is something divided by zero, or does it grow without end? A condition can stop it.".into(),
         ),
+        Kind::NoCloseup => hinted(
+            "This drawing cannot be seen from near that segment".into(),
+            "Segments are counted from 0. The system must be in the plane, without chance, contexts and tropism.".into(),
+        ),
         Kind::Surface { line, problem } => hinted(
             format!("Line {line} of the surfaces: {}", surface_words(*problem)),
             "A surface is a letter, a colon, and 48 numbers for each patch.".into(),

@@ -54,7 +54,13 @@ impl DescentFilm {
     /// # Errors
     /// Throws the words of the first problem.
     pub fn add(&mut self, definition: JsValue) -> Result<(), JsValue> {
-        let frame = Frame { definition: from_js(definition)?, vantage: Vantage::default(), drawn: 1.0, framed: None };
+        let frame = Frame {
+            definition: from_js(definition)?,
+            vantage: Vantage::default(),
+            segment: None,
+            drawn: 1.0,
+            framed: None,
+        };
         let problem = |error: lsystem_syntax::Diagnostic| JsValue::from(error.message());
         self.painter.begin(&frame, [self.side; 2], Detail::Fine).map_err(problem)?;
         while self.painter.step(STEP).map_err(problem)? == Progress::More {}

@@ -15,7 +15,7 @@ use expect_test::expect_file;
 use lsystem_course::steps::{Rows, Single, Trace};
 use lsystem_course::{Exercise, Varied};
 use lsystem_session::{
-    FileRead, Notation, Outcome, Picked, Report, SharedPane, Site, StepAnswer, StringPage, SymbolFacts,
+    Anchor, FileRead, Notation, Outcome, Picked, Report, SharedPane, Site, StepAnswer, StringPage, SymbolFacts,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -49,7 +49,19 @@ fn declarations() -> String {
     macro_rules! visit {
         ($($name:ty),* $(,)?) => { $(all.visit::<$name>();)* };
     }
-    visit!(Report, StepAnswer<'static>, StringPage, SymbolFacts, Picked, Notation, Site, FileRead, SharedPane, Outcome);
+    visit!(
+        Report,
+        StepAnswer<'static>,
+        StringPage,
+        SymbolFacts,
+        Picked,
+        Anchor,
+        Notation,
+        Site,
+        FileRead,
+        SharedPane,
+        Outcome
+    );
     visit!(Exercise, AboutExercise<'static>, MarkReport, CheckReport, GrowthReport, Rows, Single, Trace);
     visit!(AboutClass<'static>, MarkedAnswer, MistakeReport, VariantReport, Varied);
     visit!(

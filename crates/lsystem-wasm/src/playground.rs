@@ -65,6 +65,7 @@ impl Playground {
         vantage: JsValue,
     ) -> Result<(), JsValue> {
         let PageVantage { width, height, ratio, view, camera } = from_js(vantage)?;
+        self.0.set_origin(view.segment());
         self.0.look(Viewport { width, height, ratio }, view.into(), camera.map(Into::into));
         Ok(())
     }
@@ -134,6 +135,15 @@ impl Playground {
     #[wasm_bindgen(unchecked_return_type = "Picked")]
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Result<JsValue, JsValue> {
         to_js(&self.0.pick(x, y, tolerance))
+    }
+
+    /// As [`Session::anchor`]; null for none.
+    ///
+    /// # Errors
+    /// Throws only if the result cannot be translated.
+    #[wasm_bindgen(unchecked_return_type = "Anchor | null")]
+    pub fn anchor(&self) -> Result<JsValue, JsValue> {
+        to_js(&self.0.anchor())
     }
 
     /// As [`Session::set_mates`].

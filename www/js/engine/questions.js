@@ -13,7 +13,7 @@ export class Stopped extends Error {}
 export const SEEDS = 10_000;
 
 /** @type {readonly Asked[]} */
-const READING = /** @satisfies {import('../protocol.js').Reading[]} */ (['string', 'symbol', 'descendant', 'pick']);
+const READING = /** @satisfies {import('../protocol.js').Reading[]} */ (['string', 'symbol', 'descendant', 'anchor', 'pick']);
 /** Whether a question is about the newest definition's string or drawing. @param {Asked} type */
 export const isReading = (type) => READING.includes(type);
 
@@ -112,6 +112,9 @@ export function asking(ask) {
 
         /** @param {number} x @param {number} y @param {number} tolerance */
         pick: (x, y, tolerance) => ask('pick', { x, y, tolerance }),
+
+        /** A segment in the middle of the picture, and its start from the view's origin. */
+        anchor: async () => (await ask('anchor', {})).anchor,
 
         /** @param {import('../protocol.js').Texts} texts */
         notation: (texts) => ask('notation', { texts }),

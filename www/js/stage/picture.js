@@ -1,6 +1,6 @@
 /** The picture on the canvas: the worker's last picture, moved to its place in the current view. */
 
-import { placement } from '../view.js';
+import { placement, viewFrom } from '../view.js';
 
 /** @typedef {import('../state.js').View} View */
 /** @typedef {import('../state.js').Camera} Camera */
@@ -22,6 +22,11 @@ export function createPicture(canvas, mark) {
         },
         get scale() {
             return shown?.scale ?? 1;
+        },
+
+        /** Tells the picture's view from another origin. @param {number[]} place of the new origin @param {string} at the number of the segment there */
+        from(place, at) {
+            if (shown) shown.view = viewFrom(shown.view, place, at);
         },
 
         /** Moves the picture to its place in a view. @param {View} view @param {Camera | null} camera null for a drawing in the plane @param {Size} size of the stage */

@@ -3,6 +3,7 @@
 use super::scene::SceneSize;
 use crate::Plane;
 use crate::chunks::Chunks;
+use crate::course::Spot;
 use crate::space::Geometry;
 use crate::style::{StyleId, WidthChange};
 use core::fmt::Debug;
@@ -52,6 +53,8 @@ pub struct Block<S: Space = Plane> {
     /// One unit of the block's frame is `2^exponent` step lengths. The exponent makes the farthest coordinate at least
     /// 0.5 and less than 1. Powers of two cost no precision and keep n = 1,000 within range.
     pub exponent: i32,
+    /// The block's origin, in the frame of its piece.
+    pub origin: Spot,
     /// The number of segments; saturating.
     pub segments: u128,
     /// The number of polygons; saturating.
@@ -85,6 +88,8 @@ pub struct Stroke<S: Space = Plane> {
     pub to: S::Point,
     /// The style, relative to the block's entry.
     pub style: StyleId,
+    /// Both ends, in the frame of the block's piece.
+    pub spots: [Spot; 2],
 }
 
 /// A filled polygon, by the nonzero winding rule. The vertices are in block units; each is joined to the next and the
@@ -116,6 +121,8 @@ pub struct Placed<S: Space = Plane> {
     pub block: BlockId,
     /// The style at the placed block's entry, relative to the containing block's entry.
     pub style: StyleId,
+    /// The placed block's origin, in the frame of the containing block's piece.
+    pub spot: Spot,
     /// The placed block's origin, in the containing block's units.
     pub at: S::Point,
     /// The placed block's rotation.

@@ -1,6 +1,7 @@
 //! The making of blocks: exponent, hull, counts and widest stroke.
 use crate::Plane;
 use crate::chunks::Chunks;
+use crate::course::{Course, Spot};
 use crate::drawing::block::{Block, BlockId, Contents, Enclosed, HullInput, Item, Placed, Space, Stroke};
 use crate::drawing::scene::SceneSize;
 use crate::room::{bytes_for, bytes_of, reserve};
@@ -16,6 +17,7 @@ pub(crate) struct Builder<S: Space = Plane> {
     /// The vertices of polygons; polygons share none.
     pub vertices: Vec<S::Point>,
     pub(crate) styles: Styles,
+    pub(crate) course: Course<S>,
     pub directions: S::Directions,
     /// A reusable buffer for a hull's points.
     pub points: Vec<S::Point>,
@@ -46,6 +48,7 @@ impl<S: Space> Builder<S> {
             corners: vec![],
             vertices: vec![],
             styles: Styles::new(),
+            course: Course::new(),
             directions: S::directions(),
             points: vec![],
         }
@@ -68,6 +71,7 @@ impl<S: Space> Builder<S> {
             + bytes_of(&self.vertices)
             + bytes_of(&self.points)
             + self.styles.bytes()
+            + self.course.bytes()
     }
 
     /// Frees the unused capacity of the lists.
@@ -76,12 +80,16 @@ impl<S: Space> Builder<S> {
         self.items.shrink();
         self.corners.shrink_to_fit();
         self.vertices.shrink_to_fit();
+        self.course.legs.shrink_to_fit();
     }
 
     /// Makes room for a block with this many items. Returns false, and the builder is full, if memory does not suffice.
     /// While a list grows, the old and the new list count.
     fn has_room(&mut self, items: usize) -> bool {
-        let more = bytes_for(&self.blocks, 1) + self.items.bytes_for(items) + bytes_for(&self.corners, 64);
+        let more = bytes_for(&self.blocks, 1)
+            + self.items.bytes_for(items)
+            + bytes_for(&self.corners, 64)
+            + self.course.bytes_for(items);
         self.is_full |= more > 0 && self.bytes() + more > self.memory;
         if !self.is_full {
             reserve(&mut self.blocks, 1);
@@ -90,18 +98,18 @@ impl<S: Space> Builder<S> {
         !self.is_full
     }
 
-    /// Makes a block of `items`, whose coordinates are in units of `2^exponent` steps. If the only item is an unchanged
+    /// Makes a block of `items`, whose coordinates are in units of `2^exponent` steps from `origin`. If the only item is an unchanged
     /// block, returns that block. `None` without items, or if memory does not suffice; the builder is then full.
-    pub(crate) fn block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
+    pub(crate) fn block(&mut self, items: &[Item<S>], exponent: i32, origin: Spot) -> Option<BlockId> {
         match *items {
             [] => None,
             [Item::Block(only)] if only.is_plain(self, exponent) => Some(only.block),
-            _ => self.new_block(items, exponent),
+            _ => self.new_block(items, exponent, origin),
         }
     }
 
     /// As [`Builder::block`], but always makes a block of its own. There is at least one item.
-    pub(crate) fn new_block(&mut self, items: &[Item<S>], exponent: i32) -> Option<BlockId> {
+    pub(crate) fn new_block(&mut self, items: &[Item<S>], exponent: i32, origin: Spot) -> Option<BlockId> {
         if !self.has_room(items.len()) {
             return None;
         }
@@ -139,6 +147,7 @@ impl<S: Space> Builder<S> {
         self.blocks.push(Block {
             items: numbers,
             exponent: exponent.saturating_add(shift),
+            origin,
             segments,
             polygons,
             hull,
@@ -154,7 +163,11 @@ impl<S: Space> Placed<S> {
     fn is_plain(&self, builder: &Builder<S>, exponent: i32) -> bool {
         let same = libm::scalbn(1.0, builder.blocks[self.block.0 as usize].exponent.saturating_sub(exponent));
         let style = &builder.styles.list[self.style.0 as usize];
-        self.scale == same && self.at == S::Point::default() && self.heading == S::AHEAD && *style == StyleChange::NONE
+        self.scale == same
+            && self.spot == Spot::ENTRY
+            && self.at == S::Point::default()
+            && self.heading == S::AHEAD
+            && *style == StyleChange::NONE
     }
 }
 

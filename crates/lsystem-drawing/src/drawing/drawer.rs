@@ -7,6 +7,7 @@ use super::pieces::Pieces;
 use super::share::Share;
 use super::task::{Made, Outcome, Task};
 use super::unfold::Unfold;
+use crate::course::Spot;
 use crate::space::times;
 use crate::{ColourChange, Plane, StyleChange, System, Turtle};
 use lsystem_base::{LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
@@ -72,7 +73,9 @@ impl<S: Space> Drawer<S> {
         } else {
             Unfold::new(&task, None).map_or_else(Stage::Failed, Stage::Unfold)
         };
-        Self { task, shares, builder: Builder::within(limits.memory), symbols: None, stage, spent: 0 }
+        let mut builder = Builder::within(limits.memory);
+        builder.course.keep(shares && S::LEVEL, task.score.exponent);
+        Self { task, shares, builder, symbols: None, stage, spent: 0 }
     }
 
     /// Continues for about `work` units (100,000 take a few milliseconds). Returns whether there is more to do.
@@ -143,6 +146,7 @@ impl<S: Space> Drawer<S> {
             step: self.task.score.step,
             width: self.task.score.width,
             pieces,
+            course: self.builder.course,
             memoised: self.shares,
             places: vec![],
             depths: vec![],
@@ -180,6 +184,7 @@ impl<S: Space> Drawer<S> {
             }
             Outcome::NotShareable(largest) => {
                 *shares = false;
+                builder.course.keep(false, 0);
                 *stage = Unfold::new(task, largest).map_or_else(Stage::Failed, Stage::Unfold);
             }
             Outcome::Failed(diagnostic) => *stage = Stage::Failed(diagnostic),
@@ -196,14 +201,23 @@ fn with_wires<S: Space>(root: Option<BlockId>, task: &Task<S>, builder: &mut Bui
     let look = StyleChange { colour: ColourChange::Set(Style::FAINT), ..StyleChange::start(0.0) };
     let style = builder.styles.id(&look);
     let place = |[a, b, c]: [f64; 3]| times(S::point([a - x, b - y, c]), 1.0 / task.score.step);
-    let strokes = wires.iter().map(|[from, to]| Item::Stroke(Stroke { from: place(*from), to: place(*to), style }));
-    let wires = builder.block(&strokes.collect::<Vec<_>>(), 0);
+    let strokes = wires
+        .iter()
+        .map(|[from, to]| Item::Stroke(Stroke { from: place(*from), to: place(*to), style, spots: [Spot::ENTRY; 2] }));
+    let wires = builder.block(&strokes.collect::<Vec<_>>(), 0, Spot::ENTRY);
     let unchanged = builder.styles.id(&StyleChange::NONE);
     let whole = [root, wires].into_iter().flatten().map(|block| {
         let scale = libm::scalbn(1.0, builder.blocks[block.0 as usize].exponent);
-        Item::Block(Placed { block, style: unchanged, at: S::Point::default(), heading: S::AHEAD, scale })
+        Item::Block(Placed {
+            block,
+            style: unchanged,
+            spot: Spot::ENTRY,
+            at: S::Point::default(),
+            heading: S::AHEAD,
+            scale,
+        })
     });
-    builder.block(&whole.collect::<Vec<_>>(), 0)
+    builder.block(&whole.collect::<Vec<_>>(), 0, Spot::ENTRY)
 }
 
 /// The stage after all blocks are made.

@@ -3,6 +3,7 @@
 use super::builder::Builder;
 use super::taper::{Flow, Taper, TaperItems};
 use crate::chunks::Chunks;
+use crate::course::{Course, Leg, Spot};
 use crate::drawing::block::{Item, Placed, Polygon, Space, Stroke};
 use crate::room::{bytes_of, reserve};
 use crate::space::minus;
@@ -14,7 +15,7 @@ use crate::turtle::Paper;
 pub(super) struct ItemBuffer<S: Space> {
     pub items: Vec<Item<S>>,
     /// The open polygons, innermost last: the indices of their items, and their vertices so far.
-    open: Vec<(usize, Vec<S::Point>)>,
+    open: Vec<(usize, Vec<(S::Point, Spot)>)>,
     /// The number of vertices of all open polygons.
     held: usize,
     /// The place of the symbol that is being drawn, as in [`Polygon::symbol`].
@@ -43,7 +44,7 @@ impl<S: Space> ItemBuffer<S> {
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.items)
             + bytes_of(&self.open)
-            + (2 * self.held * size_of::<S::Point>()) as u64
+            + (2 * self.held * size_of::<(S::Point, Spot)>()) as u64
             + self.taper.as_ref().map_or(0, Taper::bytes)
     }
 }
@@ -54,11 +55,14 @@ pub(super) fn is_hollow<S: Space>(item: &Item<S>) -> bool {
 }
 
 /// The point at which an item begins.
-pub(super) fn origin<S: Space>(builder: &Builder<S>, item: &Item<S>) -> S::Point {
+pub(super) fn origin<S: Space>(builder: &Builder<S>, item: &Item<S>) -> (S::Point, Spot) {
     match item {
-        Item::Stroke(stroke) => stroke.from,
-        Item::Polygon(polygon) => builder.vertices[polygon.first as usize],
-        Item::Block(placed) => placed.at,
+        Item::Stroke(stroke) => (stroke.from, stroke.spots[0]),
+        Item::Polygon(polygon) => {
+            let first = polygon.first as usize;
+            (builder.vertices[first], builder.course.vertices.get(first).copied().unwrap_or_default())
+        }
+        Item::Block(placed) => (placed.at, placed.spot),
     }
 }
 
@@ -85,6 +89,7 @@ pub(crate) struct ItemWriter<'a, S: Space> {
     pub made: &'a mut Chunks<Item<S>>,
     pub styles: &'a mut Styles,
     pub vertices: &'a mut Vec<S::Point>,
+    pub course: &'a mut Course<S>,
 }
 
 impl<S: Space> ItemWriter<'_, S> {
@@ -97,9 +102,9 @@ impl<S: Space> ItemWriter<'_, S> {
         }
     }
 
-    fn push(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+    fn push(&mut self, [from, to]: [S::Point; 2], spots: [Spot; 2], style: &StyleChange) {
         reserve(&mut self.buffer.items, 1);
-        self.buffer.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style) }));
+        self.buffer.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style), spots }));
     }
 
     /// As [`Tree::place`](super::tree::Tree::place).
@@ -110,20 +115,24 @@ impl<S: Space> ItemWriter<'_, S> {
 }
 
 impl<S: Space> Paper<S> for ItemWriter<'_, S> {
-    fn stroke(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+    fn go(&mut self, leg: Leg<S>) -> Spot {
+        self.course.go(leg)
+    }
+
+    fn stroke(&mut self, ends: [S::Point; 2], spots: [Spot; 2], style: &StyleChange) {
         self.taper(|taper, index, items| taper.stroke(style.width, index, items));
-        self.push(from, to, style);
+        self.push(ends, spots, style);
     }
 
-    fn side(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+    fn side(&mut self, ends: [S::Point; 2], spots: [Spot; 2], style: &StyleChange) {
         let next = self.buffer.taper.is_some().then_some(style.width);
-        self.push(from, to, &StyleChange { next, ..*style });
+        self.push(ends, spots, &StyleChange { next, ..*style });
     }
 
-    fn tube(&mut self, from: S::Point, to: S::Point, style: &StyleChange) {
+    fn tube(&mut self, ends: [S::Point; 2], style: &StyleChange) {
         // Without tapers, an even stroke has no width at its end.
         let next = style.next.filter(|next| self.buffer.taper.is_some() || *next != style.width);
-        self.push(from, to, &StyleChange { next, ..*style });
+        self.push(ends, [Spot::ENTRY; 2], &StyleChange { next, ..*style });
     }
 
     fn gap(&mut self) {
@@ -145,17 +154,17 @@ impl<S: Space> Paper<S> for ItemWriter<'_, S> {
         items.push(Item::Polygon(Polygon { first: 0, count: 0, style: self.styles.id(style), symbol: *symbol }));
     }
 
-    fn first_vertex(&mut self, at: S::Point) {
+    fn first_vertex(&mut self, at: S::Point, spot: Spot) {
         if self.buffer.open.last().is_some_and(|(_, vertices)| vertices.is_empty()) {
-            self.vertex(at);
+            self.vertex(at, spot);
         }
     }
 
-    fn vertex(&mut self, at: S::Point) {
+    fn vertex(&mut self, at: S::Point, spot: Spot) {
         if let Some((_, vertices)) = self.buffer.open.last_mut()
-            && vertices.last() != Some(&at)
+            && vertices.last().is_none_or(|&(last, before)| last != at || before != spot && self.course.kept)
         {
-            vertices.push(at);
+            vertices.push((at, spot));
             self.buffer.held += 1;
         }
     }
@@ -168,7 +177,10 @@ impl<S: Space> Paper<S> for ItemWriter<'_, S> {
         {
             (polygon.first, polygon.count) = (self.vertices.len() as u32, vertices.len() as u32);
             reserve(self.vertices, vertices.len());
-            self.vertices.extend(vertices);
+            self.vertices.extend(vertices.iter().map(|(at, _)| at));
+            if self.course.kept {
+                self.course.vertices.extend(vertices.iter().map(|(_, spot)| spot));
+            }
         }
     }
 }

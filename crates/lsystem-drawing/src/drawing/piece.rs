@@ -4,6 +4,7 @@ use super::block::{BlockId, Placed, Space};
 use super::builder::Builder;
 use super::taper::Flow;
 use crate::Plane;
+use crate::course::{By, Leg, Spot};
 use crate::space::{reach, times, unit_of};
 use crate::style::StyleChange;
 use crate::turtle::{Pen, Score};
@@ -14,6 +15,8 @@ use lsystem_derive::LetterId;
 pub struct Effect<S: Space = Plane> {
     /// The position at the end, in units of `2^exponent` steps.
     pub at: S::Point,
+    /// That position, exactly.
+    pub spot: Spot,
     /// The exponent of the unit of `at`.
     pub exponent: i32,
     /// The rotation at the end.
@@ -63,6 +66,7 @@ pub(super) fn place<S: Space>(
     Placed {
         block,
         style: builder.styles.id(&pen.style),
+        spot: pen.spot,
         at: pen.at,
         heading: pen.heading,
         scale: pen.scale * libm::scalbn(factor, own - exponent),
@@ -80,6 +84,8 @@ pub(super) fn follow<S: Space>(
     let axes = S::axes(&mut builder.directions, pen.heading);
     let by = times(shifted(times(effect.at, factor), effect.exponent.saturating_sub(exponent)), pen.scale);
     pen.at = S::transform(&axes, pen.at, by);
+    let (by, factor) = (By::Piece(effect.spot), factor * pen.scale);
+    pen.spot = builder.course.go(Leg { from: pen.spot, by, heading: pen.heading, factor });
     pen.heading = S::then(pen.heading, effect.heading);
     pen.style = pen.style.then(&effect.style);
     pen.scale_by(effect.scale);
@@ -93,6 +99,7 @@ pub(super) fn effect<S: Space>(pen: &Pen<S>, exponent: i32, swapped: bool) -> Ef
     let at = shifted(pen.at, -shift);
     Effect {
         at,
+        spot: pen.spot,
         exponent: exponent.saturating_add(shift),
         heading: pen.heading,
         style: pen.style,

@@ -7,6 +7,7 @@ use super::pieces::Pieces;
 use super::segments::{BlockFrame, Cursor, ItemRef};
 use super::tree::Tree;
 use crate::Solid;
+use crate::course::{Course, Spot};
 use crate::drawing::block::{BlockId, Space};
 use crate::plane::Plane;
 use crate::rotation::dot;
@@ -209,10 +210,10 @@ impl Projection {
         let range = points.start as usize..points.end as usize;
         let points = &self.points[range.clone()];
         self.tree.draw(&mut self.builder, 0, |paper, _| match points {
-            [from, to] if !filled => paper.stroke(*from, *to, style),
+            [from, to] if !filled => paper.stroke([*from, *to], [Spot::ENTRY; 2], style),
             points => {
                 paper.open(style);
-                points.iter().for_each(|&point| paper.vertex(point));
+                points.iter().for_each(|&point| paper.vertex(point, Spot::ENTRY));
                 paper.close();
             }
         });
@@ -247,6 +248,7 @@ impl Projection {
             step: drawing.step,
             width: drawing.width,
             pieces: Pieces::None,
+            course: Course::new(),
             memoised: false,
             places,
             depths,

@@ -7,6 +7,7 @@ use super::scene::SceneSize;
 use super::{BlockFrame, Drawing, Pieces};
 use crate::Solid;
 use crate::chunks::Chunks;
+use crate::course::{Course, Spot};
 use crate::room::bytes_of;
 use crate::rotation::Vector;
 use crate::style::{StyleChange, StyleId, Styles};
@@ -115,7 +116,7 @@ impl Simplifier {
                         next: Some(inner.widest),
                         ..last(drawing, inner)
                     });
-                    (Item::Stroke(Stroke { from, to, style: styles.id(&look) }), 1, 0)
+                    (Item::Stroke(Stroke { from, to, style: styles.id(&look), spots: [Spot::ENTRY; 2] }), 1, 0)
                 } else if let Some(&block) = self.known.get(&(placed.block, scale.to_bits())) {
                     let simple = &self.blocks[block.0 as usize];
                     let placed = Placed { block, style: style(placed.style), ..placed };
@@ -153,6 +154,7 @@ impl Simplifier {
             step: drawing.step,
             width: drawing.width,
             pieces: Pieces::None,
+            course: Course::new(),
             memoised: drawing.memoised,
             places: vec![],
             depths: vec![],

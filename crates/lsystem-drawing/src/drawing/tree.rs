@@ -3,6 +3,7 @@
 use super::builder::Builder;
 use super::item_buffer::{ItemBuffer, ItemWriter, is_hollow, origin, shift};
 use super::taper::{Flow, TaperItems};
+use crate::course::Spot;
 use crate::drawing::block::{BlockId, Item, Placed, Space};
 use crate::room::bytes_of;
 use crate::space::minus;
@@ -31,7 +32,7 @@ pub(crate) struct Tree<S: Space> {
     /// The items of the block that is made next.
     run: Vec<Item<S>>,
     /// By height: the blocks without a parent, and their origins.
-    rows: Vec<Vec<(BlockId, S::Point)>>,
+    rows: Vec<Vec<(BlockId, S::Point, Spot)>>,
 }
 
 impl<S: Space> Tree<S> {
@@ -66,8 +67,8 @@ impl<S: Space> Tree<S> {
     ) {
         // A string that is drawn symbol by symbol has fewer than 2^32 symbols.
         self.buffer.symbol = place as u32;
-        let Builder { styles, vertices, directions, items: made, .. } = builder;
-        act(&mut ItemWriter { buffer: &mut self.buffer, made, styles, vertices }, directions);
+        let Builder { styles, vertices, directions, items: made, course, .. } = builder;
+        act(&mut ItemWriter { buffer: &mut self.buffer, made, styles, vertices, course }, directions);
         self.settle(builder);
     }
 
@@ -79,8 +80,8 @@ impl<S: Space> Tree<S> {
         flow: &Flow,
         entry: WidthChange,
     ) {
-        let Builder { styles, vertices, items: made, .. } = builder;
-        ItemWriter { buffer: &mut self.buffer, made, styles, vertices }.place(placed, flow, entry);
+        let Builder { styles, vertices, items: made, course, .. } = builder;
+        ItemWriter { buffer: &mut self.buffer, made, styles, vertices, course }.place(placed, flow, entry);
         self.settle(builder);
     }
 
@@ -107,7 +108,7 @@ impl<S: Space> Tree<S> {
     pub(crate) fn finish_one(&mut self, builder: &mut Builder<S>) -> Option<Option<BlockId>> {
         if self.is_word && self.rows.is_empty() && self.done == 0 {
             self.buffer.finish();
-            return Some(builder.block(&self.buffer.items, self.exponent));
+            return Some(builder.block(&self.buffer.items, self.exponent, Spot::ENTRY));
         }
         if self.done < self.buffer.items.len() {
             self.close_run(builder);
@@ -124,7 +125,7 @@ impl<S: Space> Tree<S> {
         let row = self.rows.pop();
         Some(row.and_then(|row| {
             let items = self.items(builder, &row, S::Point::default());
-            builder.block(&items, self.exponent)
+            builder.block(&items, self.exponent, Spot::ENTRY)
         }))
     }
 
@@ -138,18 +139,18 @@ impl<S: Space> Tree<S> {
         self.run.extend(next.iter().filter(|item| !is_hollow(item)));
         let from = self.done;
         self.done += count;
-        let made = self.run.first().map(|item| origin(builder, item)).and_then(|origin| {
+        let made = self.run.first().map(|item| origin(builder, item)).and_then(|(origin, spot)| {
             shift(builder, &mut self.run, &origin);
             // An item that waits for the width at its end stays an item.
             let keeps = self.buffer.taper.is_some();
             let block = if keeps {
-                builder.new_block(&self.run, self.exponent)
+                builder.new_block(&self.run, self.exponent, spot)
             } else {
-                builder.block(&self.run, self.exponent)
+                builder.block(&self.run, self.exponent, spot)
             };
-            block.map(|block| (block, origin))
+            block.map(|block| (block, origin, spot))
         });
-        if let (Some(taper), Some((block, _))) = (&mut self.buffer.taper, made) {
+        if let (Some(taper), Some((block, ..))) = (&mut self.buffer.taper, &made) {
             let number = builder.blocks[block.0 as usize].items.start;
             taper.moved(&self.buffer.items, from, number, block.0 as usize);
         }
@@ -157,17 +158,17 @@ impl<S: Space> Tree<S> {
             self.buffer.items.clear();
             self.done = 0;
         }
-        if let Some((block, origin)) = made {
-            self.push_block(builder, 0, block, origin);
+        if let Some(made) = made {
+            self.push_block(builder, 0, made);
         }
     }
 
     /// Adds a block at a height, and gives a full row a parent.
-    fn push_block(&mut self, builder: &mut Builder<S>, height: usize, block: BlockId, origin: S::Point) {
+    fn push_block(&mut self, builder: &mut Builder<S>, height: usize, made: (BlockId, S::Point, Spot)) {
         if self.rows.len() == height {
             self.rows.push(vec![]);
         }
-        self.rows[height].push((block, origin));
+        self.rows[height].push(made);
         if self.rows[height].len() > BLOCKS {
             self.close_row(builder, height);
         }
@@ -178,20 +179,20 @@ impl<S: Space> Tree<S> {
         let mut row = core::mem::take(&mut self.rows[height]);
         let rest = row.split_off(row.len().min(BLOCKS));
         self.rows[height] = rest;
-        let Some(&(_, origin)) = row.first() else { return };
+        let Some(&(_, origin, spot)) = row.first() else { return };
         let items = self.items(builder, &row, origin);
-        if let Some(block) = builder.block(&items, self.exponent) {
-            self.push_block(builder, height + 1, block, origin);
+        if let Some(block) = builder.block(&items, self.exponent, spot) {
+            self.push_block(builder, height + 1, (block, origin, spot));
         }
     }
 
     /// Items that place the blocks of a row relative to `origin`.
-    fn items(&self, builder: &mut Builder<S>, row: &[(BlockId, S::Point)], origin: S::Point) -> Vec<Item<S>> {
+    fn items(&self, builder: &mut Builder<S>, row: &[(BlockId, S::Point, Spot)], origin: S::Point) -> Vec<Item<S>> {
         let style = builder.styles.id(&StyleChange::NONE);
-        let place = |&(block, at): &(BlockId, S::Point)| {
+        let place = |&(block, at, spot): &(BlockId, S::Point, Spot)| {
             let own = builder.blocks[block.0 as usize].exponent;
             let scale = libm::scalbn(1.0, own - self.exponent);
-            Item::Block(Placed { block, style, at: minus(at, &origin), heading: S::AHEAD, scale })
+            Item::Block(Placed { block, style, spot, at: minus(at, &origin), heading: S::AHEAD, scale })
         };
         row.iter().map(place).collect()
     }

@@ -64,18 +64,18 @@ fn reduce_to_hull(points: &mut Vec<[f64; 2]>) {
 }
 
 /// The fitted view in units of the root block.
-struct FittedFrame {
+pub(super) struct FittedFrame {
     centre: [f64; 2],
     side: f64,
 }
 
 impl FittedFrame {
-    fn new(drawing: &Drawing) -> Self {
+    pub(super) fn new(drawing: &Drawing) -> Self {
         let (_, rect) = root_bounds(drawing);
         Self { centre: rect.centre(), side: rect.longer_side() }
     }
 
-    fn fit(&self, at: [Wide; 2]) -> Fitted {
+    pub(super) fn fit(&self, at: [Wide; 2]) -> Fitted {
         let [x, y] = [0, 1].map(|axis| at[axis].plus(-self.centre[axis]).over(self.side).parts());
         [x[0], y[0], x[1], y[1]]
     }

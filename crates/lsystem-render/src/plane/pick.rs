@@ -5,7 +5,8 @@ use super::inks::Choice;
 use super::search::{Aim, Order, Pick, Pointer, Sight, covers, nearest_on, search};
 use super::seen::Seen;
 use super::view::{View, ViewTransform, Viewport};
-use lsystem_drawing::{BlockId, Drawing, Placed, Plane, Polygon, Stroke};
+use lsystem_base::fixed::Fixed;
+use lsystem_drawing::{BlockId, Drawing, Item, Placed, Plane, Polygon, Stroke, count_of};
 
 /// The segment or the polygon near a place of a picture. Among the polygons filled there and the segments within a
 /// quarter of the tolerance, the last drawn is picked. If there are none, the nearest is picked, to a 32nd of the
@@ -19,6 +20,48 @@ pub(crate) fn pick(drawing: &Drawing, viewport: Viewport, view: View, pointer: &
     let root = descent.root(drawing, transform)?;
     let mut sight = PlaneSight { drawing, at: pointer.at, descent, seen: Seen::default(), step: transform.step };
     search(drawing, pointer, &mut sight, root, Order::Best)
+}
+
+/// The number (0-based) of a segment in the picture, near its middle, however many segments the drawing has; `None` if
+/// there is none.
+#[must_use]
+pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View) -> Option<Fixed> {
+    /// The most items that are looked at: a few for each of some thousand nested blocks.
+    const VISITS: usize = 1 << 15;
+    let at = [viewport.width, viewport.height].map(|side| f64::from(side) / 2.0);
+    let transform = ViewTransform::new(drawing, viewport, view, 1.0);
+    let mut descent = Descent::default();
+    let mut open = vec![(0.0, descent.root(drawing, transform)?, Fixed::default())];
+    let mut sight = PlaneSight { drawing, at, descent, seen: Seen::default(), step: transform.step };
+    let (counts, near) = (drawing.counts(), at[0].max(at[1]));
+    let mut visits = 0;
+    while let Some((distance, node, mut before)) = open.pop() {
+        let id = node.block;
+        if distance > near || visits > VISITS || counts[id.0 as usize].is_zero() {
+            continue;
+        }
+        // All of a block has coordinates below 1.
+        if node.place.scale < near {
+            return Some(before);
+        }
+        let siblings = open.len();
+        for item in drawing.items_of(id) {
+            visits += 1;
+            match item {
+                Item::Stroke(stroke) if sight.stroke(&node, stroke)?.distance <= near => return Some(before),
+                Item::Stroke(_) | Item::Polygon(_) => {}
+                Item::Block(placed) => {
+                    let inner = sight.inside(&node, placed);
+                    let distance = sight.block(placed.block, &inner).map_or(f64::INFINITY, |aim| aim.distance);
+                    open.push((distance, inner, before.clone()));
+                }
+            }
+            before = before.plus(&count_of(&counts, item));
+        }
+        // The nearest is looked into first.
+        open[siblings..].sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
+    }
+    None
 }
 
 /// Places the items of a drawing in the plane relative to a pointer.
@@ -103,7 +146,6 @@ mod tests {
     use super::super::{fitted_ends, fitted_outline, fitted_scale};
     use super::*;
     use crate::Renderer;
-    use lsystem_drawing::Item;
     use lsystem_syntax::{ColourBy, Style};
     use std::sync::Arc;
 

@@ -229,7 +229,7 @@ impl PlaneFraming {
     }
 
     /// The framing in units of the root block.
-    fn of_root(drawing: &Drawing) -> Self {
+    pub(super) fn of_root(drawing: &Drawing) -> Self {
         let (_, rect) = root_bounds(drawing);
         let pad = drawing.root.and_then(|id| drawing.blocks.get(id.0 as usize)).map_or(0.0, |root| {
             let widest = root.widest.factor * drawing.width + root.widest.offset;
@@ -240,7 +240,7 @@ impl PlaneFraming {
     }
 
     /// Pixels in one unit at zoom 1.
-    fn scale(&self, viewport: Viewport) -> f64 {
+    pub(super) fn scale(&self, viewport: Viewport) -> f64 {
         let [width, height] = viewport.usable();
         (width / self.room[0]).min(height / self.room[1])
     }

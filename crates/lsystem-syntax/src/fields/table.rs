@@ -3,7 +3,7 @@
 use super::{Access, Affects, FieldSpec, Section, Slider};
 use crate::value::FieldType;
 use crate::{ColourBy, Dialect, Expected, Ink};
-use lsystem_base::{MAX_ITERATIONS, MAX_SURFACES_TEXT, MAX_TEXT};
+use lsystem_base::{MAX_ITERATIONS, MAX_SEGMENT_DIGITS, MAX_SURFACES_TEXT, MAX_TEXT};
 
 /// Access to a member of a definition.
 macro_rules! at {
@@ -47,13 +47,15 @@ const SWAY: Expected = Expected::Between(-3600.0, 3600.0);
 /// The smallest magnification.
 const MIN_ZOOM: f64 = 1e-2;
 
-/// A view of the plane. The largest zoom fills the picture with one step of a drawing that is 10^24 steps wide.
+/// A view of the plane. Up to a zoom of 10^25, two numbers are enough for a place; beyond, its origin is the start of the
+/// segment with the number `at`.
 const VIEW: &[(&str, Expected)] = &[
     ("x", Expected::Between(-1e6, 1e6)),
     ("y", Expected::Between(-1e6, 1e6)),
-    ("zoom", Expected::Between(MIN_ZOOM, 1e25)),
+    ("zoom", Expected::Between(MIN_ZOOM, 1e301)),
     ("fx", Expected::Between(-1.0, 1.0)),
     ("fy", Expected::Between(-1.0, 1.0)),
+    ("at", Expected::Text(MAX_SEGMENT_DIGITS)),
 ];
 
 /// A view of space. Single precision is enough up to the largest zoom.

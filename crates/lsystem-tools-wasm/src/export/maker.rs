@@ -29,7 +29,7 @@ pub(crate) fn make(order: &Order, owner: &mut dyn Owner) -> Report {
     let Some(system) = system else {
         return Report { complete: false, diagnostics: problems(&diagnostics, definition, "") };
     };
-    let task = FileTask { definition, system: &system, format, options, view: *view, limits: FileLimits::PAGE };
+    let task = FileTask { definition, system: &system, format, options, view: view.clone(), limits: FileLimits::PAGE };
     let (complete, remarks) = match Sink::to(owner, |sink| lsystem_files::make(&task, sink)) {
         Ok(notes) => (true, notes.remark),
         Err(halt) => (false, Some(halt.diagnostic())),

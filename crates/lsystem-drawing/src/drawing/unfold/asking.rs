@@ -1,6 +1,7 @@
 //! The answers to queries: the turtle walks a word without drawing it.
 
 use super::generations::TurtleOpReader;
+use crate::course::{Leg, Spot};
 use crate::drawing::task::Task;
 use crate::neighbours::{Crowd, Site, Sky};
 use crate::room::bytes_of;
@@ -168,14 +169,17 @@ impl Walk {
 struct NoPaper;
 
 impl Paper<Solid> for NoPaper {
-    fn stroke(&mut self, _: [f64; 3], _: [f64; 3], _: &StyleChange) {}
-    fn side(&mut self, _: [f64; 3], _: [f64; 3], _: &StyleChange) {}
-    fn tube(&mut self, _: [f64; 3], _: [f64; 3], _: &StyleChange) {}
+    fn go(&mut self, _: Leg<Solid>) -> Spot {
+        Spot::ENTRY
+    }
+    fn stroke(&mut self, _: [[f64; 3]; 2], _: [Spot; 2], _: &StyleChange) {}
+    fn side(&mut self, _: [[f64; 3]; 2], _: [Spot; 2], _: &StyleChange) {}
+    fn tube(&mut self, _: [[f64; 3]; 2], _: &StyleChange) {}
     fn gap(&mut self) {}
     fn branch(&mut self) {}
     fn rejoin(&mut self) {}
     fn open(&mut self, _: &StyleChange) {}
-    fn first_vertex(&mut self, _: [f64; 3]) {}
-    fn vertex(&mut self, _: [f64; 3]) {}
+    fn first_vertex(&mut self, _: [f64; 3], _: Spot) {}
+    fn vertex(&mut self, _: [f64; 3], _: Spot) {}
     fn close(&mut self) {}
 }

@@ -1,0 +1,185 @@
+//! Views deeper than coordinates in `f64` reach: what lies around a segment, drawn by itself.
+
+use super::exact::FittedFrame;
+use super::view::{PlaneFraming, root_bounds};
+use super::wide::Wide;
+use super::{View, Viewport};
+use lsystem_base::fixed::Fixed;
+use lsystem_drawing::{Around, Drawing, exponent_of};
+use std::sync::Arc;
+
+/// The neighbourhood that is drawn reaches at least `2^MARGIN` times the longer side of the picture.
+const MARGIN: i32 = 4;
+/// Neighbourhoods reach to powers of `2^STEP` steps, so that one serves many views.
+const STEP: i32 = 16;
+
+/// The largest zoom of close views.
+pub const MAX_ZOOM: f64 = 1e301;
+
+/// Close views of a drawing around one segment. The segment's start is the origin of views.
+#[derive(Clone, Debug)]
+pub struct Closeup {
+    whole: Arc<Drawing>,
+    /// The segment (0-based).
+    pub segment: Fixed,
+    /// The neighbourhood drawn last, by the exponent of its reach.
+    near: Option<(i32, Arc<Around>)>,
+}
+
+impl Closeup {
+    /// Views around the segment with a number (0-based).
+    #[must_use]
+    pub fn new(whole: Arc<Drawing>, segment: Fixed) -> Self {
+        Self { whole, segment, near: None }
+    }
+
+    /// A close-up and the view that shows one step of the turtle as `share` of the fitted side of a picture; `None` as for
+    /// [`Closeup::show`].
+    #[must_use]
+    pub fn on_step(whole: Arc<Drawing>, segment: Fixed, share: f64) -> Option<(Self, View)> {
+        let mut new = Self::new(whole, segment);
+        new.show(Viewport { width: 1, height: 1, ratio: 1.0 }, View::default())?;
+        let zoom = libm::scalbn(share * root_bounds(&new.whole).1.longer_side(), exponent(&new.whole));
+        Some((new, View { zoom: zoom.clamp(1.0, MAX_ZOOM), ..View::default() }))
+    }
+
+    /// The drawing and its view that show what `view` shows of the whole drawing. The view's zoom and coordinates are
+    /// relative to the fitted whole, its origin is the start of the segment. `None` if there is no such segment, or if
+    /// the drawing cannot be seen this way: only shared drawings in the plane can.
+    pub fn show(&mut self, viewport: Viewport, view: View) -> Option<(Arc<Around>, View)> {
+        let outer = PlaneFraming::of_root(&self.whole);
+        let zoom = if view.zoom.is_normal() && view.zoom > 0.0 { view.zoom } else { 1.0 };
+        // Pixels in a unit of the root block.
+        let pixels = outer.scale(viewport) * zoom;
+        let window = f64::from(viewport.width.max(viewport.height)) / pixels;
+        let size = exponent_of(window).saturating_add(exponent(&self.whole));
+        let reach = ((size + MARGIN).div_euclid(STEP) + 1) * STEP;
+        if self.near.as_ref().is_none_or(|(known, _)| *known != reach) {
+            self.near = Some((reach, Arc::new(self.whole.around(&self.segment, reach)?)));
+        }
+        let (_, near) = self.near.as_ref()?;
+        let (inner, ratio) = (PlaneFraming::of_root(&near.drawing), self.ratio(near));
+        let (_, bounds) = root_bounds(&near.drawing);
+        let side = root_bounds(&self.whole).1.longer_side();
+        let offset = |v: f64| libm::scalbn(v * side, ratio) / bounds.longer_side();
+        let [x, y] = bounds.centre().map(|centre| -centre / bounds.longer_side());
+        let fine = [offset(view.x) + offset(view.fine[0]), offset(view.y) + offset(view.fine[1])];
+        let zoom = libm::scalbn(pixels, -ratio) / inner.scale(viewport);
+        Some((near.clone(), View { x, y, zoom, fine }))
+    }
+
+    /// The segment's start in the fitted whole, as in [`fitted_ends`](crate::fitted_ends), once something is shown.
+    #[must_use]
+    pub fn place(&self) -> Option<[f64; 4]> {
+        let (_, near) = self.near.as_ref()?;
+        let [x, y, fine_x, fine_y] = near.start;
+        Some(FittedFrame::new(&self.whole).fit([Wide::sum(x, fine_x), Wide::sum(y, fine_y)]))
+    }
+
+    /// A place in the fitted neighbourhood as one right of the segment's start and above it, in extents of the fitted
+    /// whole.
+    #[must_use]
+    pub fn outside(&self, [x, y, fine_x, fine_y]: [f64; 4]) -> Option<[f64; 4]> {
+        let (_, near) = self.near.as_ref()?;
+        let (_, bounds) = root_bounds(&near.drawing);
+        let (centre, inner) = (bounds.centre(), bounds.longer_side());
+        let side = root_bounds(&self.whole).1.longer_side();
+        let out = |v: f64, fine: f64, centre: f64| {
+            let [place, _] = Wide::product(v, inner).plus(fine * inner).plus(centre).parts();
+            libm::scalbn(place, -self.ratio(near)) / side
+        };
+        Some([out(x, fine_x, centre[0]), out(y, fine_y, centre[1]), 0.0, 0.0])
+    }
+
+    /// The exponent of a unit of the whole in units of a neighbourhood.
+    fn ratio(&self, near: &Around) -> i32 {
+        exponent(&self.whole) - exponent(&near.drawing)
+    }
+}
+
+/// The exponent of the root block.
+fn exponent(drawing: &Drawing) -> i32 {
+    drawing.root.map_or(0, |root| drawing.blocks[root.0 as usize].exponent)
+}
+
+/// A place in the fitted view, right of another one and above it; both as in [`fitted_ends`](crate::fitted_ends).
+#[must_use]
+pub fn seen_from([x0, y0, fine_x0, fine_y0]: [f64; 4], [x, y, fine_x, fine_y]: [f64; 4]) -> [f64; 4] {
+    let [x, fine_x] = Wide::sum(x, -x0).plus(fine_x - fine_x0).parts();
+    let [y, fine_y] = Wide::sum(y, -y0).plus(fine_y - fine_y0).parts();
+    [x, y, fine_x, fine_y]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{difference, hard, picture};
+    use super::super::{fitted_ends, fitted_scale};
+    use super::*;
+    use crate::Renderer;
+    use lsystem_syntax::{ColourBy, Style};
+
+    const VIEWPORT: Viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
+
+    /// A close-up shows what the usual view shows at the same place, as long as that is exact.
+    #[test]
+    fn a_closeup_is_the_usual_picture() {
+        let style = Style { colour_by: ColourBy::Single, ..Style::default() };
+        for (name, sample) in hard() {
+            let drawing = Arc::new(sample.draw(if name == "dragon" { 24 } else { 9 }));
+            let count = drawing.segment_count();
+            for (part, zoom) in [(0.3, 1.0), (0.41, 7.0), (0.77, 60.0), (0.12, 300.0)] {
+                let number = (part * count as f64) as u64;
+                let [[x, y, fx, fy], _] = fitted_ends(&drawing, number.into()).unwrap();
+                let aside = 20.0 / (fitted_scale(&drawing, VIEWPORT) * zoom);
+                let usual = View { x: x + aside, y, zoom, fine: [fx, fy] };
+                let mut closeup = Closeup::new(drawing.clone(), Fixed::units(number));
+                let own = View { x: aside, y: 0.0, zoom, fine: [0.0; 2] };
+                let (near, view) = closeup.show(VIEWPORT, own).unwrap();
+                // The place of the segment, and of its end as the neighbourhood has it.
+                let [start, end] = fitted_ends(&drawing, number.into()).unwrap();
+                let off = |a: [f64; 4], b: [f64; 4]| seen_from(a, b).map(f64::abs).iter().sum::<f64>();
+                assert!(off(closeup.place().unwrap(), start) < 1e-15, "{name}");
+                let local = (0..near.drawing.segment_count())
+                    .find(|&local| near.number_of(local) == Some(Fixed::units(number)));
+                let [_, to] = fitted_ends(&near.drawing, local.unwrap()).unwrap();
+                assert!(off(closeup.outside(to).unwrap(), seen_from(start, end)) < 1e-13, "{name}");
+                let [mut a, mut b] = [Renderer::new(), Renderer::new()];
+                a.load(drawing.clone());
+                b.load(near.drawing.clone());
+                picture(&mut a, &style, VIEWPORT, usual);
+                picture(&mut b, &style, VIEWPORT, view);
+                let (mean, worst) = difference(a.pixels(), b.pixels(), 320);
+                // Tiles snap to a part of a subsample, and shades of crowds are sums in another order.
+                assert!(mean < 1.0 && worst < 24.0, "{name} {zoom}: {mean} {worst}");
+            }
+        }
+    }
+
+    /// At the greatest magnification the segment goes through the middle of the picture, and the next one joins it.
+    #[test]
+    fn a_segment_fills_the_picture() {
+        let style = Style { colour_by: ColourBy::Single, ..Style::default() };
+        for (name, sample) in hard().into_iter().filter(|(name, _)| *name == "koch" || *name == "gosper") {
+            let drawing = Arc::new(sample.draw(if name == "koch" { 620 } else { 700 }));
+            let half = drawing.exact_count().shifted(-1);
+            let mut closeup = Closeup::new(drawing.clone(), half);
+            for zoom in [1e20, 1e100, 1e290] {
+                let (near, view) = closeup.show(VIEWPORT, View { zoom, ..View::default() }).unwrap();
+                let mut renderer = Renderer::new();
+                renderer.load(near.drawing.clone());
+                picture(&mut renderer, &style, VIEWPORT, view);
+                let ink = |x: usize, y: usize| renderer.pixels()[4 * (y * 320 + x)] != style.background.rgb[0];
+                let near = (156..=164).flat_map(|x| (96..=104).map(move |y| (x, y))).filter(|&(x, y)| ink(x, y));
+                assert!(near.count() > 4, "{name} {zoom}");
+            }
+        }
+    }
+
+    #[test]
+    fn there_is_no_closeup_without_the_segment() {
+        let (_, sample) = hard().swap_remove(0);
+        let drawing = Arc::new(sample.draw(3));
+        let none = Closeup::new(drawing.clone(), drawing.exact_count()).show(VIEWPORT, View::default());
+        assert!(none.is_none());
+    }
+}
