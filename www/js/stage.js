@@ -18,6 +18,8 @@ import { FITTED, isFarOff, viewFrom } from './view.js';
 
 /** Zooming in with buttons and keys holds a line within this part of the stage's smaller side from the middle. */
 const HELD = 0.45;
+/** The digits of 2^128, almost. */
+const MOST_DIGITS = 38;
 /** The busy sign appears after this time, in milliseconds. */
 const SLOW_MS = 300;
 
@@ -105,12 +107,14 @@ export function createStage(
     /** Finds what is near a place. @param {[number, number]} at CSS pixels from the middle @param {number} reach in CSS pixels */
     const pick = ([x, y], reach) =>
         engine.pick((x + size.width / 2) * size.ratio, (y + size.height / 2) * size.ratio, reach * size.ratio);
+    /** Whether the drawing has more than 2^128 segments. */
+    let enormous = false;
     /** Whether a segment is being looked for. */
     let aiming = false;
 
     /** Gives a deep view a segment in the picture as its origin, so that all places in the picture stay exact. */
     async function aim() {
-        if (aiming || space || !isFarOff(moves.view())) return;
+        if (aiming || space || !isFarOff(moves.view(), enormous)) return;
         aiming = true;
         const { at } = moves.view();
         try {
@@ -206,6 +210,7 @@ export function createStage(
             hold.forget();
             if (!report.ok) return;
             ({ branches } = report);
+            enormous = (report.segments?.length ?? 0) > MOST_DIGITS;
             if (report.memoised !== null) {
                 aspect = report.aspect;
                 const { azimuth } = report;

@@ -64,7 +64,7 @@ export const DIALECTS = /* @__PURE__ */ Object.freeze({
 
 /**
  * What a value may be.
- * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', maxLength: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'}>>}} Range
+ * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', maxLength: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'} | {kind: 'text', maxLength: number}>>}} Range
  */
 
 /**

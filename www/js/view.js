@@ -102,13 +102,15 @@ export const centredOn = ({ zoom, at }, [x = 0, y = 0, fx = 0, fy = 0]) => ({
     ...(at ? { at } : {}),
 });
 
-/** Beyond this zoom, views are about a segment. */
+/** Beyond this zoom, views are about a segment; earlier where a drawing has more than 2^128 segments, which only then have numbers. */
 const DEEP = 1e15;
+const DEEP_IN_ENORMOUS = 100;
 /** A view's centre is at most this many pictures away from its segment: in a number, that is a hundredth of a pixel. */
 const ASIDE = 1e10;
 
-/** Whether a view should be about a segment nearby. @param {View} view */
-export const isFarOff = ({ x, y, zoom, at }) => zoom > DEEP && (!at || Math.hypot(x, y) * zoom > ASIDE);
+/** Whether a view should be about a segment nearby. @param {View} view @param {boolean} [enormous] whether the drawing has more than 2^128 segments */
+export const isFarOff = ({ x, y, zoom, at }, enormous = false) =>
+    zoom > (enormous ? DEEP_IN_ENORMOUS : DEEP) && (!at || Math.hypot(x, y) * zoom > ASIDE);
 
 /**
  * The same view from another origin.

@@ -6,12 +6,12 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 use lsystem::base::fixed::Fixed;
-use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, MAX_SEGMENT_DIGITS, decimal};
+use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, decimal};
 use lsystem::course::ScormStandard;
 use lsystem::files::{FORMATS, FileView, Format};
 use lsystem::film::{Easing, Ending};
 use lsystem::import::write::{NOTATIONS, Notation};
-use lsystem::render::{MAX_ZOOM, Share, TilePlace, View};
+use lsystem::render::{MAX_ZOOM, Share, TilePlace, View, segment_numbered};
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -391,9 +391,7 @@ fn magnification(text: &str) -> Result<f64, String> {
 
 /// A segment (0-based), from its number from 1.
 fn segment(text: &str) -> Result<Fixed, String> {
-    let number = Fixed::read(text, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero());
-    let number = number.ok_or_else(|| "expected a number of a segment, from 1".to_owned())?;
-    Ok(number.minus(&Fixed::units(1)))
+    segment_numbered(text).ok_or_else(|| "expected a number of a segment, from 1".to_owned())
 }
 
 /// The options of an exhibition.

@@ -11,10 +11,10 @@ use crate::{Easing, Ending, Keyframe, Script, Subject, Track};
 use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
-use lsystem_base::MAX_SEGMENT_DIGITS;
 use lsystem_base::decimal;
 use lsystem_base::fixed::Fixed;
 use lsystem_base::number::number as written;
+use lsystem_render::segment_numbered;
 use lsystem_syntax::notes::excerpt;
 
 /// The version of the text form.
@@ -142,9 +142,7 @@ fn read_part(piece: Piece<'_>, script: &mut Script) -> Result<Option<&'static st
         return Ok(Some("the camera"));
     }
     if let Some(number) = piece.text.strip_prefix(SEGMENT) {
-        let number = Fixed::read(number, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero());
-        let number = number.ok_or_else(|| piece.error(ScriptProblem::Segment))?;
-        script.segment = Some(number.minus(&Fixed::units(1)));
+        script.segment = Some(segment_numbered(number).ok_or_else(|| piece.error(ScriptProblem::Segment))?);
         return Ok(Some("the segment"));
     }
     if let Some(rate) = piece.without("fps") {

@@ -1,8 +1,9 @@
 //! Files of systems.
 
 use crate::opened::{OpenSystem, Refusal};
+use lsystem_base::fixed::Fixed;
 use lsystem_files::{FORMATS, FileLimits, FileOptions, FileTask, FileView, Format, OptionValue, Sink};
-use lsystem_render::{Camera, View};
+use lsystem_render::{Camera, View, segment_numbered};
 use lsystem_syntax::fields::field;
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::notes::similar;
@@ -38,12 +39,13 @@ pub(crate) fn make(open: &OpenSystem, format: &'static Format, request: &FileReq
         return Err(unknown(&format!("{} has no option", format.name), name, format.options.iter().copied()));
     }
     let options = FileOptions::from_values(values).map_err(Refusal::words)?;
+    let segment = view.as_ref().and_then(Members::segment);
     let view = view.as_ref().map_or(Ok(View::default()), Members::view)?;
     let camera = camera.as_ref().map(Members::camera).transpose()?;
     if ratio.is_some_and(|ratio| !RATIO.admits(ratio)) {
         return Err(Refusal::words(format!("ratio must be {}", expected_words(RATIO))));
     }
-    let view = FileView { view, segment: None, camera, upto: None, ratio: *ratio, is_described: true };
+    let view = FileView { view, segment, camera, upto: None, ratio: *ratio, is_described: true };
     let OpenSystem { definition, system } = open;
     let task = FileTask { definition, system, format, options: &options, view, limits: FileLimits::PAGE };
     let mut bytes = vec![];
@@ -73,6 +75,12 @@ impl Members {
         let View { x, y, zoom, fine } = View::default();
         let fine = [self.number("fx", fine[0]), self.number("fy", fine[1])];
         Ok(View { x: self.number("x", x), y: self.number("y", y), zoom: self.number("zoom", zoom), fine })
+    }
+
+    /// The segment (0-based) that is the origin of the view.
+    fn segment(&self) -> Option<Fixed> {
+        let Some(Value::Text(at)) = self.0.get("at") else { return None };
+        segment_numbered(at)
     }
 
     fn camera(&self) -> Result<Camera, Refusal> {

@@ -24,8 +24,7 @@ impl PageView {
     /// The segment (0-based) whose start is the origin; `None` for the fitted centre.
     #[must_use]
     pub fn segment(&self) -> Option<Fixed> {
-        let number = Fixed::read(&self.at, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero())?;
-        Some(number.minus(&Fixed::units(1)))
+        segment_numbered(&self.at)
     }
 }
 
@@ -33,6 +32,13 @@ impl From<PageView> for View {
     fn from(PageView { x, y, zoom, fx, fy, .. }: PageView) -> Self {
         Self { x, y, zoom, fine: [fx, fy] }
     }
+}
+
+/// The segment (0-based) with a number from 1; `None` for other texts.
+#[must_use]
+pub fn segment_numbered(text: &str) -> Option<Fixed> {
+    let number = Fixed::read(text, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero())?;
+    Some(number.minus(&Fixed::units(1)))
 }
 
 /// A [`Camera`] of the page's state.

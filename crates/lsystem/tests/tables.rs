@@ -28,7 +28,7 @@ const FIELD_TYPES: &str = " */
 
 /**
  * What a value may be.
- * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', maxLength: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'}>>}} Range
+ * @typedef {NumberRange | {kind: 'flag' | 'colour'} | {kind: 'text' | 'colours', maxLength: number} | {kind: 'word', words: readonly string[]} | {kind: 'list', count: number, each: NumberRange} | {kind: 'record', members: Readonly<Record<string, NumberRange | {kind: 'flag'} | {kind: 'text', maxLength: number}>>}} Range
  */
 
 /**

@@ -13,7 +13,13 @@ export class Stopped extends Error {}
 export const SEEDS = 10_000;
 
 /** @type {readonly Asked[]} */
-const READING = /** @satisfies {import('../protocol.js').Reading[]} */ (['string', 'symbol', 'descendant', 'anchor', 'pick']);
+const READING = /** @satisfies {import('../protocol.js').Reading[]} */ ([
+    'string',
+    'symbol',
+    'descendant',
+    'anchor',
+    'pick',
+]);
 /** Whether a question is about the newest definition's string or drawing. @param {Asked} type */
 export const isReading = (type) => READING.includes(type);
 

@@ -2,7 +2,18 @@
 
 import assert from 'node:assert/strict';
 import test, { after } from 'node:test';
-import { DESKTOP, PHONE, answered, close, lineIn, onPixels, stillPicture, until, withPage } from './browser.mjs';
+import {
+    DESKTOP,
+    PHONE,
+    answered,
+    close,
+    lineIn,
+    nextPicture,
+    onPixels,
+    stillPicture,
+    until,
+    withPage,
+} from './browser.mjs';
 
 after(close);
 
@@ -138,6 +149,48 @@ test('zooming in holds on to the line near the pointer', () =>
         assert.ok(await hasLines(page));
         assert.ok(!(await page.isVisible('#nothing-here')));
     }));
+
+/** The exponent of the zoom that the page tells. @param {Page} page */
+const exponent = async (page) => {
+    const raised = (await text(page, '#zoom')).split('10')[1] ?? '';
+    return Number([...raised].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)).join(''));
+};
+
+test('the zoom goes on where numbers end', () =>
+    withPage({ hash: KOCH.replace('n=30', 'n=90') }, async (page) => {
+        const { x, y } = await findLine(page);
+        await page.mouse.move(x, y + 8);
+        await wheel(page, 120);
+        await until(async () => (await exponent(page)) > 25, 'the zoom is beyond 10^25');
+        await stillPicture(page);
+        assert.ok(await hasLines(page));
+        await until(() => page.evaluate(() => /view=[^&]*,\d{20,}/.test(location.hash)), 'the link names the segment');
+        // The line under the pointer is still told, by its number.
+        await page.mouse.move(x + 1, y + 8);
+        await page.waitForSelector('#card:visible');
+    }));
+
+test('a link leads to one step of a drawing 10^301 times as large', () => {
+    const curve = '#v=1&axiom=A&rules=A%20-%3E%20-BF+AFA+FB-%0AB%20-%3E%20+AF-BFB-FA+&n=1000&angle=90';
+    const number = `1${'0123456789'.repeat(60)}`;
+    return withPage({ hash: `${curve}&view=0,0,3e300,0,0,${number}` }, async (page) => {
+        const near = await stillPicture(page);
+        assert.equal(await exponent(page), 300);
+        assert.ok(await hasLines(page));
+        const box = await page.locator('#stage').boundingBox();
+        assert.ok(box);
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+        await page.mouse.wheel(0, 300);
+        const farther = await nextPicture(page, near);
+        assert.ok(await hasLines(page));
+        await page.mouse.down();
+        await page.mouse.move(box.x + box.width / 2 + 90, box.y + box.height / 2 + 40, { steps: 4 });
+        await page.mouse.up();
+        await nextPicture(page, farther);
+        await page.click('#fit');
+        await until(async () => /^100/.test(await text(page, '#zoom')), 'the whole drawing');
+    });
+});
 
 test('the zoom button keeps a line in view', () =>
     withPage({ hash: KOCH.replace('n=30', 'n=4') }, async (page) => {

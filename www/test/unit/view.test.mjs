@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { between, pan, placement, zoomAt } from '../../js/view.js';
+import { between, isFarOff, pan, placement, viewFrom, zoomAt } from '../../js/view.js';
 import { dice } from './random.mjs';
 
 /** Projects a point, in fitted extents from the fitted centre: CSS pixels right of and below the canvas's centre. */
@@ -71,7 +71,24 @@ test('interpolation reaches both ends', () => {
         { x: 0.2, y: -0.3, zoom: 500 },
         { x: 0, y: 0, zoom: 1 },
     ];
-    near(Object.values(between(from, to, 0)), Object.values(from), 1e-9);
-    near(Object.values(between(from, to, 1)), Object.values(to), 1e-9);
-    near(Object.values(between({ ...from, zoom: 1 }, to, 0.5)), [0.1, -0.15, 1], 1e-12);
+    const numbers = (/** @type {import('../../js/state.js').View} */ { x, y, zoom }) => [x, y, zoom];
+    near(numbers(between(from, to, 0)), numbers(from), 1e-9);
+    near(numbers(between(from, to, 1)), numbers(to), 1e-9);
+    near(numbers(between({ ...from, zoom: 1 }, to, 0.5)), [0.1, -0.15, 1], 1e-12);
+});
+
+test('a view about a segment zooms on where a usual view ends', () => {
+    const usual = { x: 0.25, y: -0.125, zoom: 1e20 };
+    assert.ok(isFarOff(usual) && !isFarOff({ ...usual, zoom: 1e10 }));
+    assert.equal(zoomAt(usual, 1e9, 0, 0, 500).zoom, 1e25);
+    // The segment begins a little to the right of the centre.
+    const own = viewFrom(usual, [0.25, -0.125, 3e-21, -1e-21], '17');
+    assert.equal(own.at, '17');
+    near([own.x + (own.fx ?? 0), own.y + (own.fy ?? 0)], [-3e-21, 1e-21], 1e-33);
+    assert.ok(!isFarOff(own));
+    const deep = zoomAt(own, 1e200, 10, 20, 500);
+    assert.deepEqual([deep.zoom > 9e219, deep.at], [true, '17']);
+    assert.equal(zoomAt(deep, 1e100, 0, 0, 500).zoom, 1e301);
+    // Far from the segment, another origin is needed.
+    assert.ok(isFarOff({ ...deep, x: 1e-200 }));
 });
