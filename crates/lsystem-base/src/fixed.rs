@@ -195,6 +195,55 @@ fn difference(a: &[u32], b: &[u32]) -> Vec<u32> {
     digits
 }
 
+/// A point or a vector in the plane.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct FixedPoint(pub [Fixed; 2]);
+
+impl FixedPoint {
+    /// The sum.
+    #[must_use]
+    pub fn plus(&self, Self([x, y]): &Self) -> Self {
+        Self([self.0[0].plus(x), self.0[1].plus(y)])
+    }
+
+    /// The difference.
+    #[must_use]
+    pub fn minus(&self, Self([x, y]): &Self) -> Self {
+        Self([self.0[0].minus(x), self.0[1].minus(y)])
+    }
+
+    /// The vector times a finite factor.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        if factor == 1.0 { self.clone() } else { Self(self.0.each_ref().map(|c| c.scaled(factor))) }
+    }
+
+    /// The vector divided by a positive normal number.
+    #[must_use]
+    pub fn over(&self, divisor: f64) -> Self {
+        if divisor == 1.0 { self.clone() } else { Self(self.0.each_ref().map(|c| c.over(divisor))) }
+    }
+
+    /// The vector times `2^bits`.
+    #[must_use]
+    pub fn shifted(&self, bits: i32) -> Self {
+        Self(self.0.each_ref().map(|c| c.shifted(bits)))
+    }
+
+    /// The vector turned by the direction with this cosine and sine, which have `places` places after the point.
+    #[must_use]
+    pub fn turned(&self, Self([c, s]): &Self, places: usize) -> Self {
+        let Self([x, y]) = self;
+        Self([x.times(c, places).minus(&y.times(s, places)), x.times(s, places).plus(&y.times(c, places))])
+    }
+
+    /// The nearest numbers, as [`Fixed::number`].
+    #[must_use]
+    pub fn numbers(&self, places: usize) -> [f64; 2] {
+        self.0.each_ref().map(|c| c.number(places))
+    }
+}
+
 /// Cosines and sines with many places.
 #[derive(Clone, Debug)]
 pub struct Circle {
@@ -226,7 +275,7 @@ impl Circle {
 
     /// The cosine and the sine of `units`, of which `turn`, a multiple of 8, are a full turn.
     #[must_use]
-    pub fn at(&self, units: u64, turn: u64) -> [Fixed; 2] {
+    pub fn at(&self, units: u64, turn: u64) -> FixedPoint {
         let quarter = turn / 4;
         let (quadrant, within) = (units / quarter, units % quarter);
         let [c, s] = if within <= turn / 8 {
@@ -235,12 +284,12 @@ impl Circle {
             let [c, s] = self.octant(quarter - within, turn);
             [s, c]
         };
-        match quadrant {
+        FixedPoint(match quadrant {
             0 => [c, s],
             1 => [s.opposite(), c],
             2 => [c.opposite(), s.opposite()],
             _ => [s, c.opposite()],
-        }
+        })
     }
 
     /// The series of cosine and sine, for at most an eighth of a turn.
@@ -307,14 +356,14 @@ mod tests {
         assert_eq!(circle.half.number(36), core::f64::consts::PI);
         let turn = 360_360;
         for units in [0, 1, 30_030, 45_045, 60_060, 90_090, 123_456, 200_000, 300_301, 360_359] {
-            let [c, s] = circle.at(units, turn);
+            let FixedPoint([c, s]) = circle.at(units, turn);
             let square = c.times(&c, 36).plus(&s.times(&s, 36));
             let off = square.minus(&Fixed::units(1).shifted(32 * 36));
             assert!(off.number(36).abs() < 1e-305, "{units}");
             let angle = units as f64 * (2.0 * core::f64::consts::PI / f64::from(turn as u32));
             assert!((c.number(36) - libm::cos(angle)).abs() < 1e-15 && (s.number(36) - libm::sin(angle)).abs() < 1e-15);
         }
-        let [c, s] = circle.at(30_030, turn);
+        let FixedPoint([c, s]) = circle.at(30_030, turn);
         assert!(s.minus(&Fixed::of(0.5, 36)).number(36).abs() < 1e-300 && c.number(36) > 0.0);
     }
 }

@@ -12,9 +12,10 @@ use super::{Drawing, SceneSize};
 use crate::course::{By, Course, Spot};
 use crate::plane::Directions;
 use crate::style::{StyleChange, StyleId, Styles};
-use lsystem_base::fixed::{Circle, Fixed};
+use lsystem_base::fixed::{Circle, Fixed, FixedPoint};
+use lsystem_base::sorted::sort;
 use lsystem_syntax::Heading;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::HashSet;
 use std::sync::{Arc, OnceLock};
 
 /// The neighbourhood of a segment.
@@ -46,12 +47,12 @@ const LARGEST: f64 = 64.0;
 const MOST_VISITS: usize = 1 << 15;
 /// The most places that are kept while they are computed.
 const MOST_SPOTS: usize = 1 << 16;
+/// The most places of a drawing that is seen from near: they have a list.
+const MOST_LEGS: usize = 1 << 18;
 /// Ends of strokes farther away than this times the reach are cut off.
 const FAR: f64 = (1_u64 << 20) as f64;
 /// The rounding of hulls and places, in units of a block.
 const ROUNDING: f64 = 1e-9;
-
-type Point = [Fixed; 2];
 
 impl Drawing {
     /// The number of segments, exactly.
@@ -64,7 +65,7 @@ impl Drawing {
     /// there is no such segment, if the drawing is not a shared one, or if it has too many parts.
     #[must_use]
     pub fn around(&self, segment: &Fixed, reach: i32) -> Option<Around> {
-        if !self.course.kept {
+        if !self.course.kept || self.course.legs.len() > MOST_LEGS {
             return None;
         }
         let counts = self.counts();
@@ -72,9 +73,9 @@ impl Drawing {
         let mut exact = Exact::new(self, &way, reach);
         let centre = exact.centre(&way)?;
         let unit = self.course.exponent - self.blocks[self.root?.0 as usize].exponent;
-        let high = exact.number(&centre);
-        let low = [0, 1].map(|axis| centre[axis].minus(&Fixed::of(high[axis], exact.places[0])));
-        let low = exact.number(&low);
+        let places = exact.places[0];
+        let high = centre.numbers(places);
+        let low = centre.minus(&FixedPoint(high.map(|c| Fixed::of(c, places)))).numbers(places);
         let start = [high[0], high[1], low[0], low[1]].map(|c| libm::scalbn(c, unit));
         let mut finder = Finder::new(self, exact, &counts, reach);
         finder.find(centre)?;
@@ -132,8 +133,11 @@ struct Exact<'a> {
     /// The binary places of points and of directions, in 32 bits.
     places: [usize; 2],
     circle: Circle,
-    directions: HashMap<Heading, Point>,
-    spots: HashMap<u32, Point>,
+    /// The directions so far.
+    directions: Vec<(Heading, FixedPoint)>,
+    /// By place, the places so far, and their number.
+    spots: Vec<Option<FixedPoint>>,
+    known: usize,
 }
 
 impl<'a> Exact<'a> {
@@ -151,89 +155,102 @@ impl<'a> Exact<'a> {
         // A guard of 96 bits below the reach, for the rounding of all sums.
         let bits = (96 + unit - reach + libm::frexp(largest).1).max(96);
         let places = [bits, bits + size + 64].map(|bits| bits.unsigned_abs().div_ceil(32) as usize);
-        Self { drawing, places, circle: Circle::new(places[1]), directions: HashMap::new(), spots: HashMap::new() }
-    }
-
-    fn direction(&mut self, heading: Heading) -> Point {
-        let circle = &self.circle;
-        self.directions.entry(heading).or_insert_with(|| circle.at(heading.units(), Heading::TURN)).clone()
-    }
-
-    /// The point turned by a heading.
-    fn turned(&mut self, [x, y]: &Point, heading: Heading) -> Point {
-        if heading == Heading::EAST {
-            return [x.clone(), y.clone()];
+        Self {
+            drawing,
+            places,
+            circle: Circle::new(places[1]),
+            directions: vec![],
+            spots: vec![None; drawing.course.legs.len() + 1],
+            known: 0,
         }
-        let [c, s] = self.direction(heading);
-        let digits = self.places[1];
-        [x.times(&c, digits).minus(&y.times(&s, digits)), x.times(&s, digits).plus(&y.times(&c, digits))]
+    }
+
+    /// The cosine and the sine of a heading.
+    fn direction(&mut self, heading: Heading) -> FixedPoint {
+        if let Some((_, direction)) = self.directions.iter().find(|(known, _)| *known == heading) {
+            return direction.clone();
+        }
+        let direction = self.circle.at(heading.units(), Heading::TURN);
+        self.directions.push((heading, direction.clone()));
+        direction
+    }
+
+    /// The vector turned by a heading.
+    #[inline(never)]
+    fn turned(&mut self, vector: &FixedPoint, heading: Heading) -> FixedPoint {
+        if heading == Heading::EAST {
+            return vector.clone();
+        }
+        vector.turned(&self.direction(heading), self.places[1])
     }
 
     /// A place in the frame of its piece; `None` if it takes too many others.
-    fn spot(&mut self, spot: Spot) -> Option<Point> {
-        let mut asked = vec![spot];
-        let mut needed = BTreeSet::new();
-        while let Some(Spot(number)) = asked.pop() {
-            if number == 0 || self.spots.contains_key(&number) || !needed.insert(number) {
+    fn spot(&mut self, spot: Spot) -> Option<FixedPoint> {
+        let (mut asked, mut needed) = (vec![spot.0], vec![]);
+        while let Some(number) = asked.pop() {
+            // A place that is asked for twice is computed once: the first time makes it known as the origin.
+            if number == 0 || self.spots[number as usize].is_some() {
                 continue;
             }
-            let leg = &self.drawing.course.legs[number as usize - 1];
-            asked.push(leg.from);
-            if let By::Piece(end) = leg.by {
-                asked.push(end);
-            }
-            if needed.len() + self.spots.len() > MOST_SPOTS {
+            self.spots[number as usize] = Some(FixedPoint::default());
+            needed.push(number);
+            self.known += 1;
+            if self.known > MOST_SPOTS {
                 return None;
+            }
+            let leg = &self.drawing.course.legs[number as usize - 1];
+            asked.push(leg.from.0);
+            if let By::Piece(Spot(end)) = leg.by {
+                asked.push(end);
             }
         }
         // A leg comes after those that it builds on.
+        sort(&mut needed);
+        let [places, fine] = self.places;
         for number in needed {
             let leg = self.drawing.course.legs[number as usize - 1];
-            let [places, fine] = self.places;
             let by = match leg.by {
-                By::Piece(Spot(end)) => {
-                    let end = self.spots.get(&end).cloned().unwrap_or_default();
+                By::Piece(end) => {
+                    let end = self.known(end);
                     self.turned(&end, leg.heading)
                 }
-                By::Ahead => self.direction(leg.heading).map(|c| c.shifted(32 * (places as i32 - fine as i32))),
+                By::Ahead => self.direction(leg.heading).shifted(32 * (places as i32 - fine as i32)),
                 By::Corner(corner) => {
-                    let corner = corner.map(|c| Fixed::of(c, places));
+                    let corner = FixedPoint(corner.map(|c| Fixed::of(c, places)));
                     self.turned(&corner, leg.heading)
                 }
             };
-            let from = self.spots.get(&leg.from.0).cloned().unwrap_or_default();
-            let scaled = |by: &Fixed| if leg.factor == 1.0 { by.clone() } else { by.scaled(leg.factor) };
-            self.spots.insert(number, [0, 1].map(|axis| from[axis].plus(&scaled(&by[axis]))));
+            self.spots[number as usize] = Some(self.known(leg.from).plus(&by.scaled(leg.factor)));
         }
-        Some(self.spots.get(&spot.0).cloned().unwrap_or_default())
+        Some(self.known(spot))
+    }
+
+    /// A place that is computed already.
+    fn known(&self, spot: Spot) -> FixedPoint {
+        self.spots[spot.0 as usize].clone().unwrap_or_default()
     }
 
     /// A place in the frame of a block.
-    fn within(&mut self, block: BlockId, spot: Spot) -> Option<Point> {
-        let (at, origin) = (self.spot(spot)?, self.spot(self.drawing.blocks[block.0 as usize].origin)?);
-        Some([0, 1].map(|axis| at[axis].minus(&origin[axis])))
+    #[inline(never)]
+    fn within(&mut self, block: BlockId, spot: Spot) -> Option<FixedPoint> {
+        let origin = self.spot(self.drawing.blocks[block.0 as usize].origin)?;
+        Some(self.spot(spot)?.minus(&origin))
     }
 
     /// The start of the segment to which a way leads, in the root's frame.
-    fn centre(&mut self, way: &[(BlockId, usize)]) -> Option<Point> {
-        let mut centre = Point::default();
+    fn centre(&mut self, way: &[(BlockId, usize)]) -> Option<FixedPoint> {
+        let mut centre = FixedPoint::default();
         for &(block, at) in way.iter().rev() {
             centre = match &self.drawing.items_of(block)[at] {
                 Item::Stroke(stroke) => self.within(block, stroke.spots[0])?,
                 Item::Polygon(_) => return None,
                 Item::Block(placed) => {
                     let at = self.within(block, placed.spot)?;
-                    let scale = self.drawing.own_scale(block, placed);
-                    let inside = self.turned(&centre, placed.heading);
-                    [0, 1].map(|axis| at[axis].plus(&inside[axis].scaled(scale)))
+                    at.plus(&self.turned(&centre, placed.heading).scaled(self.drawing.own_scale(block, placed)))
                 }
             };
         }
         Some(centre)
-    }
-
-    fn number(&self, point: &Point) -> [f64; 2] {
-        [0, 1].map(|axis| point[axis].number(self.places[0]))
     }
 }
 
@@ -251,7 +268,7 @@ struct Open {
     /// The items from this one on are done.
     next: usize,
     /// The centre in the block's frame.
-    centre: Point,
+    centre: FixedPoint,
     /// The block's rotation in the whole drawing.
     turn: Heading,
     /// The block's own unit in that of the root.
@@ -274,7 +291,7 @@ struct Finder<'a> {
     items: Vec<Item>,
     firsts: Vec<Fixed>,
     visits: usize,
-    seen: HashSet<(BlockId, Heading, StyleId, u64, Point)>,
+    seen: HashSet<(BlockId, Heading, StyleId, u64, FixedPoint)>,
 }
 
 impl<'a> Finder<'a> {
@@ -299,7 +316,7 @@ impl<'a> Finder<'a> {
     }
 
     /// Finds all items around the centre, which is given in the root's frame.
-    fn find(&mut self, centre: Point) -> Option<()> {
+    fn find(&mut self, centre: FixedPoint) -> Option<()> {
         let drawing = self.drawing;
         let mut open = vec![Open {
             block: drawing.root?,
@@ -359,7 +376,7 @@ impl<'a> Finder<'a> {
     fn is_new(&mut self, node: &Open) -> bool {
         let unit = self.drawing.course.exponent - self.reach + 24;
         let bits = unit + libm::frexp(node.scale).1 - 32 * self.exact.places[0] as i32;
-        let place = node.centre.each_ref().map(|c| c.shifted(bits));
+        let place = node.centre.shifted(bits);
         self.seen.insert((node.block, node.turn, self.styles.id(&node.style), node.scale.to_bits(), place))
     }
 
@@ -375,11 +392,12 @@ impl<'a> Finder<'a> {
     }
 
     /// Whether an item may come into reach.
+    #[inline(never)]
     fn is_near(&mut self, node: &Open, item: &Item) -> bool {
         let drawing = self.drawing;
         let block = &drawing.blocks[node.block.0 as usize];
         let exponent = block.exponent - drawing.course.exponent;
-        let centre = self.exact.number(&node.centre).map(|c| libm::scalbn(c, -exponent));
+        let centre = node.centre.numbers(self.exact.places[0]).map(|c| libm::scalbn(c, -exponent));
         let reach = self.reach_in(block, node.scale);
         let style = |id: StyleId| node.style.then(&drawing.styles[id.0 as usize]);
         // Half a width, from steps to units of the block.
@@ -417,15 +435,15 @@ impl<'a> Finder<'a> {
     }
 
     /// The node of a block inside another.
+    #[inline(never)]
     fn inner(&mut self, node: &Open, placed: &Placed, style: StyleChange, first: &Fixed) -> Option<Open> {
         let at = self.exact.within(node.block, placed.spot)?;
-        let beside = [0, 1].map(|axis| node.centre[axis].minus(&at[axis]));
         let own = self.drawing.own_scale(node.block, placed);
-        let turned = self.exact.turned(&beside, -placed.heading);
+        let turned = self.exact.turned(&node.centre.minus(&at), -placed.heading);
         Some(Open {
             block: placed.block,
             next: self.drawing.items_of(placed.block).len(),
-            centre: if own == 1.0 { turned } else { turned.map(|c| c.over(own)) },
+            centre: turned.over(own),
             turn: node.turn + placed.heading,
             scale: node.scale * own,
             style,
@@ -434,6 +452,7 @@ impl<'a> Finder<'a> {
     }
 
     /// A vector in the frame of a node, in the directions of the whole drawing and in units of the reach.
+    #[inline(never)]
     fn shown(&mut self, [x, y]: [f64; 2], turn: Heading, scale: f64) -> [f64; 2] {
         let unit = self.drawing.course.exponent - self.reach;
         let [x, y] = [x, y].map(|v| libm::scalbn(v * scale, unit));
@@ -443,7 +462,7 @@ impl<'a> Finder<'a> {
 
     /// A block as an item of the neighbourhood.
     fn placed(&mut self, node: &Open) -> Item {
-        let away = self.exact.number(&node.centre).map(|c| -c);
+        let away = node.centre.numbers(self.exact.places[0]).map(|c| -c);
         let exponent = self.drawing.blocks[node.block.0 as usize].exponent;
         Item::Block(Placed {
             block: node.block,
@@ -461,23 +480,19 @@ impl<'a> Finder<'a> {
         if stroke.spots == [Spot::ENTRY; 2] {
             return Some(None);
         }
-        let mut ends = [Point::default(), Point::default()];
-        for (end, spot) in ends.iter_mut().zip(stroke.spots) {
-            let at = self.exact.within(node.block, spot)?;
-            *end = [0, 1].map(|axis| at[axis].minus(&node.centre[axis]));
-        }
+        let places = self.exact.places[0];
+        let ends = stroke.spots.map(|spot| Some(self.exact.within(node.block, spot)?.minus(&node.centre)));
+        let [Some(start), Some(end)] = ends else { return None };
+        let ends = [start, end];
         let far = |end: &[f64; 2]| end[0].abs().max(end[1].abs()) > FAR;
         let mut turn = node.turn;
-        let mut near = ends.each_ref().map(|end| self.exact.number(end));
+        let mut near = ends.each_ref().map(|end| end.numbers(places));
         let leg = stroke.spots[1].0.checked_sub(1).map(|at| self.drawing.course.legs[at as usize]);
         let [from, to] = near.map(|end| self.shown(end, turn, node.scale));
         let (mut from, mut to) = (from, to);
         if let Some(leg) = leg.filter(|leg| leg.from == stroke.spots[0] && (far(&from) || far(&to))) {
             // Along the stroke itself, the distance from its line is exact.
-            near = ends.map(|end| {
-                let end = self.exact.turned(&end, -leg.heading);
-                self.exact.number(&end)
-            });
+            near = ends.map(|end| self.exact.turned(&end, -leg.heading).numbers(places));
             turn = node.turn + leg.heading;
             let most = libm::scalbn(FAR / node.scale, self.reach - self.drawing.course.exponent);
             near.iter_mut().for_each(|end| end[0] = end[0].clamp(-most, most));
@@ -492,9 +507,8 @@ impl<'a> Finder<'a> {
         let first = self.vertices.len() as u32;
         for number in polygon.range() {
             let spot = self.drawing.course.vertices.get(number).copied()?;
-            let at = self.exact.within(node.block, spot)?;
-            let at = [0, 1].map(|axis| at[axis].minus(&node.centre[axis]));
-            let vertex = self.shown(self.exact.number(&at), node.turn, node.scale);
+            let at = self.exact.within(node.block, spot)?.minus(&node.centre).numbers(self.exact.places[0]);
+            let vertex = self.shown(at, node.turn, node.scale);
             self.vertices.push(vertex);
         }
         Some(Item::Polygon(Polygon { first, style: self.styles.id(style), ..*polygon }))

@@ -53,13 +53,14 @@ pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View) -> Option
                 Item::Block(placed) => {
                     let inner = sight.inside(&node, placed);
                     let distance = sight.block(placed.block, &inner).map_or(f64::INFINITY, |aim| aim.distance);
-                    open.push((distance, inner, before.clone()));
+                    // The nearest is looked into first.
+                    let after = open[siblings..].iter().position(|(other, ..)| *other <= distance);
+                    let at = after.map_or(open.len(), |at| siblings + at);
+                    open.insert(at, (distance, inner, before.clone()));
                 }
             }
             before = before.plus(&count_of(&counts, item));
         }
-        // The nearest is looked into first.
-        open[siblings..].sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
     }
     None
 }
