@@ -136,8 +136,7 @@ impl FileView {
             Figure::Plane(whole) => Closeup::new(whole.clone(), segment.clone()).show(viewport, vantage.view),
             Figure::Space(_) => None,
         };
-        let (near, view) =
-            near.ok_or_else(|| Diagnostic { kind: Kind::NoCloseup, field: Field::Numbers, span: 0..0 })?;
+        let (near, view) = near.ok_or(Diagnostic { kind: Kind::NoCloseup, field: Field::Numbers, span: 0..0 })?;
         Ok((Figure::Plane(near.drawing.clone()), Vantage { view, ..vantage }))
     }
 

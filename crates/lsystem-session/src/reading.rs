@@ -293,7 +293,7 @@ impl<S: Surface> Session<S> {
     }
 
     /// A place as one from the origin of the view.
-    fn from_origin(&self, place: Place) -> Place {
+    fn seen_from_origin(&self, place: Place) -> Place {
         let origin = self.views.closeup().and_then(|(closeup, _)| closeup.place());
         match (origin, place[..].try_into()) {
             (Some(origin), Ok(at)) => seen_from(origin, at).to_vec(),
@@ -304,7 +304,7 @@ impl<S: Surface> Session<S> {
     /// Segment `number`; `None` after the last.
     pub fn segment(&self, number: u128) -> Option<SegmentFacts> {
         let facts = segment_facts(self.shown.as_ref()?, number)?;
-        let [fitted_from, fitted_to] = [facts.fitted_from, facts.fitted_to].map(|place| self.from_origin(place));
+        let [fitted_from, fitted_to] = [facts.fitted_from, facts.fitted_to].map(|place| self.seen_from_origin(place));
         Some(SegmentFacts { fitted_from, fitted_to, ..facts })
     }
 
@@ -386,7 +386,7 @@ impl<S: Surface> Session<S> {
     /// A part of the shown generation.
     fn descendants(&self, Part { symbols, segments }: Part) -> Descendants {
         let outline = self.shown.as_ref().map_or_else(Vec::new, |figure| fitted_outline(figure, segments.clone()));
-        let outline = outline.into_iter().map(|place| self.from_origin(place)).collect();
+        let outline = outline.into_iter().map(|place| self.seen_from_origin(place)).collect();
         Descendants { symbols: ends(symbols), segments: ends(segments), outline }
     }
 

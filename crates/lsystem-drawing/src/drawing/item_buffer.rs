@@ -6,16 +6,21 @@ use crate::chunks::Chunks;
 use crate::course::{Course, Leg, Spot};
 use crate::drawing::block::{Item, Placed, Polygon, Space, Stroke};
 use crate::room::{bytes_of, reserve};
-use crate::space::minus;
+use crate::space::{Geometry, minus};
 use crate::style::{StyleChange, Styles, WidthChange};
 use crate::turtle::Paper;
+
+/// An open polygon: the index of its item, and its vertices so far.
+type OpenPolygon<S> = (usize, Vec<Vertex<S>>);
+/// A vertex, and its exact place.
+type Vertex<S> = (<S as Geometry>::Point, Spot);
 
 /// The items that will form blocks, and the polygons that are still open.
 #[derive(Clone, Debug)]
 pub(super) struct ItemBuffer<S: Space> {
     pub items: Vec<Item<S>>,
-    /// The open polygons, innermost last: the indices of their items, and their vertices so far.
-    open: Vec<(usize, Vec<(S::Point, Spot)>)>,
+    /// The open polygons, innermost last.
+    open: Vec<OpenPolygon<S>>,
     /// The number of vertices of all open polygons.
     held: usize,
     /// The place of the symbol that is being drawn, as in [`Polygon::symbol`].
@@ -44,7 +49,7 @@ impl<S: Space> ItemBuffer<S> {
     pub(super) fn bytes(&self) -> u64 {
         bytes_of(&self.items)
             + bytes_of(&self.open)
-            + (2 * self.held * size_of::<(S::Point, Spot)>()) as u64
+            + (2 * self.held * size_of::<Vertex<S>>()) as u64
             + self.taper.as_ref().map_or(0, Taper::bytes)
     }
 }
