@@ -2,6 +2,7 @@
 
 import { seen as seenInSpace } from './camera.js';
 import { byId } from './dom.js';
+import { placeFrom } from './view.js';
 
 /** @typedef {import('./state.js').View} View */
 /** @typedef {import('./state.js').Camera} Camera */
@@ -154,7 +155,7 @@ export function createMarks() {
         },
         /** Tells all marks from another origin. @param {Point} origin from the present one */
         from(origin) {
-            const moved = (/** @type {Point} */ point) => point.map((value, at) => value - (origin[at] ?? 0));
+            const moved = (/** @type {Point} */ point) => placeFrom(point, origin);
             points = points.map(moved);
             outline = outline.map(moved);
             for (const [owner, own] of outlines) outlines.set(owner, own.map(moved));

@@ -122,6 +122,7 @@ export function createStage(
             if (anchor && moves.view().at === at) {
                 picture.from(anchor.place, anchor.at);
                 marks.from?.(anchor.place);
+                // From near, places are more exact than before.
                 hold.forget();
                 store.setView(viewFrom(moves.view(), anchor.place, anchor.at));
             }

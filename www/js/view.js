@@ -102,6 +102,9 @@ export const centredOn = ({ zoom, at }, [x = 0, y = 0, fx = 0, fy = 0]) => ({
     ...(at ? { at } : {}),
 });
 
+/** A place from another origin, which is given from the old one. @param {number[]} place @param {number[]} origin */
+export const placeFrom = (place, origin) => place.map((value, at) => value - (origin[at] ?? 0));
+
 /** Beyond this zoom, views are about a segment; earlier where a drawing has more than 2^128 segments, which only then have numbers. */
 const DEEP = 1e15;
 const DEEP_IN_ENORMOUS = 100;

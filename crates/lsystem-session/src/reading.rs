@@ -9,7 +9,9 @@ use core::ops::Range;
 use lsystem::base::fixed::Fixed;
 use lsystem::derive::{Ancestor, History, Part, Word};
 use lsystem::drawing::{Around, Segment, StyleChange};
-use lsystem::render::{Closeup, Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, seen_from, segment_near};
+use lsystem::render::{
+    Closeup, Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, seen_from, segment_near,
+};
 use lsystem::syntax::print_module;
 use lsystem::{Figure, Progress, View, pick};
 use serde::Serialize;
@@ -242,20 +244,21 @@ impl<S: Surface> Session<S> {
     /// A segment near the middle of the picture, as an origin for deeper views; `None` if there is none, or if the drawing
     /// cannot be seen from near a segment.
     pub fn anchor(&self) -> Option<Anchor> {
-        let (number, place) = match (self.views.closeup(), self.shown.as_ref()?) {
-            (Some((closeup, (near, view))), _) => {
-                let local = segment_near(&near.drawing, self.viewport, *view)?.decimal().parse().ok()?;
-                let [start, _] = fitted_ends(&Figure::Plane(near.drawing.clone()), local)?;
-                (near.number_of(local)?, closeup.outside(start[..].try_into().ok()?)?)
+        let Figure::Plane(whole) = self.shown.as_ref()? else { return None };
+        let view = self.vantage.view;
+        let (number, offset) = match self.views.closeup() {
+            Some((_, (near, own))) => {
+                let (local, offset) = segment_near(&near.drawing, self.viewport, *own)?;
+                (near.number_of(local.decimal().parse().ok()?)?, offset)
             }
-            (None, Figure::Plane(whole)) => {
-                let number = segment_near(whole, self.viewport, self.vantage.view)?;
-                let mut closeup = Closeup::new(whole.clone(), number.clone());
-                closeup.show(self.viewport, View { zoom: self.vantage.view.zoom, ..View::default() })?;
-                (number, closeup.place()?)
-            }
-            (None, Figure::Space(_)) => return None,
+            None => segment_near(whole, self.viewport, view)?,
         };
+        // A drawing that cannot be seen from near keeps its origin.
+        Closeup::new(whole.clone(), number.clone()).show(self.viewport, view)?;
+        let pixels = fitted_scale(self.shown.as_ref()?, self.viewport, &self.vantage) * view.zoom;
+        let [x, y] = offset.map(|offset| 0.0 - offset / pixels);
+        // Where the segment is seen, so that nothing moves.
+        let place = seen_from([x, y, 0.0, 0.0], [view.x, view.y, view.fine[0], view.fine[1]]);
         Some(Anchor { at: number.plus(&Fixed::units(1)).decimal(), place: place.to_vec() })
     }
 

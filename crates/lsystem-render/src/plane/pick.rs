@@ -22,10 +22,10 @@ pub(crate) fn pick(drawing: &Drawing, viewport: Viewport, view: View, pointer: &
     search(drawing, pointer, &mut sight, root, Order::Best)
 }
 
-/// The number (0-based) of a segment in the picture, near its middle, however many segments the drawing has; `None` if
-/// there is none.
+/// The number (0-based) of a segment in the picture, near its middle, however many segments the drawing has, and how far
+/// right of the middle and above it the segment begins, in device pixels; `None` if there is none.
 #[must_use]
-pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View) -> Option<Fixed> {
+pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View) -> Option<(Fixed, [f64; 2])> {
     /// The most items that are looked at: a few for each of some thousand nested blocks.
     const VISITS: usize = 1 << 15;
     let at = [viewport.width, viewport.height].map(|side| f64::from(side) / 2.0);
@@ -40,23 +40,27 @@ pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View) -> Option
         if distance > near || visits > VISITS || counts[id.0 as usize].is_zero() {
             continue;
         }
-        // All of a block has coordinates below 1.
-        if node.place.scale < near {
-            return Some(before);
-        }
+        // All of a block has coordinates below 1, so that its first segment is as good as any.
+        let small = node.place.scale < near;
         let siblings = open.len();
         for item in drawing.items_of(id) {
             visits += 1;
             match item {
-                Item::Stroke(stroke) if sight.stroke(&node, stroke)?.distance <= near => return Some(before),
+                Item::Stroke(stroke) if small || sight.stroke(&node, stroke)?.distance <= near => {
+                    let [x, y] = node.place.point(stroke.from);
+                    return Some((before, [x - at[0], at[1] - y]));
+                }
                 Item::Stroke(_) | Item::Polygon(_) => {}
                 Item::Block(placed) => {
                     let inner = sight.inside(&node, placed);
                     let distance = sight.block(placed.block, &inner).map_or(f64::INFINITY, |aim| aim.distance);
                     // The nearest is looked into first.
                     let after = open[siblings..].iter().position(|(other, ..)| *other <= distance);
-                    let at = after.map_or(open.len(), |at| siblings + at);
-                    open.insert(at, (distance, inner, before.clone()));
+                    let after = after.map_or(open.len(), |after| siblings + after);
+                    open.insert(after, (distance, inner, before.clone()));
+                    if small && !counts[placed.block.0 as usize].is_zero() {
+                        break;
+                    }
                 }
             }
             before = before.plus(&count_of(&counts, item));
