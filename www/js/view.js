@@ -106,7 +106,7 @@ export const centredOn = ({ zoom, at }, [x = 0, y = 0, fx = 0, fy = 0]) => ({
 export const placeFrom = (place, origin) => place.map((value, at) => value - (origin[at] ?? 0));
 
 /** Beyond this zoom, views are about a segment; earlier where a drawing has more than 2^128 segments, which only then have numbers. */
-const DEEP = 1e15;
+const DEEP = 1e12;
 const DEEP_IN_ENORMOUS = 100;
 /** A view's centre is at most this many pictures away from its segment: in a number, that is a hundredth of a pixel. */
 const ASIDE = 1e10;

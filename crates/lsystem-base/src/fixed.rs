@@ -23,15 +23,15 @@ impl Fixed {
 
     /// A whole number of units.
     #[must_use]
-    pub fn units(number: u64) -> Self {
-        Self::new(false, vec![number as u32, (number >> 32) as u32])
+    pub fn units(number: u128) -> Self {
+        Self::new(false, [0, 32, 64, 96].map(|bits| (number >> bits) as u32).to_vec())
     }
 
     /// A finite number, with `places` places after the point; further bits are dropped.
     #[must_use]
     pub fn of(number: f64, places: usize) -> Self {
         let (mantissa, exponent) = parts(number);
-        Self { negative: number < 0.0, ..Self::units(mantissa) }.shifted(exponent + 32 * places as i32)
+        Self { negative: number < 0.0, ..Self::units(mantissa.into()) }.shifted(exponent + 32 * places as i32)
     }
 
     /// The nearest `f64`, almost: the bits after the first 64 are dropped. `places` are the places after the point.
@@ -94,7 +94,7 @@ impl Fixed {
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         let (mantissa, exponent) = parts(factor);
-        let product = self.times(&Self::units(mantissa), 0).shifted(exponent);
+        let product = self.times(&Self::units(mantissa.into()), 0).shifted(exponent);
         if factor < 0.0 { product.opposite() } else { product }
     }
 
@@ -140,7 +140,7 @@ impl Fixed {
         let fits = !text.is_empty() && text.len() <= most && text.bytes().all(|byte| byte.is_ascii_digit());
         fits.then(|| {
             text.bytes().fold(Self::default(), |number, byte| {
-                number.times(&Self::units(10), 0).plus(&Self::units(u64::from(byte - b'0')))
+                number.times(&Self::units(10), 0).plus(&Self::units((byte - b'0').into()))
             })
         })
     }
@@ -295,7 +295,7 @@ impl Circle {
     /// The series of cosine and sine, for at most an eighth of a turn.
     fn octant(&self, units: u64, turn: u64) -> [Fixed; 2] {
         // Both are below 2^53, so that they are exact as f64.
-        let angle = self.half.times(&Fixed::units(units), 0).over(turn as f64 / 2.0);
+        let angle = self.half.times(&Fixed::units(units.into()), 0).over(turn as f64 / 2.0);
         let mut sums = [Fixed::default(), Fixed::default()];
         let (mut term, mut number) = (Fixed::units(1).shifted(32 * self.places as i32), 0.0);
         let mut at = 0;

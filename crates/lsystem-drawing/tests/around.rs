@@ -211,7 +211,7 @@ fn segments(around: &Around, most: u128) -> Vec<(Fixed, [[f64; 2]; 2])> {
         let count = drawing.segments_in(item);
         for local in (0..if count < WHOLE { count } else { 0 }).step_by(step as usize) {
             let ends = ends_in(drawing, item, local).map(|end| end.map(|v| v * drawing.unit()));
-            found.push((first.plus(&Fixed::units(local as u64)), ends));
+            found.push((first.plus(&Fixed::units(local)), ends));
         }
     }
     found
@@ -250,7 +250,7 @@ fn places_at_any_depth_agree_with_exact_integers() {
                 assert!(
                     ring.name == "bush"
                         || items.iter().zip(&around.firsts).any(|(item, first)| {
-                            let after = first.plus(&Fixed::units(around.drawing.segments_in(item) as u64));
+                            let after = first.plus(&Fixed::units(around.drawing.segments_in(item)));
                             !number.compared(first).is_lt() && number.compared(&after).is_lt()
                         })
                 );
@@ -273,7 +273,7 @@ fn no_near_segment_is_missing() {
         let all: Vec<_> = drawing.segments().map(|segment| [segment.from, segment.to]).collect();
         for seed in 1..=20 {
             let number = seed * 7919 % all.len();
-            let around = drawing.around(&Fixed::units(number as u64), 2).unwrap();
+            let around = drawing.around(&Fixed::units(number as u128), 2).unwrap();
             let found = segments(&around, u128::MAX);
             let numbers: HashMap<String, [[f64; 2]; 2]> =
                 found.iter().map(|(number, ends)| (number.decimal(), *ends)).collect();

@@ -35,8 +35,7 @@ impl Around {
     pub fn number_of(&self, segment: u128) -> Option<Fixed> {
         let items = self.drawing.items_of(self.drawing.root?);
         let (at, within) = self.drawing.before(items, segment);
-        // Blocks of the size of the reach have fewer than 2^64 segments.
-        Some(self.firsts.get(at)?.plus(&Fixed::units(u64::try_from(within).ok()?)))
+        Some(self.firsts.get(at)?.plus(&Fixed::units(within)))
     }
 }
 

@@ -132,7 +132,7 @@ mod tests {
                 let [[x, y, fx, fy], _] = fitted_ends(&drawing, number.into()).unwrap();
                 let aside = 20.0 / (fitted_scale(&drawing, VIEWPORT) * zoom);
                 let usual = View { x: x + aside, y, zoom, fine: [fx, fy] };
-                let mut closeup = Closeup::new(drawing.clone(), Fixed::units(number));
+                let mut closeup = Closeup::new(drawing.clone(), Fixed::units(number.into()));
                 let own = View { x: aside, y: 0.0, zoom, fine: [0.0; 2] };
                 let (near, view) = closeup.show(VIEWPORT, own).unwrap();
                 // The place of the segment, and of its end as the neighbourhood has it.
@@ -140,7 +140,7 @@ mod tests {
                 let off = |a: [f64; 4], b: [f64; 4]| seen_from(a, b).map(f64::abs).iter().sum::<f64>();
                 assert!(off(closeup.place().unwrap(), start) < 1e-15, "{name}");
                 let local = (0..near.drawing.segment_count())
-                    .find(|&local| near.number_of(local) == Some(Fixed::units(number)));
+                    .find(|&local| near.number_of(local) == Some(Fixed::units(number.into())));
                 let [_, to] = fitted_ends(&near.drawing, local.unwrap()).unwrap();
                 assert!(off(closeup.outside(to).unwrap(), seen_from(start, end)) < 1e-13, "{name}");
                 let [mut a, mut b] = [Renderer::new(), Renderer::new()];
