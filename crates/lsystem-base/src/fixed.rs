@@ -37,9 +37,15 @@ impl Fixed {
     /// The nearest `f64`, almost: the bits after the first 64 are dropped. `places` are the places after the point.
     #[must_use]
     pub fn number(&self, places: usize) -> f64 {
+        self.number_at(places, 0)
+    }
+
+    /// As [`Fixed::number`], times `2^exponent`.
+    #[must_use]
+    pub fn number_at(&self, places: usize, exponent: i32) -> f64 {
         let top = self.digits.iter().rev().take(3).fold(0.0, |sum, &digit| sum * 4_294_967_296.0 + f64::from(digit));
         let below = self.digits.len().saturating_sub(3) as i32 - places as i32;
-        libm::scalbn(if self.negative { -top } else { top }, 32 * below)
+        libm::scalbn(if self.negative { -top } else { top }, 32 * below + exponent)
     }
 
     /// Whether the number is zero.
@@ -237,10 +243,10 @@ impl FixedPoint {
         Self([x.times(c, places).minus(&y.times(s, places)), x.times(s, places).plus(&y.times(c, places))])
     }
 
-    /// The nearest numbers, as [`Fixed::number`].
+    /// The nearest numbers, as [`Fixed::number_at`].
     #[must_use]
-    pub fn numbers(&self, places: usize) -> [f64; 2] {
-        self.0.each_ref().map(|c| c.number(places))
+    pub fn numbers(&self, places: usize, exponent: i32) -> [f64; 2] {
+        self.0.each_ref().map(|c| c.number_at(places, exponent))
     }
 }
 

@@ -275,10 +275,10 @@ impl<S: Surface> Session<S> {
             Target::Segment(local) => {
                 let mut stroke = segment_facts(&figure, local)?;
                 [&mut stroke.fitted_from, &mut stroke.fitted_to].into_iter().for_each(outside);
-                if let (Some(Figure::Plane(whole)), [x, y, ..]) = (&self.shown, near.start) {
-                    let start = [whole.start[0] + whole.unit() * x, whole.start[1] + whole.unit() * y];
+                if let (Some(Figure::Plane(whole)), [x, y]) = (&self.shown, near.origin) {
+                    let origin = [whole.start[0] + whole.unit() * x, whole.start[1] + whole.unit() * y];
                     for end in [&mut stroke.from, &mut stroke.to] {
-                        end.iter_mut().zip(start).for_each(|(at, start)| *at += start);
+                        end.iter_mut().zip(origin).for_each(|(at, origin)| *at += origin);
                     }
                 }
                 let segment = near.number_of(local)?.decimal();

@@ -18,13 +18,15 @@ use lsystem_syntax::Heading;
 use std::collections::HashSet;
 use std::sync::{Arc, OnceLock};
 
-/// The neighbourhood of a segment.
+/// The neighbourhood of a place near a segment.
 #[derive(Clone, Debug)]
 pub struct Around {
-    /// What lies near the segment, in the directions of the whole drawing. The segment begins at the origin of the model.
+    /// What lies near the place, in the directions of the whole drawing. The place is the origin of the model.
     pub drawing: Arc<Drawing>,
     /// The segment's start, in units of the whole drawing's root block: x, y, and their rounding remainders.
     pub start: [f64; 4],
+    /// The place itself, in units of the whole drawing's root block.
+    pub origin: [f64; 2],
     /// By item of the root block: the number of its first segment in the whole drawing.
     pub firsts: Vec<Fixed>,
 }
@@ -60,10 +62,11 @@ impl Drawing {
         self.root.map_or_else(Fixed::default, |root| self.counts().swap_remove(root.0 as usize))
     }
 
-    /// What lies within `2^reach` steps of the start of a segment (0-based), and parts that lie farther away. `None` if
+    /// What lies within `2^reach` steps of a place, and parts that lie farther away. The place is `offset` from the start of
+    /// a segment (0-based), in units of the root block. `None` if
     /// there is no such segment, if the drawing is not a shared one, or if it has too many parts.
     #[must_use]
-    pub fn around(&self, segment: &Fixed, reach: i32) -> Option<Around> {
+    pub fn around(&self, segment: &Fixed, offset: [f64; 2], reach: i32) -> Option<Around> {
         if !self.course.kept || self.course.legs.len() > MOST_LEGS {
             return None;
         }
@@ -73,12 +76,14 @@ impl Drawing {
         let centre = exact.centre(&way)?;
         let unit = self.course.exponent - self.blocks[self.root?.0 as usize].exponent;
         let places = exact.places[0];
-        let high = centre.numbers(places);
-        let low = centre.minus(&FixedPoint(high.map(|c| Fixed::of(c, places)))).numbers(places);
-        let start = [high[0], high[1], low[0], low[1]].map(|c| libm::scalbn(c, unit));
+        let [x, y] = centre.numbers(places, unit);
+        let rest = centre.minus(&FixedPoint([x, y].map(|c| fixed(c, places, -unit))));
+        let [fine_x, fine_y] = rest.numbers(places, unit);
         let mut finder = Finder::new(self, exact, &counts, reach);
-        finder.find(centre)?;
-        finder.finish(start)
+        let middle = centre.plus(&FixedPoint(offset.map(|c| fixed(c, places, -unit))));
+        let origin = middle.numbers(places, unit);
+        finder.find(middle)?;
+        finder.finish([x, y, fine_x, fine_y], origin)
     }
 
     /// The numbers of segments of all blocks, exactly.
@@ -114,6 +119,12 @@ impl Drawing {
             }
         }
     }
+}
+
+/// A number times `2^exponent`.
+fn fixed(number: f64, places: usize, exponent: i32) -> Fixed {
+    let (fraction, own) = libm::frexp(number);
+    Fixed::of(fraction, places).shifted(own + exponent)
 }
 
 /// The number of segments in an item, from those of all blocks.
@@ -396,7 +407,7 @@ impl<'a> Finder<'a> {
         let drawing = self.drawing;
         let block = &drawing.blocks[node.block.0 as usize];
         let exponent = block.exponent - drawing.course.exponent;
-        let centre = node.centre.numbers(self.exact.places[0]).map(|c| libm::scalbn(c, -exponent));
+        let centre = node.centre.numbers(self.exact.places[0], -exponent);
         let reach = self.reach_in(block, node.scale);
         let style = |id: StyleId| node.style.then(&drawing.styles[id.0 as usize]);
         // Half a width, from steps to units of the block.
@@ -450,18 +461,21 @@ impl<'a> Finder<'a> {
         })
     }
 
-    /// A vector in the frame of a node, in the directions of the whole drawing and in units of the reach.
+    /// A vector in the frame of a node, in the directions of the whole drawing and in units of the reach, before the scale.
     #[inline(never)]
     fn shown(&mut self, [x, y]: [f64; 2], turn: Heading, scale: f64) -> [f64; 2] {
-        let unit = self.drawing.course.exponent - self.reach;
-        let [x, y] = [x, y].map(|v| libm::scalbn(v * scale, unit));
         let (c, s) = self.directions.cos_sin(turn);
-        [c * x - s * y, s * x + c * y]
+        [scale * (c * x - s * y), scale * (s * x + c * y)]
+    }
+
+    /// The exponent from units of the course to those of the reach.
+    fn unit(&self) -> i32 {
+        self.drawing.course.exponent - self.reach
     }
 
     /// A block as an item of the neighbourhood.
     fn placed(&mut self, node: &Open) -> Item {
-        let away = node.centre.numbers(self.exact.places[0]).map(|c| -c);
+        let away = node.centre.numbers(self.exact.places[0], self.unit()).map(|c| -c);
         let exponent = self.drawing.blocks[node.block.0 as usize].exponent;
         Item::Block(Placed {
             block: node.block,
@@ -479,21 +493,21 @@ impl<'a> Finder<'a> {
         if stroke.spots == [Spot::ENTRY; 2] {
             return Some(None);
         }
-        let places = self.exact.places[0];
+        let (places, unit) = (self.exact.places[0], self.unit());
         let ends = stroke.spots.map(|spot| Some(self.exact.within(node.block, spot)?.minus(&node.centre)));
         let [Some(start), Some(end)] = ends else { return None };
         let ends = [start, end];
         let far = |end: &[f64; 2]| end[0].abs().max(end[1].abs()) > FAR;
         let mut turn = node.turn;
-        let mut near = ends.each_ref().map(|end| end.numbers(places));
+        let mut near = ends.each_ref().map(|end| end.numbers(places, unit));
         let leg = stroke.spots[1].0.checked_sub(1).map(|at| self.drawing.course.legs[at as usize]);
         let [from, to] = near.map(|end| self.shown(end, turn, node.scale));
         let (mut from, mut to) = (from, to);
         if let Some(leg) = leg.filter(|leg| leg.from == stroke.spots[0] && (far(&from) || far(&to))) {
             // Along the stroke itself, the distance from its line is exact.
-            near = ends.map(|end| self.exact.turned(&end, -leg.heading).numbers(places));
+            near = ends.map(|end| self.exact.turned(&end, -leg.heading).numbers(places, unit));
             turn = node.turn + leg.heading;
-            let most = libm::scalbn(FAR / node.scale, self.reach - self.drawing.course.exponent);
+            let most = FAR / node.scale;
             near.iter_mut().for_each(|end| end[0] = end[0].clamp(-most, most));
             [from, to] = near.map(|end| self.shown(end, turn, node.scale));
         }
@@ -506,7 +520,8 @@ impl<'a> Finder<'a> {
         let first = self.vertices.len() as u32;
         for number in polygon.range() {
             let spot = self.drawing.course.vertices.get(number).copied()?;
-            let at = self.exact.within(node.block, spot)?.minus(&node.centre).numbers(self.exact.places[0]);
+            let at =
+                self.exact.within(node.block, spot)?.minus(&node.centre).numbers(self.exact.places[0], self.unit());
             let vertex = self.shown(at, node.turn, node.scale);
             self.vertices.push(vertex);
         }
@@ -514,7 +529,7 @@ impl<'a> Finder<'a> {
     }
 
     /// The drawing of the items found.
-    fn finish(self, start: [f64; 4]) -> Option<Around> {
+    fn finish(self, start: [f64; 4], origin: [f64; 2]) -> Option<Around> {
         let Self { drawing, styles, vertices, items, firsts, reach, .. } = self;
         let mut builder = Builder::new();
         builder.blocks.clone_from(&drawing.blocks);
@@ -543,6 +558,7 @@ impl<'a> Finder<'a> {
                 extent: OnceLock::new(),
             }),
             start,
+            origin,
             firsts,
         })
     }

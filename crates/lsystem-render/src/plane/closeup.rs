@@ -22,8 +22,17 @@ pub struct Closeup {
     whole: Arc<Drawing>,
     /// The segment (0-based).
     pub segment: Fixed,
-    /// The neighbourhood drawn last, by the exponent of its reach.
-    near: Option<(i32, Arc<Around>)>,
+    near: Option<Near>,
+}
+
+/// The neighbourhood drawn last.
+#[derive(Clone, Debug)]
+struct Near {
+    /// The exponent of its reach, in steps.
+    reach: i32,
+    /// Its middle from the segment's start, in units of the whole drawing's root block.
+    middle: [f64; 2],
+    around: Arc<Around>,
 }
 
 impl Closeup {
@@ -54,25 +63,29 @@ impl Closeup {
         let window = f64::from(viewport.width.max(viewport.height)) / pixels;
         let size = exponent_of(window).saturating_add(exponent(&self.whole));
         let reach = ((size + MARGIN).div_euclid(STEP) + 1) * STEP;
-        if self.near.as_ref().is_none_or(|(known, _)| *known != reach) {
-            self.near = Some((reach, Arc::new(self.whole.around(&self.segment, reach)?)));
-        }
-        let (_, near) = self.near.as_ref()?;
-        let (inner, ratio) = (PlaneFraming::of_root(&near.drawing), self.ratio(near));
-        let (_, bounds) = root_bounds(&near.drawing);
         let side = root_bounds(&self.whole).1.longer_side();
-        let offset = |v: f64| libm::scalbn(v * side, ratio) / bounds.longer_side();
+        let at = [view.x + view.fine[0], view.y + view.fine[1]].map(|v| v * side);
+        let is_inside = |near: &Near| {
+            let most = libm::scalbn(0.5, reach - exponent(&self.whole));
+            near.reach == reach && (0..2).all(|axis| (at[axis] - near.middle[axis]).abs() < most)
+        };
+        if !self.near.as_ref().is_some_and(is_inside) {
+            let around = Arc::new(self.whole.around(&self.segment, at, reach)?);
+            self.near = Some(Near { reach, middle: at, around });
+        }
+        let Near { middle, around, .. } = self.near.as_ref()?;
+        let (inner, ratio) = (PlaneFraming::of_root(&around.drawing), self.ratio(around));
+        let (_, bounds) = root_bounds(&around.drawing);
         let [x, y] = bounds.centre().map(|centre| -centre / bounds.longer_side());
-        let fine = [offset(view.x) + offset(view.fine[0]), offset(view.y) + offset(view.fine[1])];
+        let fine = [0, 1].map(|axis| libm::scalbn(at[axis] - middle[axis], ratio) / bounds.longer_side());
         let zoom = libm::scalbn(pixels, -ratio) / inner.scale(viewport);
-        Some((near.clone(), View { x, y, zoom, fine }))
+        Some((around.clone(), View { x, y, zoom, fine }))
     }
 
     /// The segment's start in the fitted whole, as in [`fitted_ends`](crate::fitted_ends), once something is shown.
     #[must_use]
     pub fn place(&self) -> Option<[f64; 4]> {
-        let (_, near) = self.near.as_ref()?;
-        let [x, y, fine_x, fine_y] = near.start;
+        let [x, y, fine_x, fine_y] = self.near.as_ref()?.around.start;
         Some(FittedFrame::new(&self.whole).fit([Wide::sum(x, fine_x), Wide::sum(y, fine_y)]))
     }
 
@@ -80,15 +93,16 @@ impl Closeup {
     /// whole.
     #[must_use]
     pub fn outside(&self, [x, y, fine_x, fine_y]: [f64; 4]) -> Option<[f64; 4]> {
-        let (_, near) = self.near.as_ref()?;
-        let (_, bounds) = root_bounds(&near.drawing);
+        let Near { middle, around, .. } = self.near.as_ref()?;
+        let (_, bounds) = root_bounds(&around.drawing);
         let (centre, inner) = (bounds.centre(), bounds.longer_side());
         let side = root_bounds(&self.whole).1.longer_side();
-        let out = |v: f64, fine: f64, centre: f64| {
-            let [place, _] = Wide::product(v, inner).plus(fine * inner).plus(centre).parts();
-            libm::scalbn(place, -self.ratio(near)) / side
+        let out = |v: f64, fine: f64, axis: usize| {
+            let [place, _] = Wide::product(v, inner).plus(fine * inner).plus(centre[axis]).parts();
+            Wide::sum(middle[axis], libm::scalbn(place, -self.ratio(around))).over(side).parts()
         };
-        Some([out(x, fine_x, centre[0]), out(y, fine_y, centre[1]), 0.0, 0.0])
+        let ([x, fine_x], [y, fine_y]) = (out(x, fine_x, 0), out(y, fine_y, 1));
+        Some([x, y, fine_x, fine_y])
     }
 
     /// The exponent of a unit of the whole in units of a neighbourhood.
@@ -139,9 +153,19 @@ mod tests {
                 let [start, end] = fitted_ends(&drawing, number.into()).unwrap();
                 let off = |a: [f64; 4], b: [f64; 4]| seen_from(a, b).map(f64::abs).iter().sum::<f64>();
                 assert!(off(closeup.place().unwrap(), start) < 1e-15, "{name}");
-                let local = (0..near.drawing.segment_count())
-                    .find(|&local| near.number_of(local) == Some(Fixed::units(number.into())));
-                let [_, to] = fitted_ends(&near.drawing, local.unwrap()).unwrap();
+                let mut before = 0;
+                let inside = near.drawing.items_of(near.drawing.root.unwrap()).iter().find_map(|item| {
+                    let all = near.drawing.segments_in(item);
+                    let first: u64 = near.number_of(before).unwrap().decimal().parse().unwrap();
+                    before += all;
+                    number
+                        .checked_sub(first)
+                        .map(u128::from)
+                        .filter(|&within| within < all)
+                        .map(|within| before - all + within)
+                });
+                let Some(local) = inside else { panic!("{name}: the segment is not near itself") };
+                let [_, to] = fitted_ends(&near.drawing, local).unwrap();
                 assert!(off(closeup.outside(to).unwrap(), seen_from(start, end)) < 1e-13, "{name}");
                 let [mut a, mut b] = [Renderer::new(), Renderer::new()];
                 a.load(drawing.clone());
@@ -160,7 +184,7 @@ mod tests {
     fn a_segment_fills_the_picture() {
         let style = Style { colour_by: ColourBy::Single, ..Style::default() };
         for (name, sample) in hard().into_iter().filter(|(name, _)| *name == "koch" || *name == "gosper") {
-            let drawing = Arc::new(sample.draw(if name == "koch" { 620 } else { 700 }));
+            let drawing = Arc::new(sample.draw(1000));
             let half = drawing.exact_count().shifted(-1);
             let mut closeup = Closeup::new(drawing.clone(), half);
             for zoom in [1e20, 1e100, 1e290] {
