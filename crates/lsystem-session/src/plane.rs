@@ -4,7 +4,6 @@ use crate::budget::affordable;
 use crate::pace::{STEP, WORK};
 use crate::surface::{Clock, Surface};
 use crate::viewer::{Drawn, Only, PictureSettings, Viewer};
-use lsystem::drawing::Around;
 use lsystem::render::{Closeup, Detail};
 use lsystem::{Drawing, Progress, Renderer, View};
 use std::sync::Arc;
@@ -17,16 +16,12 @@ const PATIENCE: f64 = STEP;
 /// slowness may have been accidental. If it was not, one picture in five comes later than the others, by one step.
 const SKETCHES: u8 = 4;
 
-/// The neighbourhood of a segment, and its view.
-pub(crate) type Near = (Arc<Around>, View);
-
 /// A drawing in the plane and its picture.
 pub(crate) struct PlaneView {
     drawing: Option<Arc<Drawing>>,
     /// What the renderers have: the drawing, or what lies around a segment.
     shown: Option<Arc<Drawing>>,
     closeup: Option<Closeup>,
-    near: Option<Near>,
     fine: Renderer,
     /// The renderer of coarse pictures. `None` for small pictures, which use `fine` for both and always start coarse.
     coarse: Option<Renderer>,
@@ -55,7 +50,6 @@ impl Default for PlaneView {
             drawing: None,
             shown: None,
             closeup: None,
-            near: None,
             fine: Renderer::new(),
             coarse: Some(Renderer::new()),
             settings: None,
@@ -135,7 +129,7 @@ impl PlaneView {
     /// Takes the drawing of the next pictures.
     pub(crate) fn load(&mut self, drawing: Arc<Drawing>) {
         self.stage = Stage::Done;
-        (self.closeup, self.near) = (None, None);
+        self.closeup = None;
         self.show(drawing.clone());
         self.drawing = Some(drawing);
     }
@@ -152,24 +146,22 @@ impl PlaneView {
         self.shown = Some(drawing);
     }
 
-    pub(crate) fn closeup(&self) -> Option<(&Closeup, &Near)> {
-        self.closeup.as_ref().zip(self.near.as_ref())
+    pub(crate) fn closeup(&self) -> Option<&Closeup> {
+        self.closeup.as_ref()
     }
 
     /// The settings for what the renderers get: a close-up, if the view has a segment as its origin and the drawing has
     /// that segment.
     fn aimed(&mut self, mut settings: PictureSettings) -> PictureSettings {
-        self.near = None;
         let Some(whole) = &self.drawing else { return settings };
         let mut shown = whole.clone();
         if let Some(segment) = &settings.origin {
             let known = self.closeup.take().filter(|known| known.segment == *segment);
             let closeup = self.closeup.insert(known.unwrap_or_else(|| Closeup::new(whole.clone(), segment.clone())));
-            self.near = closeup.show(settings.viewport, settings.vantage.view);
-            settings.vantage.view = match &self.near {
+            settings.vantage.view = match closeup.show(settings.viewport, settings.vantage.view) {
                 Some((near, view)) => {
                     shown = near.drawing.clone();
-                    *view
+                    view
                 }
                 None => View::default(),
             };

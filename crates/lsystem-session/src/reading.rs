@@ -15,6 +15,7 @@ use lsystem::render::{
 use lsystem::syntax::print_module;
 use lsystem::{Figure, Progress, View, pick};
 use serde::Serialize;
+use std::sync::Arc;
 use ts_rs::TS;
 
 /// The most blocks visited by one pick: some milliseconds, so that a pick takes no longer than a step.
@@ -223,8 +224,8 @@ impl<S: Surface> Session<S> {
     pub fn pick(&self, x: f64, y: f64, tolerance: f64) -> Picked {
         let pointer = Pointer { at: [x, y], tolerance, upto: self.upto, visits: VISITS };
         let Some(figure) = self.shown.as_ref().filter(|_| self.framing.is_none()) else { return Picked::default() };
-        if let Some((closeup, (near, view))) = self.views.closeup() {
-            return self.pick_near(closeup, near, *view, &pointer).unwrap_or_default();
+        if let Some((closeup, near, view)) = self.closeup() {
+            return self.pick_near(&closeup, &near, view, &pointer).unwrap_or_default();
         }
         let Some(found) = pick(figure, self.viewport, &self.vantage, &pointer) else { return Picked::default() };
         let (symbol, picked) = match found.target {
@@ -246,9 +247,9 @@ impl<S: Surface> Session<S> {
     pub fn anchor(&self) -> Option<Anchor> {
         let Figure::Plane(whole) = self.shown.as_ref()? else { return None };
         let view = self.vantage.view;
-        let (number, offset) = match self.views.closeup() {
-            Some((_, (near, own))) => {
-                let (local, offset) = segment_near(&near.drawing, self.viewport, *own)?;
+        let (number, offset) = match self.closeup() {
+            Some((_, near, own)) => {
+                let (local, offset) = segment_near(&near.drawing, self.viewport, own)?;
                 (near.number_of(local.decimal().parse().ok()?)?, offset)
             }
             None => segment_near(whole, self.viewport, view)?,
@@ -260,6 +261,16 @@ impl<S: Surface> Session<S> {
         // Where the segment is seen, so that nothing moves.
         let place = seen_from([x, y, 0.0, 0.0], [view.x, view.y, view.fine[0], view.fine[1]]);
         Some(Anchor { at: number.plus(&Fixed::units(1)).decimal(), place: place.to_vec() })
+    }
+
+    /// The close-up of the present view, what lies around it, and its view; `None` for a view of the whole drawing.
+    fn closeup(&self) -> Option<(Closeup, Arc<Around>, View)> {
+        let (Some(origin), Some(Figure::Plane(whole))) = (self.origin.as_ref(), &self.shown) else { return None };
+        // The picture may be of a view before.
+        let known = self.views.closeup().filter(|known| known.segment == *origin);
+        let mut closeup = known.cloned().unwrap_or_else(|| Closeup::new(whole.clone(), origin.clone()));
+        let (near, view) = closeup.show(self.viewport, self.vantage.view)?;
+        Some((closeup, near, view))
     }
 
     /// As [`Session::pick`], in a close-up.
@@ -297,7 +308,7 @@ impl<S: Surface> Session<S> {
 
     /// A place as one from the origin of the view.
     fn seen_from_origin(&self, place: Place) -> Place {
-        let origin = self.views.closeup().and_then(|(closeup, _)| closeup.place());
+        let origin = self.closeup().and_then(|(closeup, ..)| closeup.place());
         match (origin, place[..].try_into()) {
             (Some(origin), Ok(at)) => seen_from(origin, at).to_vec(),
             _ => place,

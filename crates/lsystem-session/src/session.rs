@@ -49,7 +49,7 @@ pub struct Session<S> {
     pub(crate) viewport: Viewport,
     pub(crate) vantage: Vantage,
     /// The segment (0-based) whose start is the origin of views in the plane; `None` for the fitted centre.
-    origin: Option<Fixed>,
+    pub(crate) origin: Option<Fixed>,
     /// The camera where the page names none: that of the shown drawing.
     opening: Camera,
     is_camera_named: bool,

@@ -1,6 +1,6 @@
 //! The interface of a drawing's viewer: there is one viewer for the plane and one for space.
 
-use crate::plane::{Near, PlaneView};
+use crate::plane::PlaneView;
 use crate::reading::Pose;
 use crate::solid::SolidView;
 use crate::surface::{Clock, Surface};
@@ -110,8 +110,8 @@ impl Views {
         }
     }
 
-    /// The close-up that is shown, if any.
-    pub(crate) fn closeup(&self) -> Option<(&Closeup, &Near)> {
+    /// The close-up that was shown last, if any.
+    pub(crate) fn closeup(&self) -> Option<&Closeup> {
         if self.is_solid { None } else { self.plane.closeup() }
     }
 
