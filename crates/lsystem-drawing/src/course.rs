@@ -7,8 +7,8 @@ use crate::Plane;
 use crate::room::{bytes_for, bytes_of, reserve};
 use crate::space::Geometry;
 
-/// A place in the frame of a piece: the turtle enters at the origin heading along +x. Places are in units of
-/// [`Course::exponent`].
+/// A place in the frame of a piece: the turtle enters at the origin heading along +x. The unit is that of the drawing's
+/// course.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spot(pub(crate) u32);
 
