@@ -491,7 +491,7 @@ mod tests {
             "draw a --format gif",
             &expect![[r#"
                 error: invalid value 'gif' for '--format <FORMAT>'
-                  [possible values: svg, svg-compact, plotter, png, pdf, tikz, tikz-library, latex, markdown, bibtex, json, txt, csv, obj, glb, stl]"#]],
+                  [possible values: svg, svg-compact, plotter, png, pdf, tikz, tikz-library, latex, markdown, bibtex, midi, json, txt, csv, obj, glb, stl]"#]],
         );
         check("draw a --size 10x10", &expect!["error: --size needs --format png"]);
         check("draw a --pen 0.5", &expect!["error: --pen needs --format plotter"]);
