@@ -70,6 +70,11 @@ impl<S: Geometry> Course<S> {
         Spot(self.legs.len() as u32)
     }
 
+    /// The place at the start of the leg to a place.
+    pub(crate) fn start(&self, spot: Spot) -> Spot {
+        spot.0.checked_sub(1).and_then(|at| self.legs.get(at as usize)).map_or(Spot::ENTRY, |leg| leg.from)
+    }
+
     /// The bytes that the course occupies.
     pub(crate) fn bytes(&self) -> u64 {
         bytes_of(&self.legs) + bytes_of(&self.vertices)

@@ -658,9 +658,9 @@ pub(crate) trait Paper<S: Geometry> {
     /// Notes a leg of the turtle's way. Returns the place at its end.
     fn go(&mut self, leg: Leg<S>) -> Spot;
     /// Adds a segment of the branch.
-    fn stroke(&mut self, ends: [S::Point; 2], spots: [Spot; 2], style: &StyleChange);
+    fn stroke(&mut self, ends: [S::Point; 2], spot: Spot, style: &StyleChange);
     /// Adds a segment beside the branch.
-    fn side(&mut self, ends: [S::Point; 2], spots: [Spot; 2], style: &StyleChange);
+    fn side(&mut self, ends: [S::Point; 2], spot: Spot, style: &StyleChange);
     /// Adds a stroke of a tube, which tapers to the width `style.next`.
     fn tube(&mut self, ends: [S::Point; 2], style: &StyleChange);
     /// Interrupts the branch: the turtle moves.
@@ -706,9 +706,9 @@ impl<S: Geometry> Pen<S> {
         for &op in ops {
             match op {
                 TurtleOp::Draw(length) => {
-                    let (from, spot) = (self.at, self.spot);
+                    let from = self.at;
                     self.forward(length, scale, directions, paper);
-                    paper.stroke([from, self.at], [spot, self.spot], &self.style);
+                    paper.stroke([from, self.at], self.spot, &self.style);
                 }
                 TurtleOp::Move(length) => {
                     self.forward(length, scale, directions, paper);
@@ -720,10 +720,16 @@ impl<S: Geometry> Pen<S> {
                 TurtleOp::ScaleLength(factor) => self.scale_by(factor),
                 TurtleOp::Circle(diameter) => {
                     let axes = self.axes(0.5 * diameter * scale, directions);
-                    let corners = CORNERS.map(|[x, y]| self.corner(&axes, [x, y, 0.0], 0.5 * diameter, paper));
-                    for (at, &(from, spot)) in corners.iter().enumerate() {
-                        let (to, next) = corners[(at + 1) % corners.len()];
-                        paper.side([from, to], [spot, next], &self.style);
+                    let mut corner = [CORNERS[0][0], CORNERS[0][1], 0.0];
+                    let (mut from, mut spot) = self.corner(&axes, corner, 0.5 * diameter, paper);
+                    for [x, y] in CORNERS.into_iter().cycle().skip(1).take(CORNERS.len()) {
+                        let by = By::Corner([x - corner[0], y - corner[1]]);
+                        corner = [x, y, 0.0];
+                        let to = S::transform(&axes, self.at, S::point(corner));
+                        let factor = 0.5 * diameter * self.scale;
+                        spot = paper.go(Leg { from: spot, by, heading: self.heading, factor });
+                        paper.side([from, to], spot, &self.style);
+                        from = to;
                     }
                 }
                 TurtleOp::Fill(outline, size) => {

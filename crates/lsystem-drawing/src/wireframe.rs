@@ -248,8 +248,9 @@ impl Tracer<'_> {
             &Shape::Ball([x, y, z, _]) => plus([x, y, z], times(across, -height([x, y, z]) / dot(across, across))),
             _ => times(crossings.iter().copied().fold([0.0; 3], plus), 1.0 / crossings.len() as f64),
         };
+        // A plane that crosses no curve of a solid passes it by.
         let inside = solid.distance(inner);
-        if inside >= 0.0 || inside.is_nan() {
+        if inner[0].is_nan() || inside >= 0.0 || inside.is_nan() {
             return;
         }
         let [u, v] = plane_of(across);
@@ -383,6 +384,13 @@ mod tests {
                 }
             }
             assert!(crossings > 20, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_the_plane_misses_has_no_section() {
+        for text in ["cylinder(-2, 0.75, 3.5, 0, 1, 1, 1)", "cone(0, 0, 2, 1, 0, 9, 1)", "box(0, 0, 1, 2, 2, 2)"] {
+            assert!(wireframe(&[shape(text)], false).is_empty(), "{text}");
         }
     }
 

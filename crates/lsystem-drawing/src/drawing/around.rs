@@ -252,10 +252,10 @@ impl<'a> Exact<'a> {
         let mut centre = FixedPoint::default();
         for &(block, at) in way.iter().rev() {
             centre = match &self.drawing.items_of(block)[at] {
-                Item::Stroke(stroke) => self.within(block, stroke.spots[0])?,
+                Item::Stroke(stroke) => self.within(block, self.drawing.course.start(stroke.spot))?,
                 Item::Polygon(_) => return None,
                 Item::Block(placed) => {
-                    let at = self.within(block, placed.spot)?;
+                    let at = self.within(block, placed.spot?)?;
                     at.plus(&self.turned(&centre, placed.heading).scaled(self.drawing.own_scale(block, placed)))
                 }
             };
@@ -447,7 +447,7 @@ impl<'a> Finder<'a> {
     /// The node of a block inside another.
     #[inline(never)]
     fn inner(&mut self, node: &Open, placed: &Placed, style: StyleChange, first: &Fixed) -> Option<Open> {
-        let at = self.exact.within(node.block, placed.spot)?;
+        let at = self.exact.within(node.block, placed.spot?)?;
         let own = self.drawing.own_scale(node.block, placed);
         let turned = self.exact.turned(&node.centre.minus(&at), -placed.heading);
         Some(Open {
@@ -480,7 +480,7 @@ impl<'a> Finder<'a> {
         Item::Block(Placed {
             block: node.block,
             style: self.styles.id(&node.style),
-            spot: Spot::ENTRY,
+            spot: None,
             at: self.shown(away, node.turn, node.scale),
             heading: node.turn,
             scale: libm::scalbn(node.scale, exponent - self.reach),
@@ -490,20 +490,21 @@ impl<'a> Finder<'a> {
     /// A stroke as an item of the neighbourhood; `None` inside if it stays out of reach.
     fn stroke(&mut self, node: &Open, stroke: &Stroke, style: &StyleChange) -> Option<Option<Item>> {
         // The outlines of shapes are no part of the turtle's way.
-        if stroke.spots == [Spot::ENTRY; 2] {
+        if stroke.spot == Spot::ENTRY {
             return Some(None);
         }
+        let drawing = self.drawing;
         let (places, unit) = (self.exact.places[0], self.unit());
-        let ends = stroke.spots.map(|spot| Some(self.exact.within(node.block, spot)?.minus(&node.centre)));
+        let ends = [drawing.course.start(stroke.spot), stroke.spot]
+            .map(|spot| Some(self.exact.within(node.block, spot)?.minus(&node.centre)));
         let [Some(start), Some(end)] = ends else { return None };
         let ends = [start, end];
         let far = |end: &[f64; 2]| end[0].abs().max(end[1].abs()) > FAR;
         let mut turn = node.turn;
         let mut near = ends.each_ref().map(|end| end.numbers(places, unit));
-        let leg = stroke.spots[1].0.checked_sub(1).map(|at| self.drawing.course.legs[at as usize]);
-        let [from, to] = near.map(|end| self.shown(end, turn, node.scale));
-        let (mut from, mut to) = (from, to);
-        if let Some(leg) = leg.filter(|leg| leg.from == stroke.spots[0] && (far(&from) || far(&to))) {
+        let leg = drawing.course.legs[stroke.spot.0 as usize - 1];
+        let [mut from, mut to] = near.map(|end| self.shown(end, turn, node.scale));
+        if matches!(leg.by, By::Ahead) && (far(&from) || far(&to)) {
             // Along the stroke itself, the distance from its line is exact.
             near = ends.map(|end| self.exact.turned(&end, -leg.heading).numbers(places, unit));
             turn = node.turn + leg.heading;
@@ -512,7 +513,7 @@ impl<'a> Finder<'a> {
             [from, to] = near.map(|end| self.shown(end, turn, node.scale));
         }
         let style = self.styles.id(style);
-        Some(Some(Item::Stroke(Stroke { from, to, style, spots: [Spot::ENTRY; 2] })))
+        Some(Some(Item::Stroke(Stroke { from, to, style, spot: Spot::ENTRY })))
     }
 
     /// A polygon as an item of the neighbourhood.

@@ -88,8 +88,8 @@ pub struct Stroke<S: Space = Plane> {
     pub to: S::Point,
     /// The style, relative to the block's entry.
     pub style: StyleId,
-    /// Both ends, in the frame of the block's piece.
-    pub spots: [Spot; 2],
+    /// The second end, in the frame of the block's piece. The first is where the last leg of the way to it begins.
+    pub spot: Spot,
 }
 
 /// A filled polygon, by the nonzero winding rule. The vertices are in block units; each is joined to the next and the
@@ -121,8 +121,9 @@ pub struct Placed<S: Space = Plane> {
     pub block: BlockId,
     /// The style at the placed block's entry, relative to the containing block's entry.
     pub style: StyleId,
-    /// The placed block's origin, in the frame of the containing block's piece.
-    pub spot: Spot,
+    /// The placed block's origin, in the frame of the containing block's piece; `None` where no course is kept. As an
+    /// option it leaves room for the kind of the [`Item`], which would take eight bytes more.
+    pub spot: Option<Spot>,
     /// The placed block's origin, in the containing block's units.
     pub at: S::Point,
     /// The placed block's rotation.

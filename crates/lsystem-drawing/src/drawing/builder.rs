@@ -164,7 +164,7 @@ impl<S: Space> Placed<S> {
         let same = libm::scalbn(1.0, builder.blocks[self.block.0 as usize].exponent.saturating_sub(exponent));
         let style = &builder.styles.list[self.style.0 as usize];
         self.scale == same
-            && self.spot == Spot::ENTRY
+            && self.spot.is_none_or(|spot| spot == Spot::ENTRY)
             && self.at == S::Point::default()
             && self.heading == S::AHEAD
             && *style == StyleChange::NONE

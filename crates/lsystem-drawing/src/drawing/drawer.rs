@@ -203,19 +203,12 @@ fn with_wires<S: Space>(root: Option<BlockId>, task: &Task<S>, builder: &mut Bui
     let place = |[a, b, c]: [f64; 3]| times(S::point([a - x, b - y, c]), 1.0 / task.score.step);
     let strokes = wires
         .iter()
-        .map(|[from, to]| Item::Stroke(Stroke { from: place(*from), to: place(*to), style, spots: [Spot::ENTRY; 2] }));
+        .map(|[from, to]| Item::Stroke(Stroke { from: place(*from), to: place(*to), style, spot: Spot::ENTRY }));
     let wires = builder.block(&strokes.collect::<Vec<_>>(), 0, Spot::ENTRY);
     let unchanged = builder.styles.id(&StyleChange::NONE);
     let whole = [root, wires].into_iter().flatten().map(|block| {
         let scale = libm::scalbn(1.0, builder.blocks[block.0 as usize].exponent);
-        Item::Block(Placed {
-            block,
-            style: unchanged,
-            spot: Spot::ENTRY,
-            at: S::Point::default(),
-            heading: S::AHEAD,
-            scale,
-        })
+        Item::Block(Placed { block, style: unchanged, spot: None, at: S::Point::default(), heading: S::AHEAD, scale })
     });
     builder.block(&whole.collect::<Vec<_>>(), 0, Spot::ENTRY)
 }

@@ -62,12 +62,12 @@ pub(super) fn is_hollow<S: Space>(item: &Item<S>) -> bool {
 /// The point at which an item begins.
 pub(super) fn origin<S: Space>(builder: &Builder<S>, item: &Item<S>) -> (S::Point, Spot) {
     match item {
-        Item::Stroke(stroke) => (stroke.from, stroke.spots[0]),
+        Item::Stroke(stroke) => (stroke.from, builder.course.start(stroke.spot)),
         Item::Polygon(polygon) => {
             let first = polygon.first as usize;
             (builder.vertices[first], builder.course.vertices.get(first).copied().unwrap_or_default())
         }
-        Item::Block(placed) => (placed.at, placed.spot),
+        Item::Block(placed) => (placed.at, placed.spot.unwrap_or_default()),
     }
 }
 
@@ -107,9 +107,9 @@ impl<S: Space> ItemWriter<'_, S> {
         }
     }
 
-    fn push(&mut self, [from, to]: [S::Point; 2], spots: [Spot; 2], style: &StyleChange) {
+    fn push(&mut self, [from, to]: [S::Point; 2], spot: Spot, style: &StyleChange) {
         reserve(&mut self.buffer.items, 1);
-        self.buffer.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style), spots }));
+        self.buffer.items.push(Item::Stroke(Stroke { from, to, style: self.styles.id(style), spot }));
     }
 
     /// As [`Tree::place`](super::tree::Tree::place).
@@ -124,20 +124,20 @@ impl<S: Space> Paper<S> for ItemWriter<'_, S> {
         self.course.go(leg)
     }
 
-    fn stroke(&mut self, ends: [S::Point; 2], spots: [Spot; 2], style: &StyleChange) {
+    fn stroke(&mut self, ends: [S::Point; 2], spot: Spot, style: &StyleChange) {
         self.taper(|taper, index, items| taper.stroke(style.width, index, items));
-        self.push(ends, spots, style);
+        self.push(ends, spot, style);
     }
 
-    fn side(&mut self, ends: [S::Point; 2], spots: [Spot; 2], style: &StyleChange) {
+    fn side(&mut self, ends: [S::Point; 2], spot: Spot, style: &StyleChange) {
         let next = self.buffer.taper.is_some().then_some(style.width);
-        self.push(ends, spots, &StyleChange { next, ..*style });
+        self.push(ends, spot, &StyleChange { next, ..*style });
     }
 
     fn tube(&mut self, ends: [S::Point; 2], style: &StyleChange) {
         // Without tapers, an even stroke has no width at its end.
         let next = style.next.filter(|next| self.buffer.taper.is_some() || *next != style.width);
-        self.push(ends, [Spot::ENTRY; 2], &StyleChange { next, ..*style });
+        self.push(ends, Spot::ENTRY, &StyleChange { next, ..*style });
     }
 
     fn gap(&mut self) {

@@ -66,7 +66,7 @@ pub(super) fn place<S: Space>(
     Placed {
         block,
         style: builder.styles.id(&pen.style),
-        spot: pen.spot,
+        spot: Some(pen.spot),
         at: pen.at,
         heading: pen.heading,
         scale: pen.scale * libm::scalbn(factor, own - exponent),

@@ -210,7 +210,7 @@ impl Projection {
         let range = points.start as usize..points.end as usize;
         let points = &self.points[range.clone()];
         self.tree.draw(&mut self.builder, 0, |paper, _| match points {
-            [from, to] if !filled => paper.stroke([*from, *to], [Spot::ENTRY; 2], style),
+            [from, to] if !filled => paper.stroke([*from, *to], Spot::ENTRY, style),
             points => {
                 paper.open(style);
                 points.iter().for_each(|&point| paper.vertex(point, Spot::ENTRY));

@@ -116,7 +116,7 @@ impl Simplifier {
                         next: Some(inner.widest),
                         ..last(drawing, inner)
                     });
-                    (Item::Stroke(Stroke { from, to, style: styles.id(&look), spots: [Spot::ENTRY; 2] }), 1, 0)
+                    (Item::Stroke(Stroke { from, to, style: styles.id(&look), spot: Spot::ENTRY }), 1, 0)
                 } else if let Some(&block) = self.known.get(&(placed.block, scale.to_bits())) {
                     let simple = &self.blocks[block.0 as usize];
                     let placed = Placed { block, style: style(placed.style), ..placed };

@@ -192,7 +192,7 @@ impl<S: Space> Tree<S> {
         let place = |&(block, at, spot): &(BlockId, S::Point, Spot)| {
             let own = builder.blocks[block.0 as usize].exponent;
             let scale = libm::scalbn(1.0, own - self.exponent);
-            Item::Block(Placed { block, style, spot, at: minus(at, &origin), heading: S::AHEAD, scale })
+            Item::Block(Placed { block, style, spot: Some(spot), at: minus(at, &origin), heading: S::AHEAD, scale })
         };
         row.iter().map(place).collect()
     }

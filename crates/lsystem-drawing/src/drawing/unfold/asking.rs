@@ -172,8 +172,8 @@ impl Paper<Solid> for NoPaper {
     fn go(&mut self, _: Leg<Solid>) -> Spot {
         Spot::ENTRY
     }
-    fn stroke(&mut self, _: [[f64; 3]; 2], _: [Spot; 2], _: &StyleChange) {}
-    fn side(&mut self, _: [[f64; 3]; 2], _: [Spot; 2], _: &StyleChange) {}
+    fn stroke(&mut self, _: [[f64; 3]; 2], _: Spot, _: &StyleChange) {}
+    fn side(&mut self, _: [[f64; 3]; 2], _: Spot, _: &StyleChange) {}
     fn tube(&mut self, _: [[f64; 3]; 2], _: &StyleChange) {}
     fn gap(&mut self) {}
     fn branch(&mut self) {}
