@@ -3,8 +3,8 @@
 use crate::drawing::{BlockId, Item, Pieces, Space, StateWord, StateWords};
 use crate::{Drawing, System};
 use core::ops::Range;
+use lsystem_base::sorted::set;
 use lsystem_derive::{LetterId, Word};
-use std::collections::HashSet;
 
 /// The position (0-based, saturating) in generation `n` of the symbol that opens polygon `number` (0-based, in the
 /// order of opening). `drawing` is the drawing of generation `n`. `None` beyond the last polygon.
@@ -104,8 +104,7 @@ fn opening<S: Space, W: Successors>(
     let (mut members, mut left) = (axiom, number);
     let (mut block, mut before) = (drawing.root?, 0_u128);
     loop {
-        let inner: HashSet<BlockId> =
-            members.iter().filter_map(|m| m.inner.as_ref()).flat_map(|m| m.1).flatten().collect();
+        let inner = set(members.iter().filter_map(|m| m.inner.as_ref()).flat_map(|m| m.1).flatten());
         let mut contents = WordContents::default();
         contents.collect(drawing, block, &inner);
         let mut own = contents.own.into_iter().peekable();
@@ -150,9 +149,9 @@ struct WordContents {
 
 impl WordContents {
     /// Collects the contents of a block. The block of a long word contains blocks of its parts.
-    fn collect<S: Space>(&mut self, drawing: &Drawing<S>, block: BlockId, inner: &HashSet<BlockId>) {
-        // If only one symbol of a word draws, the word has that symbol's block.
-        if inner.contains(&block) {
+    fn collect<S: Space>(&mut self, drawing: &Drawing<S>, block: BlockId, inner: &[BlockId]) {
+        // `inner` is sorted. If only one symbol of a word draws, the word has that symbol's block.
+        if inner.binary_search(&block).is_ok() {
             self.blocks.push(block);
             return;
         }

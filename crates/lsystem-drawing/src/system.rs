@@ -14,7 +14,6 @@ use lsystem_syntax::{
     Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, Production, Style, parse_overrides,
     parse_surfaces,
 };
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A checked and compiled [`Definition`].
@@ -61,8 +60,7 @@ impl System {
             Action::Surface(name, _) if surfaces.iter().all(|surface| surface.name != *name) => Some(*name),
             _ => None,
         });
-        let unknown: BTreeSet<char> = unknown.collect();
-        diagnostics.extend(unknown.into_iter().map(|name| {
+        diagnostics.extend(set(unknown).into_iter().map(|name| {
             let kind = Kind::UnknownSurface { name };
             Diagnostic { kind, field: Field::Overrides, span: 0..0 }
         }));

@@ -2,10 +2,10 @@
 //! reads them in the same way; `docs/links.md` describes the format.
 
 use super::packed::unpack;
+use lsystem_base::sorted::repeated;
 use lsystem_base::{MAX_PALETTE, decimal};
 use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
-use std::collections::HashMap;
 
 /// Longer links are not read, in UTF-16 units.
 const LONGEST: usize = 2_000_000;
@@ -88,20 +88,16 @@ pub fn fields_of(hash: &str) -> impl Iterator<Item = (&str, &str)> + Clone {
     hash.split('&').filter_map(|part| part.split_once('=')).filter(|(key, _)| !key.is_empty())
 }
 
-/// Reads fields. If a key stands twice, its last value counts.
+/// Reads fields. If a key stands twice, its last value counts, at its place.
 pub fn read_fields<'a>(fields: impl Iterator<Item = (&'a str, &'a str)>) -> Link {
     let mut link = Link::default();
-    // By key: its place among the fields. Each value is decoded once, so that the time is linear in the length.
-    let mut places: HashMap<&str, usize> = HashMap::new();
-    let mut last: Vec<(&str, &str)> = Vec::new();
-    for (key, value) in fields.filter(|(key, _)| *key != "z") {
-        let place = *places.entry(key).or_insert(last.len());
-        match last.get_mut(place) {
-            Some(field) => field.1 = value,
-            None => last.push((key, value)),
+    // Each value is decoded once, so that the time grows with the length only.
+    let fields: Vec<(&str, &str)> = fields.filter(|(key, _)| *key != "z").collect();
+    let mut overridden = repeated(fields.iter().rev().map(|(key, _)| *key));
+    for &(key, value) in &fields {
+        if overridden.pop() == Some(true) {
+            continue;
         }
-    }
-    for (key, value) in last {
         let Some(text) = decoded(value) else {
             link.problem(value, format!("The value of `{}` is damaged", excerpt(key)));
             continue;
