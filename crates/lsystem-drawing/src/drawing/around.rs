@@ -553,6 +553,7 @@ impl<'a> Finder<'a> {
                 memoised: true,
                 places: vec![],
                 depths: vec![],
+                wires: 0,
                 symbols: None,
                 scene: SceneSize::default(),
                 extent: OnceLock::new(),
