@@ -469,3 +469,25 @@ fn curves_are_written_as_function_files() {
     assert!(ours.iter().zip(&theirs).all(|(a, b)| (a * scale - b).abs() < 1e-6), "{ours:?} {theirs:?}");
     assert!(lsystem_import::write::export(&definition, notation("houdini")).is_err());
 }
+
+#[test]
+fn functions_of_lpy_are_curves() {
+    let rules = lpy("A(0)A(0.5)A(1)", "A(x) --> F(1+10*hill(x))");
+    let points = "Vector3(0,0,1),Vector3(0.25,1,1),Vector3(0.75,2,1),Vector3(1,0,1)";
+    let code = format!("hill = QuantisedFunction(NurbsCurve2D(Point3Array([{points}])))\n{rules}");
+    let plain = points.replace("Vector3", "");
+    let kept = format!(
+        "{rules}###### INITIALISATION ######\ndef __initialiseContext__(context):\n\timport openalea.plantgl.all as pgl\n\t\
+         hill = pgl.NurbsCurve2D(ctrlPointList = pgl.Point3Array([{plain}]) ,)\n"
+    );
+    // Bernstein polynomials: at 0.5 the value is (3*1 + 3*2)/8, at the ends 0.
+    for text in [&code, &kept, &code.replace("Nurbs", "Bezier")] {
+        let found: Vec<f64> = segments(text).iter().map(|(along, _)| along[1]).collect();
+        assert!(
+            found.len() == 3 && found.iter().zip([1.0, 12.25, 1.0]).all(|(a, b)| (a - b).abs() < 1e-6),
+            "{found:?}"
+        );
+    }
+    refused(&code.replace("0.25,1,1", "0.25,1,2"), "no clamped cubic");
+    refused(&code.replace("])))", "]), degree = 1))"), "no clamped cubic");
+}
