@@ -111,7 +111,7 @@ impl GenerationCounts {
         let summed = Self { symbols: count_symbols(&input.system, n), segments: count_segments(&input.system, n) };
         let drawn = || Self {
             symbols: drawing.and_then(|drawing| Some(drawing.symbol_count()?.into())),
-            segments: drawing.map(|drawing| drawing.segment_count().into()),
+            segments: drawing.map(|drawing| drawing.turtle_segments().into()),
         };
         summed.or(drawn).or(|| Self::derived(input, shares, n))
     }

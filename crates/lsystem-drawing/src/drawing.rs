@@ -96,6 +96,8 @@ pub struct Drawing<S: Space = Plane> {
     /// Of a projection: the depths of all ends of strokes and vertices of polygons, in drawing order and in units of the
     /// root block; greater ones are nearer to the viewer. Empty for other drawings.
     pub depths: Vec<f64>,
+    /// The number of the last segments that are outlines of shapes.
+    pub wires: usize,
     /// The number of symbols of the generation, if counted.
     pub symbols: Option<u64>,
     /// The size of the scene for pictures in space.
@@ -223,6 +225,12 @@ impl<S: Space> Drawing<S> {
     #[must_use]
     pub fn segment_count(&self) -> u128 {
         self.root.map_or(0, |root| self.blocks[root.0 as usize].segments)
+    }
+
+    /// As [`Drawing::segment_count`], without the outlines of shapes, which are the last segments.
+    #[must_use]
+    pub fn turtle_segments(&self) -> u128 {
+        self.segment_count().saturating_sub(self.wires as u128)
     }
 
     /// The number of polygons; saturating.

@@ -65,6 +65,12 @@ impl Figure {
         either!(self, drawing => drawing.segment_count())
     }
 
+    /// As [`Drawing::turtle_segments`].
+    #[must_use]
+    pub fn turtle_segments(&self) -> u128 {
+        either!(self, drawing => drawing.turtle_segments())
+    }
+
     /// As [`Drawing::polygon_count`].
     #[must_use]
     pub fn polygon_count(&self) -> u128 {
@@ -152,10 +158,10 @@ impl Figure {
         }
     }
 
-    /// The exact number of segments; `None` if it does not fit 128 bits.
+    /// The exact number of [turtle's segments](Self::turtle_segments); `None` if it does not fit 128 bits.
     #[must_use]
     pub fn exact_segments(&self) -> Option<Tally> {
-        Some(self.segment_count()).filter(|&count| count < u128::MAX).map(Tally::from)
+        Some(self.turtle_segments()).filter(|_| self.segment_count() < u128::MAX).map(Tally::from)
     }
 
     /// The text alternative of a picture of generation `n`, which is drawn here: the number of lines (`segments`, exactly),

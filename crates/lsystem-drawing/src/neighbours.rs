@@ -34,6 +34,10 @@ pub(crate) struct Crowd {
     cells: Vec<([i64; 3], u32)>,
     /// By site.
     counts: Vec<u32>,
+    /// The number of sites that are counted, in the order of the cells: sites of one cell share the ranges around it.
+    done: usize,
+    /// The cell whose surroundings are known, and their nine ranges of `cells`.
+    around: ([i64; 3], [[usize; 2]; 9]),
     /// The number of sites looked at.
     looked: u64,
 }
@@ -55,15 +59,19 @@ impl Crowd {
             self.cells = self.sites.iter().zip(0..).map(|(site, number)| (self.cell(site.at), number)).collect();
             sort(&mut self.cells);
             meter.charge((self.sites.len() / POINTS_PER_UNIT) as u64);
-            self.counts.reserve_exact(self.sites.len());
+            self.counts = vec![0; self.sites.len()];
         }
-        while let Some(site) = self.sites.get(self.counts.len()) {
+        while let Some(&(cell, own)) = self.cells.get(self.done) {
             if meter.is_spent() {
                 return Progress::More;
             }
-            let (count, looked) = self.near(site, self.counts.len() as u32);
+            if self.done == 0 || self.around.0 != cell {
+                self.around = (cell, self.ranges(cell));
+            }
+            let (count, looked) = self.near(own);
             meter.charge(1 + looked / LOOKS_PER_UNIT);
-            self.counts.push(count);
+            self.counts[own as usize] = count;
+            self.done += 1;
             self.looked += looked;
         }
         Progress::Done
@@ -74,18 +82,22 @@ impl Crowd {
         at.map(|c| (c / self.side).floor().clamp(-1e15, 1e15) as i64)
     }
 
-    /// The number of other sites near a site, and the number of sites looked at.
-    fn near(&self, site: &Site, own: u32) -> (u32, u64) {
-        let (mut count, mut looked) = (0, 0);
-        let [x, y, z] = self.cell(site.at);
-        for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
+    /// The ranges of `cells` with the sites in a cell and in those next to it.
+    fn ranges(&self, [x, y, z]: [i64; 3]) -> [[usize; 2]; 9] {
+        core::array::from_fn(|at| {
+            let (x, y) = (x + at as i64 / 3 - 1, y + at as i64 % 3 - 1);
             // Three neighbouring cells in the last direction follow each other.
-            let first = self.cells.partition_point(|(cell, _)| *cell < [x + dx, y + dy, z - 1]);
+            [[x, y, z - 1], [x, y, z + 2]].map(|end| self.cells.partition_point(|(cell, _)| *cell < end))
+        })
+    }
+
+    /// The number of other sites near a site of the cell whose surroundings are known, and the number of sites looked at.
+    fn near(&self, own: u32) -> (u32, u64) {
+        let (mut count, mut looked) = (0, 0);
+        let site = &self.sites[own as usize];
+        for [first, end] in self.around.1 {
             looked += 4;
-            for &(cell, other) in &self.cells[first..] {
-                if cell > [x + dx, y + dy, z + 1] {
-                    break;
-                }
+            for &(_, other) in &self.cells[first..end] {
                 looked += 1;
                 let square = distance_2(self.sites[other as usize].at, site.at);
                 count += u32::from(other != own && square < site.size * site.size);

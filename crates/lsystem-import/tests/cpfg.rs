@@ -184,13 +184,17 @@ fn symbols_of_cpfg() {
     // A surface may be replaced as a symbol is.
     assert_eq!(word(&cpfg("derivation length: 2\naxiom: F~l(1)\n~l(s) : s < 2 --> ~l(s+1)F")), "Fa(2)F");
     along(&cpfg("derivation length: 0\naxiom: @M(3,4,0)@R(1,0,0)F+F"), &[[1.0, 0.0, 0.0], UP]);
-    noted(&cpfg("axiom: @M(3,4,0)F\nF --> FF"), "where the turtle starts");
+    noted(&cpfg("axiom: @M(3,4,1)F\nF --> FF"), "where the turtle starts");
     refused(&cpfg("axiom: F@M(3,4,0)F\nF --> FF"), "place of its own");
     refused(&cpfg("axiom: F@R(1,0,0)F\nF --> FF"), "heading in space");
     assert_eq!(read(&cpfg("axiom: @Gsf@Gc(3)+f@Ge\nA --> FF")).axiom, "afb(3)+fd");
     noted(&cpfg("axiom: @Gsf@Gc(3)+f@Ge\nF --> FF"), "number of strips");
     assert_eq!(segments(&cpfg("derivation length: 0\naxiom: @Gsf@Gc+f@Ge")).len(), 16);
     refused(&cpfg("axiom: @Gs@Gt(1,1)f@Ge\nF --> FF"), "tangents");
+    let read_start = |start: &str| read(&cpfg(&format!("derivation length: 1\naxiom: @M({start})F"))).start;
+    assert_eq!([read_start("1,2,0"), read_start("-3,0.5"), read_start("1,2,3")], [[1.0, 2.0], [-3.0, 0.5], [0.0; 2]]);
+    let deep = "derivation length: 1\naxiom: @M(1,2,3)?P(0,0,0)A\n?P(x,y,z) < A --> F(x)";
+    refused(&cpfg(deep), "in the plane z = 0");
     let asking = "derivation length: 2\naxiom: FF?P(0,0,0)?H(0,0,0)A\n?P(x,y,z) < ?H(a,b,c) : y > 1 --> [-F]?H(a,b,c)";
     assert_eq!(word(&cpfg(asking)), "FF?P(0,2,0)[-F][-F]?H(0,1,0)A");
     refused(&cpfg("derivation length: 1\naxiom: F[+D][-F]\nF > [+D=] --> FV"), "`=` in a context");
@@ -268,6 +272,12 @@ fn symbols_of_lpy() {
     refused(&lpy("F MoveTo(1,2,3) F", "A --> F"), "place of its own");
     refused(&lpy("F Sweep(c,s,1,1) F", "A --> F"), "Sweeps");
     assert_eq!(word(&lpy("FF?P(0,0,0)GetHead(0,0,0)", "A --> F")), "FF?P(0,2,0)?H(0,1,0)");
+    // L-Py's turtle starts along z, with its left side towards -y.
+    let asks =
+        |query: &str| lpy(&format!("Left(90)F(2){query}(0,0,0)A"), &format!("{query}(a,b,c) < A --> F(a)f(b)F(c)"));
+    assert_eq!(word(&asks("?P")).split('A').next(), Some("+(90)F(2)?P(-2,0,0)F(0)f(-2)F(0)"));
+    assert_eq!(word(&asks("?U")).rsplit('?').next(), Some("U(0,0,1)F(1)f(0)F(0)"));
+    refused(&lpy("?P(0,0)A", "?P(x,y) < A --> F"), "three numbers");
     // Names that the text declares are single modules, and other letters are single.
     assert_eq!(word(&format!("module Apex, Leaf\n{}", lpy("Apex Leaf", "Apex --> F Apex"))), "Fbc");
     assert_eq!(word(&lpy("AB", "A --> F\nB --> f")), "Ff");
@@ -458,4 +468,26 @@ fn curves_are_written_as_function_files() {
     let scale = theirs[0] / ours[0];
     assert!(ours.iter().zip(&theirs).all(|(a, b)| (a * scale - b).abs() < 1e-6), "{ours:?} {theirs:?}");
     assert!(lsystem_import::write::export(&definition, notation("houdini")).is_err());
+}
+
+#[test]
+fn functions_of_lpy_are_curves() {
+    let rules = lpy("A(0)A(0.5)A(1)", "A(x) --> F(1+10*hill(x))");
+    let points = "Vector3(0,0,1),Vector3(0.25,1,1),Vector3(0.75,2,1),Vector3(1,0,1)";
+    let code = format!("hill = QuantisedFunction(NurbsCurve2D(Point3Array([{points}])))\n{rules}");
+    let plain = points.replace("Vector3", "");
+    let kept = format!(
+        "{rules}###### INITIALISATION ######\ndef __initialiseContext__(context):\n\timport openalea.plantgl.all as pgl\n\t\
+         hill = pgl.NurbsCurve2D(ctrlPointList = pgl.Point3Array([{plain}]) ,)\n"
+    );
+    // Bernstein polynomials: at 0.5 the value is (3*1 + 3*2)/8, at the ends 0.
+    for text in [&code, &kept, &code.replace("Nurbs", "Bezier")] {
+        let found: Vec<f64> = segments(text).iter().map(|(along, _)| along[1]).collect();
+        assert!(
+            found.len() == 3 && found.iter().zip([1.0, 12.25, 1.0]).all(|(a, b)| (a - b).abs() < 1e-6),
+            "{found:?}"
+        );
+    }
+    refused(&code.replace("0.25,1,1", "0.25,1,2"), "no clamped cubic");
+    refused(&code.replace("])))", "]), degree = 1))"), "no clamped cubic");
 }

@@ -43,17 +43,23 @@ pub(crate) fn draw(open: &OpenSystem) -> Result<Drawn, Refusal> {
     let figure = figure(open)?;
     let (dimension, mut arrays) = (dimension(&figure), SegmentArrays::default());
     let (most, count) = (most(dimension), figure.segment_count());
+    // Outlines of shapes are no segments of the plant.
+    let own = figure.turtle_segments() as usize;
     if count > u128::from(most) {
         return Err(open.exceeds(&Diagnostic::limit(LimitName::Segments, most, None)));
     }
     match &figure {
-        Figure::Plane(drawing) => drawing.write_segments(most, &mut arrays).map_err(|limit| open.exceeds(&limit))?,
+        Figure::Plane(drawing) => {
+            drawing.write_segments(most, &mut arrays).map_err(|limit| open.exceeds(&limit))?;
+            arrays.ends.truncate(4 * own);
+            arrays.colours.truncate(own);
+            arrays.levels.truncate(own);
+        }
         Figure::Space(drawing) => {
-            let count = count as usize;
-            arrays.ends.reserve_exact(6 * count);
-            arrays.colours.reserve_exact(count);
-            arrays.levels.reserve_exact(count);
-            for segment in drawing.segments_from(0) {
+            arrays.ends.reserve_exact(6 * own);
+            arrays.colours.reserve_exact(own);
+            arrays.levels.reserve_exact(own);
+            for segment in drawing.segments_from(0).take(own) {
                 arrays.ends.extend([segment.from, segment.to].as_flattened().iter().map(|&place| place as f32));
                 arrays.colours.push(segment.colour);
                 arrays.levels.push(u16::try_from(segment.level).unwrap_or(u16::MAX));
@@ -83,7 +89,8 @@ impl SegmentPages {
     /// end.
     pub(crate) fn next_page(&mut self) -> Vec<f64> {
         let mut numbers = Vec::with_capacity(8 * PAGE);
-        for segment in self.figure.segments_from(self.at).take(PAGE) {
+        let left = self.figure.turtle_segments().saturating_sub(self.at).min(PAGE as u128);
+        for segment in self.figure.segments_from(self.at).take(left as usize) {
             numbers.extend(segment.from);
             numbers.extend(segment.to);
             numbers.extend([f64::from(segment.colour), f64::from(segment.level)]);
@@ -99,6 +106,26 @@ mod tests {
 
     fn open(json: &str) -> OpenSystem {
         OpenSystem::read(json, None).unwrap()
+    }
+
+    #[test]
+    fn outlines_of_shapes_are_no_segments() {
+        let rules = r#""?P(x,y) < A : inside(s, x, y) -> F?P(0,0)A""#;
+        for (shape, axiom) in [("ball(0, 0, 0, 2)", "?P(0,0)A"), ("box(-1, -1, -1, 1, 3, 1)", "/?P(0,0)A")] {
+            let json = format!(r#"{{"axiom": "{axiom}", "rules": ["shape s = {shape}", {rules}], "iterations": 2}}"#);
+            let open = open(&json);
+            let whole = figure(&open).unwrap();
+            assert_eq!((whole.turtle_segments(), whole.segment_count() > 10), (2, true), "{shape}");
+            let drawn = draw(&open).unwrap();
+            let ends = 2 * drawn.dimension as usize;
+            assert_eq!(
+                (drawn.arrays.ends.len() / ends, drawn.arrays.colours.len(), drawn.arrays.levels.len()),
+                (2, 2, 2)
+            );
+            let mut pages = SegmentPages::new(&open).unwrap();
+            assert_eq!([pages.next_page().len(), pages.next_page().len()], [16, 0]);
+            assert_eq!(crate::strings::count(&open).unwrap()[1], "2");
+        }
     }
 
     #[test]

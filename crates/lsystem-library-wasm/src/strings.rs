@@ -21,7 +21,7 @@ pub(crate) fn count(open: &OpenSystem) -> Result<[String; 2], Refusal> {
         return Ok([symbols, segments].map(|count| count.to_string()));
     }
     let figure = Figure::draw(system, n, &LIMITS);
-    let drawn = figure.ok().and_then(|figure| Some([figure.symbol_count()?.into(), figure.segment_count()]));
+    let drawn = figure.ok().and_then(|figure| Some([figure.symbol_count()?.into(), figure.turtle_segments()]));
     if let Some(counts) = drawn {
         return Ok(counts.map(|count: u128| count.to_string()));
     }

@@ -32,10 +32,10 @@ impl CoreDrawing {
         self.figure.bounds()
     }
 
-    /// The number of segments; the greatest number stands for itself or any greater one.
+    /// The number of segments, without outlines of shapes; the greatest number stands for itself or any greater one.
     #[getter]
     fn segment_count(&self) -> u128 {
-        self.figure.segment_count()
+        self.figure.turtle_segments()
     }
 
     /// The buffers of all arrays, in the order of the fields of [`Arrays`].
@@ -82,7 +82,7 @@ impl Arrays {
         drawing.check_size(most)?;
         let mut made = Self::default();
         // At most `most`, which is checked.
-        let count = drawing.segment_count() as usize;
+        let count = drawing.turtle_segments() as usize;
         made.ends.reserve_exact(count * size_of::<[S::Point; 2]>());
         made.widths.reserve_exact(count * 16);
         made.colours.reserve_exact(count * 3);
@@ -93,6 +93,8 @@ impl Arrays {
                 check_interrupt()?;
             }
             match mark {
+                // The outlines of shapes, which are last.
+                Mark::Segment(..) if made.indices.len() == 4 * count => break,
                 Mark::Segment(segment, tint) => {
                     let ends = segment.from.as_ref().iter().chain(segment.to.as_ref());
                     ends.for_each(|value| made.ends.extend_from_slice(&value.to_ne_bytes()));

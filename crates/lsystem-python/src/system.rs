@@ -131,7 +131,7 @@ impl CoreSystem {
         let symbols = history.symbols(n).ok_or_else(full)?;
         let segments = match history.segments_before(symbols) {
             Some(segments) => segments,
-            None => self.figure(n)?.segment_count(),
+            None => self.figure(n)?.turtle_segments(),
         };
         Ok((symbols.to_string(), segments.to_string()))
     }

@@ -554,6 +554,7 @@ impl<'a> Finder<'a> {
                 memoised: true,
                 places: vec![],
                 depths: vec![],
+                wires: 0,
                 symbols: None,
                 scene: SceneSize::default(),
                 extent: OnceLock::new(),

@@ -150,6 +150,7 @@ impl<S: Space> Drawer<S> {
             memoised: self.shares,
             places: vec![],
             depths: vec![],
+            wires: self.task.turtle.wires.len(),
             symbols: self.symbols,
             scene: self.builder.scene,
             extent: extent.map_or_else(OnceLock::new, |extent| OnceLock::from(Some(extent))),

@@ -252,6 +252,7 @@ impl Projection {
             memoised: false,
             places,
             depths,
+            wires: drawing.wires,
             symbols: drawing.symbols,
             scene: builder.scene,
             extent,

@@ -158,6 +158,7 @@ impl Simplifier {
             memoised: drawing.memoised,
             places: vec![],
             depths: vec![],
+            wires: drawing.wires,
             symbols: drawing.symbols,
             scene: SceneSize::default(),
             extent: drawing.extent.clone(),

@@ -106,6 +106,12 @@ impl Arithmetic {
                 if self.kind == Kind::LPy {
                     let word = python_word(token, &mut rest)?;
                     valued = !matches!(token, "and" | "or" | "not");
+                    let curve = self.curves.iter().find(|(name, _)| name == token).filter(|_| opened.starts_with('('));
+                    if let Some((_, own)) = curve {
+                        let wrong = || format!("The curve `{token}` is no clamped cubic with weights of 1");
+                        out.push_str(own.as_ref().ok_or_else(wrong)?);
+                        continue;
+                    }
                     out.push_str(word);
                     self.check_function(word, opened)?;
                     continue;

@@ -4,6 +4,7 @@ use super::assignments::{is_name, prints};
 use super::clean::clean;
 use super::file::split;
 use super::macros::is_part;
+use super::nurbs;
 use super::parts::{Parts, Rule, Section};
 use super::python::{head_and_rest, successors};
 use super::statements::{arrow, is_alone, keyword};
@@ -66,6 +67,7 @@ fn system(source: Source<'_>) -> Draft<'_> {
     }
     draft.covers(0..end);
     comments.into_iter().filter(|comment| comment.start < end).for_each(|comment| draft.pass(comment));
+    file.parts.set_curves(nurbs::read_curves(source.text));
     translate::translate(&file.parts, &places, &mut draft);
     file.used_code(&mut draft);
     draft
@@ -268,6 +270,10 @@ impl<'c> File<'c> {
         let names: Vec<&str> = names.split(',').map(str::trim).collect();
         if names.iter().any(|name| !is_name(name)) {
             return false;
+        }
+        if value.contains("Curve2D(") {
+            draft.read(place, "a curve");
+            return true;
         }
         match (names.as_slice(), self.parts.arithmetic.value(value)) {
             (&[name], Some(value)) => {

@@ -26,6 +26,7 @@ mod file;
 mod function_file;
 mod lpy;
 mod macros;
+mod nurbs;
 mod parts;
 mod python;
 mod statements;

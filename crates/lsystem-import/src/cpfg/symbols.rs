@@ -305,6 +305,15 @@ impl<'p> Symbols<'p> {
             None => None,
         };
         match self.meanings.get(symbol).copied() {
+            Some(Symbol(own)) if self.asks_lpy(own) && inside.is_some() => {
+                // The axes of L-Py's turtle are others: its z is ours upwards.
+                let turned = inside.as_deref().and_then(turned);
+                if turned.is_none() {
+                    return draft.refuse_at(place.clone(), "A query of L-Py is read with three numbers");
+                }
+                inside = turned;
+                out.push_str(&Query::of_symbol(own).map_or(String::new(), |query| query.to_string()));
+            }
             Some(Symbol(symbol)) => match Query::of_symbol(symbol).filter(|_| inside.is_some()) {
                 Some(query) => out.push_str(&query.to_string()),
                 None => out.push(symbol),
@@ -358,6 +367,11 @@ impl<'p> Symbols<'p> {
         if let Some(inside) = inside {
             out.extend(["(", &inside, ")"]);
         }
+    }
+
+    /// Whether a symbol of ours is a query of L-Py.
+    fn asks_lpy(&self, symbol: char) -> bool {
+        self.arithmetic.kind == Kind::LPy && Query::of_symbol(symbol).is_some()
     }
 
     /// Writes a symbol that no table names.
@@ -438,6 +452,15 @@ pub(super) fn parenthesised(text: &str) -> Option<(Option<&str>, &str)> {
     let Some(inside) = text.strip_prefix('(') else { return Some((None, text)) };
     let (_, behind) = arguments(inside)?;
     Some((Some(&inside[..inside.len() - behind.len() - 1]), behind))
+}
+
+/// The three arguments of a query of L-Py in our order.
+fn turned(text: &str) -> Option<String> {
+    let closed = format!("{text})");
+    match *arguments(&closed)?.0 {
+        [x, y, z] => Some(format!("{},{},{}", y.trim(), z.trim(), x.trim())),
+        _ => None,
+    }
 }
 
 /// Twice the first of these arguments, and the others.

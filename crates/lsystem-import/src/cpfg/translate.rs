@@ -153,8 +153,20 @@ impl Translation<'_> {
         {
             let place = self.places.of(&rest[..rest.len() - behind.len()]);
             if rest.starts_with("@M") {
-                draft
-                    .note_at(place, "The place where the turtle starts is not carried over; it only moves the picture");
+                let values: Option<Vec<f64>> =
+                    inside.split(',').map(|value| self.parts.arithmetic.value(value)).collect();
+                let asks = self.parts.all_rules().any(|rule| rule.head.contains("?P"));
+                match values.as_deref() {
+                    Some(&[x, y] | &[x, y, 0.0]) => {
+                        draft.definition.start = [x, y];
+                        draft.read(place, format!("start {x}, {y}"));
+                    }
+                    _ if asks => draft.refuse_at(place, "Queries of positions need a start in the plane z = 0"),
+                    _ => draft.note_at(
+                        place,
+                        "The place where the turtle starts is not carried over; it only moves the picture",
+                    ),
+                }
             } else {
                 let values: Option<Vec<f64>> =
                     inside.split(',').map(|value| self.parts.arithmetic.value(value)).collect();

@@ -1,10 +1,11 @@
-//! The files of cpfg, and of L-Py with arrow rules: see the reader in `cpfg.rs`.
+//! The files of cpfg, and of L-Py with arrow rules and rules of Python with conditions: see the reader in `cpfg.rs`.
 //!
 //! Angles stand as numbers in the words, because cpfg has them in another file. A symbol that acts as in neither program
 //! gets its actions from a homomorphism, or is written as the symbols that act so.
 
 use super::Refusal;
 use super::expression::{Arithmetic, COMMON};
+use super::queries;
 use super::source::{Need, Source, Symbol, plain_number};
 use crate::cpfg::{function_file, surface_file};
 use core::f64::consts::FRAC_1_SQRT_2;
@@ -12,7 +13,9 @@ use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::sorted::set;
 use lsystem_syntax::grammar::Values;
-use lsystem_syntax::{Action, Expr, Function, Module, Outline, Pattern, Production, Seen, Surface, parse_surfaces};
+use lsystem_syntax::{
+    Action, Expr, Function, Module, Outline, Pattern, Production, Query, Seen, Surface, parse_surfaces,
+};
 
 /// The parts of systems that cpfg lacks, or has in other files.
 pub(super) const LACKS: &[Need] = &[
@@ -23,10 +26,10 @@ pub(super) const LACKS: &[Need] = &[
     Need::Tropism,
     Need::Growth,
     Need::OpenBranches,
-    Need::Queries,
+    Need::Surroundings,
 ];
 
-/// The parts of systems that the arrow rules of L-Py lack.
+/// The parts of systems that the rules of L-Py lack.
 pub(super) const LACKS_OF_LPY: &[Need] = &[
     Need::Variation,
     Need::BranchLengths,
@@ -35,13 +38,12 @@ pub(super) const LACKS_OF_LPY: &[Need] = &[
     Need::Tropism,
     Need::Growth,
     Need::OpenBranches,
-    Need::Conditions,
     Need::Chance,
     Need::Polygons,
     Need::Circles,
     Need::Tubes,
     Need::Surfaces,
-    Need::Queries,
+    Need::Surroundings,
 ];
 
 /// One of the two programs.
@@ -133,11 +135,16 @@ impl<'a> File<'a> {
         if source.acts(|action| matches!(action, Action::Fill(outline, _) if outline != Outline::Disc)) {
             return Err(Refusal::new(format!("{label} cannot express the outlines of leaves")));
         }
+        if kind == Kind::LPy {
+            queries::check_for_lpy(source)?;
+        }
         let lengths = |action: &Action| action.length().is_some_and(|own| own.is_some());
         let is_length = |action: &&Action| action.length().is_some();
         let made = source.grammar.made().chain(source.grammar.images.iter().flat_map(|image| &image.successor));
         let first = |symbol: char| source.symbol(symbol).and_then(|own| own.actions.first());
-        let has_lengths = source.symbols.iter().any(|own| own.actions.iter().any(lengths))
+        // Places are measured in lengths.
+        let has_lengths = source.needs(Need::Queries)
+            || source.symbols.iter().any(|own| own.actions.iter().any(lengths))
             || made
                 .into_iter()
                 .any(|module| !module.arguments.is_empty() && first(module.symbol).filter(is_length).is_some());
@@ -168,7 +175,7 @@ impl<'a> File<'a> {
             | (';', [Action::AddColour(1)])
             | (',', [Action::AddColour(-1)]) => true,
             ('{', [Action::OpenPolygon]) | ('.', [Action::Vertex]) | ('}', [Action::ClosePolygon]) => !lpy,
-            (name, []) => self.is_idle(name),
+            (name, []) => self.is_idle(name) || Query::of_symbol(name).is_some(),
             _ => false,
         }
     }
@@ -249,7 +256,8 @@ impl<'a> File<'a> {
             if self.kind == Kind::Cpfg { &[COMMON, &[(Function::NormalRandom, "nran")]].concat() } else { &[] };
         let has_powers = self.kind == Kind::Cpfg;
         let curve = |name: &str, argument: &str| self.curve(name, argument);
-        Arithmetic { label: self.label, name: &value, functions, has_powers, curve: &curve }.write(expr)
+        let is_python = self.kind == Kind::LPy;
+        Arithmetic { label: self.label, name: &value, functions, curve: &curve, is_python, has_powers }.write(expr)
     }
 
     /// The value of a curve, whose file has x from 0 to 1.
@@ -291,7 +299,7 @@ impl<'a> File<'a> {
         if listed.iter().any(|name| others.contains(name)) {
             return Err(Refusal(format!("{} cannot express which symbols contexts see", self.label)));
         }
-        let listed: String = listed.into_iter().collect();
+        let listed: String = listed.into_iter().map(|name| numbered(name, &[])).collect();
         Ok(if listed.is_empty() && word == "ignore" { String::new() } else { format!("{word}: {listed}\n") })
     }
 
@@ -369,7 +377,7 @@ impl<'a> File<'a> {
                 (None, Some(own)) if !self.is_own(own.symbol, own, !arguments.is_empty()) => {
                     text.push(&self.code(own, arguments.first().map(String::as_str))?);
                 }
-                (name, _) => text.push(&numbered(name.unwrap_or(module.symbol), &arguments)),
+                (name, _) => text.push(&self.module(name.unwrap_or(module.symbol), &arguments, &|_, _| "0".to_owned())),
             }
         }
         Ok(text.text)
@@ -394,11 +402,27 @@ impl<'a> File<'a> {
         if heading != 0.0 && self.source.symbols.iter().any(matched) {
             return Err(Refusal(format!("{} starts upwards, and productions look at the turns", self.label)));
         }
-        Ok(format!("{start}{}", self.word(&self.source.grammar.axiom)?))
+        let place = match self.source.definition.start {
+            [x, y] if self.kind == Kind::Cpfg && [x, y] != [0.0, 0.0] => {
+                format!("@M({},{},0)", plain_number(x), plain_number(y))
+            }
+            _ => String::new(),
+        };
+        Ok(format!("{place}{start}{}", self.word(&self.source.grammar.axiom)?))
     }
 
     fn pattern(&self, pattern: &Pattern) -> String {
-        numbered(self.name_of(pattern.symbol).unwrap_or(pattern.symbol), &pattern.parameters)
+        // A name that no other parameter of the rule has.
+        let third = |x: &str, y: &str| format!("{x}_{y}");
+        self.module(self.name_of(pattern.symbol).unwrap_or(pattern.symbol), &pattern.parameters, &third)
+    }
+
+    /// A symbol with arguments; `third` makes the argument that a query in the plane lacks.
+    fn module(&self, symbol: char, arguments: &[String], third: &dyn Fn(&str, &str) -> String) -> String {
+        match Query::of_symbol(symbol) {
+            Some(_) if self.kind == Kind::LPy => numbered(symbol, &queries::of_lpy(arguments, third)),
+            _ => numbered(symbol, arguments),
+        }
     }
 
     fn production(&self, rule: &Production, successor: &str) -> Result<String, Refusal> {
@@ -415,10 +439,15 @@ impl<'a> File<'a> {
         if !rule.right.is_empty() {
             let _ = write!(text, " > {}", context(&rule.right));
         }
-        if let Some(condition) = &rule.condition {
-            let _ = write!(text, " : {}", self.expression(condition)?);
+        let condition = rule.condition.as_ref().map(|condition| self.expression(condition)).transpose()?;
+        let successor = if successor.is_empty() { "*" } else { successor };
+        if let Some(condition) = condition {
+            if self.kind == Kind::LPy {
+                return Ok(format!("{text}:\n  if {condition}: produce {successor}"));
+            }
+            let _ = write!(text, " : {condition}");
         }
-        let _ = write!(text, " --> {}", if successor.is_empty() { "*" } else { successor });
+        let _ = write!(text, " --> {successor}");
         if let Some(weight) = rule.weight.as_ref().filter(|_| self.kind == Kind::Cpfg) {
             let _ = write!(text, " : {}", self.expression(weight)?);
         }
@@ -483,7 +512,8 @@ fn without_arguments(word: &str) -> String {
 
 /// A symbol with arguments.
 fn numbered(symbol: char, arguments: &[String]) -> String {
-    if arguments.is_empty() { symbol.to_string() } else { format!("{symbol}({})", arguments.join(",")) }
+    let name = Query::of_symbol(symbol).map_or_else(|| symbol.to_string(), |query| query.to_string());
+    if arguments.is_empty() { name } else { format!("{name}({})", arguments.join(",")) }
 }
 
 /// A word on its way into a file.

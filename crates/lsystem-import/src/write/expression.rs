@@ -13,6 +13,8 @@ pub(super) struct Arithmetic<'a> {
     pub(super) functions: &'a [(Function, &'a str)],
     /// The value of a curve, given its name and its argument; `None` if the notation lacks curves.
     pub(super) curve: &'a dyn Fn(&str, &str) -> Option<String>,
+    /// Whether logic has the words of Python.
+    pub(super) is_python: bool,
     /// Whether the notation has `^` for powers.
     pub(super) has_powers: bool,
 }
@@ -38,6 +40,8 @@ impl Arithmetic<'_> {
                 if text.starts_with('-') { SIGN } else { ATOM }
             }
             Expr::Number(_) | Expr::Call(..) | Expr::Curve(..) => ATOM,
+            // The word binds less tightly than comparisons.
+            Expr::Not(_) if self.is_python => Operator::And.precedence(),
             Expr::Negative(_) | Expr::Not(_) => SIGN,
             Expr::Binary(operator, ..) => operator.precedence(),
         };
@@ -55,7 +59,7 @@ impl Arithmetic<'_> {
                 self.part(operand, SIGN + 1, out)?;
             }
             Expr::Not(operand) => {
-                out.push('!');
+                out.push_str(if self.is_python { "not " } else { "!" });
                 self.part(operand, SIGN + 1, out)?;
             }
             Expr::Binary(Operator::Power, ..) if !self.has_powers => {
@@ -65,7 +69,11 @@ impl Arithmetic<'_> {
                 // Powers group differently in different programs, and comparisons do not chain.
                 let tight = u8::from(operator.is_comparison() || *operator == Operator::Power);
                 self.part(a, own + tight, out)?;
-                out.push_str(operator.symbol());
+                out.push_str(match operator {
+                    Operator::And if self.is_python => " and ",
+                    Operator::Or if self.is_python => " or ",
+                    _ => operator.symbol(),
+                });
                 self.part(b, own + 1, out)?;
             }
             Expr::Curve(name, argument) => {

@@ -215,8 +215,15 @@ impl Writer<'_> {
             true => renamed(name, names).to_string(),
             false => self.values.of(name).map_or_else(|| name.to_owned(), number),
         };
-        Arithmetic { label: "Houdini", name: &value, functions: COMMON, has_powers: true, curve: &|_, _| None }
-            .write(expr)
+        Arithmetic {
+            label: "Houdini",
+            name: &value,
+            functions: COMMON,
+            has_powers: true,
+            curve: &|_, _| None,
+            is_python: false,
+        }
+        .write(expr)
     }
 }
 

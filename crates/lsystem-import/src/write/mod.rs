@@ -18,6 +18,7 @@ mod p5;
 mod paper;
 mod program;
 mod python;
+mod queries;
 mod source;
 mod spelling;
 mod text;
@@ -180,7 +181,7 @@ pub static NOTATIONS: [Notation; 12] = [
     Notation {
         name: "lpy",
         label: "L-Py",
-        help: "Arrow rules with the angles as numbers, arithmetic without functions and powers",
+        help: "Arrow rules, and rules of Python with conditions; arithmetic without functions and powers",
         ending: "lpy",
         lacks: cpfg::LACKS_OF_LPY,
         write: cpfg::write_lpy,

@@ -4,7 +4,7 @@ use super::Refusal;
 use lsystem_base::sorted::set;
 use lsystem_derive::Letter;
 use lsystem_drawing::System;
-use lsystem_syntax::{Action, Definition, Diagnostic, Grammar, Module, Pattern, Production, Style};
+use lsystem_syntax::{Action, Definition, Diagnostic, Grammar, Module, Pattern, Production, Query, Style};
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 
@@ -32,8 +32,10 @@ pub(super) enum Need {
     Growth,
     /// Branches that begin in one word and end in another, or brackets that are replaced.
     OpenBranches,
-    /// Modules that ask about their place, or shapes.
+    /// Modules that ask about their place.
     Queries,
+    /// Modules that ask about neighbours and light.
+    Surroundings,
 }
 
 impl Need {
@@ -58,7 +60,8 @@ impl Need {
             Self::Tropism => "tropism and sway",
             Self::Growth => "partial growth",
             Self::OpenBranches => "branches that begin in one word and end in another",
-            Self::Queries => "queries and shapes",
+            Self::Queries => "queries",
+            Self::Surroundings => "queries of neighbours and light",
         }
     }
 }
@@ -208,8 +211,14 @@ impl<'a> Source<'a> {
             Need::Tropism => system.turtle.tropism.is_some() || system.turtle.sway.is_some(),
             Need::Growth => definition.growth != 1.0,
             Need::OpenBranches => self.has_open_branches(),
-            Need::Queries => system.rules.interpreter.is_some() || !grammar.shapes.is_empty(),
+            Need::Queries => self.asks(|_| true),
+            Need::Surroundings => self.asks(|query| matches!(query, Query::Crowd | Query::Sky)),
         }
+    }
+
+    /// Whether such a query occurs.
+    pub(super) fn asks(&self, is: impl Fn(Query) -> bool) -> bool {
+        self.symbols.iter().any(|own| Query::of_symbol(own.symbol).is_some_and(&is))
     }
 
     fn has_open_branches(&self) -> bool {
@@ -285,8 +294,11 @@ impl<'a> Source<'a> {
         if (Style { auto: false, ..self.definition.style.clone() }) != Style::default() || self.acts(is_look) {
             found.push("Colours and line widths are left out.".to_owned());
         }
-        if self.definition.start != [0.0, 0.0] {
+        if self.definition.start != [0.0, 0.0] && notation != "cpfg" {
             found.push("The place of the start is left out.".to_owned());
+        }
+        if !self.system.turtle.wires.is_empty() && notation != "text" && notation != "latex" {
+            found.push("The outlines of shapes are left out.".to_owned());
         }
         if self.needs(Need::Chance) && notation != "text" && notation != "latex" {
             found.push("Random choices differ: other programs have random numbers of their own.".to_owned());

@@ -216,6 +216,85 @@ fn inkscape_draws_the_same() {
     }
 }
 
+/// Systems with queries: in the plane and in space, with conditions, with another start and heading.
+fn asking() -> Vec<Definition> {
+    let system = |axiom: &str, rules: &str| Definition {
+        axiom: axiom.into(),
+        rules: rules.into(),
+        iterations: 5,
+        ..Definition::default()
+    };
+    let pruned = "?P(x,y) < A : y < 3 && !(x > 2 || x < -2) -> F(1)[+(40)?P(0,0)A][-(25)?P(0,0)A]\n?P(x,y) -> *";
+    let steered = "?H(a,b,c)?P(x,y,z) < A(w) : z >= 0 and b > 0.2 -> F(w)[&(50)?H(0,0,0)?P(0,0,0)A(w*0.8)]\\
+        /(137.5)?H(0,0,0)?P(0,0,0)A(w*0.9)\n?H(a,b,c)?P(x,y,z) < A(w) : y > 1 -> F(w/2+x/10)";
+    let steered = steered.replace("\\\n        ", "");
+    let sides = "?L(a,b,c)?U(d,e,f) < A : not (a > 0.5) and f - 1 < 0.1 -> F(1+abs_a)+(30)^(20)?L(0,0,0)?U(0,0,0)A";
+    let sides = sides.replace("abs_a", "a*a+c*c");
+    vec![
+        system("?P(0,0)A", pruned),
+        Definition { start: [1.5, -0.25], heading: 60.0, step: 0.5, ..system("F?P(0,0)A", pruned) },
+        system("?H(0,0,0)?P(0,0,0)A(1)", &steered),
+        Definition { heading: 0.0, ..system("?L(0,0,0)?U(0,0,0)A", &sides) },
+        system("FF?P(0,0,0)B", "ignore: ?H\n?P(x,y,z) < B -> ?H(0,0,0)[F(y)]+(x+1)B\nshape wall = box(-1,-1,-1,1,1,1)"),
+    ]
+}
+
+#[test]
+fn queries_read_back() {
+    for (at, definition) in asking().iter().enumerate() {
+        assert!(System::new(definition).0.is_some_and(|own| own.rules.interpreter.is_some()), "{at}");
+        for name in ["cpfg", "lpy"] {
+            let notation = Notation::named(name).unwrap();
+            let written = match export(definition, notation) {
+                Ok(written) => written,
+                // L-Py has no word for another start.
+                Err(Refusal(why)) => {
+                    assert!(at == 1 && name == "lpy" && why.contains("another start"), "{at} {name}: {why}");
+                    continue;
+                }
+            };
+            let difference = read_back_difference(definition, notation, &written.text);
+            assert_eq!(difference, None, "{at} {name}: {}", written.text);
+        }
+    }
+    let told = export(&asking()[4], Notation::named("cpfg").unwrap()).unwrap().left_out;
+    assert_eq!(told, ["The outlines of shapes are left out."]);
+}
+
+#[test]
+fn places_in_lpy_have_its_axes() {
+    let definition = &asking()[2];
+    let text = export(definition, Notation::named("lpy").unwrap()).unwrap().text;
+    // L-Py's z is upwards: it is our y, and its y is our x.
+    assert!(text.contains("?H(c,a,b)?P(z,x,y) < A(w):"), "{text}");
+    let flat = export(&asking()[0], Notation::named("lpy").unwrap()).unwrap().text;
+    assert!(
+        flat.contains("?P(x_y,x,y) < A:\n  if y<3 and (not (x>2 or x<-2)): produce F(1)[+(40)?P(0,0,0)A]"),
+        "{flat}"
+    );
+}
+
+#[test]
+fn questions_that_others_lack_are_refused() {
+    let rules = [
+        "?C(n,r) < A : n < 2 -> FA",
+        "?S(q,c) < A : q > 0.5 -> FA",
+        "shape s = ball(0,0,0,9)\n?P(x,y,z) < A : inside(s,x,y,z) -> FA",
+    ];
+    for (rules, query) in rules.into_iter().zip(["?C(0,1)", "?S(1,1)", "?P(0,0,0)"]) {
+        let definition = Definition { axiom: format!("{query}A"), rules: rules.into(), ..Definition::default() };
+        for (name, label) in [("cpfg", "cpfg"), ("lpy", "L-Py"), ("houdini", "Houdini")] {
+            let Err(Refusal(why)) = export(&definition, Notation::named(name).unwrap()) else {
+                panic!("{name} {rules}")
+            };
+            assert!(
+                why.starts_with(label) && (why.contains("queries") || why.ends_with("the function inside")),
+                "{why}"
+            );
+        }
+    }
+}
+
 /// Random systems of plain symbols.
 fn systems() -> impl Strategy<Value = Definition> {
     let word = |most| proptest::collection::vec(proptest::sample::select(b"FFGfXYAbn+-|[]!#;&>".to_vec()), 1..most);
