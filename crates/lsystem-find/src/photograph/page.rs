@@ -39,11 +39,12 @@ pub(super) fn straightened(grey: &Grey) -> Option<Grey> {
     Some(seen(grey, from, [wide as usize, high as usize]))
 }
 
-/// A picture whose places are those of another one by a projection.
+/// A picture whose places are those of another one by a projection; white outside.
 pub(super) fn seen(grey: &Grey, from: Projection, [width, height]: [usize; 2]) -> Grey {
     let level = |at: usize| {
         let [x, y] = from.place([(at % width) as f64 + 0.5, (at / width) as f64 + 0.5]);
-        (grey.at(x, y) + 0.5) as u8
+        let is_inside = x >= 0.0 && y >= 0.0 && x <= grey.width as f64 && y <= grey.height as f64;
+        if is_inside { (grey.at(x, y) + 0.5) as u8 } else { 255 }
     };
     Grey { levels: (0..width * height).map(level).collect(), width, height }
 }

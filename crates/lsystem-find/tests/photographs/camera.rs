@@ -42,6 +42,8 @@ pub(crate) const WIDTH: usize = 1600;
 pub(crate) const HEIGHT: usize = 1200;
 /// The width of a line.
 const LINE: f64 = 4.0;
+/// How far the page is away: at 1 it is seen in its own size.
+const FAR: f64 = 1.15;
 /// The places of a pixel that are looked at, each way.
 const PLACES: usize = 2;
 
@@ -129,12 +131,16 @@ impl Faults {
         [0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row, column)))
     }
 
-    /// The place on the page that a place of the picture shows, in pixels from the middle of the page.
+    /// The place on the page that a place of the picture shows, in pixels from the middle of the page, which is the
+    /// middle of the picture.
     fn on_page(&self, seen: &[[f64; 3]; 3], [x, y]: [f64; 2]) -> [f64; 2] {
         let focal = self.focal * WIDTH as f64;
         let ray = [x - WIDTH as f64 / 2.0, y - HEIGHT as f64 / 2.0, focal];
-        let [x, y, far] = [0, 1, 2].map(|row| (0..3).map(|at| seen[row][at] * ray[at]).sum::<f64>());
-        [x * focal / far, y * focal / far]
+        let along = |column: usize, way: [f64; 3]| (0..3).map(|at| seen[at][column] * way[at]).sum::<f64>();
+        // Where the ray meets the plane through the middle.
+        let far = FAR * focal * seen[2][2] / along(2, ray);
+        let met = [ray[0] * far, ray[1] * far, ray[2] * far - FAR * focal];
+        [along(0, met), along(1, met)]
     }
 
     /// The part of the light that falls on a place: less towards one corner, and less in a soft shadow.
