@@ -75,11 +75,7 @@ pub(super) fn view(grey: &Grey, is_page: bool) -> Option<Projection> {
         .collect();
     best.sort_by(|a, b| a.0.total_cmp(&b.0));
     let near = best.iter().take(CLOSE).map(|&(_, part, view)| improved(&pieces, part, view, most));
-    let near: Vec<_> = near.collect();
-    if std::env::var("LOOK").is_ok() {
-        eprintln!("{near:.3?}");
-    }
-    let (_, part, view) = near.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (_, part, view) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let mut projection = projection(view);
     let unit = PI / PARTS[part] as f64;
     projection = Projection::turn(-off(&pieces, &projection, unit)).after(projection);
