@@ -3,6 +3,7 @@
 use super::light::Grey;
 use super::projection::Projection;
 use crate::picture::threshold;
+use std::ops::RangeInclusive;
 
 /// The longer side of the picture in which a page is sought, in pixels.
 const SMALL: usize = 320;
@@ -20,7 +21,7 @@ const INSET: f64 = 0.012;
 const USUAL: [f64; 7] = [1.0, 1.294, 1.333, 1.414, 1.5, 1.6, 1.778];
 /// The focal length as a part of the picture's longer side where a page does not tell it: a telephone's.
 const FOCAL: f64 = 0.9;
-const FOCALS: [f64; 2] = [0.4, 4.0];
+const FOCALS: RangeInclusive<f64> = 0.4..=4.0;
 
 /// The page, seen from above, if all of it is in the picture.
 pub(super) fn straightened(grey: &Grey) -> Option<Grey> {
@@ -261,7 +262,7 @@ fn ratio(corners: [[f64; 2]; 4], grey: &Grey) -> Option<f64> {
     // The sides are at right angles.
     let square = -(ax * bx + ay * by) / (g * h);
     let own = libm::sqrt(square) / longer;
-    let focal = if own >= FOCALS[0] && own <= FOCALS[1] { own } else { FOCAL } * longer;
+    let focal = if FOCALS.contains(&own) { own } else { FOCAL } * longer;
     let length = |x: f64, y: f64, far: f64| libm::sqrt((x * x + y * y) / (focal * focal) + far * far);
     let ratio = length(ax, ay, g) / length(bx, by, h);
     ratio.is_finite().then_some(ratio)

@@ -147,7 +147,7 @@ impl Faults {
     fn lit(&self, x: f64, y: f64) -> f64 {
         let mut chance = Chance(self.seed ^ 0x5eed);
         let (sin, cos) = libm::sincos(chance.between(0.0, std::f64::consts::TAU));
-        let along = ((x / WIDTH as f64 - 0.5) * cos + (y / HEIGHT as f64 - 0.5) * sin) / 1.4142 + 0.5;
+        let along = ((x / WIDTH as f64 - 0.5) * cos + (y / HEIGHT as f64 - 0.5) * sin) / std::f64::consts::SQRT_2 + 0.5;
         let (sin, cos) = libm::sincos(chance.between(0.0, std::f64::consts::TAU));
         let place = (x - WIDTH as f64 / 2.0) * cos + (y - HEIGHT as f64 / 2.0) * sin - chance.between(-200.0, 200.0);
         let shadow = 0.5 + 0.5 * libm::tanh(place / 60.0);
