@@ -160,7 +160,7 @@ impl Picture {
 
 /// The level of grey that divides dark from light best (Otsu, "A threshold selection method from gray-level
 /// histograms", 1979): the darker ones are at most this.
-fn threshold(grey: &[u8]) -> u8 {
+pub(crate) fn threshold(grey: &[u8]) -> u8 {
     let mut counts = [0_u64; 256];
     grey.iter().for_each(|&at| counts[usize::from(at)] += 1);
     let total = |counts: &[u64], from: u64| counts.iter().zip(from..).map(|(count, at)| count * at).sum::<u64>() as f64;

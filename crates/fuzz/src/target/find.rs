@@ -1,7 +1,7 @@
 //! The search for rules: of pictures and of strings. A step takes a second at most.
 
 use crate::{Gauge, Source, make};
-use lsystem::find::{Drawn, Finder, Named, Picture, Question, Searched, Share, StringFinder, merged};
+use lsystem::find::{Drawn, Finder, Named, Photograph, Picture, Question, Searched, Share, StringFinder, merged};
 use lsystem::{Limits, Progress, Renderer, SegmentArrays, System, View, Viewport, draw, expand};
 use std::sync::Arc;
 
@@ -81,6 +81,14 @@ fn noise(source: &mut Source<'_>, gauge: &mut Gauge) -> Option<Picture> {
         if byte.is_multiple_of(sparse) { (byte % levels * 255 / levels) as u8 } else { 255 }
     };
     let grey: Vec<u8> = (0..width * height).map(|at| level(at % width.max(1), at / width.max(1))).collect();
+    if source.once_in(3) {
+        let straight = gauge.call("photograph", || Photograph::straightened(&grey, width, height));
+        if let Some(Photograph { grey, width, height }) = straight {
+            gauge.reach("photograph");
+            assert_eq!(grey.len(), width * height);
+            return gauge.call("picture", || Picture::new(&grey, width, height)).ok();
+        }
+    }
     gauge.call("picture", || Picture::new(&grey, width, height)).ok()
 }
 

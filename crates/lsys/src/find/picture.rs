@@ -4,7 +4,7 @@ use super::pixels::grey;
 use super::{Known, MAX_LISTED, gallery};
 use crate::{CommandFailure, cores, print, say};
 use lsystem::files::{SegmentForm, read_segments};
-use lsystem::find::{Drawn, FOUND, Finder, Picture, Question, Searched, Share, draw_svg, merged};
+use lsystem::find::{Drawn, FOUND, Finder, Photograph, Picture, Question, Searched, Share, draw_svg, merged};
 use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -66,8 +66,12 @@ struct Candidate {
 pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Result<(), CommandFailure> {
     let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
     let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
-    let picture = Picture::new(&grey, width, height).map_err(said)?;
-    find_rules(name, picture, known, json)
+    // A photograph is made straight and even first.
+    let picture = match Photograph::straightened(&grey, width, height) {
+        Some(straight) => Picture::new(&straight.grey, straight.width, straight.height),
+        None => Picture::new(&grey, width, height),
+    };
+    find_rules(name, picture.map_err(said)?, known, json)
 }
 
 /// Finds the rules that draw an SVG picture: by its exact segments, if it has nothing else, or by its pixels.
