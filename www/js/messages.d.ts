@@ -840,7 +840,11 @@ lengths: [string, string], };
 /**
  * A script, as the page edits it.
  */
-export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, fixed: boolean, frames: number, tracks: Array<TrackObject>, };
+export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, fixed: boolean, frames: number, 
+/**
+ * The number of the segment whose start is the origin of views, from 1; empty for the fitted centre.
+ */
+segment: string, tracks: Array<TrackObject>, };
 
 /**
  * A segment, and the turtle there.

@@ -177,14 +177,14 @@ export {};
 /** @typedef {import('./messages.js').PresetObject} FilmPreset */
 /** @typedef {import('./messages.js').SubjectObject} FilmSubject */
 /**
- * The calls of the tool for films. `place` are the numbers of a key that shows the segment in the middle; the progress
- * of a GIF is the number of finished frames, with the next bytes of the file.
+ * The calls of the tool for films. `dive` is the text with a dive to a view about a segment, or to the segment in the
+ * middle; the progress of a GIF is the number of finished frames, with the next bytes of the file.
  * @typedef {{
  *     read: {asked: {text: string}, answer: FilmScript},
  *     preset: {asked: {text: string, preset: FilmPreset}, answer: string},
  *     subjects: {asked: {definition: Definition}, answer: FilmSubject[]},
  *     frame: {asked: {film: Film, number: number, width: number, height: number}, answer: Uint8Array<ArrayBuffer>},
- *     place: {asked: {film: Film}, answer: number[] | null},
+ *     dive: {asked: {film: Film, text: string, view: View | null}, answer: string | null},
  *     gif: {asked: {film: Film, script: FilmScript}, answer: null},
  * }} FilmCalls
  */

@@ -217,6 +217,10 @@ fn segments(around: &Around, most: u128) -> Vec<(Fixed, [[f64; 2]; 2])> {
     found
 }
 
+/// The length of a step in the largest picture, in pixels: views that show less of it show one straight line.
+const STEP: f64 = 4096.0;
+
+/// Ten random places of each system at each size, with an error in pixels far below a tenth.
 #[test]
 fn places_at_any_depth_agree_with_exact_integers() {
     for ring in &RINGS {
@@ -231,20 +235,20 @@ fn places_at_any_depth_agree_with_exact_integers() {
             let n = (10..1000).step_by(30).find(wide).unwrap_or(1000);
             let drawing = drawing(ring, n);
             let all = drawing.exact_count();
-            for seed in 1..=2 {
+            for seed in 1..=10 {
                 let number = some(&all, seed + u64::from(n));
                 let around = drawing.around(&number, [0.0; 2], 4).unwrap();
                 let big = |number: &Fixed| number.decimal().parse::<BigInt>().unwrap();
                 let [anchor, _] = naive.ends(n, &big(&number));
-                let found = segments(&around, 60);
+                let found = segments(&around, 12);
                 let mut worst = 0.0_f64;
-                for (number, ends) in found.iter().step_by(found.len() / 60 + 1) {
+                for (number, ends) in found.iter().step_by(found.len() / 12 + 1) {
                     let exact = naive.ends(n, &big(number)).map(|end| naive.vector(&end, &anchor));
                     for (end, exact) in ends.iter().zip(exact) {
                         worst = worst.max((end[0] - exact[0]).abs()).max((end[1] - exact[1]).abs());
                     }
                 }
-                assert!(worst < 1e-9, "{} n = {n}: {worst}", ring.name);
+                assert!(worst * STEP < 1e-5, "{} n = {n}: {worst}", ring.name);
                 let items = around.drawing.items_of(around.drawing.root.unwrap());
                 // In a crowd, the segment may lie below equal ones.
                 assert!(

@@ -2,9 +2,10 @@
 
 use crate::{Easing, Keyframe, Script, Subject, Track};
 use lsystem_base::fixed::Fixed;
-use lsystem_drawing::Figure;
+use lsystem_drawing::{Drawing, Figure};
 use lsystem_render::{Camera, Closeup, Vantage, View, fitted_ends};
 use lsystem_syntax::Definition;
+use std::sync::Arc;
 
 /// The part of the time after which growth, the turtle's way and a dive are over, so that the end can be seen.
 const END: f64 = 0.9;
@@ -55,17 +56,41 @@ impl Script {
     /// growth is fixed.
     #[must_use]
     pub fn with_preset(mut self, preset: &Preset) -> Self {
+        self.clear_presets();
+        let track = preset.track(&self);
+        self.tracks.push(track);
+        // A plant grows from the ground. A fitted one would begin as a stump that fills the frame.
+        self.fixed = matches!(preset, Preset::Growth(_));
+        self
+    }
+
+    /// The script with a dive in place of its presets: to a segment (0-based), the one in the middle if it is `None`, or to
+    /// a view whose origin is the segment's start. `None` as for [`dive_to`].
+    #[must_use]
+    pub fn with_dive(
+        mut self,
+        figure: &Figure,
+        segment: Option<Fixed>,
+        view: Option<View>,
+        from: &Vantage,
+    ) -> Option<Self> {
+        self.clear_presets();
+        let segment = segment.unwrap_or_else(|| middle(figure));
+        let track = match figure {
+            Figure::Plane(whole) if view.is_some() => dive_about(&mut self, whole, &segment, view),
+            _ => dive_to(&mut self, figure, &segment, from),
+        }?;
+        self.tracks.push(track);
+        Some(self)
+    }
+
+    fn clear_presets(&mut self) {
         let is_preset = |subject: &Subject| {
             matches!(subject, Subject::Generation | Subject::Drawn | Subject::View | Subject::Camera)
                 || subject.is_sway()
         };
         self.tracks.retain(|track| !is_preset(&track.subject));
-        let track = preset.track(&self);
-        self.tracks.push(track);
-        self.segment = None;
-        // A plant grows from the ground. A fitted one would begin as a stump that fills the frame.
-        self.fixed = matches!(preset, Preset::Growth(_));
-        self
+        (self.segment, self.fixed) = (None, false);
     }
 }
 
@@ -121,11 +146,25 @@ pub fn dive_to(script: &mut Script, figure: &Figure, segment: &Fixed, from: &Van
         (_, Some(to)) if to.view.zoom < MAX_ZOOM[0] => return Some(dive(script, to.view)),
         (Figure::Plane(whole), _) => whole,
     };
-    let (closeup, to) = Closeup::on_step(whole.clone(), segment.clone(), SHARE)?;
+    dive_about(script, whole, segment, None)
+}
+
+/// A dive to a view whose origin is the start of a segment (0-based), or to the segment. The script's views are about it.
+fn dive_about(script: &mut Script, whole: &Arc<Drawing>, segment: &Fixed, view: Option<View>) -> Option<Track> {
+    let (closeup, step) = Closeup::on_step(whole.clone(), segment.clone(), SHARE)?;
     let [x, y, ..] = closeup.place()?.map(|place| 0.0 - place);
     script.segment = Some(segment.clone());
-    let keys = [(REST, vec![x, y, 1.0]), (END, vec![0.0, 0.0, to.zoom])];
-    Some(track(script, Subject::View, &keys, Easing::Smooth))
+    let mut track = dive(script, view.unwrap_or(step));
+    track.keys[0].value = vec![x, y, 1.0];
+    Some(track)
+}
+
+/// The segment (0-based) in the middle of a figure.
+fn middle(figure: &Figure) -> Fixed {
+    match figure {
+        Figure::Plane(drawing) => drawing.exact_count().minus(&Fixed::units(1)).shifted(-1),
+        Figure::Space(_) => Fixed::units(middle_segment(figure.segment_count())),
+    }
 }
 
 /// A dive from the whole drawing in space to a camera.
@@ -210,6 +249,30 @@ mod tests {
         assert_eq!(growth.to_string(), "1;10s;25fps;1280x720;repeat;fixed;n=0:0,9:7");
         assert!(!growth.with_preset(&Preset::Turtle).fixed);
         assert_eq!([0, 1, 2, 3, 4].map(middle_segment), [0, 0, 0, 1, 1]);
+    }
+
+    #[test]
+    fn dives_reach_segments_and_views_about_them() {
+        let curve =
+            Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
+        let figure = Figure::draw(&System::new(&curve).0.unwrap(), 600, &Limits::default()).unwrap();
+        let usual: Script = "1;10s;fixed;n=0:0,9:7".parse().unwrap();
+        let from = Vantage::default();
+        let middle = usual.clone().with_dive(&figure, None, None, &from).unwrap();
+        // The last segment of the first half.
+        assert_eq!(middle.segment, Some(Fixed::units(1).shifted(1199).minus(&Fixed::units(1))));
+        assert!(middle.tracks.len() == 1 && !middle.fixed);
+        let [start, end] = &middle.tracks[0].keys[..] else { panic!("two keys") };
+        assert!(start.value[2] == 1.0 && end.value[2] > 1e280);
+        let to = View { x: 1e-41, y: -2e-41, zoom: 1e40, fine: [0.0; 2] };
+        let about = usual.clone().with_dive(&figure, Some(Fixed::units(4)), Some(to), &from).unwrap();
+        let [start, end] = &about.tracks[0].keys[..] else { panic!("two keys") };
+        // The curve starts at its lower end, half an extent from the middle.
+        assert!((start.value[1] - 0.5).abs() < 1e-9 && start.value[2] == 1.0, "{start:?}");
+        assert_eq!((&about.segment, &end.value[..]), (&Some(Fixed::units(4)), &[1e-41, -2e-41, 1e40][..]));
+        assert_eq!(about.to_string().parse::<Script>().unwrap(), about);
+        assert_eq!(about.with_preset(&Preset::Turtle).segment, None);
+        assert!(usual.with_dive(&figure, Some(Fixed::units(1).shifted(1200)), Some(to), &from).is_none());
     }
 
     #[test]

@@ -28,7 +28,7 @@ const LEAST: f64 = 1e-6;
 /// of the pen.
 pub(crate) fn improve(near: Near, ends: Vec<Point>, way: Vec<u32>, work: &mut dyn Work) -> Result<Vec<u32>, Halt> {
     let mut left = EFFORT * way.len() as u64;
-    let mut improve = Improve::new(near, ends, way);
+    let mut improve = Improve::new(near, ends, way, work)?;
     while left > 0
         && let Some(units) = improve.step()
     {
@@ -41,8 +41,9 @@ pub(crate) fn improve(near: Near, ends: Vec<Point>, way: Vec<u32>, work: &mut dy
 
 /// A closed way that becomes shorter.
 struct Improve {
-    near: Near,
     ends: Vec<Point>,
+    /// By end: the nearest ends of other polylines, nearest first, or `u32::MAX`.
+    neighbours: Vec<[u32; NEIGHBOURS]>,
     /// The end at which each polyline is entered, in order. The start of the pen is the first polyline and stays there.
     tour: Vec<u32>,
     /// By polyline: its place in the tour.
@@ -53,19 +54,22 @@ struct Improve {
 }
 
 impl Improve {
-    fn new(near: Near, ends: Vec<Point>, way: Vec<u32>) -> Self {
+    fn new(mut near: Near, ends: Vec<Point>, way: Vec<u32>, work: &mut dyn Work) -> Result<Self, Halt> {
+        let mut neighbours = near.neighbours(|own, other| own / 2 != other / 2, work)?;
+        let start = near.nearest(ends[ends.len() - 1], &mut Meter::new(u64::MAX), |_| true).map(|(_, other)| other);
+        neighbours.extend([start; 2]);
         let count = way.len() as u32;
         let tour: Vec<u32> = core::iter::once(2 * count).chain(way).collect();
         let mut places = vec![0; tour.len()];
         tour.iter().zip(0..).for_each(|(&end, place)| places[end as usize / 2] = place);
-        Self {
-            near,
+        Ok(Self {
             ends,
+            neighbours,
             places,
             queue: tour.iter().map(|end| end / 2).collect(),
             is_queued: vec![true; tour.len()],
             tour,
-        }
+        })
     }
 
     /// Looks at the next polyline. Returns the units of work for it; `None` if no polyline is left.
@@ -103,10 +107,9 @@ impl Improve {
     fn improve(&mut self, polyline: u32, meter: &mut Meter) -> bool {
         for side in [0, 1] {
             let end = 2 * polyline + side;
-            // The pen's start is no polyline; its ends are the same point.
-            let neighbours =
-                self.near.nearest::<NEIGHBOURS>(self.ends[end as usize], meter, |other| other / 2 != polyline);
-            for (far, other) in neighbours.into_iter().filter(|found| found.1 != u32::MAX) {
+            for other in self.neighbours[end as usize].into_iter().take_while(|&other| other != u32::MAX) {
+                meter.charge(1);
+                let far = self.far(end, other);
                 if self.exchange(end, other, far, meter) || self.move_near(end, other, far, meter) {
                     return true;
                 }
@@ -119,7 +122,8 @@ impl Improve {
     fn exchange(&mut self, end: u32, other: u32, far: f64, meter: &mut Meter) -> bool {
         let [at, to] = [end, other].map(|end| self.places[end as usize / 2] as usize);
         let is_exit = self.tour[at] != end;
-        // The pen's start is left at its exit only, and entered at its entry only.
+        // The pen's start is no polyline; its ends are the same point. The start is left at its exit only, and entered at
+        // its entry only.
         if is_exit != (self.tour[to] != other) {
             return false;
         }
@@ -256,11 +260,11 @@ mod tests {
         for pair in ends.chunks_exact_mut(2) {
             pair[1] = [0, 1].map(|axis| pair[0][axis] + (pair[1][axis] - pair[0][axis]) / 20.0);
         }
-        let near = Near::new(ends.iter().copied(), [120.0, 120.0]);
+        let near = Near::new(ends.iter().copied());
         ends.extend([[0.0; 2]; 2]);
         let way: Vec<u32> = (0..200).map(|polyline| 2 * polyline).collect();
         let before = length(&ends, &way);
-        let mut improve = Improve::new(near, ends.clone(), way);
+        let mut improve = Improve::new(near, ends.clone(), way, &mut Meter::new(0)).unwrap();
         let mut last = before;
         while improve.step().is_some() {
             let now = length(&ends, &improve.tour[1..]);

@@ -90,11 +90,11 @@ impl Polylines {
     }
 }
 
-/// Joins ink on a sheet of this size.
-pub(crate) fn join(ink: Ink, options: &PlotOptions, size: [f64; 2], work: &mut dyn Work) -> Result<Polylines, Halt> {
+/// Joins ink.
+pub(crate) fn join(ink: Ink, options: &PlotOptions, work: &mut dyn Work) -> Result<Polylines, Halt> {
     let mut join = Join { pieces: ink.pieces, spots: ink.spots, spare: ink.spare, pen: options.pen, ..Join::default() };
     join.number(work)?;
-    join.pair(size, work)?;
+    join.pair(work)?;
     join.list(work)?;
     // Moves come first, so that a trail with moves starts with one.
     for piece in (0..join.ends.len() as u32).rev() {
@@ -156,7 +156,7 @@ impl Join {
     }
 
     /// Joins the nodes of odd degree in pairs, layer by layer.
-    fn pair(&mut self, size: [f64; 2], work: &mut dyn Work) -> Result<(), Halt> {
+    fn pair(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
         let mut odd: Vec<Vec<u32>> = Vec::new();
         for (node, &(_, layer)) in (0..).zip(&self.nodes) {
             work.charge(2)?;
@@ -167,7 +167,7 @@ impl Join {
         }
         for nodes in odd {
             let points: Vec<Point> = nodes.iter().map(|&node| self.nodes[node as usize].0).collect();
-            for [a, b] in pairs(&points, size, work)? {
+            for [a, b] in pairs(&points, work)? {
                 let ends = [nodes[a as usize], nodes[b as usize]];
                 ends.iter().for_each(|&node| self.free[node as usize] += 1);
                 self.add_move(ends);

@@ -85,7 +85,7 @@ impl Plot {
         drop(drawing);
         let mut summary = PlotSummary { sheet: page.size, travel_before: ink.travel, ..PlotSummary::default() };
         let colours = core::mem::take(&mut ink.colours);
-        let polylines = join(ink, &options, page.size, work)?;
+        let polylines = join(ink, &options, work)?;
         summary.polylines = polylines.list.len();
         let mut numbers = vec![Vec::new(); colours.len()];
         for number in 0..summary.polylines {
@@ -96,7 +96,7 @@ impl Plot {
         }
         let mut layers = vec![];
         for (rgb, numbers) in colours.into_iter().zip(numbers).filter(|(_, numbers)| !numbers.is_empty()) {
-            let tour = order(&polylines, &numbers, page.size, home, work)?;
+            let tour = order(&polylines, &numbers, home, work)?;
             let mut layer = Layer { rgb, starts: vec![0; tour.len()], tour };
             choose_starts(&mut layer, &polylines, home, &mut summary.travel, work)?;
             layers.push(layer);

@@ -1,11 +1,11 @@
 //! A search for the points nearest to a place.
 //!
-//! The points are sorted along a curve that fills the sheet (Morton 1966), so that consecutive points are near each
-//! other. A binary tree of boxes stands above them. Removed points leave their boxes, so that a search never enters
-//! empty ones.
+//! The points are halved across the longer side of their box, and so are the halves (k-d tree, Bentley 1975; Friedman,
+//! Bentley and Finkel 1977). Removed points leave their boxes, so that a search never enters empty ones.
 
 use crate::page::{Point, distance};
 use lsystem_base::Meter;
+use lsystem_syntax::{Halt, Work};
 
 /// The points of a box at the bottom of the tree.
 const LEAF: usize = 8;
@@ -28,31 +28,42 @@ pub(crate) struct Near {
     open: Vec<(f64, u32)>,
 }
 
-/// The bits of a number with a gap behind each.
-fn spread(value: u32) -> u64 {
-    let mut bits = u64::from(value);
-    bits = (bits | bits << 16) & 0x0000_ffff_0000_ffff;
-    bits = (bits | bits << 8) & 0x00ff_00ff_00ff_00ff;
-    bits = (bits | bits << 4) & 0x0f0f_0f0f_0f0f_0f0f;
-    bits = (bits | bits << 2) & 0x3333_3333_3333_3333;
-    (bits | bits << 1) & 0x5555_5555_5555_5555
+/// The place at which a leaf of a tree of `count` points starts.
+fn start(leaf: usize, leaves: usize, count: usize) -> usize {
+    (leaf as u64 * count as u64 / leaves as u64) as usize
+}
+
+/// Sorts the points of some leaves: the points of a box are halved across its longer side.
+fn sort(points: &mut [(Point, u32)], [first, end]: [usize; 2], leaves: usize) {
+    let count = points.len();
+    let [low, middle, high] = [first, first.midpoint(end), end].map(|leaf| start(leaf, leaves, count));
+    let own = &mut points[low..high];
+    if end - first == 1 {
+        own.sort_unstable_by_key(|&(_, number)| number);
+        return;
+    }
+    if middle < high {
+        let [a, b, c, d] = around(own.iter().map(|&(point, _)| point));
+        let axis = usize::from(d - b > c - a);
+        own.select_nth_unstable_by(middle - low, |a, b| a.0[axis].total_cmp(&b.0[axis]).then(a.1.cmp(&b.1)));
+    }
+    sort(points, [first, first.midpoint(end)], leaves);
+    sort(points, [first.midpoint(end), end], leaves);
+}
+
+/// The box around points.
+fn around(points: impl Iterator<Item = Point>) -> [f64; 4] {
+    points.fold(EMPTY, |[a, b, c, d], [x, y]| [a.min(x), b.min(y), c.max(x), d.max(y)])
 }
 
 impl Near {
-    /// A tree of points of a sheet of this size.
-    pub(crate) fn new(points: impl Iterator<Item = Point>, size: [f64; 2]) -> Self {
-        let side = size[0].max(size[1]);
-        let code = |point: Point| {
-            let [x, y] = point.map(|value| (value / side * f64::from(u32::MAX)) as u32);
-            spread(x) | spread(y) << 1
-        };
-        let mut sorted: Vec<(u64, u32, Point)> =
-            points.zip(0..).map(|(point, number)| (code(point), number, point)).collect();
-        sorted.sort_unstable_by_key(|&(code, number, _)| (code, number));
-        let points: Vec<_> = sorted.into_iter().map(|(_, number, point)| (point, number)).collect();
+    /// A tree of points.
+    pub(crate) fn new(points: impl Iterator<Item = Point>) -> Self {
+        let mut points: Vec<(Point, u32)> = points.zip(0..).collect();
+        let leaves = points.len().div_ceil(LEAF).next_power_of_two();
+        sort(&mut points, [0, leaves], leaves);
         let mut places = vec![0; points.len()];
         points.iter().enumerate().for_each(|(place, &(_, number))| places[number as usize] = place as u32);
-        let leaves = points.len().div_ceil(LEAF).next_power_of_two();
         let mut near = Self {
             is_in: vec![true; points.len()],
             points,
@@ -67,13 +78,11 @@ impl Near {
     }
 
     fn leaf(&self, leaf: usize) -> core::ops::Range<usize> {
-        let end = self.points.len();
-        (leaf * LEAF).min(end)..((leaf + 1) * LEAF).min(end)
+        start(leaf, self.leaves, self.points.len())..start(leaf + 1, self.leaves, self.points.len())
     }
 
     fn leaf_box(&self, leaf: usize) -> [f64; 4] {
-        let inside = self.leaf(leaf).filter(|&place| self.is_in[place]).map(|place| self.points[place].0);
-        inside.fold(EMPTY, |[a, b, c, d], [x, y]| [a.min(x), b.min(y), c.max(x), d.max(y)])
+        around(self.leaf(leaf).filter(|&place| self.is_in[place]).map(|place| self.points[place].0))
     }
 
     fn joined(&self, at: usize) -> [f64; 4] {
@@ -85,7 +94,7 @@ impl Near {
     pub(crate) fn remove(&mut self, number: u32) {
         let place = self.places[number as usize] as usize;
         self.is_in[place] = false;
-        let leaf = place / LEAF;
+        let leaf = (((place as u64 + 1) * self.leaves as u64 - 1) / self.points.len() as u64) as usize;
         let mut at = self.leaves + leaf;
         let mut next = self.leaf_box(leaf);
         while self.boxes[at] != next {
@@ -107,6 +116,25 @@ impl Near {
     /// A copy of all boxes, for [`Near::restore`].
     pub(crate) fn boxes(&self) -> Vec<[f64; 4]> {
         self.boxes.clone()
+    }
+
+    /// By number: the nearest points that `admits` a couple of numbers with the point's own first, nearest first. Missing
+    /// ones are `u32::MAX`.
+    pub(crate) fn neighbours<const N: usize>(
+        &mut self,
+        admits: impl Fn(u32, u32) -> bool,
+        work: &mut dyn Work,
+    ) -> Result<Vec<[u32; N]>, Halt> {
+        let mut all = vec![[u32::MAX; N]; self.points.len()];
+        // In the tree's order, searches that follow each other open the same boxes.
+        for place in 0..self.points.len() {
+            let mut meter = Meter::new(u64::MAX);
+            let (point, number) = self.points[place];
+            all[number as usize] =
+                self.nearest::<N>(point, &mut meter, |other| admits(number, other)).map(|(_, other)| other);
+            work.charge(meter.spent())?;
+        }
+        Ok(all)
     }
 
     /// The numbers of the nearest points for which `admits` is true, nearest first, with their distances.
@@ -167,7 +195,7 @@ mod tests {
         let points: Vec<Point> = (0..700_u32)
             .map(|at| [7, 11].map(|by| f64::from(at.wrapping_mul(2_654_435_761).rotate_left(by) % 1000) / 10.0))
             .collect();
-        let mut near = Near::new(points.iter().copied(), [100.0, 100.0]);
+        let mut near = Near::new(points.iter().copied());
         let full = near.boxes();
         let mut left: Vec<u32> = (0..points.len() as u32).collect();
         let mut from = [3.0, 4.0];
@@ -183,5 +211,27 @@ mod tests {
         assert_eq!(near.nearest::<1>(from, &mut Meter::new(1), |_| true)[0].1, u32::MAX);
         near.restore(&full);
         assert_eq!(near.nearest::<1>(from, &mut Meter::new(1), |_| true)[0].0, 0.0);
+    }
+
+    #[test]
+    fn a_search_opens_few_boxes_however_the_points_lie() {
+        // Points along curved lines that become denser and denser, as on the twigs of a tree.
+        let points: Vec<Point> = (0..40_000_u32)
+            .map(|at| {
+                let (line, part) = (f64::from(at % 40), f64::from(at / 40) / 1000.0);
+                [60.0 + 50.0 * part * libm::cos(line), 50.0 + 40.0 * part * part * libm::sin(line * 1.7)]
+            })
+            .collect();
+        let mut near = Near::new(points.iter().copied());
+        let mut meter = Meter::new(0);
+        let all = near.neighbours::<6>(|a, b| a != b, &mut meter).unwrap();
+        assert!(meter.spent() < 48 * points.len() as u64, "{}", meter.spent());
+        for at in (0..points.len()).step_by(997) {
+            let mut far: Vec<f64> = points.iter().map(|&point| distance(points[at], point)).collect();
+            far.sort_by(f64::total_cmp);
+            assert!(
+                all[at].iter().zip(&far[1..]).all(|(&other, far)| distance(points[at], points[other as usize]) == *far)
+            );
+        }
     }
 }

@@ -13,18 +13,12 @@ use lsystem_syntax::{Halt, Work};
 /// A way along polylines: the number of each, and whether it is drawn from its last point to its first.
 pub(crate) type Tour = Vec<(u32, bool)>;
 
-/// The order of the polylines of a layer on a sheet of this size. The pen starts and ends at `start`.
-pub(crate) fn order(
-    polylines: &Polylines,
-    numbers: &[u32],
-    size: [f64; 2],
-    start: Point,
-    work: &mut dyn Work,
-) -> Result<Tour, Halt> {
+/// The order of the polylines of a layer. The pen starts and ends at `start`.
+pub(crate) fn order(polylines: &Polylines, numbers: &[u32], start: Point, work: &mut dyn Work) -> Result<Tour, Halt> {
     // The ends of the layer's polylines: the first of polyline k at 2k, the last at 2k + 1. The start of the pen comes
     // last.
     let mut ends: Vec<Point> = numbers.iter().flat_map(|&number| polylines.ends(number as usize)).collect();
-    let mut near = Near::new(ends.iter().copied(), size);
+    let mut near = Near::new(ends.iter().copied());
     let full = near.boxes();
     ends.extend([start, start]);
     let trails: Vec<u32> = numbers.iter().map(|&number| polylines.trails[number as usize]).collect();

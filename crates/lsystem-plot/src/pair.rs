@@ -5,30 +5,27 @@
 
 use crate::near::Near;
 use crate::page::{Point, distance};
+use core::cmp::Reverse;
 use lsystem_base::Meter;
 use lsystem_syntax::{Halt, Work};
-use std::collections::VecDeque;
+use std::collections::{BinaryHeap, VecDeque};
 
 /// The nearest points that are tried for each point.
 const NEIGHBOURS: usize = 6;
 /// The units of work to exchange pairs, for each point.
-const EFFORT: u64 = 1000;
+const EFFORT: u64 = 200;
 /// The least saving, in millimetres: far above rounding errors.
 const LEAST: f64 = 1e-6;
 /// No point.
 const NONE: u32 = u32::MAX;
 
-/// The pairs of an even number of points on a sheet of this size.
-pub(crate) fn pairs(
-    points: &[Point],
-    size: [f64; 2],
-    work: &mut dyn Work,
-) -> Result<impl Iterator<Item = [u32; 2]> + use<>, Halt> {
-    let near = Near::new(points.iter().copied(), size);
-    let full = near.boxes();
-    let mut pairs = Pairs { points, near, mates: vec![NONE; points.len()] };
-    pairs.join(work)?;
-    pairs.near.restore(&full);
+/// The pairs of an even number of points.
+pub(crate) fn pairs(points: &[Point], work: &mut dyn Work) -> Result<impl Iterator<Item = [u32; 2]> + use<>, Halt> {
+    let mut near = Near::new(points.iter().copied());
+    let neighbours = near.neighbours(|a, b| a != b, work)?;
+    let mut pairs = Pairs { points, neighbours, mates: vec![NONE; points.len()] };
+    pairs.join(&mut near, work)?;
+    drop(near);
     pairs.improve(work)?;
     let pairs = (0..).zip(pairs.mates).filter(|&(point, mate)| point < mate && mate != NONE);
     Ok(pairs.map(|(point, mate)| [point, mate]))
@@ -37,58 +34,72 @@ pub(crate) fn pairs(
 /// Pairs in the making.
 struct Pairs<'a> {
     points: &'a [Point],
-    /// The points without a mate; all points while pairs exchange their points.
-    near: Near,
+    /// By point: the nearest other points of all, nearest first, or [`NONE`].
+    neighbours: Vec<[u32; NEIGHBOURS]>,
     /// By point: the other one of its pair.
     mates: Vec<u32>,
 }
 
 impl Pairs<'_> {
-    /// Joins the nearest points until at most one is left.
-    fn join(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
-        let mut left: Vec<u32> = (0..self.points.len() as u32).collect();
-        // A single point has no mate.
-        while left.len() > 1 {
-            let mut couples = vec![];
-            for &point in &left {
-                let mut meter = Meter::new(u64::MAX);
-                let found = self.neighbours(point, &mut meter);
-                // Each couple is found from one of its points at least.
-                couples.extend(found.map(|(far, other)| (far, point.min(other), point.max(other))));
-                work.charge(1 + meter.spent())?;
-            }
-            couples.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-            for (_, a, b) in couples {
-                work.charge(1)?;
-                if self.mates[a as usize] == NONE && self.mates[b as usize] == NONE {
-                    (self.mates[a as usize], self.mates[b as usize]) = (b, a);
-                    [a, b].iter().for_each(|&point| self.near.remove(point));
+    /// Joins the two nearest points without a mate, until at most one is left.
+    fn join(&mut self, near: &mut Near, work: &mut dyn Work) -> Result<(), Halt> {
+        // For each point without a mate: a point at most as far away as the nearest one without a mate. The bits of
+        // distances are in the order of the distances.
+        let mut next: BinaryHeap<Reverse<(u64, u32, u32)>> = (0..self.points.len() as u32)
+            .map(|point| Reverse((self.far(point, self.neighbours[point as usize][0]).to_bits(), point, NONE)))
+            .collect();
+        while let Some(Reverse((_, point, other))) = next.pop() {
+            let mut meter = Meter::new(u64::MAX);
+            meter.charge(1);
+            if self.mates[point as usize] == NONE {
+                if other != NONE && self.mates[other as usize] == NONE {
+                    (self.mates[point as usize], self.mates[other as usize]) = (other, point);
+                    [point, other].iter().for_each(|&point| near.remove(point));
+                } else if let other = self.free(point, near, &mut meter)
+                    && other != NONE
+                {
+                    next.push(Reverse((self.far(point, other).to_bits(), point, other)));
                 }
             }
-            left.retain(|&point| self.mates[point as usize] == NONE);
+            work.charge(meter.spent())?;
         }
         Ok(())
+    }
+
+    /// The nearest point without a mate.
+    fn free(&self, point: u32, near: &mut Near, meter: &mut Meter) -> u32 {
+        let is_free = |other: &u32| *other != NONE && self.mates[*other as usize] == NONE;
+        self.neighbours[point as usize]
+            .into_iter()
+            .find(is_free)
+            .unwrap_or_else(|| near.nearest::<1>(self.points[point as usize], meter, |other| other != point)[0].1)
     }
 
     /// Exchanges points of pairs as long as that saves distance and work is left.
     fn improve(&mut self, work: &mut dyn Work) -> Result<(), Halt> {
         let mut queue: VecDeque<u32> = (0..self.points.len() as u32).collect();
+        let mut is_queued = vec![true; self.points.len()];
         let mut left = EFFORT * self.points.len() as u64;
         while left > 0
             && let Some(point) = queue.pop_front()
         {
+            is_queued[point as usize] = false;
             let mut meter = Meter::new(u64::MAX);
             meter.charge(1);
-            queue.extend(self.exchange(point, &mut meter).into_iter().flatten());
+            for point in self.exchange(point, &mut meter).into_iter().flatten() {
+                if !core::mem::replace(&mut is_queued[point as usize], true) {
+                    queue.push_back(point);
+                }
+            }
             left = left.saturating_sub(meter.spent());
             work.charge(meter.spent())?;
         }
         Ok(())
     }
 
-    fn neighbours(&mut self, point: u32, meter: &mut Meter) -> impl Iterator<Item = (f64, u32)> + use<> {
-        let found = self.near.nearest::<NEIGHBOURS>(self.points[point as usize], meter, |other| other != point);
-        found.into_iter().filter(|found| found.1 != NONE)
+    /// The distance between two points; infinite for no point.
+    fn far(&self, a: u32, b: u32) -> f64 {
+        self.points.get(b as usize).map_or(f64::INFINITY, |&b| distance(self.points[a as usize], b))
     }
 
     /// Exchanges the mates of a point and of a near one, if that saves distance. Returns the four points.
@@ -97,15 +108,14 @@ impl Pairs<'_> {
         if mate == NONE {
             return None;
         }
-        let points = self.points;
-        let far = |a: u32, b: u32| distance(points[a as usize], points[b as usize]);
-        let own = far(point, mate);
-        for (new, other) in self.neighbours(point, meter) {
-            let others = self.mates[other as usize];
+        let own = self.far(point, mate);
+        for other in self.neighbours[point as usize] {
+            meter.charge(1);
+            let others = self.mates.get(other as usize).copied().unwrap_or(NONE);
             if other == mate || others == NONE {
                 continue;
             }
-            if own + far(other, others) - new - far(mate, others) > LEAST {
+            if own + self.far(other, others) - self.far(point, other) - self.far(mate, others) > LEAST {
                 for [a, b] in [[point, other], [mate, others]] {
                     (self.mates[a as usize], self.mates[b as usize]) = (b, a);
                 }
@@ -131,7 +141,7 @@ mod tests {
                 (state >> 40) as f64 / f64::from(1 << 24) * 100.0
             };
             let points: Vec<Point> = (0..8).map(|_| [number(), number()]).collect();
-            let pairs: Vec<[u32; 2]> = pairs(&points, [100.0; 2], &mut Meter::new(0)).unwrap().collect();
+            let pairs: Vec<[u32; 2]> = pairs(&points, &mut Meter::new(0)).unwrap().collect();
             let mut all: Vec<u32> = pairs.iter().flatten().copied().collect();
             all.sort_unstable();
             assert!(all.into_iter().eq(0..8));
@@ -139,6 +149,36 @@ mod tests {
             best += least(&points);
         }
         assert!(found < 1.05 * best && best < found + 1e-6, "{found} {best}");
+    }
+
+    #[test]
+    fn the_two_nearest_points_are_joined_each_time() {
+        let mut state = 3_u64;
+        let points: Vec<Point> = (0..602)
+            .map(|_| {
+                [0, 1].map(|_| {
+                    state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    // Most points stand in small heaps, so that many lose all their near points.
+                    let [coarse, fine] = [(state >> 60) as f64, (state >> 33) as f64 / (1_u64 << 31) as f64];
+                    6.0 * coarse + fine
+                })
+            })
+            .collect();
+        let mut near = Near::new(points.iter().copied());
+        let neighbours = near.neighbours(|a, b| a != b, &mut Meter::new(0)).unwrap();
+        let mut pairs = Pairs { points: &points, neighbours, mates: vec![NONE; points.len()] };
+        pairs.join(&mut near, &mut Meter::new(0)).unwrap();
+        // Naively: all couples, the nearest first.
+        let count = points.len() as u32;
+        let mut couples: Vec<[u32; 2]> = (0..count).flat_map(|a| (a + 1..count).map(move |b| [a, b])).collect();
+        couples.sort_by(|a, b| pairs.far(a[0], a[1]).total_cmp(&pairs.far(b[0], b[1])));
+        let mut mates = vec![NONE; points.len()];
+        for [a, b] in couples {
+            if mates[a as usize] == NONE && mates[b as usize] == NONE {
+                (mates[a as usize], mates[b as usize]) = (b, a);
+            }
+        }
+        assert_eq!(pairs.mates, mates);
     }
 
     /// The least sum of all ways to pair the points.

@@ -21,7 +21,8 @@ export function createAdder(store, stage, { add }) {
     /** The present value of a subject. @param {string} subject */
     function valueOf(subject) {
         const { view, camera } = store.state;
-        if (subject === 'view' && view) return [view.x, view.y, view.zoom];
+        if (subject === 'view' && view)
+            return [view.x, view.y, view.zoom, ...(view.fx || view.fy ? [view.fx ?? 0, view.fy ?? 0] : [])];
         if (subject === 'camera' && camera)
             return [camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z];
         if (Object.hasOwn(USUAL, subject)) return USUAL[/** @type {keyof typeof USUAL} */ (subject)];

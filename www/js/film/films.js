@@ -49,14 +49,17 @@ export function createFilms({ store, stage }) {
     });
     const options = createOptions({ change: (values) => change(values) });
     const presets = createPresets(store, stage, {
-        middle,
+        dive,
         use: (preset) => usePreset(preset, script ? written(script) : FIRST),
     });
     const adder = createAdder(store, stage, {
         add: (subject, value) => {
             if (!script) return;
             const { seconds, easing } = script;
-            change(withTrack(script, { subject, keys: [0, seconds].map((time) => ({ time, value, easing })) }));
+            const track = { subject, keys: [0, seconds].map((time) => ({ time, value, easing })) };
+            // The numbers of a view are those of the page's view, and about its segment.
+            const about = subject === 'view' ? { segment: film.view?.at ?? '' } : {};
+            change({ ...withTrack(script, track), ...about });
         },
     });
     const timeline = createTimeline({
@@ -142,6 +145,8 @@ export function createFilms({ store, stage }) {
         if (!script) return;
         // The timeline follows the pointer before the text is read.
         script = { ...script, ...values };
+        // Without views of its own, the film shows the page's view, which names its segment itself.
+        if (!script.tracks.some(({ subject }) => subject === 'view')) script.segment = '';
         timeline.show(script);
         take(written(script));
     }
@@ -165,13 +170,13 @@ export function createFilms({ store, stage }) {
         }
     }
 
-    /** The place of the segment in the middle. */
-    async function middle() {
+    /** Shows a dive to a view about a segment, or to the segment in the middle. @param {import('../state.js').View | null} view */
+    async function dive(view) {
         try {
-            return await tool.call('place', { film });
+            const next = await tool.call('dive', { film, text: script ? written(script) : FIRST, view });
+            if (next) await take(next);
         } catch (error) {
             fail(error);
-            return null;
         }
     }
 

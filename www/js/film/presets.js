@@ -4,6 +4,7 @@ import { make } from '../dom.js';
 import { STANDS, strengthOf } from '../wind.js';
 
 /** @typedef {import('../protocol.js').FilmPreset} FilmPreset */
+/** @typedef {import('../state.js').View} View */
 
 /** Why a drawing has no turntable. */
 const FLAT = 'A turntable needs a drawing in space.';
@@ -19,9 +20,9 @@ const KINDS = [
 /**
  * @param {import('../store.js').Store} store
  * @param {{readonly space: boolean, readonly branches: boolean, camera: () => import('../camera.js').Camera}} stage whether the drawing is in space and has branches, and its camera
- * @param {{middle: () => Promise<number[] | null>, use: (preset: FilmPreset) => void}} on `middle` finds the place of the segment in the middle
+ * @param {{dive: (view: View | null) => void, use: (preset: FilmPreset) => void}} on `dive` shows a dive to a view about a segment, or to the segment in the middle
  */
-export function createPresets(store, stage, { middle, use }) {
+export function createPresets(store, stage, { dive, use }) {
     const buttons = KINDS.map(([kind, words]) => ({
         kind,
         button: make('button', { class: 'button', type: 'button', 'data-preset': kind }, words),
@@ -29,29 +30,32 @@ export function createPresets(store, stage, { middle, use }) {
 
     const flat = make('p', { class: 'note' }, FLAT);
 
-    /** The place of a dive: what the page shows if it is zoomed in, or else the segment in the middle. */
-    async function placeToDive() {
+    /** The place of a dive: what the page shows if it is zoomed in and not about a segment. */
+    function placeToDive() {
         const { view, camera } = store.state;
         if (stage.space && camera && camera.zoom > 2)
             return [camera.azimuth, camera.elevation, camera.zoom, camera.x, camera.y, camera.z];
-        if (!stage.space && view && view.zoom > 2) return [view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0];
-        return middle();
+        if (!stage.space && view && view.zoom > 2 && !view.at)
+            return [view.x, view.y, view.zoom, view.fx ?? 0, view.fy ?? 0];
+        return null;
     }
 
-    /** @param {FilmPreset['kind']} kind @returns {Promise<FilmPreset | null>} */
-    async function presetOf(kind) {
+    /** @param {FilmPreset['kind']} kind @returns {FilmPreset | null} `null` for a dive to a segment */
+    function presetOf(kind) {
         if (kind === 'growth') return { kind, n: store.state.iterations };
         if (kind === 'turtle') return { kind };
         if (kind === 'turntable') return { kind, azimuth: stage.camera().azimuth };
         if (kind === 'sway') return { kind, strength: strengthOf(store.state) };
-        const place = await placeToDive();
+        const place = placeToDive();
         return place && { kind, place, space: stage.space };
     }
 
     for (const { kind, button } of buttons) {
-        button.addEventListener('click', async () => {
-            const preset = await presetOf(kind);
-            if (preset) use(preset);
+        button.addEventListener('click', () => {
+            const preset = presetOf(kind);
+            if (preset) return use(preset);
+            const { view } = store.state;
+            dive(!stage.space && view?.at ? view : null);
         });
     }
 

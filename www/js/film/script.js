@@ -34,7 +34,7 @@ const numeral = (value) => String(Math.abs(value) < 1e21 ? value : value.toExpon
 export const rounded = (seconds) => Math.round(seconds * 1000) / 1000;
 
 /** The text of a script. @param {Omit<FilmScript, 'frames'>} script */
-export function written({ seconds, rate, width, height, ending, easing, fixed, tracks }) {
+export function written({ seconds, rate, width, height, ending, easing, fixed, segment, tracks }) {
     const key = (/** @type {FilmKey} */ { time, value, easing: own }) =>
         `${numeral(time)}:${value.map(numeral).join('/')}${own === easing ? '' : `~${own}`}`;
     const parts = tracks.map(({ subject, keys }) => `${subject}=${keys.map(key).join()}`);
@@ -46,6 +46,7 @@ export function written({ seconds, rate, width, height, ending, easing, fixed, t
         ending,
         ...(easing === 'linear' ? [] : [`ease=${easing}`]),
         ...(fixed ? ['fixed'] : []),
+        ...(segment ? [`@${segment}`] : []),
         ...parts,
     ].join(';');
 }

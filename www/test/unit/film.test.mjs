@@ -15,6 +15,7 @@ const SCRIPT = {
     easing: 'linear',
     fixed: false,
     frames: 175,
+    segment: '',
     tracks: [],
 };
 
@@ -42,6 +43,7 @@ test('films are texts', () => {
         text.replace('10000000000000000000', '1e19'),
         '1;7s;25fps;1280x720;repeat;n=0:0,6.3:40;view=0.35:0/0/1~smooth,6.3:0.25/-0.5/1e19/1e-18/0~smooth',
     );
+    assert.match(written({ ...SCRIPT, fixed: true, segment: '12', tracks: [growth(7)] }), /;fixed;@12;n=/);
     const fixed = written({ ...SCRIPT, fixed: true, tracks: [growth(7)] });
     assert.equal(fixed, '1;7s;25fps;1280x720;repeat;fixed;n=0:0,6.3:7');
     assert.equal(withTrack({ ...SCRIPT, tracks }, growth(3)).tracks.length, 2);

@@ -64,12 +64,12 @@ export const calls = {
         yield* painted(player, number, width, height);
         return player.pixels();
     },
-    *place({ film }) {
+    *dive({ film, text, view }) {
         // A frame may be in the making, so this is another player.
         const player = new wasm_bindgen.FilmPlayer(film.definition, film.view, film.camera, '1');
         try {
             yield* painted(player, 0, SMALL, SMALL);
-            return player.placeOfSegment();
+            return player.dive(text, view) ?? null;
         } finally {
             player.free();
         }

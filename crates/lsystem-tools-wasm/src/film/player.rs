@@ -3,10 +3,9 @@
 use super::words;
 use crate::{from_js, to_js};
 use lsystem_base::Progress;
-use lsystem_film::{
-    Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, middle_segment, palette_samples, vantage_of_segment,
-};
-use lsystem_render::{Camera, Detail, PageCamera, PageView, Vantage};
+use lsystem_base::fixed::Fixed;
+use lsystem_film::{Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, Subject, palette_samples};
+use lsystem_render::{Detail, PageCamera, PageView, Vantage};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -31,6 +30,8 @@ enum Gif {
 #[wasm_bindgen]
 pub struct FilmPlayer {
     film: Film,
+    /// The segment (0-based) that is the origin of the view with which the film begins.
+    segment: Option<Fixed>,
     painter: Painter,
     gif: Gif,
 }
@@ -39,6 +40,15 @@ pub struct FilmPlayer {
 fn problem(error: &Diagnostic) -> JsValue {
     let hint = error.hint().map_or_else(String::new, |hint| format!(" {hint}"));
     format!("{}{hint}", error.message()).into()
+}
+
+/// The script of a text. The first view is about `segment`, unless the script has views of its own.
+fn script(text: &str, segment: Option<&Fixed>) -> Result<Script, JsValue> {
+    let mut script: Script = text.parse().map_err(words)?;
+    if script.segment.is_none() && script.tracks.iter().all(|track| track.subject != Subject::View) {
+        script.segment = segment.cloned();
+    }
+    Ok(script)
 }
 
 #[wasm_bindgen]
@@ -50,11 +60,13 @@ impl FilmPlayer {
     #[wasm_bindgen(constructor)]
     pub fn new(definition: JsValue, view: JsValue, camera: JsValue, text: &str) -> Result<Self, JsValue> {
         let definition: Definition = from_js(definition)?;
-        let view = from_js::<Option<PageView>>(view)?.map(Into::into).unwrap_or_default();
+        let view = from_js::<Option<PageView>>(view)?;
+        let segment = view.as_ref().and_then(PageView::segment);
+        let view = view.map(Into::into).unwrap_or_default();
         let camera = from_js::<Option<PageCamera>>(camera)?.map(Into::into).unwrap_or_default();
-        let script: Script = text.parse().map_err(words)?;
+        let script = script(text, segment.as_ref())?;
         let film = Film::new(script, definition, Vantage { view, camera }).map_err(words)?;
-        Ok(Self { film, painter: Painter::new(LIMITS), gif: Gif::None })
+        Ok(Self { film, segment, painter: Painter::new(LIMITS), gif: Gif::None })
     }
 
     /// Changes the film's text, and keeps the drawing.
@@ -62,7 +74,7 @@ impl FilmPlayer {
     /// # Errors
     /// As [`FilmPlayer::new`].
     pub fn change(&mut self, text: &str) -> Result<(), JsValue> {
-        let script: Script = text.parse().map_err(words)?;
+        let script = script(text, self.segment.as_ref())?;
         self.film = self.film.with(script).map_err(words)?;
         Ok(())
     }
@@ -92,24 +104,18 @@ impl FilmPlayer {
         self.painter.pixels().to_vec()
     }
 
-    /// The numbers of a key that shows one segment of the finished frame's drawing: those of a view in the plane, or of
-    /// a camera in space (azimuth, elevation, zoom, x, y, z); the segment in the middle without a number (from 0). Null
-    /// if there is no such segment.
+    /// The text of a film with a dive in place of its presets: to a view of the finished frame's drawing about a segment,
+    /// or to the segment in the middle if the view is null. Null if the drawing has no such segment.
     ///
     /// # Errors
-    /// Throws only if the result cannot be translated.
-    #[wasm_bindgen(js_name = placeOfSegment)]
-    pub fn place_of_segment(&self, number: Option<u128>) -> Result<JsValue, JsValue> {
-        let place = self.painter.figure().and_then(|figure| {
-            let number = number.unwrap_or(middle_segment(figure.segment_count()));
-            let Vantage { view, camera } = vantage_of_segment(figure, number, &self.film.frame(0).vantage)?;
-            let Camera { azimuth, elevation, zoom, target: [x, y, z], .. } = camera;
-            Some(match figure.is_solid() {
-                true => vec![azimuth, elevation, zoom, x, y, z],
-                false => vec![view.x, view.y, view.zoom, view.fine[0], view.fine[1]],
-            })
-        });
-        to_js(&place)
+    /// Throws the words of the first problem of the text.
+    pub fn dive(&self, text: &str, view: JsValue) -> Result<Option<String>, JsValue> {
+        let script: Script = text.parse().map_err(words)?;
+        let view = from_js::<Option<PageView>>(view)?;
+        let Some(figure) = self.painter.figure() else { return Ok(None) };
+        let segment = view.as_ref().and_then(PageView::segment);
+        let script = script.with_dive(figure, segment, view.map(Into::into), &self.film.frame(0).vantage);
+        Ok(script.map(|script| script.to_string()))
     }
 
     /// The frames to count before the first one is added to a GIF: `{numbers, width, height}`.

@@ -20,9 +20,7 @@ pub(crate) enum PresetObject {
     Turntable { azimuth: f64 },
     /// Wind of this strength, in degrees.
     Sway { strength: f64 },
-    /// A dive to the numbers of a view, or of a camera in space, as of [`FilmPlayer::place_of_segment`].
-    ///
-    /// [`FilmPlayer::place_of_segment`]: super::FilmPlayer::place_of_segment
+    /// A dive to the numbers of a view (x, y, zoom, fx, fy), or of a camera in space (azimuth, elevation, zoom, x, y, z).
     Dive { place: Vec<f64>, space: bool },
 }
 

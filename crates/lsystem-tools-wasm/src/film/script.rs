@@ -3,6 +3,7 @@
 use super::words;
 use crate::{from_js, to_js};
 use lsystem_base::MAX_ITERATIONS;
+use lsystem_base::fixed::Fixed;
 use lsystem_film::{Script, Subject};
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::{Definition, Expected, FieldSpec, classify};
@@ -21,6 +22,8 @@ pub(crate) struct ScriptObject {
     easing: &'static str,
     fixed: bool,
     frames: u32,
+    /// The number of the segment whose start is the origin of views, from 1; empty for the fitted centre.
+    segment: String,
     tracks: Vec<TrackObject>,
 }
 
@@ -39,8 +42,8 @@ pub(crate) struct KeyObject {
     easing: &'static str,
 }
 
-/// Reads the text of a film: `{seconds, rate, width, height, ending, easing, fixed, frames, tracks: [{subject, keys:
-/// [{time, value, easing}]}]}`.
+/// Reads the text of a film: `{seconds, rate, width, height, ending, easing, fixed, frames, segment, tracks: [{subject,
+/// keys: [{time, value, easing}]}]}`.
 ///
 /// # Errors
 /// Throws the words of the first problem.
@@ -62,6 +65,7 @@ pub fn read_film(text: &str) -> Result<JsValue, JsValue> {
         easing: script.easing.name(),
         fixed: script.fixed,
         frames: script.frames(),
+        segment: script.segment.as_ref().map(|segment| segment.plus(&Fixed::units(1)).decimal()).unwrap_or_default(),
         tracks: tracks.collect(),
     })
 }
