@@ -73,7 +73,7 @@ fn chosen(source: &Source<'_>, at: usize) -> String {
 }
 
 fn difference_of(a: &Definition, b: &Definition) -> Option<String> {
-    let drawn = |own| System::new(own).0.map(|own| own.without_wires());
+    let drawn = |own| System::new(own).0.map(System::without_wires);
     let (Some(one), Some(other)) = (drawn(a), drawn(b)) else { return Some("errors".to_owned()) };
     for n in 0..=a.iterations.min(MOST) {
         let (one, other) = (Figure::draw(&one, n, &LIMITS), Figure::draw(&other, n, &LIMITS));
