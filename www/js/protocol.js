@@ -161,12 +161,14 @@ export {};
 /**
  * The calls of the tool that searches for rules. `begin` replaces the former search; `part` is which of `parts` searches
  * beside each other this one is. `search` goes on until `until` units of work are done in all, and its progress is a
- * report too. `compare` tells where the searched picture and a system differ (`differences.js`).
+ * report too. `compare` tells where the searched picture and a system differ (`differences.js`). `photograph` is what a
+ * photograph shows, straightened; null if the picture is none.
  * @typedef {{
  *     begin: {asked: {source: FindSource, question: FindQuestion, part: number, parts: number, named: NamedSystem[]}, answer: null},
  *     compare: {asked: {definition: Definition}, answer: Uint8Array | null},
  *     search: {asked: {until: number}, answer: FindReport},
  *     svg: {asked: {bytes: Uint8Array<ArrayBuffer>}, answer: DrawnPicture},
+ *     photograph: {asked: import('./find/ink.js').Grey, answer: DrawnPicture | null},
  *     outline: {asked: {bytes: Uint8Array<ArrayBuffer>}, answer: string | null},
  * }} FindCalls
  */

@@ -1,7 +1,7 @@
 //! The search for the rules of a picture or a string.
 
 use crate::{from_js, to_js};
-use lsystem_find::{Drawn, FOUND, Finder, Named, Picture, Question, Searched, Share, StringFinder, Svg};
+use lsystem_find::{Drawn, FOUND, Finder, Named, Photograph, Picture, Question, Searched, Share, StringFinder, Svg};
 use lsystem_syntax::Definition;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -64,46 +64,60 @@ pub fn outline_of_svg(bytes: &[u8]) -> Option<String> {
     lsystem_find::outline_of_svg(bytes).ok()
 }
 
-/// An SVG picture as levels of grey.
+/// A picture that is read for the search, as levels of grey.
 #[wasm_bindgen]
-pub struct DrawnSvg(Svg);
+pub struct GreyPicture {
+    grey: Vec<u8>,
+    width: usize,
+    height: usize,
+    left_out: String,
+}
 
 #[wasm_bindgen]
-impl DrawnSvg {
-    /// Draws a file, with counted work.
+impl GreyPicture {
+    /// Draws an SVG file, with counted work.
     ///
     /// # Errors
     /// Throws a sentence if it is not drawn.
-    #[wasm_bindgen(constructor)]
-    pub fn new(bytes: &[u8]) -> Result<Self, JsValue> {
-        Ok(Self(lsystem_find::draw_svg(bytes).map_err(JsValue::from)?))
+    #[wasm_bindgen(js_name = ofSvg)]
+    pub fn of_svg(bytes: &[u8]) -> Result<Self, JsValue> {
+        let Svg { grey, width, height, left_out } = lsystem_find::draw_svg(bytes).map_err(JsValue::from)?;
+        Ok(Self { grey, width, height, left_out: left_out.join(", ") })
+    }
+
+    /// Straightens a photograph, as [`Photograph::straightened`]; undefined if the picture is none.
+    #[wasm_bindgen(js_name = ofPhotograph)]
+    #[must_use]
+    pub fn of_photograph(grey: &[u8], width: usize, height: usize) -> Option<Self> {
+        let Photograph { grey, width, height } = Photograph::straightened(grey, width, height)?;
+        Some(Self { grey, width, height, left_out: String::new() })
     }
 
     /// The levels of grey, row by row from above; 0 is black.
     #[must_use]
     pub fn grey(&self) -> Vec<u8> {
-        self.0.grey.clone()
+        self.grey.clone()
     }
 
     /// In pixels.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn width(&self) -> usize {
-        self.0.width
+        self.width
     }
 
     /// In pixels.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn height(&self) -> usize {
-        self.0.height
+        self.height
     }
 
     /// The names of what was not drawn, with commas; empty if all was.
     #[wasm_bindgen(getter, js_name = leftOut)]
     #[must_use]
     pub fn left_out(&self) -> String {
-        self.0.left_out.join(", ")
+        self.left_out.clone()
     }
 }
 

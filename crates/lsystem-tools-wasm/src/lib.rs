@@ -27,7 +27,7 @@ pub use export::{make_file, make_package};
 #[cfg(feature = "film")]
 pub use film::{FilmPlayer, read_film, subjects, with_preset};
 #[cfg(feature = "find")]
-pub use find::{DrawnSvg, RuleFinder, outline_of_svg};
+pub use find::{GreyPicture, RuleFinder, outline_of_svg};
 #[cfg(feature = "import")]
 pub use import::{import_systems, write_system};
 #[cfg(feature = "invent")]

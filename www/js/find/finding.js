@@ -53,6 +53,8 @@ export function createFinding({ store, engine, restyle }) {
     let running = null;
     /** What was found so far. @type {FindReport | null} */
     let report = null;
+    /** The picture that was taken, and what it shows if it is a photograph. @type {{picture: import('./ink.js').Grey | null, straight: import('./ink.js').Grey | null}} */
+    let taken = { picture: null, straight: null };
     /** The title of what is opened. */
     let title = '';
     /** The newest picture that is being read. */
@@ -163,12 +165,19 @@ export function createFinding({ store, engine, restyle }) {
         }
     }
 
-    /** @param {import('./ink.js').Grey | null} picture @param {string} name */
-    function setPicture(picture, name) {
+    /**
+     * @param {import('./ink.js').Grey | null} picture
+     * @param {string} name
+     * @param {import('./ink.js').Grey | null} [straight] what it shows, if it is a photograph
+     */
+    function setPicture(picture, name, straight = null) {
         title = name;
+        taken = { picture, straight };
+        html('find-photograph').hidden = straight === null;
+        input('find-straight').checked = straight !== null;
         setText(html('find-left-out'), '');
         input('find-of-picture').checked = true;
-        preview.set(picture);
+        preview.set(straight ?? picture);
         invalidate();
         showSource();
     }
@@ -179,8 +188,9 @@ export function createFinding({ store, engine, restyle }) {
         stop();
         try {
             const grey = await readPicture(picture, search.drawSvg);
+            const straight = await search.straightened(grey);
             if (own !== turn) return;
-            setPicture(grey, picture.name.replace(/\.\w+$/, ''));
+            setPicture(grey, picture.name.replace(/\.\w+$/, ''), straight);
             setText(html('find-left-out'), grey.leftOut && `Left out of this SVG: ${grey.leftOut}.`);
         } catch (error) {
             if (own === turn) problem(sentence(error));
@@ -215,6 +225,10 @@ export function createFinding({ store, engine, restyle }) {
             showSource();
         });
     }
+    input('find-straight').addEventListener('change', () => {
+        preview.set(input('find-straight').checked ? taken.straight : taken.picture);
+        invalidate();
+    });
     button('find-stop').addEventListener('click', () => {
         stop();
         button(report?.isMore ? 'find-longer' : 'find-start').focus();

@@ -147,6 +147,12 @@ export function createSearch() {
             }
         },
 
+        /** What a photograph shows, straightened; null if the picture is none, or if that takes too long. @param {import('./ink.js').Grey} picture */
+        async straightened({ grey, width, height }) {
+            have(1);
+            return (await tools[0]?.call('photograph', { grey, width, height }).catch(() => null)) ?? null;
+        },
+
         /** Goes on where the search stopped. @param {AbortSignal} signal @param {(report: FindReport) => void} progress */
         longer(signal, progress) {
             most = Math.max(most, done * LONGER, first * LONGER);

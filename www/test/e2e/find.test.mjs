@@ -18,14 +18,22 @@ const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 /**
  * A picture of the Koch curve F -> F-F++F-F after three steps, as the browser encodes it.
  * @param {Page} page
- * @param {{type?: string, ink?: string, paper?: string, frame?: boolean, scribble?: boolean, twig?: boolean}} [how]
+ * @param {{type?: string, ink?: string, paper?: string, frame?: boolean, scribble?: boolean, twig?: boolean, photograph?: boolean}} [how]
  */
 async function koch(
     page,
-    { type = 'image/png', ink = '#000', paper = '#fff', frame = false, scribble = false, twig = false } = {},
+    {
+        type = 'image/png',
+        ink = '#000',
+        paper = '#fff',
+        frame = false,
+        scribble = false,
+        twig = false,
+        photograph = false,
+    } = {},
 ) {
     const address = await page.evaluate(
-        ({ type, ink, paper, frame, scribble, twig }) => {
+        ({ type, ink, paper, frame, scribble, twig, photograph }) => {
             const canvas = document.createElement('canvas');
             [canvas.width, canvas.height] = [700, 320];
             const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
@@ -55,9 +63,21 @@ async function koch(
                 context.lineTo(350, 220);
             }
             context.stroke();
+            if (photograph) {
+                // Light from the left, and grain: the paper at the right is darker than the ink at the left.
+                const pixels = context.getImageData(0, 0, 700, 320);
+                let chance = 1;
+                for (let at = 0; at < pixels.data.length; at++) {
+                    chance = (chance * 16807) % 2147483647;
+                    const light = 1 - (0.75 * ((at >> 2) % 700)) / 700;
+                    const level = (60 + 0.7 * (pixels.data[at] ?? 0)) * light + (chance % 12);
+                    if (at % 4 < 3) pixels.data[at] = level;
+                }
+                context.putImageData(pixels, 0, 0);
+            }
             return canvas.toDataURL(type, 0.9);
         },
-        { type, ink, paper, frame, scribble, twig },
+        { type, ink, paper, frame, scribble, twig, photograph },
     );
     return Buffer.from(address.split(',')[1] ?? '', 'base64');
 }
@@ -97,6 +117,24 @@ const found = (page) =>
         'a system is found',
         PATIENCE,
     );
+
+test('a photograph is straightened, and can be searched as it is', () =>
+    withPage({}, async (page) => {
+        await begin(page);
+        const taken = await koch(page, { type: 'image/jpeg', photograph: true });
+        await give(page, 'drop', taken, 'Taken.jpg', 'image/jpeg');
+        await page.waitForSelector('#find-photograph:not([hidden])');
+        assert.equal(await page.isChecked('#find-straight'), true);
+        const straight = await page.getAttribute('#find-frame', 'style');
+        await page.uncheck('#find-straight');
+        await until(async () => (await page.getAttribute('#find-frame', 'style')) !== straight, 'the picture as it is');
+        await page.check('#find-straight');
+        await page.click('#find-start');
+        await found(page);
+        // A drawing is none.
+        await give(page, 'drop', await koch(page), 'Drawn.png', 'image/png');
+        await page.waitForSelector('#find-photograph[hidden]', { state: 'attached' });
+    }));
 
 test('a dropped outline becomes a shape that is drawn faintly, one undo away', () =>
     withPage({ hash: '#v=1&axiom=F&rules=F%20-%3E%20F' }, async (page) => {

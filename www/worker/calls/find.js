@@ -18,6 +18,14 @@ function report() {
     return { ...search.finder.report(), work: search.work, isMore: search.isMore };
 }
 
+/** @param {wasm_bindgen.GreyPicture} picture */
+function taken(picture) {
+    const { width, height, leftOut } = picture;
+    const grey = picture.grey();
+    picture.free();
+    return { grey, width, height, leftOut };
+}
+
 /** @type {import('../tool.js').CallTable} */
 export const calls = {
     begin({ source, question, part, parts, named }) {
@@ -31,12 +39,10 @@ export const calls = {
         return null;
     },
     compare: ({ definition }) => search?.finder.compared(definition) ?? null,
-    svg({ bytes }) {
-        const drawn = new wasm_bindgen.DrawnSvg(bytes);
-        const { width, height, leftOut } = drawn;
-        const picture = { grey: drawn.grey(), width, height, leftOut };
-        drawn.free();
-        return picture;
+    svg: ({ bytes }) => taken(wasm_bindgen.GreyPicture.ofSvg(bytes)),
+    photograph({ grey, width, height }) {
+        const picture = wasm_bindgen.GreyPicture.ofPhotograph(grey, width, height);
+        return picture ? taken(picture) : null;
     },
     outline: ({ bytes }) => wasm_bindgen.outlineOfSvg(bytes) ?? null,
     *search({ until }) {
