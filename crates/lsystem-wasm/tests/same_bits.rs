@@ -22,7 +22,7 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 /// Files of the gallery that together use every kind of arithmetic, with the generation to draw.
-const CORPUS: [(&str, &str, u32); 12] = [
+const CORPUS: [(&str, &str, u32); 14] = [
     ("abop/1.24b", include_str!("../../../data_in/abop/1.24b.json"), 6),
     ("abop/1.24c", include_str!("../../../data_in/abop/1.24c.json"), 5),
     ("abop/1.24d", include_str!("../../../data_in/abop/1.24d.json"), 9),
@@ -31,20 +31,25 @@ const CORPUS: [(&str, &str, u32); 12] = [
     ("assignment-8/stochastic_02", include_str!("../../../data_in/assignment-8/stochastic_02.json"), 6),
     ("curves/gosper", include_str!("../../../data_in/curves/gosper.json"), 5),
     ("curves/penrose", include_str!("../../../data_in/curves/penrose.json"), 5),
+    ("garden/elbow-room", include_str!("../../../data_in/garden/elbow-room.json"), 34),
     ("garden/meadow", include_str!("../../../data_in/garden/meadow.json"), 6),
+    ("garden/vine-letter", include_str!("../../../data_in/garden/vine-letter.json"), 70),
     ("practical-1/tree1", include_str!("../../../data_in/practical-1/tree1.json"), 5),
     ("practical-1/tree5", include_str!("../../../data_in/practical-1/tree5.json"), 5),
     ("turtle-blog/1.24e", include_str!("../../../data_in/turtle-blog/1.24e.json"), 7),
 ];
 
-/// Files that leave the plane: with shared blocks, with `$`, with a tropism, with additive ink.
-const SOLID: [(&str, &str, u32); 7] = [
+/// Files that leave the plane: with shared blocks, with `$`, with a tropism, with additive ink, with queries, shapes and light.
+const SOLID: [(&str, &str, u32); 10] = [
     ("abop/1.19", include_str!("../../../data_in/abop/1.19.json"), 3),
     ("abop/1.25", include_str!("../../../data_in/abop/1.25.json"), 6),
     ("abop/2.6a", include_str!("../../../data_in/abop/2.6a.json"), 9),
     ("abop/2.8c", include_str!("../../../data_in/abop/2.8c.json"), 6),
     ("practical-1/tree3d1", include_str!("../../../data_in/practical-1/tree3d1.json"), 3),
+    ("garden/ivy-trellis", include_str!("../../../data_in/garden/ivy-trellis.json"), 74),
     ("garden/jellyfish", include_str!("../../../data_in/garden/jellyfish.json"), 9),
+    ("garden/topiary-ball", include_str!("../../../data_in/garden/topiary-ball.json"), 8),
+    ("garden/two-trees", include_str!("../../../data_in/garden/two-trees.json"), 15),
     (
         "trees-and-turtles/of-trees-and-turtles",
         include_str!("../../../data_in/trees-and-turtles/of-trees-and-turtles.json"),
