@@ -48,8 +48,9 @@ import { createWind } from './wind.js';
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
 
-/** Whether rules may have a curve, whose editor then loads. */
+/** Whether rules may have a curve, or custom symbols a leaf, whose editor then loads. */
 const CURVE = /^[^\S\r\n]*curve\s/m;
+const SURFACE = /\bsurface\s/i;
 /** The most problems in one message; longer messages are not read. */
 const MOST_PROBLEMS = 3;
 
@@ -205,7 +206,11 @@ function show(state, before) {
         playback.forget();
     }
     if (before && before.camera !== state.camera) hover.turned();
-    if (before?.rules !== state.rules && CURVE.test(state.rules)) void dialogs.part('curves');
+    if (
+        (before?.rules !== state.rules && CURVE.test(state.rules)) ||
+        (before?.overrides !== state.overrides && SURFACE.test(state.overrides))
+    )
+        void dialogs.part('curves');
     showNames(state);
     showPrintText(state, before);
     button('undo').disabled = !store.canUndo;

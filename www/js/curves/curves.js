@@ -1,46 +1,87 @@
-/** The editors of the curves in the rules: a plot for each, whose points are the text's. */
+/** The editors of the curves in the rules, and of those of leaves: a plot for each, whose points are the text's. */
 
 import styles from '../../css/curves.css';
-import { html } from '../dom.js';
+import { html, make } from '../dom.js';
 import { addElements } from '../late.js';
 import { curvesIn, written } from './curve.js';
 import markup from './curves.html';
+import { FRESH, PARTS, leavesIn, missingFrom, numbersOf, withCurve } from './leaf.js';
 import { createPlot } from './plot.js';
 
 /** @typedef {import('./curve.js').Point} Point */
+/** A curve, with the change that gives it other points. @typedef {{name: string, points: readonly Point[], isLeaf: boolean, changed: (points: readonly Point[]) => {rules: string} | {surfaces: string}}} Editable */
+
+/** @param {string} text @param {{start: number, end: number}} place @param {string} by */
+const replaced = (text, { start, end }, by) => text.slice(0, start) + by + text.slice(end);
+
+/** @param {{rules: string, surfaces: string}} state @returns {Editable[]} */
+const editableIn = ({ rules, surfaces }) => [
+    ...curvesIn(rules).map((curve) => ({
+        name: curve.name,
+        points: curve.points,
+        isLeaf: false,
+        changed: (/** @type {readonly Point[]} */ points) => ({ rules: replaced(rules, curve, written(points)) }),
+    })),
+    ...leavesIn(surfaces).flatMap((leaf) =>
+        PARTS.map((part, at) => ({
+            name: `${leaf.name}: ${part}`,
+            points: leaf.curves[at] ?? [],
+            isLeaf: true,
+            changed: (/** @type {readonly Point[]} */ points) => ({
+                surfaces: replaced(surfaces, leaf, numbersOf(withCurve(leaf.curves, at, points))),
+            }),
+        })),
+    ),
+];
 
 /** @param {import('../dialogs.js').Page} page */
 export function createCurves({ store }) {
     const group = html('curves');
     addElements(markup, [styles], group);
     const list = html('curves-list');
+    const leaves = html('curves-leaves');
     /** @type {import('./plot.js').Plot[]} */
     let plots = [];
 
-    /** Writes points into the rules. @param {string} name @param {readonly Point[]} points @param {boolean} held */
+    /** Writes points into the text. @param {string} name @param {readonly Point[]} points @param {boolean} held */
     function set(name, points, held) {
-        const { rules } = store.state;
-        const curve = curvesIn(rules).find((own) => own.name === name);
-        if (!curve) return;
-        const label = `${held ? 'drag ' : ''}curve ${name}`;
-        store.change({ rules: rules.slice(0, curve.start) + written(points) + rules.slice(curve.end) }, label);
+        const curve = editableIn(store.state).find((own) => own.name === name);
+        if (curve) store.change(curve.changed(points), `${held ? 'drag ' : ''}curve ${name}`);
+    }
+
+    /** A button that makes a leaf for a surface without one. @param {string} name */
+    function maker(name) {
+        const add = make('button', { type: 'button', class: 'button quiet' }, `Make a leaf for surface ${name}`);
+        add.addEventListener('click', () => {
+            const { surfaces } = store.state;
+            store.change({ surfaces: `${surfaces && `${surfaces}\n`}${name}: ${numbersOf(FRESH)}` }, `leaf ${name}`);
+        });
+        return add;
     }
 
     function show() {
-        const curves = curvesIn(store.state.rules);
-        group.hidden = curves.length === 0;
+        const { overrides, surfaces } = store.state;
+        const curves = editableIn(store.state);
+        const missing = missingFrom(overrides, surfaces);
+        group.hidden = curves.length + missing.length === 0;
         const fits = plots.length === curves.length && plots.every(({ name }, at) => curves[at]?.name === name);
         if (!fits) {
-            plots = curves.map(({ name }) =>
-                createPlot(name, { change: (points, held) => set(name, points, held), settle: () => store.settle() }),
+            plots = curves.map(({ name, isLeaf }) =>
+                createPlot(name, {
+                    change: (points, held) => set(name, points, held),
+                    settle: () => store.settle(),
+                    isFixed: isLeaf,
+                }),
             );
             list.replaceChildren(...plots.map(({ element }) => element));
         }
         curves.forEach(({ points }, at) => plots[at]?.show(points));
+        leaves.replaceChildren(...missing.map(maker));
     }
 
     store.subscribe((state, before) => {
-        if (state.rules !== before.rules) show();
+        const { rules, overrides, surfaces } = before;
+        if (state.rules !== rules || state.overrides !== overrides || state.surfaces !== surfaces) show();
     });
     show();
     return { open: show };

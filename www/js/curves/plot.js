@@ -23,10 +23,10 @@ function shape(name, of) {
 
 /**
  * @param {string} name of the curve
- * @param {{change: (points: readonly Point[], held: boolean) => void, settle: () => void}} on
+ * @param {{change: (points: readonly Point[], held: boolean) => void, settle: () => void, isFixed: boolean}} on points are neither added nor removed if their number is fixed
  * @returns {Plot}
  */
-export function createPlot(name, { change, settle }) {
+export function createPlot(name, { change, settle, isFixed }) {
     const svg = document.createElementNS(SVG, 'svg');
     svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
     svg.setAttribute('preserveAspectRatio', 'none');
@@ -37,7 +37,7 @@ export function createPlot(name, { change, settle }) {
     const place = make('output', { class: 'note' });
     const add = make('button', { type: 'button', class: 'button quiet' }, 'Add point');
     const remove = make('button', { type: 'button', class: 'button quiet' }, 'Remove point');
-    const row = make('div', { class: 'row' }, place, add, remove);
+    const row = make('div', { class: 'row' }, place, ...(isFixed ? [] : [add, remove]));
     const element = make(
         'div',
         { class: 'curve', role: 'group', 'aria-label': `Curve ${name}` },
@@ -123,7 +123,7 @@ export function createPlot(name, { change, settle }) {
         const [dx, dy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key] ?? [
             0, 0,
         ];
-        const removes = event.key === 'Delete' || event.key === 'Backspace';
+        const removes = !isFixed && (event.key === 'Delete' || event.key === 'Backspace');
         if (!dx && !dy && !removes) return;
         event.preventDefault();
         if (removes) return removePoint(at);
@@ -210,7 +210,7 @@ export function createPlot(name, { change, settle }) {
     remove.addEventListener('click', () => removePoint(chosen));
     area.addEventListener('dblclick', (event) => {
         if (event.target !== area && event.target !== svg) return;
-        if (points.length < MOST_POINTS) addPoint(pointAt(/** @type {PointerEvent} */ (event)));
+        if (!isFixed && points.length < MOST_POINTS) addPoint(pointAt(/** @type {PointerEvent} */ (event)));
     });
     return { element, name, show };
 }

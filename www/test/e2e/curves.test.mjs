@@ -69,3 +69,23 @@ for (const [name, options] of /** @type {const} */ ([
             await until(async () => !(await page.isVisible('#curves')), 'without curves there is no plot');
         }));
 }
+
+test('a leaf is made for a surface and shaped by its three curves', () =>
+    withPage({ hash: '#v=1&axiom=K&rules=&do=K%3A%20surface%20l&n=1' }, async (page) => {
+        await page.getByRole('button', { name: 'Make a leaf for surface l' }).click();
+        await page.waitForSelector('#curves .handle');
+        assert.equal(await page.locator('#curves .curve').count(), 3);
+        assert.equal(await page.getByRole('button', { name: 'Add point' }).count(), 0);
+        const before = await stillPicture(page);
+        const outline = page.getByRole('group', { name: 'Curve l: outline' });
+        const second = outline.getByRole('slider', { name: 'Point 2', exact: true });
+        assert.equal(await second.getAttribute('aria-valuetext'), 'x 0.3, y 0.4');
+        await second.focus();
+        await page.keyboard.press('Shift+ArrowUp');
+        assert.notEqual((await nextPicture(page, before)).digest, before.digest);
+        assert.equal(await second.getAttribute('aria-valuetext'), 'x 0.3, y 0.5');
+        await page.keyboard.press('Delete');
+        assert.equal(await outline.locator('.handle').count(), 4);
+        for (let turn = 0; turn < 2; turn++) await page.click('#undo');
+        await page.getByRole('button', { name: 'Make a leaf for surface l' }).waitFor();
+    }));
