@@ -45,12 +45,15 @@ test('a change of one curve moves the others along the midrib only', () => {
     );
 });
 
-test('the leaf of the tulips is one, and other surfaces are left alone', () => {
+test('the petal of the tulips is a leaf, and other surfaces are left alone', () => {
     const { surfaces } = JSON.parse(
         readFileSync(new URL('../../../data_in/garden/tulips.json', import.meta.url), 'utf8'),
     ).turtle;
-    const text = Array.isArray(surfaces) ? surfaces.join('\n') : surfaces;
-    for (const { curves } of leavesIn(text)) assert.equal(curves.length, 3);
+    // Their leaves have two patches.
+    assert.deepEqual(
+        leavesIn(surfaces).map(({ name, curves }) => [name, curves[1]?.[1]]),
+        [['p', [0.25, -0.438]]],
+    );
     const skew = LEAF.split(' ').map((number, at) => (at === 13 ? '0.7' : number));
     const wrong = [skew.join(' '), LEAF.replace('0.3', 'x'), `${LEAF} ${LEAF}`, LEAF.split(' ').reverse().join(' ')];
     for (const numbers of wrong) assert.deepEqual(leavesIn(`l: ${numbers}`), []);
