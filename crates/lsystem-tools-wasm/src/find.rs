@@ -81,7 +81,7 @@ impl GreyPicture {
     /// Throws a sentence if it is not drawn.
     #[wasm_bindgen(js_name = ofSvg)]
     pub fn of_svg(bytes: &[u8]) -> Result<Self, JsValue> {
-        let Svg { grey, width, height, left_out } = lsystem_find::draw_svg(bytes).map_err(JsValue::from)?;
+        let Svg { grey, width, height, left_out, .. } = lsystem_find::draw_svg(bytes).map_err(JsValue::from)?;
         Ok(Self { grey, width, height, left_out: left_out.join(", ") })
     }
 
