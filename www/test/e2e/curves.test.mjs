@@ -83,7 +83,7 @@ test('a leaf is made for a surface and shaped by its three curves', () =>
         await second.focus();
         await page.keyboard.press('Shift+ArrowUp');
         assert.notEqual((await nextPicture(page, before)).digest, before.digest);
-        assert.equal(await second.getAttribute('aria-valuetext'), 'x 0.3, y 0.5');
+        assert.equal(await second.getAttribute('aria-valuetext'), 'x 0.3, y 0.41');
         await page.keyboard.press('Delete');
         assert.equal(await outline.locator('.handle').count(), 4);
         for (let turn = 0; turn < 2; turn++) await page.click('#undo');
