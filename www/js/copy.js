@@ -36,7 +36,7 @@ export async function copyText(text) {
 export const copyKeys = () => (/Mac|iPhone|iPad/.test(navigator.userAgent) ? '⌘C' : 'Ctrl+C');
 
 /**
- * Makes a button copy the text of a field, and tell so in its label.
+ * Makes a button copy the text of a field, and tell so in its label; an empty field waits for its text.
  * @param {HTMLButtonElement} copier with its label in a span
  * @param {HTMLInputElement | HTMLTextAreaElement} field
  * @param {string} what
@@ -47,6 +47,7 @@ export function copies(copier, field, what, tell) {
     const before = String(label.textContent);
     let timer = 0;
     copier.addEventListener('click', async () => {
+        if (field.value === '') return;
         const copied = await copyField(field);
         tell(
             copied

@@ -78,8 +78,8 @@ export function createMaker({ store, engine }) {
         );
     }
 
-    /** The exercise with its variants. */
-    async function withVariants() {
+    /** The exercise with its variants, told unless a later change is under way. @param {number} own */
+    async function withVariants(own) {
         const plain = exercise();
         const kinds = varied();
         if (kinds.length === 0) {
@@ -87,6 +87,7 @@ export function createMaker({ store, engine }) {
             return plain;
         }
         const variants = await tool.call('variantsOf', { exercise: plain, varied: kinds });
+        if (own !== turn) return plain;
         const words =
             variants.length === 0
                 ? 'These properties make no other target.'
@@ -170,9 +171,17 @@ export function createMaker({ store, engine }) {
         };
     }
 
+    /** No link and no code are shown or copied that are older than a change. */
+    function outdate() {
+        link.value = '';
+        code.value = '';
+        html('maker-try').removeAttribute('href');
+        return ++turn;
+    }
+
     async function refresh() {
-        const own = ++turn;
-        const made = await withVariants()
+        const own = outdate();
+        const made = await withVariants(own)
             .then((exercise) => tool.call('write', { exercise }))
             .catch((error) => error);
         if (own !== turn) return;
@@ -203,6 +212,7 @@ export function createMaker({ store, engine }) {
     copies(button('maker-copy'), link, 'Link', tell);
     copies(button('maker-copy-code'), code, 'Code', tell);
     button('maker-package').addEventListener('click', async function pack() {
+        if (link.value === '') return;
         tell('Packing…');
         const asked = {
             exercises: [exerciseIn(link.value) ?? ''],
@@ -217,6 +227,7 @@ export function createMaker({ store, engine }) {
     dialog.addEventListener('close', others.forget);
     dialog.addEventListener('input', () => {
         others.forget();
+        outdate();
         clearTimeout(timer);
         timer = window.setTimeout(refresh, PAUSE);
     });
