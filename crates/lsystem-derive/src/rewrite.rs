@@ -115,6 +115,20 @@ impl Rules {
         }
         seen
     }
+
+    /// By letter: whether the turtle may meet it, in a generation or in the image of a module (below `draw:`).
+    #[must_use]
+    pub fn drawn(&self) -> Vec<bool> {
+        let reachable = self.reachable();
+        let mut drawn = reachable.clone();
+        for (images, _) in self.images.iter().zip(reachable).filter(|(_, reached)| *reached) {
+            images
+                .iter()
+                .flat_map(|rule| &rule.successor.letters)
+                .for_each(|&letter| drawn[usize::from(letter)] = true);
+        }
+        drawn
+    }
 }
 
 #[cfg(test)]

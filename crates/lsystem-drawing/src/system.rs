@@ -153,12 +153,10 @@ impl System {
     // Not inlined, to keep the wasm small.
     #[inline(never)]
     fn acting(&self) -> Vec<Action> {
-        // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.
-        let reachable = self.rules.reachable().into_iter().map(|reached| reached || !self.rules.is_plain());
         let mut acting = vec![];
-        for ((letter, actions), reached) in self.rules.letters.iter().zip(&self.turtle.actions).zip(reachable) {
+        for ((letter, actions), drawn) in self.rules.letters.iter().zip(&self.turtle.actions).zip(self.rules.drawn()) {
             let from = acting.len();
-            acting.extend_from_slice(if reached { actions } else { &[] });
+            acting.extend_from_slice(if drawn { actions } else { &[] });
             if let Some(first) = acting.get_mut(from).filter(|_| letter.arity > 0) {
                 *first = first.with(1.0);
             }

@@ -223,10 +223,10 @@ impl Turtle {
         (pen.heading, pen.vertical)
     }
 
-    /// The compiled actions of the `reachable` letters.
-    pub(crate) fn score<S: Geometry>(&self, reachable: &[bool]) -> Score<S> {
-        let mut ops: Vec<Vec<TurtleOp<S>>> = (self.actions.iter().zip(reachable))
-            .map(|(actions, &reached)| if reached { self.ops(actions) } else { vec![] })
+    /// The compiled actions of the letters that may be drawn.
+    pub(crate) fn score<S: Geometry>(&self, drawn: &[bool]) -> Score<S> {
+        let mut ops: Vec<Vec<TurtleOp<S>>> = (self.actions.iter().zip(drawn))
+            .map(|(actions, &drawn)| if drawn { self.ops(actions) } else { vec![] })
             .collect();
         let lengths = ops.iter().flatten().filter_map(TurtleOp::length);
         let exponent = exponent_of(lengths.map(f64::abs).fold(0.0, f64::max));
@@ -234,7 +234,7 @@ impl Turtle {
             *op = op.scaled(-exponent);
         }
         Score {
-            tapers: self.tapers && self.changes_width(reachable),
+            tapers: self.tapers && self.changes_width(drawn),
             ops,
             exponent,
             step: self.unit(),
@@ -246,15 +246,15 @@ impl Turtle {
         }
     }
 
-    /// Whether a reachable letter changes the width.
-    fn changes_width(&self, reachable: &[bool]) -> bool {
-        self.actions.iter().zip(reachable).filter(|(_, reached)| **reached).flat_map(|(actions, _)| actions).any(
-            |action| match action {
+    /// Whether a letter that may be drawn changes the width.
+    fn changes_width(&self, drawn: &[bool]) -> bool {
+        self.actions.iter().zip(drawn).filter(|(_, drawn)| **drawn).flat_map(|(actions, _)| actions).any(|action| {
+            match action {
                 Action::SetWidth(_) | Action::ScaleWidth(_) => true,
                 Action::Push => self.width_factor != 1.0,
                 _ => false,
-            },
-        )
+            }
+        })
     }
 
     /// The default length in units of [`Turtle::unit`]: 0 if the step is zero or not finite, 1 otherwise.

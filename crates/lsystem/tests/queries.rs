@@ -102,6 +102,34 @@ fn answers_are_those_of_a_turtle() {
 }
 
 #[test]
+fn answers_are_those_of_the_drawn_turtle() {
+    // Symbols that only the rules for drawing have count as well.
+    let grown = "A(w) -> I(w,1)[+A(w*0.8)?P(0,0,0)]/(70)[&A(w*0.7)?H(0,0,0)]?S(0,1)\nI(w,a) -> I(w,a+1)";
+    let image = |(symbol, numbers): (String, Vec<f64>)| match symbol.as_str() {
+        "I" => format!("F({})-(5)G({})", numbers[0], numbers[0] * numbers[1]),
+        "A" => "[F(3)]".to_owned(),
+        symbol if symbol.starts_with('?') => format!("{symbol}(0,0,0)"),
+        symbol if numbers.is_empty() => symbol.to_owned(),
+        symbol => format!("{symbol}({})", numbers[0]),
+    };
+    let own = definition("A(2)?P(9,9,9)", &format!("{grown}\ndraw:\nI(w,a) -> F(w)-(5)G(w*a)\nA(w) -> [F(3)]"), 35.0);
+    for n in 1..6 {
+        let word = string(&own, n);
+        let drawn: String = modules(&word).into_iter().map(image).collect();
+        let frames = walked(&drawn.replace('G', "F"), 35.0);
+        let queries = modules(&word).into_iter().filter(|(symbol, _)| symbol.starts_with('?'));
+        for ((symbol, answer), frame) in queries.zip(&frames) {
+            let Some(of) = ["?P", "?H"].iter().position(|query| *query == symbol) else { continue };
+            let off = (0..3).map(|i| (answer[i] - frame[of][i]).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-9, "n = {n}: {symbol} {answer:?}, not {:?}", frame[of]);
+        }
+    }
+    // Three heights have three different lights, in cubes that are one step wide.
+    let lights = string(&definition("?S(0,1)A?S(0,1)A?S(0,1)", "draw:\nA -> F(3)", 90.0), 0);
+    assert_eq!(lights, "?S(0.971875,1)A?S(0.975,1)A?S(1,1)");
+}
+
+#[test]
 fn answers_follow_the_turtle_of_the_definition() {
     let mut own = definition("F[+F?P(0,0)]?H(0,0)", "X -> X", 90.0);
     (own.start, own.step, own.heading) = ([10.0, 20.0], 2.0, 0.0);

@@ -61,9 +61,7 @@ impl<S: Space> Drawer<S> {
     #[must_use]
     pub fn new(system: &System, n: u32, limits: Limits) -> Self {
         let (rules, turtle, seed) = (system.rules.clone(), system.turtle.clone(), system.seed);
-        // Symbols of images (below `draw:`) occur in no generation, so reachability does not find them.
-        let reachable = if rules.is_plain() { rules.reachable() } else { vec![true; turtle.actions.len()] };
-        let score = turtle.score(&reachable);
+        let score = turtle.score(&rules.drawn());
         let task = Task { rules, turtle, score, seed, n, limits };
         let shares = Share::is_possible(&task);
         let stage = if n > MAX_ITERATIONS {

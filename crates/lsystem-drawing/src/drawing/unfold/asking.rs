@@ -27,7 +27,7 @@ impl TurtleInterpreter {
 impl Interpret for TurtleInterpreter {
     fn start(&self, rewriter: &Rewriter) -> Box<dyn Interpretation> {
         let (rules, turtle) = (rewriter.rules().clone(), self.turtle.clone());
-        let score = turtle.score::<Solid>(&rules.reachable());
+        let score = turtle.score::<Solid>(&rules.drawn());
         let pen = Pen::start(&turtle, &score);
         let unit = libm::scalbn(score.step, score.exponent);
         let queries = (0..rules.letters.len()).map(|letter| rules.query(letter as LetterId)).collect();
