@@ -49,7 +49,7 @@ const SOLID: [(&str, &str, u32); 10] = [
     ("garden/ivy-trellis", include_str!("../../../data_in/garden/ivy-trellis.json"), 74),
     ("garden/jellyfish", include_str!("../../../data_in/garden/jellyfish.json"), 9),
     ("garden/topiary-ball", include_str!("../../../data_in/garden/topiary-ball.json"), 8),
-    ("garden/two-trees", include_str!("../../../data_in/garden/two-trees.json"), 15),
+    ("garden/two-trees", include_str!("../../../data_in/garden/two-trees.json"), 20),
     (
         "trees-and-turtles/of-trees-and-turtles",
         include_str!("../../../data_in/trees-and-turtles/of-trees-and-turtles.json"),

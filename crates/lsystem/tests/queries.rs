@@ -162,6 +162,37 @@ fn conditions_prune_what_leaves_a_shape() {
 }
 
 #[test]
+fn trees_lean_away_from_each_other() {
+    // Palubicki et al. 2009, as in their pictures of trees that compete for light: crowns side by side are narrower
+    // where they meet, and far apart they are not.
+    let path = format!("{}/../../data_in/garden/two-trees.json", env!("CARGO_MANIFEST_DIR"));
+    let own = lsystem::read_json(&std::fs::read_to_string(path).unwrap()).0.unwrap();
+    // How far the living buds of both trees reach: inwards and outwards.
+    let reach = |apart: f64| {
+        let axiom = own.axiom.replace("f(12)", &format!("f({apart})"));
+        let word = string(&Definition { axiom, ..own.clone() }, 20);
+        let buds = walked(&word, own.angle);
+        let mut depth = 0;
+        let first = modules(&word).into_iter().map_while(|(symbol, _)| {
+            depth += i32::from(symbol == "[") - i32::from(symbol == "]");
+            (depth > 0).then_some(symbol)
+        });
+        let split = first.filter(|symbol| symbol == "?S").count();
+        assert!(split > 100 && buds.len() - split > 100, "{split} {}", buds.len());
+        let most =
+            |buds: &[Frame], side: f64, at: f64| buds.iter().map(|bud| side * (bud[0][0] - at)).fold(0.0, f64::max);
+        let [left, right] = [&buds[..split], &buds[split..]];
+        [most(left, 1.0, 0.0) + most(right, -1.0, apart), most(left, -1.0, 0.0) + most(right, 1.0, apart)]
+    };
+    for apart in [8.0, 12.0, 14.0] {
+        let [inwards, outwards] = reach(apart);
+        assert!(inwards < 0.6 * outwards, "{apart}: {inwards} {outwards}");
+    }
+    let [inwards, outwards] = reach(40.0);
+    assert!(inwards > 0.75 * outwards, "{inwards} {outwards}");
+}
+
+#[test]
 fn differences_of_distances_keep_ivy_on_its_trellis() {
     let path = format!("{}/../../data_in/garden/ivy-trellis.json", env!("CARGO_MANIFEST_DIR"));
     let own = lsystem::read_json(&std::fs::read_to_string(path).unwrap()).0.unwrap();
