@@ -1,6 +1,6 @@
 //! `cargo xtask bench`: speed compared with other implementations and with plain copying, the times of pictures,
 //! the page's response times and cost of opening, which rules of pictures are found in which time, and plots beside
-//! vpype's.
+//! those of vpype.
 
 use crate::workspace::Workspace;
 use crate::{bindgen, build, outside, page, tools};
@@ -28,7 +28,7 @@ pub(crate) enum Part {
     Shares,
     /// Rules of pictures: how many are found, and when.
     Find,
-    /// Ink, travel and time of plots, beside vpype's linemerge and linesort.
+    /// Ink, travel and time of plots, beside vpype's linemerge and linesort, and hidden lines beside its plug-in occult.
     Plot,
 }
 
