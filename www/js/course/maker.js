@@ -9,6 +9,7 @@ import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { ASKS } from '../late-tables.js';
 import { exerciseIn } from '../exercise/open.js';
+import { readNumber } from '../numerals.js';
 import { showQrPicture } from '../qr.js';
 import { exerciseCode, frameCode, stable } from '../share-code.js';
 import { definitionOf } from '../state.js';
@@ -129,18 +130,12 @@ export function createMaker({ store, engine }) {
         );
     }
 
-    /** A whole number in a field, or null. @param {string} id */
-    function numberIn(id) {
-        const number = Number(input(id).value.trim());
-        return input(id).value.trim() !== '' && Number.isFinite(number) ? number : null;
-    }
-
     /** @returns {Exercise} */
     function exercise() {
         const state = store.state;
         const text = (/** @type {string} */ id) => byId(id, HTMLTextAreaElement).value;
-        const symbols = numberIn('maker-symbols');
-        const percent = numberIn('maker-percent');
+        const symbols = readNumber(input('maker-symbols').value);
+        const percent = readNumber(input('maker-percent').value);
         return {
             title: input('maker-title').value.trim(),
             task: text('maker-task').trim(),
