@@ -60,6 +60,11 @@ impl Macros {
         self.known.insert(name, Macro { parameters, body, is_constant, is_own: true }).is_some()
     }
 
+    /// Forgets a constant.
+    pub(super) fn forget(&mut self, name: &str) {
+        self.known.remove(name);
+    }
+
     pub(super) fn len(&self) -> usize {
         self.known.len()
     }
