@@ -435,6 +435,11 @@ fn rules_of_python_are_conditions_and_successors() {
         &[[0.0, 0.5, 0.0]],
     );
     along("import math\na = math.cos(math.pi)\nAxiom: F(-a)\nderivation length: 0\nproduction:\nendlsystem\n", &[UP]);
+    // A function within another is turned into degrees once.
+    along(
+        "from math import *\nAxiom: F(degrees(asin(0.5)))\nderivation length: 0\nproduction:\nendlsystem\n",
+        &[[0.0, 30.0, 0.0]],
+    );
     for (rule, why) in [
         ("A(x):\n  while x < 3: x += 1\n  produce F(x)", "Python code is not run"),
         ("A(x):\n  produce F(size(x))", "Python code is not run: `size(...)`"),
@@ -579,6 +584,24 @@ fn curves_are_written_as_function_files() {
     let scale = theirs[0] / ours[0];
     assert!(ours.iter().zip(&theirs).all(|(a, b)| (a * scale - b).abs() < 1e-6), "{ours:?} {theirs:?}");
     assert!(lsystem_import::write::export(&definition, notation("houdini")).is_err());
+}
+
+#[test]
+fn functions_are_written_in_the_words_of_python() {
+    let sum = "sqrt(t) + sin(30*t)^2 + cos(t)*tan(t) + asin(t/9) + acos(t/9) + atan(t) + atan2(t, 2) + exp(-t) + ln(t + 1) \
+         + abs(t - 3) + floor(t/2) + ceil(t/2) + min(t, 3) + max(t, 3) + (-t)^2";
+    let rules = format!("A(t) : t < 7 -> F({sum})A(t + 1)");
+    let definition = Definition { axiom: "A(1)".into(), rules, iterations: 6, ..Definition::default() };
+    let notation = lsystem_import::write::Notation::named("lpy").unwrap();
+    let text = lsystem_import::write::export(&definition, notation).unwrap().text;
+    assert!(text.starts_with("from math import *") && text.contains("sin(radians(30*t))**2"), "{text}");
+    let lengths = |definition: &Definition| -> Vec<f64> {
+        let figure = Figure::draw(&system(definition), 6, &Limits::default()).unwrap();
+        figure.segments_from(0).map(|s| s.to[1] - s.from[1]).collect()
+    };
+    let (ours, theirs) = (lengths(&definition), lengths(&read(&text)));
+    assert_eq!((ours.len(), theirs.len()), (6, 6), "{text}");
+    assert!(ours.iter().zip(&theirs).all(|(a, b)| (a / ours[0] - b / theirs[0]).abs() < 1e-9), "{ours:?} {theirs:?}");
 }
 
 #[test]

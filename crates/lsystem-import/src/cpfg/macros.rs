@@ -135,6 +135,11 @@ impl Macros {
                     self.filled(&found.body, parameters, &values)?
                 }
             };
+            if !found.is_own {
+                // The words of ours are final: read again, an argument would be turned into our units twice.
+                out.push_str(&body);
+                continue;
+            }
             active.push(name);
             self.write(&body, replaced, active, out)?;
             active.pop();

@@ -31,6 +31,7 @@ mod macros;
 mod nurbs;
 mod parts;
 mod python;
+mod recursion;
 mod statements;
 mod surface_file;
 mod symbols;
