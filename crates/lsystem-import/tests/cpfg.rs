@@ -560,6 +560,14 @@ fn function_files_are_curves() {
     let twice = format!("({third}, 1) ({third}, 1)");
     assert!(rules.starts_with(&format!("curve hill = (0, 0) {twice} (0.666")) && !rules.contains("other"), "{rules}");
     noted(&format!("{}{view}", system("1").replace("func(1, x)", "x")), "is missing");
+    // In an axiom, and in a homomorphism that is written into it.
+    let recursive = "derivation length: 0\naxiom: F(1+func(1, 0.5))A(3)\nhomomorphism\nmaximum depth: 9\n\
+         A(n) : n > 1 --> F(func(1, n/4))A(n-1)";
+    let lengths = [2.125, 0.984375, 1.125].map(|length| [0.0, length, 0.0]);
+    along(
+        &format!("{}\n==> a/plant.v <==\nfunction: hill.func 100\n==> hill.func <==\n{old}", cpfg(recursive)),
+        &lengths,
+    );
     // The curve has a name that is free in our notation.
     let named = format!("{}{view}==> hill.func <==\n{old}", system("2"));
     let rules = read(&named.replace("A(x)", "A(hill)").replace(" x)", " hill)")).rules;

@@ -154,7 +154,7 @@ impl<'a> Decomposition<'a> {
             }
             for next in rule.successor.iter().rev() {
                 let arguments =
-                    next.arguments.iter().map(|own| self.replaced(own, rule, &module)).collect::<Result<_, _>>()?;
+                    next.arguments.iter().map(|own| self.put(own, rule, &module)).collect::<Result<_, _>>()?;
                 rest.push((Module { symbol: next.symbol, arguments }, depth + 1));
             }
         }
@@ -169,7 +169,7 @@ impl<'a> Decomposition<'a> {
                 continue;
             }
             let Some(condition) = &rule.condition else { return Ok(Some(rule)) };
-            let condition = self.replaced(condition, rule, module)?;
+            let condition = self.put(condition, rule, module)?;
             let applies = match (self.constants.value(&condition), decided.iter().find(|case| case.0 == condition)) {
                 (Some(value), _) => value != 0.0 && !value.is_nan(),
                 (None, Some((_, is_true))) => *is_true,
@@ -215,16 +215,20 @@ impl<'a> Decomposition<'a> {
                 Expr::Call(*function, arguments.iter().map(inner).collect::<Result<_, _>>()?)
             }
         };
-        // Computed at once, so that expressions do not grow with the depth.
-        let size = size(&replaced);
-        self.spend(size)?;
-        if size > LONGEST {
-            return Err(format!("A {} with so long arguments is not possible", self.name));
-        }
-        Ok(match self.constants.value(&replaced) {
+        // Computed at once, so that expressions do not grow with the depth. Constants in it are numbers already.
+        Ok(match has_numbers(&replaced).then(|| self.constants.value(&replaced)).flatten() {
             Some(value) if value.is_finite() => Expr::Number(value),
             _ => replaced,
         })
+    }
+
+    /// An expression as [`replaced`](Self::replaced) writes it, if it is not too long.
+    fn put(&self, expr: &Expr, rule: &Production, module: &Module) -> Result<Expr, String> {
+        let put = self.replaced(expr, rule, module)?;
+        match size(&put) > LONGEST {
+            true => Err(format!("A {} with so long arguments is not possible", self.name)),
+            false => Ok(put),
+        }
     }
 
     /// Counts work; an error when too much is done.
@@ -254,6 +258,17 @@ fn within(production: &Production, condition: Option<&Expr>, cases: &[Case], suc
     let condition = (condition.cloned().into_iter().chain(cases))
         .reduce(|all, next| Expr::Binary(Operator::And, Box::new(all), Box::new(next)));
     Production { condition, successor, ..production.clone() }
+}
+
+/// Whether all operands of an expression are numbers.
+fn has_numbers(expr: &Expr) -> bool {
+    let is_number = |of: &Expr| matches!(of, Expr::Number(_));
+    match expr {
+        Expr::Number(_) | Expr::Name(_) => false,
+        Expr::Negative(of) | Expr::Not(of) | Expr::Curve(_, of) => is_number(of),
+        Expr::Binary(_, a, b) => is_number(a) && is_number(b),
+        Expr::Call(_, arguments) => arguments.iter().all(is_number),
+    }
 }
 
 /// The number of parts of an expression.

@@ -85,7 +85,7 @@ pub(super) fn homomorphism(parts: &Parts<'_>, draft: &mut Draft<'_>) {
                 Decomposition::new("homomorphism", &own, depth as usize).and_then(|inner| inner.word(&grammar.axiom));
             match axiom {
                 Ok(axiom) => {
-                    grammar = Grammar { axiom, ..Grammar::default() };
+                    grammar = Grammar { axiom, productions: Vec::new(), images: Vec::new(), ..grammar };
                     draft.grammar(&grammar);
                 }
                 Err(why) => draft.refuse_at(first.place.clone(), why),
