@@ -168,6 +168,10 @@ fn a_homomorphism_applies_to_its_own_results_up_to_its_depth() {
     // Conditions of numbers that are known only in the axiom.
     let recursive = "#define D 2\nlsystem: 1\nderivation length: 1\naxiom: A(4)\nhomomorphism\nmaximum depth: 100\nA(t) : t >= D --> F(1)A(t-1)\nA(t) : t < D --> [+F(t)]\nendlsystem\n";
     assert_eq!(segments(recursive).len(), 4);
+    // What only the homomorphism makes is written into its results, however deep it is.
+    let inner = "derivation length: 1\naxiom: A(0)\nA(t) --> A(t+2)\nhomomorphism\nmaximum depth: 99\n\
+         A(t) --> B(t,90)\nB(t,n) : n > 0 --> F(t)B(t,n-1)";
+    along(&cpfg(inner), &[[0.0, 2.0, 0.0]; 90]);
     // Conditions of parameters become cases: 7, 6, 5, 4 and 3 are long enough.
     let cases = "derivation length: 3\naxiom: A(4)\nA(t) --> A(t+1)\nhomomorphism\nmaximum depth: 9\nA(t) : t > 2 --> F(t)A(t-1)";
     let lengths: Vec<[f64; 3]> = (3..8).rev().map(|t| [0.0, f64::from(t), 0.0]).collect();

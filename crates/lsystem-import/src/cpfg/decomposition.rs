@@ -30,6 +30,9 @@ pub(super) struct Decomposition<'a> {
 /// A condition of parameters, and whether it is true.
 type Case = (Expr, bool);
 
+/// A word, and the conditions that decide it.
+type Cased = (Vec<Case>, Vec<Module>);
+
 /// The most words that conditions of parameters may make of one word.
 const MOST_CASES: usize = 64;
 /// The most productions that decompositions are written into.
@@ -112,7 +115,7 @@ impl<'a> Decomposition<'a> {
     }
 
     /// The words that a word becomes, each with the conditions that decide and their truth. Conditions are true first.
-    fn cases(&self, word: &[Module]) -> Result<Vec<(Vec<Case>, Vec<Module>)>, String> {
+    fn cases(&self, word: &[Module]) -> Result<Vec<Cased>, String> {
         let mut found = Vec::new();
         let mut decided = Vec::new();
         loop {

@@ -6,7 +6,7 @@ use super::parts::Parts;
 use super::symbols::Symbols;
 use crate::draft::Draft;
 use core::ops::Range;
-use lsystem_syntax::{Diagnostic, Grammar, parse};
+use lsystem_syntax::{Diagnostic, Grammar, Production, parse};
 use std::collections::BTreeSet;
 
 /// Writes the numbers that code changes at every step into the modules that use them.
@@ -71,9 +71,13 @@ pub(super) fn homomorphism(parts: &Parts<'_>, draft: &mut Draft<'_>) {
         constants: grammar.constants.clone(),
         ..Grammar::default()
     };
-    // The first application is that of the drawing itself.
+    // The first application is that of the drawing itself. It needs only productions for modules of the string.
+    let words = grammar.productions.iter().map(|rule| &rule.successor).chain([&grammar.axiom]);
+    let drawn: BTreeSet<char> = words.flatten().map(|module| module.symbol).collect();
+    let first_ones: Vec<Production> =
+        own.productions.iter().filter(|image| drawn.contains(&image.predecessor.symbol)).cloned().collect();
     let written =
-        Decomposition::new("homomorphism", &own, depth as usize - 1).and_then(|inner| inner.applied(&own.productions));
+        Decomposition::new("homomorphism", &own, depth as usize - 1).and_then(|inner| inner.applied(&first_ones));
     match written {
         Ok(images) => {
             grammar.images = images;
