@@ -44,7 +44,7 @@ export const NOTATIONS = /* @__PURE__ */ Object.freeze({
     'inkscape': { label: 'Inkscape', help: 'Lines for the dialog Extensions > Render > L-system, with headings that its angles reach from upwards', ending: 'txt' },
     'houdini': { label: 'Houdini', help: 'Lines of the L-system node, with numbers as in its own symbols', ending: 'txt' },
     'cpfg': { label: 'cpfg', help: 'File with the angles as numbers; circles only filled', ending: 'l' },
-    'lpy': { label: 'L-Py', help: 'Arrow rules, and rules of Python with conditions; arithmetic without functions and powers', ending: 'lpy' },
+    'lpy': { label: 'L-Py', help: 'Arrow rules, and rules of Python with conditions; arithmetic with the functions of Python', ending: 'lpy' },
     'anvaka': { label: 'anvaka’s page', help: 'Text for anvaka’s page, with one action for each symbol', ending: 'txt' },
 });
 

@@ -142,14 +142,14 @@ fn code_that_computes_numbers_is_computed() {
         &[[0.0, 3.0, 0.0]],
     );
     refused(&cpfg("Start: {b = 2;}\naxiom: A\nA : {b = b + 1;} b < 5 --> F(b)A"), "number of the whole system");
-    refused(&cpfg("StartEach: {b = b + 1;}\naxiom: A\nA --> F"), "every step");
+    refused(&cpfg("StartEach: {while (b < 2) {b = b + 1;}}\naxiom: A\nA : b > 2 --> F"), "every step");
+    refused(&cpfg("StartEach: {b = ran(1);}\naxiom: A\nA : b > 2 --> F"), "without chance");
     refused(&cpfg("Start: {while (b < 2) {b = b + 1;}}\naxiom: A\nA --> F"), "only assignments");
     refused(&cpfg("axiom: A(1)\nA(x) : {if (x > 2) {x = 1;}} 1 --> F"), "only assignments");
     refused(&cpfg("axiom: A(1)\nA(x) : {y = ran(1);} 1 --> F(y)[+F(y)]"), "random number that is used several times");
     assert_eq!(read(&cpfg("axiom: A(1)\nA(x) : {y = ran(1);} 1 --> F(y)")).rules, "A(x) --> F((ran(1)))");
     refused(&cpfg("axiom: A(1)\nA(x) --> F(func(1, x))"), "curve of another file");
     refused(&cpfg("axiom: A(1)\nA(x) --> F(bran(1, x))"), "`bran`");
-    refused(&cpfg("axiom: A(1)\nA(x) --> F(x > 1 ? 1 : 2)"), "? :");
     refused(&cpfg("axiom: A(1)\nA(x) --> F(-x^2)"), "parentheses");
     noted(&cpfg("End: {fclose(f);}\naxiom: F\nF --> FF"), "behind the last step");
 }
@@ -168,12 +168,14 @@ fn a_homomorphism_applies_to_its_own_results_up_to_its_depth() {
     // Conditions of numbers that are known only in the axiom.
     let recursive = "#define D 2\nlsystem: 1\nderivation length: 1\naxiom: A(4)\nhomomorphism\nmaximum depth: 100\nA(t) : t >= D --> F(1)A(t-1)\nA(t) : t < D --> [+F(t)]\nendlsystem\n";
     assert_eq!(segments(recursive).len(), 4);
-    refused(
-        &cpfg(
-            "derivation length: 3\naxiom: A(4)\nA(t) --> A(t+1)\nhomomorphism\nmaximum depth: 9\nA(t) : t > 2 --> F(t)A(t-1)",
-        ),
-        "Whether this homomorphism applies depends on parameters",
-    );
+    // What only the homomorphism makes is written into its results, however deep it is.
+    let inner = "derivation length: 1\naxiom: A(0)\nA(t) --> A(t+2)\nhomomorphism\nmaximum depth: 99\n\
+         A(t) --> B(t,90)\nB(t,n) : n > 0 --> F(t)B(t,n-1)";
+    along(&cpfg(inner), &[[0.0, 2.0, 0.0]; 90]);
+    // Conditions of parameters become cases: 7, 6, 5, 4 and 3 are long enough.
+    let cases = "derivation length: 3\naxiom: A(4)\nA(t) --> A(t+1)\nhomomorphism\nmaximum depth: 9\nA(t) : t > 2 --> F(t)A(t-1)";
+    let lengths: Vec<[f64; 3]> = (3..8).rev().map(|t| [0.0, f64::from(t), 0.0]).collect();
+    along(&cpfg(cases), &lengths);
 }
 
 #[test]
@@ -190,14 +192,12 @@ fn symbols_of_cpfg() {
     assert_eq!(read(&cpfg("axiom: @Gsf@Gc(3)+f@Ge\nA --> FF")).axiom, "afb(3)+fd");
     noted(&cpfg("axiom: @Gsf@Gc(3)+f@Ge\nF --> FF"), "number of strips");
     assert_eq!(segments(&cpfg("derivation length: 0\naxiom: @Gsf@Gc+f@Ge")).len(), 16);
-    refused(&cpfg("axiom: @Gs@Gt(1,1)f@Ge\nF --> FF"), "tangents");
     let read_start = |start: &str| read(&cpfg(&format!("derivation length: 1\naxiom: @M({start})F"))).start;
     assert_eq!([read_start("1,2,0"), read_start("-3,0.5"), read_start("1,2,3")], [[1.0, 2.0], [-3.0, 0.5], [0.0; 2]]);
     let deep = "derivation length: 1\naxiom: @M(1,2,3)?P(0,0,0)A\n?P(x,y,z) < A --> F(x)";
     refused(&cpfg(deep), "in the plane z = 0");
     let asking = "derivation length: 2\naxiom: FF?P(0,0,0)?H(0,0,0)A\n?P(x,y,z) < ?H(a,b,c) : y > 1 --> [-F]?H(a,b,c)";
     assert_eq!(word(&cpfg(asking)), "FF?P(0,2,0)[-F][-F]?H(0,1,0)A");
-    refused(&cpfg("derivation length: 1\naxiom: F[+D][-F]\nF > [+D=] --> FV"), "`=` in a context");
     refused(&cpfg("derivation length: 1\naxiom: AB\nAB --> F"), "Several symbols as predecessor");
     refused(&cpfg("derivation length: 1\naxiom: A(1)B\nA(x)B --> F"), "Several symbols as predecessor");
     refused(&cpfg("ring Lsystem\naxiom: AB\nA --> F"), "Rings");
@@ -230,6 +230,121 @@ fn rules_that_look_like_comments_are_rules() {
     along(&cpfg("derivation length: 0\naxiom: //F&(90)F"), &[UP, [0.0, 0.0, 1.0]]);
     along(&lpy("//(60)F", "A --> F"), &[UP]);
     assert_eq!(word(&cpfg("derivation length: 1\naxiom: //AF\n/ < A --> B")), "//BF");
+}
+
+/// The word of `A(t) --> A(t+1)` with the decomposition `A(t) : t > 2 --> F(t)[+A(t-2)]A(t-3)` up to a depth, module by
+/// module.
+fn decomposed_naively(steps: usize, depth: usize) -> String {
+    fn decompose(t: f64, depth: usize, out: &mut Vec<Result<f64, String>>) {
+        if depth == 0 || t <= 2.0 {
+            return out.push(Ok(t));
+        }
+        out.push(Err(format!("F({t})[+")));
+        decompose(t - 2.0, depth - 1, out);
+        out.push(Err("]".to_owned()));
+        decompose(t - 3.0, depth - 1, out);
+    }
+    let mut word = Vec::new();
+    decompose(4.0, depth, &mut word);
+    for _ in 0..steps {
+        let mut next = Vec::new();
+        for module in word {
+            match module {
+                Ok(t) => decompose(t + 1.0, depth, &mut next),
+                text => next.push(text),
+            }
+        }
+        word = next;
+    }
+    word.into_iter().map(|module| module.map_or_else(|text| text, |t| format!("A({t})"))).collect()
+}
+
+#[test]
+fn parameters_decide_decompositions() {
+    for depth in 1..4 {
+        for steps in 0..6 {
+            let text = format!(
+                "derivation length: {steps}\naxiom: A(4)\nA(t) --> A(t+1)\ndecomposition\nmaximum depth: {depth}\n\
+                 A(t) : t > 2 --> F(t)[+A(t-2)]A(t-3)"
+            );
+            assert_eq!(word(&cpfg(&text)), decomposed_naively(steps, depth), "{depth} {steps}");
+        }
+    }
+    // What the depth ends goes on in the next step, if no production applies.
+    let goes_on = |steps: usize| {
+        let rules = "decomposition\nmaximum depth: 2\nM(n) : n > 0 --> F M(n-1)";
+        cpfg(&format!("derivation length: {steps}\naxiom: M(5)\nM(n) : n > 9 --> f\n{rules}"))
+    };
+    assert_eq!(
+        ["FFM(3)", "FFFFM(1)", "FFFFFM(0)"],
+        [0, 1, 2].map(|steps| word(&goes_on(steps))).each_ref().map(|w| &**w)
+    );
+    noted(&goes_on(1), "go on in the next step");
+    // The same for the results of a homomorphism.
+    let image = "derivation length: 2\naxiom: A(0)\nA(t) --> A(t+1)[A(t)]\nhomomorphism\nmaximum depth: 2\n\
+         A(t) --> B(t+1)\nB(t) : t > 2 --> F(t)\nB(t) : t > 1 --> f";
+    along(&cpfg(image), &[[0.0, 3.0, 0.0]]);
+    refused(&cpfg("axiom: A(1)\nA(t) --> A(t+1)\ndecomposition\nA(t) : t > ran(3) --> F"), "depends on chance");
+    let many: String = (0..8).map(|at| format!("B(t+{at})")).collect();
+    let many = format!("axiom: A(1)\nA(t) --> {many}\ndecomposition\nB(t) : t > 3 --> F");
+    refused(&cpfg(&many), "too many cases");
+}
+
+#[test]
+fn numbers_that_change_at_every_step_are_parameters() {
+    let counted = |steps: usize, rules: &str| {
+        cpfg(&format!(
+            "Start: {{n = 0;}}\nStartEach: {{n = n + 1; h = n/2; printf(\"%f\", n);}}\nderivation length: {steps}\n{rules}"
+        ))
+    };
+    // The number is 1 in the first step.
+    let grows = |steps: usize| {
+        let lengths = (1..=steps).filter(|step| *step > 2).map(|step| [0.0, step as f64 / 2.0, 0.0]);
+        along(&counted(steps, "axiom: A\nA : n > 2 --> F(h)A"), &lengths.collect::<Vec<_>>());
+    };
+    (0..6).for_each(grows);
+    // Symbols with an action are drawn as before, with and without an own image.
+    for (steps, count) in [(1, 2), (2, 4), (3, 4)] {
+        let rules = "axiom: F+F\nF : n == 2 --> FF";
+        assert_eq!(segments(&counted(steps, rules)).len(), count);
+        assert_eq!(segments(&counted(steps, &format!("{rules}\nhomomorphism\nF --> FF"))).len(), 2 * count);
+    }
+    // Contexts see the modules as before, whose own parameters hide numbers of the same name.
+    let rules = "ignore: +\naxiom: B+A(7)A(5)\nB < A(n) --> C(n)\nA(x) : n > 1 --> D(x)";
+    assert_eq!(word(&counted(1, rules)).split('A').next(), Some("B+C(7)"));
+    assert_eq!(word(&counted(2, rules)), "B+C(7)D(5)");
+    // With a seed, one of the productions that apply is chosen; none means that the module stays.
+    along(&counted(4, "seed: 3\naxiom: A\nA : n > 3 --> F(n)\nA : n > 9 --> f"), &[[0.0, 4.0, 0.0]]);
+    // The homomorphism sees the numbers behind the last step.
+    let image = "Start: {t = 1;}\nEndEach: {t = t + 0.5;}\nderivation length: 3\naxiom: A\nhomomorphism\nA --> F(t)";
+    along(&cpfg(image), &[[0.0, 2.5, 0.0]]);
+    let both = "Start: {t = 1;}\nEndEach: {t = 2*t;}\nderivation length: 2\naxiom: A\nA --> F(t)A";
+    along(&cpfg(both), &[UP, [0.0, 2.0, 0.0]]);
+    refused(&counted(2, "axiom: A\nA --> B\ndecomposition\nB : n > 1 --> F"), "in decompositions");
+}
+
+#[test]
+fn small_words_of_cpfg() {
+    // `=` is the rest of a branch.
+    let rest = "derivation length: 1\naxiom: A[BX]A[XB]A[X][-BX]\nA > [B=] --> C\nA > [=][-B=] --> D";
+    assert_eq!(word(&cpfg(rest)), "C[BX]A[XB]D[X][-BX]");
+    refused(&cpfg("axiom: A\nA > B=C --> F"), "only in front of `]`");
+    along(&cpfg("derivation length: 1\naxiom: A (2)\nA (x) --> F (x)"), &[[0.0, 2.0, 0.0]]);
+    // The choice binds loosest, and to the right.
+    for (choice, length) in [("2 > 1 ? 3 : 4", 3.0), ("(2 < 1 ? 3 : (4))+1", 5.0), ("0 ? 1 : 1 ? 2 : 3", 2.0)] {
+        along(&cpfg(&format!("derivation length: 0\naxiom: F({choice})")), &[[0.0, length, 0.0]]);
+    }
+    refused(&cpfg("axiom: F(ran(1) < 0.5 ? 1 : 2)"), "by chance");
+    refused(&cpfg("axiom: F(1 ? 2)"), "has no `:`");
+    // A rule of the letter of a surface replaces the surface.
+    let surface = "derivation length: 2\naxiom: ~b(1)b(1)\nb(s) --> b(s*3)";
+    assert_eq!(word(&cpfg(surface)), "a(9)b(9)");
+    // A group whose symbols nothing makes.
+    noted(&cpfg("axiom: F(1)\nXF(x) --> FF"), "never applies");
+    refused(&cpfg("axiom: XF(1)\nXF(x) --> FF"), "Several symbols");
+    noted(&cpfg("axiom: @Gt(1.5,1)@Gr(1)@Gs@!(5)f@Ge"), "swing out");
+    refused(&cpfg("axiom: @Gr(0,1,0,1)@Gs f@Ge"), "How the width");
+    assert_eq!(read(&cpfg("derivation length: 0\n#define SIZE 3\naxiom: F(SIZE+SIZE)")).axiom, "F(SIZE+SIZE)");
 }
 
 #[test]
@@ -324,6 +439,11 @@ fn rules_of_python_are_conditions_and_successors() {
         &[[0.0, 0.5, 0.0]],
     );
     along("import math\na = math.cos(math.pi)\nAxiom: F(-a)\nderivation length: 0\nproduction:\nendlsystem\n", &[UP]);
+    // A function within another is turned into degrees once.
+    along(
+        "from math import *\nAxiom: F(degrees(asin(0.5)))\nderivation length: 0\nproduction:\nendlsystem\n",
+        &[[0.0, 30.0, 0.0]],
+    );
     for (rule, why) in [
         ("A(x):\n  while x < 3: x += 1\n  produce F(x)", "Python code is not run"),
         ("A(x):\n  produce F(size(x))", "Python code is not run: `size(...)`"),
@@ -444,6 +564,14 @@ fn function_files_are_curves() {
     let twice = format!("({third}, 1) ({third}, 1)");
     assert!(rules.starts_with(&format!("curve hill = (0, 0) {twice} (0.666")) && !rules.contains("other"), "{rules}");
     noted(&format!("{}{view}", system("1").replace("func(1, x)", "x")), "is missing");
+    // In an axiom, and in a homomorphism that is written into it.
+    let recursive = "derivation length: 0\naxiom: F(1+func(1, 0.5))A(3)\nhomomorphism\nmaximum depth: 9\n\
+         A(n) : n > 1 --> F(func(1, n/4))A(n-1)";
+    let lengths = [2.125, 0.984375, 1.125].map(|length| [0.0, length, 0.0]);
+    along(
+        &format!("{}\n==> a/plant.v <==\nfunction: hill.func 100\n==> hill.func <==\n{old}", cpfg(recursive)),
+        &lengths,
+    );
     // The curve has a name that is free in our notation.
     let named = format!("{}{view}==> hill.func <==\n{old}", system("2"));
     let rules = read(&named.replace("A(x)", "A(hill)").replace(" x)", " hill)")).rules;
@@ -468,6 +596,24 @@ fn curves_are_written_as_function_files() {
     let scale = theirs[0] / ours[0];
     assert!(ours.iter().zip(&theirs).all(|(a, b)| (a * scale - b).abs() < 1e-6), "{ours:?} {theirs:?}");
     assert!(lsystem_import::write::export(&definition, notation("houdini")).is_err());
+}
+
+#[test]
+fn functions_are_written_in_the_words_of_python() {
+    let sum = "sqrt(t) + sin(30*t)^2 + cos(t)*tan(t) + asin(t/9) + acos(t/9) + atan(t) + atan2(t, 2) + exp(-t) + ln(t + 1) \
+         + abs(t - 3) + floor(t/2) + ceil(t/2) + min(t, 3) + max(t, 3) + (-t)^2";
+    let rules = format!("A(t) : t < 7 -> F({sum})A(t + 1)");
+    let definition = Definition { axiom: "A(1)".into(), rules, iterations: 6, ..Definition::default() };
+    let notation = lsystem_import::write::Notation::named("lpy").unwrap();
+    let text = lsystem_import::write::export(&definition, notation).unwrap().text;
+    assert!(text.starts_with("from math import *") && text.contains("sin(radians(30*t))**2"), "{text}");
+    let lengths = |definition: &Definition| -> Vec<f64> {
+        let figure = Figure::draw(&system(definition), 6, &Limits::default()).unwrap();
+        figure.segments_from(0).map(|s| s.to[1] - s.from[1]).collect()
+    };
+    let (ours, theirs) = (lengths(&definition), lengths(&read(&text)));
+    assert_eq!((ours.len(), theirs.len()), (6, 6), "{text}");
+    assert!(ours.iter().zip(&theirs).all(|(a, b)| (a / ours[0] - b / theirs[0]).abs() < 1e-9), "{ours:?} {theirs:?}");
 }
 
 #[test]

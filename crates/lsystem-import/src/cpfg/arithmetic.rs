@@ -1,6 +1,7 @@
 //! Arithmetic of cpfg and of Python in our notation.
 
 use super::Kind;
+use super::choices::without_choices;
 use super::macros::{Macros, Replaced, is_part, token};
 use lsystem_base::number::number;
 use lsystem_syntax::parse;
@@ -68,12 +69,18 @@ impl Arithmetic {
 
     /// Arithmetic in our notation.
     pub(super) fn read(&self, text: &str) -> Result<String, Wrong> {
-        self.translate(&self.macros.expand(text, Replaced::Texts)?)
+        let text = self.macros.expand(text, Replaced::Texts)?;
+        match self.kind {
+            Kind::Cpfg => self.translate(&without_choices(&text, &self.macros)?),
+            Kind::LPy => self.translate(&text),
+        }
     }
 
     /// The value of arithmetic of constants.
     pub(super) fn value(&self, text: &str) -> Option<f64> {
-        let text = self.translate(&self.macros.expand(text, Replaced::All).ok()?).ok()?;
+        let text = self.macros.expand(text, Replaced::All).ok()?;
+        let text = if self.kind == Kind::Cpfg { without_choices(&text, &self.macros).ok()? } else { text };
+        let text = self.translate(&text).ok()?;
         let number = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(&text);
         if number.starts_with(|c: char| c.is_ascii_digit())
             && let Ok(value) = number.parse::<f64>()

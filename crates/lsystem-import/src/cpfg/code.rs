@@ -1,9 +1,10 @@
 //! Blocks of code around a system of cpfg: `Start: {a = 2; b = a/2;}` and `Define: {array a[3] = {1, 2, 3};}`.
 
 use super::Places;
-use super::assignments::{assignment, is_name, prints};
+use super::assignments::{assignment, is_name, is_random, prints};
 use super::parts::Parts;
 use crate::draft::Draft;
+use core::ops::Range;
 use lsystem_base::number::number;
 
 /// The statements between the braces of a block.
@@ -37,6 +38,46 @@ pub(super) fn start(block: &str, parts: &mut Parts<'_>, places: &Places<'_>, dra
                 parts.set_constant(name, value);
             }
             None => draft.refuse_at(place, "The value of this code cannot be computed before the first step"),
+        }
+    }
+}
+
+/// Reads the code that runs at every step, before the productions or behind them: assignments.
+pub(super) fn every_step(
+    block: &str,
+    is_before: bool,
+    place: &Range<usize>,
+    parts: &mut Parts<'_>,
+    places: &Places<'_>,
+    draft: &mut Draft<'_>,
+) {
+    let Some(inside) = inside(block) else {
+        return draft.refuse_at(places.of(block), "The braces around this code are missing");
+    };
+    for statement in inside.split(';').map(str::trim).filter(|statement| !statement.is_empty()) {
+        let own = places.of(statement);
+        if prints(statement) {
+            draft.note_at(own, "This code only writes texts");
+            continue;
+        }
+        let Some((name, value)) = assignment(statement).filter(|(_, value)| !is_random(value)) else {
+            draft.refuse_at(own, "Of the code that runs at every step, only assignments without chance are read");
+            continue;
+        };
+        match parts.arithmetic.read(value) {
+            Ok(value) => {
+                draft.read(own, format!("{name} = {value} at every step"));
+                // The number is no constant any more.
+                parts.arithmetic.macros.forget(name);
+                if !parts.constants.iter().any(|(known, _)| known == name) {
+                    parts.constants.push((name.to_owned(), "0".to_owned()));
+                }
+                let code = &mut parts.every_step;
+                code.place.get_or_insert(place.clone());
+                let list = if is_before { &mut code.before } else { &mut code.after };
+                list.push((name.to_owned(), value));
+            }
+            Err(why) => draft.refuse_at(own, why),
         }
     }
 }

@@ -1,10 +1,17 @@
 //! The decompositions of cpfg: productions that replace the modules of the axiom and of every successor at once, until
-//! none applies. Where that ends, they are written into the axiom and the successors. A homomorphism that applies to
-//! its own results is written into itself in the same way.
+//! none applies or the maximum depth is reached. They are written into the axiom and the successors:
+//!
+//! ```text
+//! A(t) --> A(t+1)                          A(t) : t+1 > 3 --> F A(t+1-3)
+//! decomposition                  becomes   A(t) --> A(t+1)
+//! A(t) : t > 3 --> F A(t-3)
+//! ```
+//!
+//! A homomorphism that applies to its own results is written into itself in the same way.
 
 use core::cell::Cell;
 use lsystem_syntax::grammar::Values;
-use lsystem_syntax::{Expr, Function, Grammar, Module, Production};
+use lsystem_syntax::{Expr, Function, Grammar, Module, Operator, Production};
 
 /// Decompositions, with the constants of the system.
 pub(super) struct Decomposition<'a> {
@@ -16,10 +23,20 @@ pub(super) struct Decomposition<'a> {
     depth: usize,
     /// How many modules and parts of expressions may still be read and written, in all words together.
     work: Cell<usize>,
+    /// Whether the depth ended a decomposition.
+    stopped: Cell<bool>,
 }
 
-/// The name of a homomorphism, which may end at its depth. A decomposition must end before.
-pub(super) const HOMOMORPHISM: &str = "homomorphism";
+/// A condition of parameters, and whether it is true.
+type Case = (Expr, bool);
+
+/// A word, and the conditions that decide it.
+type Cased = (Vec<Case>, Vec<Module>);
+
+/// The most words that conditions of parameters may make of one word.
+const MOST_CASES: usize = 64;
+/// The most productions that decompositions are written into.
+const MOST_PRODUCTIONS: usize = 2000;
 /// The most modules of a word.
 const MOST_MODULES: usize = 20_000;
 /// The most modules and parts of expressions that are read and written for a system.
@@ -34,20 +51,90 @@ impl<'a> Decomposition<'a> {
         if rules.iter().any(|rule| !rule.left.is_empty() || !rule.right.is_empty() || rule.weight.is_some()) {
             return Err(format!("A {name} with a context or a probability is not possible"));
         }
-        Ok(Self { name, rules, constants: grammar.values(), depth, work: Cell::new(MOST_WORK) })
+        let (work, stopped) = (Cell::new(MOST_WORK), Cell::new(false));
+        Ok(Self { name, rules, constants: grammar.values(), depth, work, stopped })
     }
 
-    /// Writes the decompositions into the axiom and the successors.
-    pub(super) fn apply(&self, grammar: &mut Grammar) -> Result<(), String> {
+    /// Writes the decompositions into the axiom and the successors. Where the depth ends them, they go on in the next
+    /// step, for the modules that no production replaces. Returns whether the depth ends them.
+    pub(super) fn apply(&self, grammar: &mut Grammar) -> Result<bool, String> {
         grammar.axiom = self.word(&grammar.axiom)?;
-        for production in &mut grammar.productions {
-            production.successor = self.word(&production.successor)?;
+        grammar.productions = self.applied(&grammar.productions)?;
+        let stopped = self.stopped.get();
+        if stopped {
+            let own = self.rules.iter().map(|rule| self.of_module(rule)).collect::<Result<Vec<_>, _>>()?;
+            let always = |rule: &Production, own: &Production| {
+                rule.predecessor.symbol == own.predecessor.symbol
+                    && rule.predecessor.parameters.len() == own.predecessor.parameters.len()
+                    && rule.left.is_empty()
+                    && rule.right.is_empty()
+                    && rule.condition.is_none()
+            };
+            for rule in own.into_iter().flatten() {
+                if !grammar.productions.iter().any(|earlier| always(earlier, &rule)) {
+                    grammar.productions.push(rule);
+                }
+            }
         }
-        Ok(())
+        Ok(stopped)
     }
 
-    /// A word in which no production applies, or where the depth ends a homomorphism.
+    /// The productions that a decomposition is for the modules that no other production replaces.
+    fn of_module(&self, rule: &Production) -> Result<Vec<Production>, String> {
+        let names = &rule.predecessor.parameters;
+        let arguments = names.iter().map(|name| Expr::Name(name.clone())).collect();
+        let module = Module { symbol: rule.predecessor.symbol, arguments };
+        let words = self.cases(core::slice::from_ref(&module))?;
+        let changed = words.into_iter().filter(|(_, word)| *word != [module.clone()]);
+        Ok(changed.map(|(cases, word)| within(rule, None, &cases, word)).collect())
+    }
+
+    /// Productions with the decompositions written into their successors. Where parameters decide, a production becomes
+    /// several, with the deciding conditions.
+    pub(super) fn applied(&self, productions: &[Production]) -> Result<Vec<Production>, String> {
+        let mut made = Vec::new();
+        for production in productions {
+            for (cases, word) in self.cases(&production.successor)? {
+                made.push(within(production, production.condition.as_ref(), &cases, word));
+            }
+            if made.len() > MOST_PRODUCTIONS {
+                return Err(self.too_long());
+            }
+        }
+        Ok(made)
+    }
+
+    /// A word in which no production applies, or where the depth ends that.
     pub(super) fn word(&self, word: &[Module]) -> Result<Vec<Module>, String> {
+        let mut decided = Vec::new();
+        let word = self.decomposed(word, &mut decided)?;
+        match decided.is_empty() {
+            true => Ok(word),
+            false => Err(format!("Whether this {} applies depends on parameters, which is not possible", self.name)),
+        }
+    }
+
+    /// The words that a word becomes, each with the conditions that decide and their truth. Conditions are true first.
+    fn cases(&self, word: &[Module]) -> Result<Vec<Cased>, String> {
+        let mut found = Vec::new();
+        let mut decided = Vec::new();
+        loop {
+            let made = self.decomposed(word, &mut decided)?;
+            found.push((decided.clone(), made));
+            // The last condition that was true is false next.
+            while decided.pop_if(|(_, is_true)| !*is_true).is_some() {}
+            let Some((_, is_true)) = decided.last_mut() else { return Ok(found) };
+            *is_true = false;
+            if found.len() >= MOST_CASES {
+                let why = "depends on parameters in too many cases, which is not possible";
+                return Err(format!("Whether this {} applies {why}", self.name));
+            }
+        }
+    }
+
+    /// A word in which no production applies, or where the depth ends that. `decided` has the truth of conditions of
+    /// parameters; those that are missing are true and are added.
+    fn decomposed(&self, word: &[Module], decided: &mut Vec<Case>) -> Result<Vec<Module>, String> {
         let mut made = Vec::new();
         // The modules still to come, the next one last, with the number of replacements that made them.
         let mut rest: Vec<(Module, usize)> = word.iter().rev().map(|module| (module.clone(), 0)).collect();
@@ -55,22 +142,22 @@ impl<'a> Decomposition<'a> {
             if made.len() + rest.len() >= MOST_MODULES {
                 return Err(self.too_long());
             }
-            let ends = depth >= self.depth;
-            let rule = if ends && self.name == HOMOMORPHISM { None } else { self.matching(&module)? };
-            let Some(rule) = rule else {
+            if depth >= self.depth {
+                self.stopped.set(self.stopped.get() || self.rules.iter().any(|rule| is_of(rule, &module)));
+                made.push(module);
+                continue;
+            }
+            let Some(rule) = self.matching(&module, decided)? else {
                 made.push(module);
                 continue;
             };
-            if ends {
-                return Err(format!("The {} does not end within its maximum depth", self.name));
-            }
             // Used several times, an argument would be a different random number each time.
             if module.arguments.iter().any(is_random) {
                 return Err(format!("A {} of random arguments is not possible", self.name));
             }
             for next in rule.successor.iter().rev() {
                 let arguments =
-                    next.arguments.iter().map(|own| self.replaced(own, rule, &module)).collect::<Result<_, _>>()?;
+                    next.arguments.iter().map(|own| self.put(own, rule, &module)).collect::<Result<_, _>>()?;
                 rest.push((Module { symbol: next.symbol, arguments }, depth + 1));
             }
         }
@@ -78,21 +165,27 @@ impl<'a> Decomposition<'a> {
     }
 
     /// The first decomposition that applies to a module.
-    fn matching(&self, module: &Module) -> Result<Option<&Production>, String> {
+    fn matching(&self, module: &Module, decided: &mut Vec<Case>) -> Result<Option<&Production>, String> {
         for rule in self.rules {
             self.spend(1)?;
-            let own = &rule.predecessor;
-            if own.symbol != module.symbol || own.parameters.len() != module.arguments.len() {
+            if !is_of(rule, module) {
                 continue;
             }
             let Some(condition) = &rule.condition else { return Ok(Some(rule)) };
-            match self.constants.value(&self.replaced(condition, rule, module)?) {
-                Some(value) if value != 0.0 && !value.is_nan() => return Ok(Some(rule)),
-                Some(_) => {}
-                None => {
-                    let name = self.name;
-                    return Err(format!("Whether this {name} applies depends on parameters, which is not possible"));
+            let condition = self.put(condition, rule, module)?;
+            let applies = match (self.constants.value(&condition), decided.iter().find(|case| case.0 == condition)) {
+                (Some(value), _) => value != 0.0 && !value.is_nan(),
+                (None, Some((_, is_true))) => *is_true,
+                (None, None) if is_random(&condition) => {
+                    return Err(format!("Whether this {} applies depends on chance, which is not possible", self.name));
                 }
+                (None, None) => {
+                    decided.push((condition, true));
+                    true
+                }
+            };
+            if applies {
+                return Ok(Some(rule));
             }
         }
         Ok(None)
@@ -125,16 +218,20 @@ impl<'a> Decomposition<'a> {
                 Expr::Call(*function, arguments.iter().map(inner).collect::<Result<_, _>>()?)
             }
         };
-        // Computed at once, so that expressions do not grow with the depth.
-        let size = size(&replaced);
-        self.spend(size)?;
-        if size > LONGEST {
-            return Err(format!("A {} with so long arguments is not possible", self.name));
-        }
-        Ok(match self.constants.value(&replaced) {
+        // Computed at once, so that expressions do not grow with the depth. Constants in it are numbers already.
+        Ok(match has_numbers(&replaced).then(|| self.constants.value(&replaced)).flatten() {
             Some(value) if value.is_finite() => Expr::Number(value),
             _ => replaced,
         })
+    }
+
+    /// An expression as [`replaced`](Self::replaced) writes it, if it is not too long.
+    fn put(&self, expr: &Expr, rule: &Production, module: &Module) -> Result<Expr, String> {
+        let put = self.replaced(expr, rule, module)?;
+        match size(&put) > LONGEST {
+            true => Err(format!("A {} with so long arguments is not possible", self.name)),
+            false => Ok(put),
+        }
     }
 
     /// Counts work; an error when too much is done.
@@ -145,6 +242,35 @@ impl<'a> Decomposition<'a> {
 
     fn too_long(&self) -> String {
         format!("A {} into so many modules is not possible", self.name)
+    }
+}
+
+/// Whether a production has the symbol and the number of arguments of a module.
+fn is_of(rule: &Production, module: &Module) -> bool {
+    rule.predecessor.symbol == module.symbol && rule.predecessor.parameters.len() == module.arguments.len()
+}
+
+/// A production for these cases with another successor. The production for the case that its conditions are false stands
+/// behind, so only weights need that these are told.
+fn within(production: &Production, condition: Option<&Expr>, cases: &[Case], successor: Vec<Module>) -> Production {
+    let all = production.weight.is_some();
+    let cases = cases.iter().filter(|(_, is_true)| *is_true || all).map(|(condition, is_true)| match is_true {
+        true => condition.clone(),
+        false => Expr::Not(Box::new(condition.clone())),
+    });
+    let condition = (condition.cloned().into_iter().chain(cases))
+        .reduce(|all, next| Expr::Binary(Operator::And, Box::new(all), Box::new(next)));
+    Production { condition, successor, ..production.clone() }
+}
+
+/// Whether all operands of an expression are numbers.
+fn has_numbers(expr: &Expr) -> bool {
+    let is_number = |of: &Expr| matches!(of, Expr::Number(_));
+    match expr {
+        Expr::Number(_) | Expr::Name(_) => false,
+        Expr::Negative(of) | Expr::Not(of) | Expr::Curve(_, of) => is_number(of),
+        Expr::Binary(_, a, b) => is_number(a) && is_number(b),
+        Expr::Call(_, arguments) => arguments.iter().all(is_number),
     }
 }
 

@@ -162,7 +162,9 @@ impl<'c> File<'c> {
             "define" => code::define(rest, &mut self.parts, places, draft),
             "end" => draft.note_at(place, "This code runs behind the last step and changes nothing that is drawn"),
             "starteach" | "endeach" | "start each" | "end each" => {
-                draft.refuse_at(place, "Code that runs at every step has no equal here");
+                let is_before = word.starts_with("start");
+                code::every_step(rest, is_before, &place, &mut self.parts, places, draft);
+                self.globals.extend(self.parts.every_step.names().into_iter().map(str::to_owned));
             }
             "ring lsystem" => draft.refuse_at(place, "Rings, whose ends are neighbours, have no equal here"),
             "endlsystem" => {

@@ -60,6 +60,11 @@ impl Macros {
         self.known.insert(name, Macro { parameters, body, is_constant, is_own: true }).is_some()
     }
 
+    /// Forgets a constant.
+    pub(super) fn forget(&mut self, name: &str) {
+        self.known.remove(name);
+    }
+
     pub(super) fn len(&self) -> usize {
         self.known.len()
     }
@@ -130,6 +135,11 @@ impl Macros {
                     self.filled(&found.body, parameters, &values)?
                 }
             };
+            if !found.is_own {
+                // The words of ours are final: read again, an argument would be turned into our units twice.
+                out.push_str(&body);
+                continue;
+            }
             active.push(name);
             self.write(&body, replaced, active, out)?;
             active.pop();

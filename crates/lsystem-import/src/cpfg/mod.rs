@@ -13,15 +13,17 @@
 //!
 //! The rules are nearly in our notation. Names of several letters become single symbols. Macros are replaced, except
 //! those that are constants. Decompositions are written into the successors, and the values of assignments in place of
-//! their names. Other code and includes are refused. The angle, the surfaces and the functions of cpfg
+//! their names. Numbers that code changes at every step become parameters. Other code and includes are refused. The angle, the surfaces and the functions of cpfg
 //! stand in other files, which may follow in the same text (`companions.rs`).
 
 mod arithmetic;
 mod assignments;
+mod choices;
 mod clean;
 mod code;
 mod companions;
 mod decomposition;
+mod every_step;
 mod file;
 mod function_file;
 mod lpy;
@@ -29,6 +31,7 @@ mod macros;
 mod nurbs;
 mod parts;
 mod python;
+mod recursion;
 mod statements;
 mod surface_file;
 mod symbols;

@@ -3,6 +3,7 @@
 use super::Kind;
 use super::arithmetic::{Arithmetic, FUNCTIONS};
 use super::companions::NamedFunction;
+use super::every_step::EveryStep;
 use super::macros::is_part;
 use core::ops::Range;
 use lsystem_base::number::number;
@@ -33,6 +34,8 @@ pub(super) struct Parts<'c> {
     pub(super) axiom: Option<&'c str>,
     /// Constants by name, with numbers.
     pub(super) constants: Vec<(String, String)>,
+    /// The code that runs at every step.
+    pub(super) every_step: EveryStep,
     /// The lists behind `ignore` and `consider`.
     pub(super) seen: Vec<(&'static str, &'c str)>,
     pub(super) rules: Vec<Rule<'c>>,
@@ -60,6 +63,7 @@ impl<'c> Parts<'c> {
             arithmetic: Arithmetic::new(kind),
             axiom: None,
             constants: Vec::new(),
+            every_step: EveryStep::default(),
             seen: Vec::new(),
             rules: Vec::new(),
             images: Vec::new(),

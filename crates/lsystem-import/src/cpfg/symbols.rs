@@ -24,12 +24,17 @@ enum Meaning {
     Plain,
     /// A module whose action is left out, for this reason.
     LeftOut(&'static str),
+    /// A module that is left out with one number and has no equal with several.
+    Switch { left_out: &'static str, refused: &'static str },
     /// It has no equal, for this reason.
     Refused(&'static str),
 }
-use Meaning::{Disc, LeftOut, Plain, Refused, Surface, Symbol, Tube};
+use Meaning::{Disc, LeftOut, Plain, Refused, Surface, Switch, Symbol, Tube};
 
-const CYLINDER: &str = "The shape and the tangents of generalized cylinders have no equal here";
+const CYLINDER: &str = "How the width of generalized cylinders changes between two places has no equal here";
+const TANGENTS: &str = "How far generalized cylinders swing out between two places is left out: they are smooth";
+const WIDTHS: &str = "The width of generalized cylinders changes evenly between two places here";
+const SIDES: &str = "The number of sides of round shapes is not used";
 const ROUND: &str = "The number of strips of a generalized cylinder is not used: every part has 8";
 const SMOOTH: &str = "In a text with generalized cylinders, all lines are drawn as smooth tubes";
 const BENDS: &str = "How branches bend stands in cpfg's view file; this is left out";
@@ -59,18 +64,19 @@ const CPFG: &[(&str, Meaning)] = &[
     ("@Ti", LeftOut(BENDS)),
     ("@Td", LeftOut(BENDS)),
     ("@Ts", LeftOut(BENDS)),
+    ("@Tf", LeftOut(BENDS)),
     ("@T", Refused("This turns the turtle by the twist of its way, which has no equal here")),
     ("@P", LeftOut("This patch of a surface is not drawn")),
     ("@PS", LeftOut("This patch of a surface is not drawn")),
     ("@PC", LeftOut("This patch of a surface is not drawn")),
     ("@PD", LeftOut("This patch of a surface is not drawn")),
     ("@mo", LeftOut(LOOK)),
-    ("@G", Refused(CYLINDER)),
     ("@Gs", Tube("open tube")),
     ("@Gc", Tube("tube point")),
     ("@Ge", Tube("close tube")),
-    ("@Gr", Refused(CYLINDER)),
-    ("@Gt", Refused(CYLINDER)),
+    ("@Gr", Switch { left_out: WIDTHS, refused: CYLINDER }),
+    ("@Gt", LeftOut(TANGENTS)),
+    ("@!", LeftOut(SIDES)),
     ("@D", Refused(SCALE)),
     ("@M", Refused(PLACE)),
     ("@R", Refused(FRAME)),
@@ -246,6 +252,8 @@ impl<'p> Symbols<'p> {
             let length = self.symbol(rest).unwrap_or(ch.len_utf8());
             let (symbol, behind) = rest.split_at(length);
             let at = self.places.or(symbol, place);
+            let opened = behind.trim_start();
+            let behind = if self.arithmetic.kind == Kind::Cpfg && opened.starts_with('(') { opened } else { behind };
             let Some((inside, behind)) = parenthesised(behind) else {
                 draft.refuse_at(at, "A parenthesis behind this symbol is not closed");
                 break;
@@ -304,7 +312,14 @@ impl<'p> Symbols<'p> {
             },
             None => None,
         };
-        match self.meanings.get(symbol).copied() {
+        let meaning = match self.meanings.get(symbol).copied() {
+            Some(Switch { refused, .. }) if inside.as_ref().is_some_and(|inside| inside.contains(',')) => {
+                Some(Refused(refused))
+            }
+            Some(Switch { left_out, .. }) => Some(LeftOut(left_out)),
+            other => other,
+        };
+        match meaning {
             Some(Symbol(own)) if self.asks_lpy(own) && inside.is_some() => {
                 // The axes of L-Py's turtle are others: its z is ours upwards.
                 let turned = inside.as_deref().and_then(turned);
@@ -361,7 +376,7 @@ impl<'p> Symbols<'p> {
                 self.tell(symbol, place, why, draft);
                 out.push(self.free.get(symbol));
             }
-            Some(Refused(why)) => return draft.refuse_at(place.clone(), why),
+            Some(Refused(why) | Switch { refused: why, .. }) => return draft.refuse_at(place.clone(), why),
             None => self.other(symbol, inside.as_deref(), place, draft, out),
         }
         if let Some(inside) = inside {
@@ -437,6 +452,13 @@ impl<'p> Symbols<'p> {
     /// The symbols that stand for surfaces, sorted.
     pub(super) fn surfaces(&self) -> BTreeSet<char> {
         self.free.given().filter(|(name, _)| name.starts_with('~')).map(|(_, symbol)| symbol).collect()
+    }
+
+    /// The letters of surfaces in cpfg, with the symbols that stand for them.
+    pub(super) fn surface_letters(&self) -> impl Iterator<Item = (char, char)> {
+        let letter = |name: &str| name.strip_prefix('~')?.chars().next();
+        let is_cpfg = self.arithmetic.kind == Kind::Cpfg;
+        self.free.given().filter(move |_| is_cpfg).filter_map(move |(name, own)| Some((letter(name)?, own)))
     }
 
     /// Adds a remark at the first place of a symbol.

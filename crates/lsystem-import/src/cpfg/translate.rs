@@ -1,14 +1,14 @@
 //! From the parts of a system to a definition in our notation.
 
-use super::decomposition::{Decomposition, HOMOMORPHISM};
 use super::file::split;
 use super::macros::{Replaced, is_part};
 use super::parts::{Parts, Rule};
+use super::recursion::{decompose, every_step, homomorphism};
 use super::symbols::{Role, Symbols, parenthesised};
 use super::{Kind, Places};
 use crate::draft::Draft;
 use core::ops::Range;
-use lsystem_syntax::{Diagnostic, Grammar, parse};
+use lsystem_syntax::parse;
 use std::collections::BTreeSet;
 
 /// The most bytes of a name.
@@ -56,9 +56,10 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     let mut lines = |rules: &[Rule<'_>], draft: &mut Draft<'_>| -> Vec<String> {
         rules.iter().filter_map(|rule| words.rule(rule, draft)).collect()
     };
-    let rules = lines(&parts.rules, draft);
+    let mut rules = lines(&parts.rules, draft);
     let images = lines(&parts.images, draft);
     let decompositions = lines(&parts.decompositions, draft);
+    rules.extend(words.of_surfaces(&rules));
     words.symbols.check_bare(draft);
     if words.symbols.has_tubes && parts.arithmetic.kind == Kind::LPy {
         // A line inside of a tube is a part of the tube. A move interrupts it.
@@ -68,6 +69,8 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     let seen: Vec<String> = parts.seen.iter().map(|(word, list)| words.seen(word, list, draft)).collect();
     let mut used: BTreeSet<&str> = identifiers(&draft.definition.axiom).collect();
     used.extend([&rules[..], &images, &decompositions].into_iter().flatten().flat_map(|line| identifiers(line)));
+    let code = &parts.every_step;
+    used.extend(code.before.iter().chain(&code.after).flat_map(|(_, value)| identifiers(value)));
     let constants = parts.constants.iter().filter(|(name, _)| used.contains(name.as_str()));
     let mut text: Vec<String> = constants.map(|(name, value)| format!("{name} = {value}")).collect();
     let curves = parts.curves.iter().filter(|(name, _)| used.contains(name.as_str()));
@@ -84,6 +87,7 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     if draft.is_refused() {
         return;
     }
+    every_step(parts, &decompositions, &mut words.symbols, draft);
     if let Some(place) = &parts.decomposed {
         decompose(parts, place, &decompositions, draft);
     }
@@ -182,21 +186,56 @@ impl Translation<'_> {
         rest
     }
 
+    /// The rules for surfaces that rules of their letters are: in cpfg, `~b` is two modules, and `b(s) --> b(2*s)` makes a
+    /// surface of twice the size.
+    fn of_surfaces(&self, rules: &[String]) -> Vec<String> {
+        let surfaces: Vec<(char, char)> = self.symbols.surface_letters().collect();
+        let of = |rule: &String| {
+            let (head, successor) = rule.split_once(" --> ")?;
+            let (letter, own) = surfaces.iter().find(|(letter, _)| strict(head).starts_with(*letter))?;
+            let is_bare = !head.contains(['<', '>']) && head.starts_with(*letter);
+            let behind = successor.strip_prefix(*letter).filter(|_| is_bare)?;
+            Some(format!("{own}{} --> {own}{behind}", &head[letter.len_utf8()..]))
+        };
+        rules.iter().filter_map(of).collect()
+    }
+
     /// A rule in our notation; `None` if it is refused.
     fn rule(&mut self, rule: &Rule<'_>, draft: &mut Draft<'_>) -> Option<String> {
+        if self.never_applies(rule) {
+            draft.note_at(rule.place.clone(), "This rule never applies: nothing makes a symbol of its predecessor");
+            return None;
+        }
         let read = self.read(rule, draft);
         let line = read.map_err(|(part, why)| draft.refuse_at(self.places.or(part, &rule.place), why)).ok();
         draft.read(rule.place.clone(), line.clone().unwrap_or_else(|| "a rule".to_owned()));
         line
     }
 
+    /// Whether the predecessor is a group with a letter that stands in no word.
+    fn never_applies(&self, rule: &Rule<'_>) -> bool {
+        let strict = strict(rule.head);
+        let name = name_of(strict);
+        let letters = strict[..name.len()].chars().filter(|c| c.is_alphabetic());
+        let words = || self.parts.all_rules().map(|rule| &*rule.successor).chain(self.parts.axiom);
+        let is_group = self.parts.arithmetic.kind == Kind::Cpfg && name.len() > 1 && !is_word(name, Kind::Cpfg);
+        is_group
+            && self.parts.arithmetic.macros.expand(name, Replaced::All).is_ok_and(|own| own == name)
+            && letters.into_iter().any(|letter| !words().any(|word| word.contains(letter)))
+    }
+
     fn read<'r>(&mut self, rule: &'r Rule<'_>, draft: &mut Draft<'_>) -> Result<String, (&'r str, String)> {
-        let head = self.symbols.read(rule.head, Role::Head, &rule.place, draft);
+        let mut head = self.symbols.read(rule.head, Role::Head, &rule.place, draft);
+        if self.parts.arithmetic.kind == Kind::Cpfg {
+            head = open_ended(&head);
+        }
         let strict = strict(&head);
         let wrong = match () {
             () if strict.is_empty() => "This rule has no predecessor",
             () if modules(strict) != 1 => "Several symbols as predecessor have no equal here",
-            () if contexts(&head).any(|context| context.contains('=')) => "`=` in a context of cpfg has no equal here",
+            () if contexts(&head).any(|context| context.contains('=')) => {
+                "`=` in a context is read only in front of `]`"
+            }
             () => "",
         };
         if !wrong.is_empty() {
@@ -254,6 +293,20 @@ fn contexts(head: &str) -> impl Iterator<Item = &str> {
     [left, right].into_iter()
 }
 
+/// A head without the `=` at the end of branches in contexts. It stands for the rest of the branch, which branches of our
+/// contexts have anyway.
+fn open_ended(head: &str) -> String {
+    let mut parts = head.split('=');
+    let mut out = parts.next().unwrap_or_default().trim_end().to_owned();
+    for part in parts {
+        if !part.trim_start().starts_with(']') {
+            out.push('=');
+        }
+        out.push_str(part);
+    }
+    out
+}
+
 /// The letters and digits at the start.
 fn name_of(text: &str) -> &str {
     &text[..text.find(|c: char| !is_part(c)).unwrap_or(text.len())]
@@ -307,69 +360,6 @@ fn length(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draft<'_>) {
             draft.read(place, format!("{} iterations", draft.definition.iterations));
         }
         None => draft.note_at(place, "The derivation length cannot be read"),
-    }
-}
-
-/// Writes the decompositions, whose keyword stands at this place, into the axiom and the successors.
-fn decompose(parts: &Parts<'_>, place: &Range<usize>, decompositions: &str, draft: &mut Draft<'_>) {
-    let (mut grammar, wrong) = parse(&draft.definition.axiom, &draft.definition.rules);
-    let (own, own_wrong) = parse("", decompositions);
-    let error = wrong.iter().chain(&own_wrong).find(|problem| problem.is_error());
-    if let Some(error) = error {
-        return draft.refuse_at(place.clone(), format!("In our notation: {}", error.message()));
-    }
-    let depth = parts.decomposition_depth.map_or(Some(1.0), |text| parts.arithmetic.value(text));
-    let Some(depth) = depth else { return draft.refuse_at(place.clone(), "The maximum depth cannot be read") };
-    match Decomposition::new("decomposition", &own, depth as usize).and_then(|own| own.apply(&mut grammar)) {
-        Ok(()) => draft.grammar(&grammar),
-        Err(why) => draft.refuse_at(place.clone(), why),
-    }
-}
-
-/// Writes the results of a homomorphism that applies to its own results into one that applies once.
-fn homomorphism(parts: &Parts<'_>, draft: &mut Draft<'_>) {
-    let depth = parts.depth.map_or(Some(1.0), |text| parts.arithmetic.value(text));
-    let Some(first) = parts.images.first() else { return };
-    let Some(depth) = depth else {
-        return draft.refuse_at(first.place.clone(), "The maximum depth cannot be read");
-    };
-    let (mut grammar, wrong) = parse(&draft.definition.axiom, &draft.definition.rules);
-    let imaged: BTreeSet<char> = grammar.images.iter().map(|image| image.predecessor.symbol).collect();
-    let mut made = grammar.images.iter().flat_map(|image| &image.successor);
-    if depth <= 1.0 || wrong.iter().any(Diagnostic::is_error) || !made.any(|module| imaged.contains(&module.symbol)) {
-        return;
-    }
-    let own = Grammar {
-        productions: core::mem::take(&mut grammar.images),
-        constants: grammar.constants.clone(),
-        ..Grammar::default()
-    };
-    // The first application is that of the drawing itself.
-    let written = Decomposition::new(HOMOMORPHISM, &own, depth as usize - 1).and_then(|inner| {
-        let mut images = own.productions.clone();
-        for image in &mut images {
-            image.successor = inner.word(&image.successor)?;
-        }
-        Ok(images)
-    });
-    match written {
-        Ok(images) => {
-            grammar.images = images;
-            draft.grammar(&grammar);
-        }
-        // Where nothing is derived, the axiom is all that the homomorphism applies to.
-        Err(_) if grammar.productions.is_empty() || (draft.has_iterations && draft.definition.iterations == 0) => {
-            let axiom =
-                Decomposition::new(HOMOMORPHISM, &own, depth as usize).and_then(|inner| inner.word(&grammar.axiom));
-            match axiom {
-                Ok(axiom) => {
-                    grammar = Grammar { axiom, ..Grammar::default() };
-                    draft.grammar(&grammar);
-                }
-                Err(why) => draft.refuse_at(first.place.clone(), why),
-            }
-        }
-        Err(why) => draft.refuse_at(first.place.clone(), why),
     }
 }
 

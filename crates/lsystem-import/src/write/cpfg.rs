@@ -1,12 +1,14 @@
-//! The files of cpfg, and of L-Py with arrow rules and rules of Python with conditions: see the reader in `cpfg.rs`.
+//! The files of cpfg, and what those of L-Py share with them: see the reader in `cpfg.rs`.
 //!
 //! Angles stand as numbers in the words, because cpfg has them in another file. A symbol that acts as in neither program
 //! gets its actions from a homomorphism, or is written as the symbols that act so.
 
 use super::Refusal;
 use super::expression::{Arithmetic, COMMON};
+use super::lpy::FUNCTIONS;
 use super::queries;
 use super::source::{Need, Source, Symbol, plain_number};
+use super::words::{Words, numbered, without_arguments};
 use crate::cpfg::{function_file, surface_file};
 use core::f64::consts::FRAC_1_SQRT_2;
 use core::fmt::Write;
@@ -29,26 +31,9 @@ pub(super) const LACKS: &[Need] = &[
     Need::Surroundings,
 ];
 
-/// The parts of systems that the rules of L-Py lack.
-pub(super) const LACKS_OF_LPY: &[Need] = &[
-    Need::Variation,
-    Need::BranchLengths,
-    Need::Scaling,
-    Need::SwappedTurns,
-    Need::Tropism,
-    Need::Growth,
-    Need::OpenBranches,
-    Need::Chance,
-    Need::Polygons,
-    Need::Circles,
-    Need::Tubes,
-    Need::Surfaces,
-    Need::Surroundings,
-];
-
 /// One of the two programs.
 #[derive(Clone, Copy, PartialEq)]
-enum Kind {
+pub(super) enum Kind {
     Cpfg,
     LPy,
 }
@@ -94,26 +79,8 @@ pub(super) fn write_cpfg(source: &Source<'_>) -> Result<String, Refusal> {
     Ok(text)
 }
 
-pub(super) fn write_lpy(source: &Source<'_>) -> Result<String, Refusal> {
-    let file = File::new(source, Kind::LPy)?;
-    let mut text = String::new();
-    let title = source.title(&[]);
-    if !title.is_empty() {
-        let _ = writeln!(text, "# {title}");
-    }
-    for constant in file.constants() {
-        let _ = writeln!(text, "{} = {}", constant.name, number(constant.value));
-    }
-    text.push_str(&file.seen()?);
-    let _ = writeln!(text, "Axiom: {}", file.axiom()?);
-    let _ = writeln!(text, "derivation length: {}\nproduction:", source.definition.iterations);
-    file.productions("interpretation:", &mut text)?;
-    text.push_str("endlsystem\n");
-    Ok(text)
-}
-
 /// A system with the names of its symbols.
-struct File<'a> {
+pub(super) struct File<'a> {
     source: &'a Source<'a>,
     kind: Kind,
     label: &'static str,
@@ -127,7 +94,7 @@ struct File<'a> {
 const MOST_NAMED: usize = 80;
 
 impl<'a> File<'a> {
-    fn new(source: &'a Source<'a>, kind: Kind) -> Result<Self, Refusal> {
+    pub(super) fn new(source: &'a Source<'a>, kind: Kind) -> Result<Self, Refusal> {
         let label = if kind == Kind::Cpfg { "cpfg" } else { "L-Py" };
         if kind == Kind::Cpfg && source.acts(|action| matches!(action, Action::Circle(_))) {
             return Err(Refusal::new("cpfg cannot express circles that are not filled"));
@@ -231,7 +198,7 @@ impl<'a> File<'a> {
     }
 
     /// Constants whose names are no words of symbols; cpfg replaces them everywhere.
-    fn constants(&self) -> impl Iterator<Item = &lsystem_syntax::Constant> {
+    pub(super) fn constants(&self) -> impl Iterator<Item = &lsystem_syntax::Constant> {
         self.source.grammar.constants.iter().filter(|constant| self.has_constant(&constant.name))
     }
 
@@ -252,9 +219,11 @@ impl<'a> File<'a> {
         if let [Expr::Number(0.0), most] = random {
             return Ok(format!("ran({})", self.expression(most)?));
         }
-        let functions: &[_] =
-            if self.kind == Kind::Cpfg { &[COMMON, &[(Function::NormalRandom, "nran")]].concat() } else { &[] };
-        let has_powers = self.kind == Kind::Cpfg;
+        let functions: &[_] = match self.kind {
+            Kind::Cpfg => &[COMMON, &[(Function::NormalRandom, "nran")]].concat(),
+            Kind::LPy => FUNCTIONS,
+        };
+        let has_powers = true;
         let curve = |name: &str, argument: &str| self.curve(name, argument);
         let is_python = self.kind == Kind::LPy;
         Arithmetic { label: self.label, name: &value, functions, curve: &curve, is_python, has_powers }.write(expr)
@@ -272,7 +241,7 @@ impl<'a> File<'a> {
     }
 
     /// The line with the symbols that contexts see.
-    fn seen(&self) -> Result<String, Refusal> {
+    pub(super) fn seen(&self) -> Result<String, Refusal> {
         let (word, list) = match &self.source.grammar.seen {
             Seen::Except(list) => ("ignore", list),
             Seen::Only(list) => ("consider", list),
@@ -395,7 +364,7 @@ impl<'a> File<'a> {
         Ok(text.text)
     }
 
-    fn axiom(&self) -> Result<String, Refusal> {
+    pub(super) fn axiom(&self) -> Result<String, Refusal> {
         let heading = self.source.definition.heading - 90.0;
         let start = if heading == 0.0 { String::new() } else { format!("+({})", plain_number(heading)) };
         let matched = |own: &Symbol| own.symbol == '+' && !own.is_constant();
@@ -455,7 +424,7 @@ impl<'a> File<'a> {
     }
 
     /// Writes the productions, and what symbols do.
-    fn productions(&self, heading: &str, text: &mut String) -> Result<(), Refusal> {
+    pub(super) fn productions(&self, heading: &str, text: &mut String) -> Result<(), Refusal> {
         for rule in &self.source.grammar.productions {
             let _ = writeln!(text, "{}", self.production(rule, &self.word(&rule.successor)?)?);
         }
@@ -495,47 +464,5 @@ impl<'a> File<'a> {
             found.push(format!("{} --> {code}", numbered(name, &parameters)));
         }
         Ok(found)
-    }
-}
-
-/// The symbols of a word without their arguments.
-fn without_arguments(word: &str) -> String {
-    let mut is_inside = false;
-    let outside = word.chars().filter(|c| {
-        is_inside |= *c == '(';
-        let keeps = !is_inside;
-        is_inside &= *c != ')';
-        keeps
-    });
-    outside.collect()
-}
-
-/// A symbol with arguments.
-fn numbered(symbol: char, arguments: &[String]) -> String {
-    let name = Query::of_symbol(symbol).map_or_else(|| symbol.to_string(), |query| query.to_string());
-    if arguments.is_empty() { name } else { format!("{name}({})", arguments.join(",")) }
-}
-
-/// A word on its way into a file.
-struct Words {
-    kind: Kind,
-    text: String,
-}
-
-impl Words {
-    fn new(kind: Kind) -> Self {
-        Self { kind, text: String::new() }
-    }
-
-    /// Appends a symbol. L-Py has symbols of several letters, such as `nF` and `EB`, which a blank prevents.
-    fn push(&mut self, next: &str) {
-        let pair = (self.text.chars().next_back(), next.chars().next());
-        if let (Kind::LPy, (Some(a), Some(b))) = (self.kind, pair)
-            && a.is_ascii_alphabetic()
-            && b.is_ascii_alphabetic()
-        {
-            self.text.push(' ');
-        }
-        self.text.push_str(next);
     }
 }

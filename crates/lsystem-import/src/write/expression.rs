@@ -9,11 +9,11 @@ pub(super) struct Arithmetic<'a> {
     pub(super) label: &'a str,
     /// What stands for a name.
     pub(super) name: &'a dyn Fn(&str) -> String,
-    /// The names of functions; the notation lacks all others.
+    /// The names of functions; the notation lacks all others. A name may open a function around it: `sin(radians`.
     pub(super) functions: &'a [(Function, &'a str)],
     /// The value of a curve, given its name and its argument; `None` if the notation lacks curves.
     pub(super) curve: &'a dyn Fn(&str, &str) -> Option<String>,
-    /// Whether logic has the words of Python.
+    /// Whether logic has the words of Python, and powers its sign.
     pub(super) is_python: bool,
     /// Whether the notation has `^` for powers.
     pub(super) has_powers: bool,
@@ -72,6 +72,7 @@ impl Arithmetic<'_> {
                 out.push_str(match operator {
                     Operator::And if self.is_python => " and ",
                     Operator::Or if self.is_python => " or ",
+                    Operator::Power if self.is_python => "**",
                     _ => operator.symbol(),
                 });
                 self.part(b, own + 1, out)?;
@@ -90,7 +91,7 @@ impl Arithmetic<'_> {
                     out.push(if at == 0 { '(' } else { ',' });
                     self.part(argument, 0, out)?;
                 }
-                out.push(')');
+                out.extend(core::iter::repeat_n(')', 1 + name.matches('(').count()));
             }
         }
         Ok(())

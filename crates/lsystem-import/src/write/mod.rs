@@ -13,6 +13,7 @@ mod expression;
 mod fractint;
 mod houdini;
 mod inkscape;
+mod lpy;
 mod object;
 mod p5;
 mod paper;
@@ -22,6 +23,7 @@ mod queries;
 mod source;
 mod spelling;
 mod text;
+mod words;
 
 #[cfg(test)]
 mod tests;
@@ -181,10 +183,10 @@ pub static NOTATIONS: [Notation; 12] = [
     Notation {
         name: "lpy",
         label: "L-Py",
-        help: "Arrow rules, and rules of Python with conditions; arithmetic without functions and powers",
+        help: "Arrow rules, and rules of Python with conditions; arithmetic with the functions of Python",
         ending: "lpy",
-        lacks: cpfg::LACKS_OF_LPY,
-        write: cpfg::write_lpy,
+        lacks: lpy::LACKS,
+        write: lpy::write,
     },
     Notation {
         name: "anvaka",

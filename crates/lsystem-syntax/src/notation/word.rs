@@ -157,7 +157,12 @@ fn is_branch(inside: &[Token], names: &mut dyn Names) -> bool {
     single
         && inside.iter().all(|t| is_letter(t) || is_turn(t))
         && inside.iter().any(is_turn)
-        && inside.iter().any(|t| is_letter(t) && names.meaning(&t.ch.to_string()).is_none())
+        && inside.chunk_by(|a, b| is_letter(a) == is_letter(b)).any(|part| {
+            let mut unknown = |name: String| names.meaning(&name).is_none();
+            is_letter(&part[0])
+                && unknown(part.iter().map(|t| t.ch).collect())
+                && part.iter().any(|t| unknown(t.ch.to_string()))
+        })
 }
 
 fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<String> {
