@@ -116,18 +116,11 @@ impl Rules {
         seen
     }
 
-    /// By letter: whether the turtle may meet it, in a generation or in the image of a module (below `draw:`).
+    /// By letter: whether the turtle may meet it. Of rules that are not [plain](Rules::is_plain) it may meet all letters:
+    /// those of images occur in no generation.
     #[must_use]
     pub fn drawn(&self) -> Vec<bool> {
-        let reachable = self.reachable();
-        let mut drawn = reachable.clone();
-        for (images, _) in self.images.iter().zip(reachable).filter(|(_, reached)| *reached) {
-            images
-                .iter()
-                .flat_map(|rule| &rule.successor.letters)
-                .for_each(|&letter| drawn[usize::from(letter)] = true);
-        }
-        drawn
+        if self.is_plain() { self.reachable() } else { vec![true; self.letters.len()] }
     }
 }
 

@@ -23,7 +23,13 @@ pub struct LegendEntry {
 #[must_use]
 pub fn legend(system: &System) -> Vec<LegendEntry> {
     let rules = &system.rules;
-    let shown = rules.drawn();
+    let mut shown = rules.reachable();
+    let images = |id: usize| rules.images[id].as_slice();
+    for id in 0..shown.len() {
+        if shown[id] {
+            images(id).iter().flat_map(|image| &image.successor.letters).for_each(|&l| shown[usize::from(l)] = true);
+        }
+    }
     let Grammar { productions, images: drawn, .. } = &system.grammar;
     let by_predecessor = set(productions.iter().chain(drawn).enumerate().map(|(at, p)| (place_of(&p.predecessor), at)));
     (0..rules.letters.len())
@@ -38,14 +44,14 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             let mine = mine
                 .map(|&(_, at)| at.checked_sub(productions.len()).map_or_else(|| &productions[at], |at| &drawn[at]));
             let names = parameters(mine.clone().next().map(|p| &p.predecessor), arity, own.first());
-            let actions = if rules.images[id].is_empty() {
+            let actions = if images(id).is_empty() {
                 let words = own.iter().enumerate().map(|(at, &action)| match names.first() {
                     Some(name) if at == 0 => numbered_words(system, action, name),
                     _ => action_words(system, action),
                 });
                 words.collect::<Vec<_>>().join(", then ")
             } else {
-                let words: Vec<String> = rules.images[id]
+                let words: Vec<String> = images(id)
                     .iter()
                     .map(|image| lsystem_syntax::print::successor(&drawn[image.production - productions.len()]))
                     .collect();

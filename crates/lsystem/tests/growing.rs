@@ -76,10 +76,10 @@ fn systems_of_the_gallery_with_numbers_grow_without_jumps() {
             }
         }
     }
-    // In the one, a letter that only moves becomes another letter, whose way begins at zero; in the other, the letter G
-    // draws a line and becomes blades of grass.
-    let expected = ["ice-shield jumps after 0", "meadow jumps after 1"];
-    let is_expected = jumps.len() == 2 && jumps.iter().zip(expected).all(|(jump, words)| jump.starts_with(words));
+    // In the first, a letter that only moves becomes another letter, whose way begins at zero; in the second, the letter G
+    // draws a line and becomes blades of grass; in the third, twigs without light fall.
+    let expected = ["ice-shield jumps after 0", "meadow jumps after 1", "two-trees jumps after 5"];
+    let is_expected = jumps.len() == 3 && jumps.iter().zip(expected).all(|(jump, words)| jump.starts_with(words));
     assert!(is_expected, "{jumps:?}");
     assert!(checked.len() >= 25, "{checked:?}");
 }
