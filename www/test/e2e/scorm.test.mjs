@@ -498,7 +498,7 @@ test('a package opens from a disk, alone and in a frame', async () => {
             await until(async () => (await page.locator('.places .done').count()) === 1, 'the first is done');
             assert.match((await page.textContent('#learning')) ?? '', /No learning system answers here/);
             await page.reload();
-            assert.equal(await page.locator('.places .done').count(), 1, 'kept in this browser');
+            await until(async () => (await page.locator('.places .done').count()) === 1, 'kept in this browser');
         });
         // Files are of no common origin, so the run-time around the frame cannot be reached.
         await withPage({ address, hash: '/player.html', drawing: null }, async (page) => {
