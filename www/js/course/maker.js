@@ -27,6 +27,8 @@ const PAUSE = 200;
 const SIZE = { width: 800, height: 640 };
 /** The most lines of rules with a choice of their own; further ones are to be found. */
 const MOST_LINES = 60;
+/** The largest limit of symbols that an exercise can have. */
+const MOST_SYMBOLS = 2 ** 32 - 1;
 
 /** @type {[Given, string][]} */
 const CHOICES = [
@@ -160,7 +162,7 @@ export function createMaker({ store, engine }) {
                 n: Math.min(state.iterations, 1),
             },
             asks: /** @type {import('../protocol.js').Asks} */ (byId('maker-asks', HTMLSelectElement).value),
-            mostSymbols: symbols === null ? null : Math.max(0, Math.round(symbols)),
+            mostSymbols: symbols === null ? null : Math.min(Math.max(0, Math.round(symbols)), MOST_SYMBOLS),
             tolerance: percent === null || percent <= 0 || percent >= 100 ? null : percent / 100,
             showsAnswer: input('maker-answer').checked,
         };

@@ -69,7 +69,12 @@ impl Arithmetic {
 
     /// Arithmetic in our notation.
     pub(super) fn read(&self, text: &str) -> Result<String, Wrong> {
-        let text = self.macros.expand(text, Replaced::Texts)?;
+        self.written(text, Replaced::Texts)
+    }
+
+    /// Arithmetic in our notation, without the macros that are `replaced`.
+    fn written(&self, text: &str, replaced: Replaced) -> Result<String, Wrong> {
+        let text = self.macros.expand(text, replaced)?;
         match self.kind {
             Kind::Cpfg => self.translate(&without_choices(&text, &self.macros)?),
             Kind::LPy => self.translate(&text),
@@ -78,9 +83,7 @@ impl Arithmetic {
 
     /// The value of arithmetic of constants.
     pub(super) fn value(&self, text: &str) -> Option<f64> {
-        let text = self.macros.expand(text, Replaced::All).ok()?;
-        let text = if self.kind == Kind::Cpfg { without_choices(&text, &self.macros).ok()? } else { text };
-        let text = self.translate(&text).ok()?;
+        let text = self.written(text, Replaced::All).ok()?;
         let number = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(&text);
         if number.starts_with(|c: char| c.is_ascii_digit())
             && let Ok(value) = number.parse::<f64>()

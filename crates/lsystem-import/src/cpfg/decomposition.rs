@@ -9,9 +9,10 @@
 //!
 //! A homomorphism that applies to its own results is written into itself in the same way.
 
+use super::expressions::{is_random, size};
 use core::cell::Cell;
 use lsystem_syntax::grammar::Values;
-use lsystem_syntax::{Expr, Function, Grammar, Module, Operator, Production};
+use lsystem_syntax::{Expr, Grammar, Module, Operator, Production};
 
 /// Decompositions, with the constants of the system.
 pub(super) struct Decomposition<'a> {
@@ -271,27 +272,5 @@ fn has_numbers(expr: &Expr) -> bool {
         Expr::Negative(of) | Expr::Not(of) | Expr::Curve(_, of) => is_number(of),
         Expr::Binary(_, a, b) => is_number(a) && is_number(b),
         Expr::Call(_, arguments) => arguments.iter().all(is_number),
-    }
-}
-
-/// The number of parts of an expression.
-fn size(expr: &Expr) -> usize {
-    1 + match expr {
-        Expr::Number(_) | Expr::Name(_) => 0,
-        Expr::Negative(of) | Expr::Not(of) | Expr::Curve(_, of) => size(of),
-        Expr::Binary(_, a, b) => size(a) + size(b),
-        Expr::Call(_, arguments) => arguments.iter().map(size).sum(),
-    }
-}
-
-/// Whether an expression has random numbers.
-fn is_random(expr: &Expr) -> bool {
-    match expr {
-        Expr::Number(_) | Expr::Name(_) => false,
-        Expr::Negative(of) | Expr::Not(of) | Expr::Curve(_, of) => is_random(of),
-        Expr::Binary(_, a, b) => is_random(a) || is_random(b),
-        Expr::Call(function, arguments) => {
-            matches!(function, Function::Random | Function::NormalRandom) || arguments.iter().any(is_random)
-        }
     }
 }

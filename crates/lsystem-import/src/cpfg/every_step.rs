@@ -9,6 +9,7 @@
 //! A : n > 3 --> F                          A(n) --> A(n+1)
 //! ```
 
+use super::expressions::{each_part, size};
 use core::ops::Range;
 use lsystem_base::number::number;
 use lsystem_syntax::{Expr, Grammar, Module, Operator, Pattern, Production, Seen, parse};
@@ -42,8 +43,8 @@ impl EveryStep {
         self.before.iter().chain(&self.after).map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Writes the numbers into the modules of a grammar, whose decompositions must not use them. `initial` are their values before the first step, and `free`
-    /// gives a symbol that nothing else has. An error if that is not possible.
+    /// Writes the numbers into the modules of a grammar, whose decompositions must not use them. `initial` gives their
+    /// values before the first step, and `free` a symbol that nothing else has. An error if that is not possible.
     pub(super) fn write(
         &self,
         grammar: &mut Grammar,
@@ -285,9 +286,7 @@ fn run(
         let argument = grammar.productions.first().and_then(|rule| rule.successor.first()?.arguments.first());
         let argument = argument.filter(|_| !wrong.iter().any(lsystem_syntax::Diagnostic::is_error));
         let value = put(argument.ok_or("The code of every step is not read")?, &numbers);
-        let mut size = 0;
-        each_part(&value, &mut |_| size += 1);
-        if size > LONGEST {
+        if size(&value) > LONGEST {
             return Err("The code of every step is too long");
         }
         numbers.insert(name.clone(), value);
@@ -324,14 +323,4 @@ fn each_name(expr: &Expr, visit: &mut dyn FnMut(&str)) {
             visit(name);
         }
     });
-}
-
-fn each_part(expr: &Expr, visit: &mut dyn FnMut(&Expr)) {
-    visit(expr);
-    match expr {
-        Expr::Number(_) | Expr::Name(_) => {}
-        Expr::Negative(of) | Expr::Not(of) | Expr::Curve(_, of) => each_part(of, visit),
-        Expr::Binary(_, a, b) => [a, b].into_iter().for_each(|of| each_part(of, visit)),
-        Expr::Call(_, all) => all.iter().for_each(|of| each_part(of, visit)),
-    }
 }

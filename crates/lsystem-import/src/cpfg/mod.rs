@@ -13,8 +13,9 @@
 //!
 //! The rules are nearly in our notation. Names of several letters become single symbols. Macros are replaced, except
 //! those that are constants. Decompositions are written into the successors, and the values of assignments in place of
-//! their names. Numbers that code changes at every step become parameters. Other code and includes are refused. The angle, the surfaces and the functions of cpfg
-//! stand in other files, which may follow in the same text (`companions.rs`).
+//! their names. Numbers that code changes at every step become parameters. Other code and includes are refused. The
+//! angle, the surfaces and the functions of cpfg stand in other files, which may follow in the same text
+//! (`companions.rs`).
 
 mod arithmetic;
 mod assignments;
@@ -24,6 +25,7 @@ mod code;
 mod companions;
 mod decomposition;
 mod every_step;
+mod expressions;
 mod file;
 mod function_file;
 mod lpy;

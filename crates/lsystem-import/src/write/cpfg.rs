@@ -4,11 +4,10 @@
 //! gets its actions from a homomorphism, or is written as the symbols that act so.
 
 use super::Refusal;
-use super::expression::{Arithmetic, COMMON};
-use super::lpy::FUNCTIONS;
+use super::expression::{Arithmetic, COMMON, PYTHON};
 use super::queries;
 use super::source::{Need, Source, Symbol, plain_number};
-use super::words::{Words, numbered, without_arguments};
+use super::words::{Kind, Words, numbered, without_arguments};
 use crate::cpfg::{function_file, surface_file};
 use core::f64::consts::FRAC_1_SQRT_2;
 use core::fmt::Write;
@@ -30,13 +29,6 @@ pub(super) const LACKS: &[Need] = &[
     Need::OpenBranches,
     Need::Surroundings,
 ];
-
-/// One of the two programs.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
-    Cpfg,
-    LPy,
-}
 
 pub(super) fn write_cpfg(source: &Source<'_>) -> Result<String, Refusal> {
     let file = File::new(source, Kind::Cpfg)?;
@@ -221,12 +213,11 @@ impl<'a> File<'a> {
         }
         let functions: &[_] = match self.kind {
             Kind::Cpfg => &[COMMON, &[(Function::NormalRandom, "nran")]].concat(),
-            Kind::LPy => FUNCTIONS,
+            Kind::LPy => PYTHON,
         };
-        let has_powers = true;
         let curve = |name: &str, argument: &str| self.curve(name, argument);
         let is_python = self.kind == Kind::LPy;
-        Arithmetic { label: self.label, name: &value, functions, curve: &curve, is_python, has_powers }.write(expr)
+        Arithmetic { label: self.label, name: &value, functions, curve: &curve, is_python }.write(expr)
     }
 
     /// The value of a curve, whose file has x from 0 to 1.

@@ -15,8 +15,6 @@ pub(super) struct Arithmetic<'a> {
     pub(super) curve: &'a dyn Fn(&str, &str) -> Option<String>,
     /// Whether logic has the words of Python, and powers its sign.
     pub(super) is_python: bool,
-    /// Whether the notation has `^` for powers.
-    pub(super) has_powers: bool,
 }
 
 /// The precedence of signs, and of what needs no parentheses.
@@ -61,9 +59,6 @@ impl Arithmetic<'_> {
             Expr::Not(operand) => {
                 out.push_str(if self.is_python { "not " } else { "!" });
                 self.part(operand, SIGN + 1, out)?;
-            }
-            Expr::Binary(Operator::Power, ..) if !self.has_powers => {
-                return Err(Refusal(format!("{} cannot express powers", self.label)));
             }
             Expr::Binary(operator, a, b) => {
                 // Powers group differently in different programs, and comparisons do not chain.
@@ -110,4 +105,23 @@ pub(super) const COMMON: &[(Function, &str)] = &[
     (Function::Exp, "exp"),
     (Function::Floor, "floor"),
     (Function::Ceil, "ceil"),
+];
+
+/// The functions of Python, some within others: its angles are radians.
+pub(super) const PYTHON: &[(Function, &str)] = &[
+    (Function::Sin, "sin(radians"),
+    (Function::Cos, "cos(radians"),
+    (Function::Tan, "tan(radians"),
+    (Function::Asin, "degrees(asin"),
+    (Function::Acos, "degrees(acos"),
+    (Function::Atan, "degrees(atan"),
+    (Function::Atan2, "degrees(atan2"),
+    (Function::Sqrt, "sqrt"),
+    (Function::Exp, "exp"),
+    (Function::Ln, "log"),
+    (Function::Abs, "abs"),
+    (Function::Floor, "floor"),
+    (Function::Ceil, "ceil"),
+    (Function::Min, "min"),
+    (Function::Max, "max"),
 ];

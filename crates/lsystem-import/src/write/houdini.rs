@@ -215,15 +215,8 @@ impl Writer<'_> {
             true => renamed(name, names).to_string(),
             false => self.values.of(name).map_or_else(|| name.to_owned(), number),
         };
-        Arithmetic {
-            label: "Houdini",
-            name: &value,
-            functions: COMMON,
-            has_powers: true,
-            curve: &|_, _| None,
-            is_python: false,
-        }
-        .write(expr)
+        Arithmetic { label: "Houdini", name: &value, functions: COMMON, curve: &|_, _| None, is_python: false }
+            .write(expr)
     }
 }
 

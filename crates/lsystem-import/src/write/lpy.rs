@@ -1,11 +1,12 @@
 //! The files of L-Py, with arrow rules and rules of Python with conditions.
 
 use super::Refusal;
-use super::cpfg::{File, Kind};
+use super::cpfg::File;
+use super::expression::PYTHON;
 use super::source::{Need, Source};
+use super::words::Kind;
 use core::fmt::Write;
 use lsystem_base::number::number;
-use lsystem_syntax::Function;
 
 /// The parts of systems that the rules of L-Py lack.
 pub(super) const LACKS: &[Need] = &[
@@ -24,25 +25,6 @@ pub(super) const LACKS: &[Need] = &[
     Need::Surroundings,
 ];
 
-/// The functions of Python, some within others: its angles are radians.
-pub(super) const FUNCTIONS: &[(Function, &str)] = &[
-    (Function::Sin, "sin(radians"),
-    (Function::Cos, "cos(radians"),
-    (Function::Tan, "tan(radians"),
-    (Function::Asin, "degrees(asin"),
-    (Function::Acos, "degrees(acos"),
-    (Function::Atan, "degrees(atan"),
-    (Function::Atan2, "degrees(atan2"),
-    (Function::Sqrt, "sqrt"),
-    (Function::Exp, "exp"),
-    (Function::Ln, "log"),
-    (Function::Abs, "abs"),
-    (Function::Floor, "floor"),
-    (Function::Ceil, "ceil"),
-    (Function::Min, "min"),
-    (Function::Max, "max"),
-];
-
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let file = File::new(source, Kind::LPy)?;
     let mut text = String::new();
@@ -57,6 +39,6 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let title = source.title(&[]);
     let title = if title.is_empty() { title } else { format!("# {title}\n") };
     let calls = |name: &str| text.contains(&format!("{name}("));
-    let import = if FUNCTIONS.iter().any(|(_, name)| calls(name)) { "from math import *\n" } else { "" };
+    let import = if PYTHON.iter().any(|(_, name)| calls(name)) { "from math import *\n" } else { "" };
     Ok([&title, import, &text].concat())
 }

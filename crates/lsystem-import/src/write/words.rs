@@ -1,7 +1,13 @@
 //! Words of symbols in the files of cpfg and L-Py.
 
-use super::cpfg::Kind;
 use lsystem_syntax::Query;
+
+/// One of the two programs.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Kind {
+    Cpfg,
+    LPy,
+}
 
 /// The symbols of a word without their arguments.
 pub(super) fn without_arguments(word: &str) -> String {
