@@ -185,7 +185,7 @@ for (const [n, what] of [
             const { x, y } = await lineIn(page, { across: 0.46, from: 0.1 });
             await page.mouse.move(x, y + 8);
             for (let decade = 15; decade <= 60; decade += 15) {
-                while ((await exponent(page)) < decade) {
+                while (!((await exponent(page)) >= decade)) {
                     for (let turn = 0; turn < 8; turn++) await page.mouse.wheel(0, -400);
                     // The page holds on to a line that the worker has found.
                     await answered(page);

@@ -1,6 +1,7 @@
 //! A place on a segment as the origin of views: exact at any depth, where coordinates are not.
 
 use lsystem_base::MAX_SEGMENT_DIGITS;
+use lsystem_base::decimal;
 use lsystem_base::fixed::Fixed;
 
 /// The most digits of a fraction that are written: all that an `f64` below 1 needs, with a few zeros in front.
@@ -30,13 +31,12 @@ impl Origin {
         let whole = text.find('.').unwrap_or(text.len());
         let (number, fraction) = text.split_at(whole);
         let number = Fixed::read(number, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero())?;
-        let decimals = fraction.bytes().skip(1);
-        let is_fraction =
-            (2..=MOST_DIGITS + 1).contains(&fraction.len()) && decimals.clone().all(|b| b.is_ascii_digit());
-        if !is_fraction && !fraction.is_empty() {
-            return None;
-        }
-        let along = if is_fraction { fraction.parse().ok()? } else { 0.0 };
+        // Signs and exponents are no part of such a fraction.
+        let is_plain = fraction.bytes().all(|byte| byte == b'.' || byte.is_ascii_digit());
+        let along = match fraction {
+            "" => 0.0,
+            _ => decimal::read(fraction).filter(|_| is_plain && fraction.len() <= MOST_DIGITS + 1)?,
+        };
         Some(Self { segment: number.minus(&Fixed::units(1)), along })
     }
 
