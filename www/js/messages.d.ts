@@ -66,15 +66,15 @@ production: number | null,
 position: number, };
 
 /**
- * A segment as the origin of views.
+ * A place on a segment as the origin of views.
  */
 export type Anchor = { 
 /**
- * The segment's number, from 1.
+ * The segment's number, from 1, and decimals for the part of the segment before the place.
  */
 at: string, 
 /**
- * The segment's start, from the origin of the present view.
+ * The place, from the origin of the present view.
  */
 place: Array<number>, };
 

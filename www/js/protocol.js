@@ -47,7 +47,7 @@ export {};
  * @property {{asked: {generation: number, start: bigint, count: number}, answer: StringPage}} string a page of a generation's string
  * @property {{asked: {generation: number, index: bigint}, answer: SymbolFacts}} symbol its ancestry, and the symbols and segments derived from it in the drawn generation
  * @property {{asked: {generation: number, index: bigint, later: number}, answer: {start: string | null}}} descendant the index of the first symbol derived from a symbol, in a later generation
- * @property {{asked: {}, answer: {anchor: import('./messages.js').Anchor | null}}} anchor a segment in the middle of the picture
+ * @property {{asked: {x: number, y: number, reach: number}, answer: {anchor: import('./messages.js').Anchor | null}}} anchor a place on a segment near a place, in device pixels
  * @property {{asked: {x: number, y: number, tolerance: number}, answer: Picked}} pick the visible segment or polygon near a place, in device pixels
  * @property {{asked: {texts: Texts}, answer: Notation}} notation
  * @property {{asked: {texts: Texts, field: 'axiom' | 'rules', offset: number}, answer: {site: Site | null}}} site the module at a UTF-16 offset into a text; null for other text

@@ -7,14 +7,14 @@ import { FRONT } from './camera.js';
 import { button, byId, html, setText } from './dom.js';
 import { zoomText } from './numerals.js';
 import { listenToGestures } from './stage/gestures.js';
-import { createHold } from './stage/hold.js';
+import { createHold, nearest } from './stage/hold.js';
 import { ZOOM_STEP, listenToKeys } from './stage/keys.js';
 import { viewBeside } from './stage/beside-tools.js';
 import { createMoves } from './stage/moves.js';
 import { createNothingHere } from './stage/nothing-here.js';
 import { createPicture } from './stage/picture.js';
 import { watchSize } from './stage/size.js';
-import { FITTED, isFarOff, viewFrom } from './view.js';
+import { FITTED, isDeep, isFarOff, viewFrom } from './view.js';
 
 /** Zooming in with buttons and keys holds a line within this part of the stage's smaller side from the middle. */
 const HELD = 0.45;
@@ -104,35 +104,55 @@ export function createStage(
         aim();
     }
 
+    /** A place and a reach in device pixels, from CSS pixels from the middle. @param {[number, number]} at @param {number} reach @returns {[number, number, number]} */
+    const device = ([x, y], reach) => [
+        (x + size.width / 2) * size.ratio,
+        (y + size.height / 2) * size.ratio,
+        reach * size.ratio,
+    ];
     /** Finds what is near a place. @param {[number, number]} at CSS pixels from the middle @param {number} reach in CSS pixels */
-    const pick = ([x, y], reach) =>
-        engine.pick((x + size.width / 2) * size.ratio, (y + size.height / 2) * size.ratio, reach * size.ratio);
+    const pick = (at, reach) => engine.pick(...device(at, reach));
     /** Whether the drawing has more than 2^128 segments. */
     let enormous = false;
     /** Whether a segment is being looked for. */
     let aiming = false;
 
-    /** Gives a deep view a segment in the picture as its origin, so that all places in the picture stay exact. */
+    /**
+     * Makes a place on a line the view's origin, from which all places in the picture are exact. Returns the place from
+     * there: in deep views, no other numbers stay on a line.
+     * @param {[number, number]} near CSS pixels from the middle
+     * @param {number} reach in CSS pixels
+     */
+    async function anchor(near, reach) {
+        const { at } = moves.view();
+        const found = await engine.anchor(...device(near, reach));
+        if (!found || moves.view().at !== at) return null;
+        picture.from(found.place, found.at, at);
+        marks.from?.(found.place);
+        store.setView(viewFrom(moves.view(), found.place, found.at));
+        return [0, 0, 0, 0];
+    }
+
+    /** Finds a place on a line, from the view's origin. @param {[number, number]} at CSS pixels from the middle @param {number} reach in CSS pixels */
+    async function grip(at, reach) {
+        if (!space && isDeep(moves.view(), enormous)) return anchor(at, reach);
+        const { stroke } = await pick(at, reach);
+        return stroke && nearest(stroke, at, moves);
+    }
+
+    /** Gives a deep view an origin in the picture: on the held line, or else near the middle. */
     async function aim() {
         if (aiming || space || !isFarOff(moves.view(), enormous)) return;
         aiming = true;
-        const { at } = moves.view();
         try {
-            const anchor = await engine.anchor();
-            if (anchor && moves.view().at === at) {
-                picture.from(anchor.place, anchor.at);
-                marks.from?.(anchor.place);
-                // From near, places are more exact than before.
-                hold.forget();
-                store.setView(viewFrom(moves.view(), anchor.place, anchor.at));
-            }
+            if (!(await hold.again())) await anchor([0, 0], Math.max(size.width, size.height) / 2);
         } catch {
             // The worker was replaced. The next move asks again.
         }
         aiming = false;
     }
 
-    const hold = createHold({ pick, seen: moves.seen, pointBetween: moves.pointBetween });
+    const hold = createHold({ grip, origin: () => moves.view().at, seen: moves.seen });
     const nothingHere = createNothingHere({
         pick,
         goTo: ({ stroke, filled }) =>

@@ -16,7 +16,8 @@ import { FIELDS as TABLE } from './tables.js';
 /**
  * A view of a drawing in the plane. `x` and `y` move the picture's centre; the unit is the longer side of what Fit
  * shows, y up. `zoom` 1 is fitted. `fx` and `fy` are rounding remainders to add to `x` and `y`. `at` is the number, from
- * 1, of the segment whose start is the origin; without it, the origin is the fitted centre.
+ * 1, of the segment whose start is the origin, and decimals for a place farther on the segment; without it, the origin is the
+ * fitted centre.
  * @typedef {{x: number, y: number, zoom: number, fx?: number, fy?: number, at?: string}} View
  */
 
@@ -195,7 +196,7 @@ export const DEEPEST = 1e25;
 function viewOf(view) {
     if (view === undefined) return view;
     const { x, y, zoom, fx, fy, at } = view;
-    const own = /^[1-9]\d*$/.test(at) ? { at } : {};
+    const own = /^[1-9]\d*(\.\d{1,24})?$/.test(at) ? { at } : {};
     const rest = fx !== 0 || fy !== 0 ? { fx, fy } : {};
     return { x, y, zoom: own.at ? zoom : Math.min(zoom, DEEPEST), ...rest, ...own };
 }

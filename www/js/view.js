@@ -105,21 +105,25 @@ export const centredOn = ({ zoom, at }, [x = 0, y = 0, fx = 0, fy = 0]) => ({
 /** A place from another origin, which is given from the old one. @param {number[]} place @param {number[]} origin */
 export const placeFrom = (place, origin) => place.map((value, at) => value - (origin[at] ?? 0));
 
-/** Beyond this zoom, views are about a segment; earlier where a drawing has more than 2^128 segments, which only then have numbers. */
+/** Beyond this zoom, views are about a segment; at once where a drawing has more than 2^128 segments, of which only those in a small part have numbers. */
 const DEEP = 1e12;
-const DEEP_IN_ENORMOUS = 100;
+const DEEP_IN_ENORMOUS = 1;
 /** A view's centre is at most this many pictures away from its segment: in a number, that is a hundredth of a pixel. */
 const ASIDE = 1e10;
 
+/** Whether lines are held by origins rather than by numbers. @param {View} view @param {boolean} [enormous] as in {@link isFarOff} */
+export const isDeep = ({ zoom, at }, enormous = false) =>
+    at !== undefined || zoom > (enormous ? DEEP_IN_ENORMOUS : DEEP);
+
 /** Whether a view should be about a segment nearby. @param {View} view @param {boolean} [enormous] whether the drawing has more than 2^128 segments */
 export const isFarOff = ({ x, y, zoom, at }, enormous = false) =>
-    zoom > (enormous ? DEEP_IN_ENORMOUS : DEEP) && (!at || Math.hypot(x, y) * zoom > ASIDE);
+    isDeep({ x, y, zoom }, enormous) && (!at || Math.hypot(x, y) * zoom > ASIDE);
 
 /**
  * The same view from another origin.
  * @param {View} view
  * @param {number[]} place of the new origin, from the old one
- * @param {string} at the number of the segment there
+ * @param {string} at the segment there, as in a view
  * @returns {View}
  */
 export function viewFrom(view, [x = 0, y = 0, fx = 0, fy = 0], at) {

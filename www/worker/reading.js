@@ -16,7 +16,7 @@ export function createReading(playground) {
         descendant: ({ generation, index, later }) => ({
             start: playground.descendant(generation, index, later) ?? null,
         }),
-        anchor: () => ({ anchor: playground.anchor() }),
+        anchor: ({ x, y, reach }) => ({ anchor: playground.anchor(x, y, reach) }),
         pick: ({ x, y, tolerance }) => playground.pick(x, y, tolerance),
     };
 

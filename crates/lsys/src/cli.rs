@@ -8,10 +8,11 @@ use clap_complete::Shell;
 use lsystem::base::fixed::Fixed;
 use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, decimal};
 use lsystem::course::ScormStandard;
+use lsystem::drawing::Origin;
 use lsystem::files::{FORMATS, FileView, Format};
 use lsystem::film::{Easing, Ending};
 use lsystem::import::write::{NOTATIONS, Notation};
-use lsystem::render::{MAX_ZOOM, Share, TilePlace, View, segment_numbered};
+use lsystem::render::{MAX_ZOOM, Share, TilePlace, View};
 use std::num::NonZero;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -367,7 +368,7 @@ pub(crate) struct Look {
     pub(crate) zoom: Option<f64>,
     /// Put the start of segment N (from 1) into the middle of the picture: then TIMES may be 1e301
     #[arg(long, value_name = "N", value_parser = segment)]
-    pub(crate) segment: Option<Fixed>,
+    pub(crate) segment: Option<Origin>,
     #[command(flatten)]
     pub(crate) flags: FileFlags,
 }
@@ -389,9 +390,9 @@ fn magnification(text: &str) -> Result<f64, String> {
     zoom.ok_or_else(|| "a number from 0.01 to 1e301 is expected".to_owned())
 }
 
-/// A segment (0-based), from its number from 1.
-fn segment(text: &str) -> Result<Fixed, String> {
-    segment_numbered(text).ok_or_else(|| "expected a number of a segment, from 1".to_owned())
+/// A place on a segment, from the segment's number from 1.
+fn segment(text: &str) -> Result<Origin, String> {
+    Origin::read(text).ok_or_else(|| "expected a number of a segment, from 1".to_owned())
 }
 
 /// The options of an exhibition.
@@ -601,7 +602,7 @@ impl FromStr for Dive {
         if text.is_empty() {
             return Ok(Self(None));
         }
-        segment(text).map(|number| Self(Some(number)))
+        segment(text).map(|origin| Self(Some(origin.segment)))
     }
 }
 

@@ -52,8 +52,8 @@ mod figure;
 pub use course::Spot;
 pub use describe::{kind, legend, why_empty};
 pub use drawing::{
-    Around, Block, BlockFrame, BlockId, Drawer, Drawing, Item, Line, Mark, Outlook, Placed, Polygon, Projection,
-    SceneSize, Segment, SegmentArrays, Shape, Space, Stroke, count_of, draw, hull,
+    Around, Block, BlockFrame, BlockId, Drawer, Drawing, Item, Line, Mark, Origin, Outlook, Placed, Polygon,
+    Projection, SceneSize, Segment, SegmentArrays, Shape, Space, Stroke, count_of, draw, hull,
 };
 pub use drawn::drawn_by_letter;
 pub use figure::{Figure, FigureDrawer};

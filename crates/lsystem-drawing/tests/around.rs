@@ -237,7 +237,7 @@ fn places_at_any_depth_agree_with_exact_integers() {
             let all = drawing.exact_count();
             for seed in 1..=10 {
                 let number = some(&all, seed + u64::from(n));
-                let around = drawing.around(&number, [0.0; 2], 4).unwrap();
+                let around = drawing.around(&number.clone().into(), [0.0; 2], 4).unwrap();
                 let big = |number: &Fixed| number.decimal().parse::<BigInt>().unwrap();
                 let [anchor, _] = naive.ends(n, &big(&number));
                 let found = segments(&around, 12);
@@ -277,7 +277,7 @@ fn no_near_segment_is_missing() {
         let all: Vec<_> = drawing.segments().map(|segment| [segment.from, segment.to]).collect();
         for seed in 1..=20 {
             let number = seed * 7919 % all.len();
-            let around = drawing.around(&Fixed::units(number as u128), [0.0; 2], 2).unwrap();
+            let around = drawing.around(&Fixed::units(number as u128).into(), [0.0; 2], 2).unwrap();
             let found = segments(&around, u128::MAX);
             let numbers: HashMap<String, [[f64; 2]; 2]> =
                 found.iter().map(|(number, ends)| (number.decimal(), *ends)).collect();

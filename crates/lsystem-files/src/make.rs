@@ -2,9 +2,8 @@
 
 use crate::midi::midi_file;
 use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
-use lsystem_base::fixed::Fixed;
 use lsystem_base::{LimitName, Limits, Progress};
-use lsystem_drawing::{Drawer, Drawing, Figure, Outlook, Projection, Solid, System, expand};
+use lsystem_drawing::{Drawer, Drawing, Figure, Origin, Outlook, Projection, Solid, System, expand};
 use lsystem_render::{Camera, Closeup, Vantage, View, Viewport, fit, opening_camera};
 use lsystem_sound::{SoundOptions, listen};
 use lsystem_syntax::{Definition, Diagnostic, Field, Halt, Kind, Work, run_steps};
@@ -40,8 +39,8 @@ pub struct FileTask<'a> {
 pub struct FileView {
     /// The view of pictures of pixels in the plane.
     pub view: View,
-    /// The segment (0-based) whose start is the origin of `view`, as in [`Closeup`]; `None` for the fitted centre.
-    pub segment: Option<Fixed>,
+    /// The place on a segment that is the origin of `view`, as in [`Closeup`]; `None` for the fitted centre.
+    pub segment: Option<Origin>,
     /// The camera of pictures of pixels in space; drawings on paper are projected in its direction. `None` for the
     /// [`opening_camera`].
     pub camera: Option<Camera>,

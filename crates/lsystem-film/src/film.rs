@@ -4,8 +4,8 @@ use crate::error::FilmError;
 use crate::track::view_of;
 use crate::{Script, Subject};
 use core::ops::Range;
-use lsystem_base::fixed::Fixed;
 use lsystem_base::number::number as written;
+use lsystem_drawing::Origin;
 use lsystem_render::{Camera, Vantage};
 use lsystem_syntax::{Definition, classify};
 
@@ -28,7 +28,7 @@ pub struct Frame {
     /// The place from which the drawing is seen.
     pub vantage: Vantage,
     /// As [`Script::segment`].
-    pub segment: Option<Fixed>,
+    pub segment: Option<Origin>,
     /// The part of the segments that is shown, 0 to 1.
     pub drawn: f64,
     /// The system whose drawing has the place and the size of the fitted picture, if not the frame's own: the system at

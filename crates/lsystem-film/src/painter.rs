@@ -193,7 +193,7 @@ impl Painter {
         let vantage = framing.map_or(frame.vantage, |framing| framing.hold(figure, self.viewport, &frame.vantage));
         let mut shown = (figure.clone(), vantage);
         if let (Some(segment), Figure::Plane(whole)) = (&frame.segment, figure) {
-            let known = self.closeup.take().filter(|known| known.segment == *segment);
+            let known = self.closeup.take().filter(|known| known.origin == *segment);
             let closeup = self.closeup.insert(known.unwrap_or_else(|| Closeup::new(whole.clone(), segment.clone())));
             if let Some((near, view)) = closeup.show(self.viewport, vantage.view) {
                 shown = (Figure::Plane(near.drawing.clone()), Vantage { view, ..vantage });

@@ -2,7 +2,7 @@
 
 use crate::{Easing, Keyframe, Script, Subject, Track};
 use lsystem_base::fixed::Fixed;
-use lsystem_drawing::{Drawing, Figure};
+use lsystem_drawing::{Drawing, Figure, Origin};
 use lsystem_render::{Camera, Closeup, Vantage, View, fitted_ends};
 use lsystem_syntax::Definition;
 use std::sync::Arc;
@@ -64,21 +64,21 @@ impl Script {
         self
     }
 
-    /// The script with a dive in place of its presets: to a segment (0-based), the one in the middle if it is `None`, or to
-    /// a view whose origin is the segment's start. `None` as for [`dive_to`].
+    /// The script with a dive in place of its presets: to a segment, the one in the middle if it is `None`, or to a view
+    /// whose origin is the place on the segment. `None` as for [`dive_to`].
     #[must_use]
     pub fn with_dive(
         mut self,
         figure: &Figure,
-        segment: Option<Fixed>,
+        segment: Option<Origin>,
         view: Option<View>,
         from: &Vantage,
     ) -> Option<Self> {
         self.clear_presets();
-        let segment = segment.unwrap_or_else(|| middle(figure));
+        let segment = segment.unwrap_or_else(|| middle(figure).into());
         let track = match figure {
             Figure::Plane(whole) if view.is_some() => dive_about(&mut self, whole, &segment, view),
-            _ => dive_to(&mut self, figure, &segment, from),
+            _ => dive_to(&mut self, figure, &segment.segment, from),
         }?;
         self.tracks.push(track);
         Some(self)
@@ -146,14 +146,14 @@ pub fn dive_to(script: &mut Script, figure: &Figure, segment: &Fixed, from: &Van
         (_, Some(to)) if to.view.zoom < MAX_ZOOM[0] => return Some(dive(script, to.view)),
         (Figure::Plane(whole), _) => whole,
     };
-    dive_about(script, whole, segment, None)
+    dive_about(script, whole, &segment.clone().into(), None)
 }
 
-/// A dive to a view whose origin is the start of a segment (0-based), or to the segment. The script's views are about it.
-fn dive_about(script: &mut Script, whole: &Arc<Drawing>, segment: &Fixed, view: Option<View>) -> Option<Track> {
-    let (closeup, step) = Closeup::on_step(whole.clone(), segment.clone(), SHARE)?;
+/// A dive to a view whose origin is a place on a segment, or to the segment. The script's views are about it.
+fn dive_about(script: &mut Script, whole: &Arc<Drawing>, origin: &Origin, view: Option<View>) -> Option<Track> {
+    let (closeup, step) = Closeup::on_step(whole.clone(), origin.clone(), SHARE)?;
     let [x, y, ..] = closeup.place()?.map(|place| 0.0 - place);
-    script.segment = Some(segment.clone());
+    script.segment = Some(origin.clone());
     let mut track = dive(script, view.unwrap_or(step));
     track.keys[0].value = vec![x, y, 1.0];
     Some(track)
@@ -260,19 +260,19 @@ mod tests {
         let from = Vantage::default();
         let middle = usual.clone().with_dive(&figure, None, None, &from).unwrap();
         // The last segment of the first half.
-        assert_eq!(middle.segment, Some(Fixed::units(1).shifted(1199).minus(&Fixed::units(1))));
+        assert_eq!(middle.segment, Some(Fixed::units(1).shifted(1199).minus(&Fixed::units(1)).into()));
         assert!(middle.tracks.len() == 1 && !middle.fixed);
         let [start, end] = &middle.tracks[0].keys[..] else { panic!("two keys") };
         assert!(start.value[2] == 1.0 && end.value[2] > 1e280);
         let to = View { x: 1e-41, y: -2e-41, zoom: 1e40, fine: [0.0; 2] };
-        let about = usual.clone().with_dive(&figure, Some(Fixed::units(4)), Some(to), &from).unwrap();
+        let about = usual.clone().with_dive(&figure, Some(Fixed::units(4).into()), Some(to), &from).unwrap();
         let [start, end] = &about.tracks[0].keys[..] else { panic!("two keys") };
         // The curve starts at its lower end, half an extent from the middle.
         assert!((start.value[1] - 0.5).abs() < 1e-9 && start.value[2] == 1.0, "{start:?}");
-        assert_eq!((&about.segment, &end.value[..]), (&Some(Fixed::units(4)), &[1e-41, -2e-41, 1e40][..]));
+        assert_eq!((&about.segment, &end.value[..]), (&Some(Fixed::units(4).into()), &[1e-41, -2e-41, 1e40][..]));
         assert_eq!(about.to_string().parse::<Script>().unwrap(), about);
         assert_eq!(about.with_preset(&Preset::Turtle).segment, None);
-        assert!(usual.with_dive(&figure, Some(Fixed::units(1).shifted(1200)), Some(to), &from).is_none());
+        assert!(usual.with_dive(&figure, Some(Fixed::units(1).shifted(1200).into()), Some(to), &from).is_none());
     }
 
     #[test]

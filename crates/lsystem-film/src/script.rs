@@ -1,7 +1,7 @@
 //! A script: the length, the size and the tracks of a film.
 
 use crate::{Easing, Track};
-use lsystem_base::fixed::Fixed;
+use lsystem_drawing::Origin;
 
 /// The longest text of a script, in bytes.
 pub(crate) const MAX_SCRIPT: usize = 20_000;
@@ -70,8 +70,8 @@ pub struct Script {
     /// Whether all frames are framed as the drawing at the end of the tracks is. Otherwise each frame's drawing is
     /// fitted, so that the camera follows a growing drawing.
     pub fixed: bool,
-    /// The segment (0-based) whose start is the origin of views in the plane; `None` for the fitted centre.
-    pub segment: Option<Fixed>,
+    /// The place on a segment that is the origin of views in the plane; `None` for the fitted centre.
+    pub segment: Option<Origin>,
     /// The tracks, each of another subject.
     pub tracks: Vec<Track>,
 }

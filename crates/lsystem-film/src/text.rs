@@ -12,9 +12,8 @@ use core::fmt;
 use core::ops::Range;
 use core::str::FromStr;
 use lsystem_base::decimal;
-use lsystem_base::fixed::Fixed;
 use lsystem_base::number::number as written;
-use lsystem_render::segment_numbered;
+use lsystem_drawing::Origin;
 use lsystem_syntax::notes::excerpt;
 
 /// The version of the text form.
@@ -142,7 +141,7 @@ fn read_part(piece: Piece<'_>, script: &mut Script) -> Result<Option<&'static st
         return Ok(Some("the camera"));
     }
     if let Some(number) = piece.text.strip_prefix(SEGMENT) {
-        script.segment = Some(segment_numbered(number).ok_or_else(|| piece.error(ScriptProblem::Segment))?);
+        script.segment = Some(Origin::read(number).ok_or_else(|| piece.error(ScriptProblem::Segment))?);
         return Ok(Some("the segment"));
     }
     if let Some(rate) = piece.without("fps") {
@@ -255,7 +254,7 @@ impl fmt::Display for Script {
             write!(out, ";{FIXED}")?;
         }
         if let Some(segment) = segment {
-            write!(out, ";{SEGMENT}{}", segment.plus(&Fixed::units(1)).decimal())?;
+            write!(out, ";{SEGMENT}{}", segment.text())?;
         }
         for Track { subject, keys } in tracks {
             for (at, key) in keys.iter().enumerate() {

@@ -1,9 +1,9 @@
 //! Files of systems.
 
 use crate::opened::{OpenSystem, Refusal};
-use lsystem_base::fixed::Fixed;
+use lsystem_drawing::Origin;
 use lsystem_files::{FORMATS, FileLimits, FileOptions, FileTask, FileView, Format, OptionValue, Sink};
-use lsystem_render::{Camera, View, segment_numbered};
+use lsystem_render::{Camera, View};
 use lsystem_syntax::fields::field;
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::notes::similar;
@@ -39,7 +39,7 @@ pub(crate) fn make(open: &OpenSystem, format: &'static Format, request: &FileReq
         return Err(unknown(&format!("{} has no option", format.name), name, format.options.iter().copied()));
     }
     let options = FileOptions::from_values(values).map_err(Refusal::words)?;
-    let segment = view.as_ref().and_then(Members::segment);
+    let segment = view.as_ref().and_then(Members::origin);
     let view = view.as_ref().map_or(Ok(View::default()), Members::view)?;
     let camera = camera.as_ref().map(Members::camera).transpose()?;
     if ratio.is_some_and(|ratio| !RATIO.admits(ratio)) {
@@ -77,10 +77,10 @@ impl Members {
         Ok(View { x: self.number("x", x), y: self.number("y", y), zoom: self.number("zoom", zoom), fine })
     }
 
-    /// The segment (0-based) that is the origin of the view.
-    fn segment(&self) -> Option<Fixed> {
+    /// The place that is the origin of the view.
+    fn origin(&self) -> Option<Origin> {
         let Some(Value::Text(at)) = self.0.get("at") else { return None };
-        segment_numbered(at)
+        Origin::read(at)
     }
 
     fn camera(&self) -> Result<Camera, Refusal> {

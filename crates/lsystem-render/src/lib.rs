@@ -41,10 +41,10 @@ mod vantage;
 pub use figure::{fitted_ends, fitted_outline, fitted_polygon, fitted_scale, opening_camera, pick};
 pub use figure_renderer::{BAND_PIXEL, FigureRenderer, Painted, PictureOptions};
 pub use framing::Framing;
-pub use page::{PageCamera, PageView, segment_numbered};
+pub use page::{PageCamera, PageView};
 pub use plane::{
-    Closeup, Detail, MAX_ZOOM, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target, TilePlace,
-    TileRenderer, Tiles, View, Viewport, fit, seen_from, segment_near,
+    Closeup, Detail, MAX_ZOOM, Near, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target,
+    TilePlace, TileRenderer, Tiles, View, Viewport, fit, seen_from, segment_near,
 };
 pub use space::{Camera, Effort, Quality, SolidRenderer, Spent, camera_axes};
 pub use vantage::Vantage;

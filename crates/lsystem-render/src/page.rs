@@ -1,8 +1,7 @@
 //! Views and cameras as the page's state has them.
 
 use crate::{Camera, View};
-use lsystem_base::MAX_SEGMENT_DIGITS;
-use lsystem_base::fixed::Fixed;
+use lsystem_drawing::Origin;
 use serde::Deserialize;
 
 /// A [`View`] of the page's state.
@@ -15,16 +14,16 @@ pub struct PageView {
     fx: f64,
     #[serde(default)]
     fy: f64,
-    /// The number of the segment that is the origin, from 1; empty for the fitted centre.
+    /// The origin, as [`Origin::text`] writes it; empty for the fitted centre.
     #[serde(default)]
     at: String,
 }
 
 impl PageView {
-    /// The segment (0-based) whose start is the origin; `None` for the fitted centre.
+    /// The place that is the origin; `None` for the fitted centre.
     #[must_use]
-    pub fn segment(&self) -> Option<Fixed> {
-        segment_numbered(&self.at)
+    pub fn origin(&self) -> Option<Origin> {
+        Origin::read(&self.at)
     }
 }
 
@@ -32,13 +31,6 @@ impl From<PageView> for View {
     fn from(PageView { x, y, zoom, fx, fy, .. }: PageView) -> Self {
         Self { x, y, zoom, fine: [fx, fy] }
     }
-}
-
-/// The segment (0-based) with a number from 1; `None` for other texts.
-#[must_use]
-pub fn segment_numbered(text: &str) -> Option<Fixed> {
-    let number = Fixed::read(text, MAX_SEGMENT_DIGITS).filter(|number| !number.is_zero())?;
-    Some(number.minus(&Fixed::units(1)))
 }
 
 /// A [`Camera`] of the page's state.

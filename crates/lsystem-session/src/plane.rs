@@ -150,22 +150,23 @@ impl PlaneView {
         self.closeup.as_ref()
     }
 
-    /// The settings for what the renderers get: a close-up, if the view has a segment as its origin and the drawing has
+    /// The settings for what the renderers get: a close-up, if the view has a place on a segment as its origin and the drawing has
     /// that segment.
     fn aimed(&mut self, mut settings: PictureSettings) -> PictureSettings {
         let Some(whole) = &self.drawing else { return settings };
         let mut shown = whole.clone();
-        if let Some(segment) = &settings.origin {
-            let known = self.closeup.take().filter(|known| known.segment == *segment);
-            let closeup = self.closeup.insert(known.unwrap_or_else(|| Closeup::new(whole.clone(), segment.clone())));
-            settings.vantage.view = match closeup.show(settings.viewport, settings.vantage.view) {
+        if let Some(origin) = &settings.origin {
+            let known = self.closeup.take().filter(|known| known.origin == *origin);
+            let closeup = self.closeup.insert(known.unwrap_or_else(|| Closeup::new(whole.clone(), origin.clone())));
+            let near = closeup.show(settings.viewport, settings.vantage.view);
+            settings.upto = settings.upto.zip(near.as_ref()).map(|(upto, (near, _))| near.among_first(upto));
+            settings.vantage.view = match near {
                 Some((near, view)) => {
                     shown = near.drawing.clone();
                     view
                 }
                 None => View::default(),
             };
-            settings.upto = None;
         }
         self.show(shown);
         settings

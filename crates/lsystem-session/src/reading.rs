@@ -6,11 +6,10 @@ use crate::pace::{STEP, WORK};
 use crate::session::Session;
 use crate::surface::Surface;
 use core::ops::Range;
-use lsystem::base::fixed::Fixed;
 use lsystem::derive::{Ancestor, History, Part, Word};
-use lsystem::drawing::{Around, Segment, StyleChange};
+use lsystem::drawing::{Around, Origin, Segment, StyleChange};
 use lsystem::render::{
-    Closeup, Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, seen_from, segment_near,
+    Closeup, Near, Pointer, Target, fitted_ends, fitted_outline, fitted_polygon, fitted_scale, seen_from, segment_near,
 };
 use lsystem::syntax::print_module;
 use lsystem::{Figure, Progress, View, pick};
@@ -143,12 +142,12 @@ pub struct Picked {
     pub filled: Option<PolygonFacts>,
 }
 
-/// A segment as the origin of views.
+/// A place on a segment as the origin of views.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct Anchor {
-    /// The segment's number, from 1.
+    /// The segment's number, from 1, and decimals for the part of the segment before the place.
     pub at: String,
-    /// The segment's start, from the origin of the present view.
+    /// The place, from the origin of the present view.
     pub place: Place,
 }
 
@@ -242,32 +241,36 @@ impl<S: Surface> Session<S> {
         Picked { symbol: symbol.map(|symbol| symbol.to_string()), ancestry, ..picked }
     }
 
-    /// A segment near the middle of the picture, as an origin for deeper views; `None` if there is none, or if the drawing
-    /// cannot be seen from near a segment.
-    pub fn anchor(&self) -> Option<Anchor> {
-        let Figure::Plane(whole) = self.shown.as_ref()? else { return None };
-        let view = self.vantage.view;
-        let (number, offset) = match self.closeup() {
+    /// A place on a segment within about `reach` device pixels of a place on the canvas, as an origin for deeper views;
+    /// `None` if there is none, or if the drawing cannot be seen from near a segment.
+    pub fn anchor(&self, x: f64, y: f64, reach: f64) -> Option<Anchor> {
+        let Figure::Plane(whole) = self.shown.as_ref().filter(|_| (x + y).is_finite())? else { return None };
+        let (viewport, view) = (self.viewport, self.vantage.view);
+        let found = |drawing, view| segment_near(drawing, viewport, view, [x, y], reach);
+        let (origin, [x, y]) = match self.closeup() {
             Some((_, near, own)) => {
-                let (local, offset) = segment_near(&near.drawing, self.viewport, own)?;
-                (near.number_of(local.decimal().parse().ok()?)?, offset)
+                let Near { segment, along, at } = found(&near.drawing, own)?;
+                (near.origin_on(&segment, along)?, at)
             }
-            None => segment_near(whole, self.viewport, view)?,
+            None => {
+                let Near { segment, along, at } = found(whole, view)?;
+                (Origin { segment, along }, at)
+            }
         };
         // A drawing that cannot be seen from near keeps its origin.
-        Closeup::new(whole.clone(), number.clone()).show(self.viewport, view)?;
-        let pixels = fitted_scale(self.shown.as_ref()?, self.viewport, &self.vantage) * view.zoom;
-        let [x, y] = offset.map(|offset| 0.0 - offset / pixels);
-        // Where the segment is seen, so that nothing moves.
+        Closeup::new(whole.clone(), origin.clone()).show(viewport, view)?;
+        let pixels = fitted_scale(self.shown.as_ref()?, viewport, &self.vantage) * view.zoom;
+        let [x, y] = [f64::from(viewport.width) / 2.0 - x, y - f64::from(viewport.height) / 2.0].map(|c| c / pixels);
+        // Where the place is seen, so that nothing moves.
         let place = seen_from([x, y, 0.0, 0.0], [view.x, view.y, view.fine[0], view.fine[1]]);
-        Some(Anchor { at: number.plus(&Fixed::units(1)).decimal(), place: place.to_vec() })
+        Some(Anchor { at: origin.text(), place: place.to_vec() })
     }
 
     /// The close-up of the present view, what lies around it, and its view; `None` for a view of the whole drawing.
     fn closeup(&self) -> Option<(Closeup, Arc<Around>, View)> {
         let (Some(origin), Some(Figure::Plane(whole))) = (self.origin.as_ref(), &self.shown) else { return None };
         // The picture may be of a view before.
-        let known = self.views.closeup().filter(|known| known.segment == *origin);
+        let known = self.views.closeup().filter(|known| known.origin == *origin);
         let mut closeup = known.cloned().unwrap_or_else(|| Closeup::new(whole.clone(), origin.clone()));
         let (near, view) = closeup.show(self.viewport, self.vantage.view)?;
         Some((closeup, near, view))
@@ -276,22 +279,11 @@ impl<S: Surface> Session<S> {
     /// As [`Session::pick`], in a close-up.
     fn pick_near(&self, closeup: &Closeup, near: &Around, view: View, pointer: &Pointer) -> Option<Picked> {
         let figure = Figure::Plane(near.drawing.clone());
-        let found = pick(&figure, self.viewport, &view.into(), &Pointer { upto: None, ..*pointer })?;
-        let outside = |place: &mut Place| {
-            if let Some(out) = place[..].try_into().ok().and_then(|place| closeup.outside(place)) {
-                *place = out.to_vec();
-            }
-        };
+        let upto = pointer.upto.map(|upto| near.among_first(upto));
+        let found = pick(&figure, self.viewport, &view.into(), &Pointer { upto, ..*pointer })?;
         Some(match found.target {
             Target::Segment(local) => {
-                let mut stroke = segment_facts(&figure, local)?;
-                [&mut stroke.fitted_from, &mut stroke.fitted_to].into_iter().for_each(outside);
-                if let (Some(Figure::Plane(whole)), [x, y]) = (&self.shown, near.origin) {
-                    let origin = [whole.start[0] + whole.unit() * x, whole.start[1] + whole.unit() * y];
-                    for end in [&mut stroke.from, &mut stroke.to] {
-                        end.iter_mut().zip(origin).for_each(|(at, origin)| *at += origin);
-                    }
-                }
+                let stroke = self.near_facts(closeup, near, local)?;
                 let segment = near.number_of(local)?.decimal();
                 let symbol = segment.parse().ok().and_then(|number| self.symbol_of_segment(number));
                 let ancestry = symbol.map_or_else(Vec::new, |symbol| self.ancestry(self.iterations(), symbol));
@@ -300,10 +292,23 @@ impl<S: Surface> Session<S> {
             }
             Target::Polygon(local) => {
                 let mut filled = polygon_facts(&figure, local)?;
-                filled.outline.iter_mut().for_each(outside);
+                filled.outline.iter_mut().for_each(|place| outside(closeup, place));
                 Picked { filled: Some(filled), ..Picked::default() }
             }
         })
+    }
+
+    /// A segment of a close-up (0-based there).
+    fn near_facts(&self, closeup: &Closeup, near: &Around, local: u128) -> Option<SegmentFacts> {
+        let mut facts = segment_facts(&Figure::Plane(near.drawing.clone()), local)?;
+        [&mut facts.fitted_from, &mut facts.fitted_to].into_iter().for_each(|place| outside(closeup, place));
+        if let (Some(Figure::Plane(whole)), [x, y]) = (&self.shown, near.origin) {
+            let origin = [whole.start[0] + whole.unit() * x, whole.start[1] + whole.unit() * y];
+            for end in [&mut facts.from, &mut facts.to] {
+                end.iter_mut().zip(origin).for_each(|(at, origin)| *at += origin);
+            }
+        }
+        Some(facts)
     }
 
     /// A place as one from the origin of the view.
@@ -317,6 +322,12 @@ impl<S: Surface> Session<S> {
 
     /// Segment `number`; `None` after the last.
     pub fn segment(&self, number: u128) -> Option<SegmentFacts> {
+        // What is in a close-up is exact only there.
+        if let Some((closeup, near, _)) = self.closeup()
+            && let Some(local) = near.local(number)
+        {
+            return self.near_facts(&closeup, &near, local);
+        }
         let facts = segment_facts(self.shown.as_ref()?, number)?;
         let [fitted_from, fitted_to] = [facts.fitted_from, facts.fitted_to].map(|place| self.seen_from_origin(place));
         Some(SegmentFacts { fitted_from, fitted_to, ..facts })
@@ -431,6 +442,13 @@ impl<S: Surface> Session<S> {
             module.push(symbol);
         }
         AncestryLink { generation, symbol: module, index: index.to_string(), production, position }
+    }
+}
+
+/// Makes a place in a close-up one from the origin of the view.
+fn outside(closeup: &Closeup, place: &mut Place) {
+    if let Some(out) = place[..].try_into().ok().and_then(|place| closeup.outside(place)) {
+        *place = out.to_vec();
     }
 }
 

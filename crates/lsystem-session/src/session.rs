@@ -6,9 +6,9 @@ use crate::pace::{REFINING, STEP, WORK};
 use crate::report::Report;
 use crate::surface::{Clock, Surface};
 use crate::viewer::{Drawn, PictureSettings, Views};
-use lsystem::base::fixed::Fixed;
 use lsystem::derive::History;
 use lsystem::drawing::FigureDrawer;
+use lsystem::drawing::Origin;
 use lsystem::render::{Framing, Pane, fitted_scale, opening_camera};
 use lsystem::syntax::{Kind, problems};
 use lsystem::{Camera, Definition, Diagnostic, Figure, Limits, Progress, System, Vantage, View, Viewport};
@@ -48,8 +48,8 @@ pub struct Session<S> {
     is_report_new: bool,
     pub(crate) viewport: Viewport,
     pub(crate) vantage: Vantage,
-    /// The segment (0-based) whose start is the origin of views in the plane; `None` for the fitted centre.
-    pub(crate) origin: Option<Fixed>,
+    /// The place on a segment that is the origin of views in the plane; `None` for the fitted centre.
+    pub(crate) origin: Option<Origin>,
     /// The camera where the page names none: that of the shown drawing.
     opening: Camera,
     is_camera_named: bool,
@@ -142,10 +142,10 @@ impl<S: Surface> Session<S> {
         self.stale = true;
     }
 
-    /// Sets the segment (0-based) whose start is the origin of views in the plane; `None` for the fitted centre. All places
-    /// that the session tells are from there.
-    pub fn set_origin(&mut self, segment: Option<Fixed>) {
-        self.origin = segment;
+    /// Sets the place on a segment that is the origin of views in the plane; `None` for the fitted centre. All places that
+    /// the session tells are from there.
+    pub fn set_origin(&mut self, origin: Option<Origin>) {
+        self.origin = origin;
         self.stale = true;
     }
 

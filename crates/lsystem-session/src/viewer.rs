@@ -4,7 +4,7 @@ use crate::plane::PlaneView;
 use crate::reading::Pose;
 use crate::solid::SolidView;
 use crate::surface::{Clock, Surface};
-use lsystem::base::fixed::Fixed;
+use lsystem::drawing::Origin;
 use lsystem::render::Closeup;
 use lsystem::{Figure, Style, Vantage, Viewport};
 use serde::Serialize;
@@ -19,8 +19,8 @@ pub(crate) struct PictureSettings {
     /// Device pixels of the canvas on the page per fitted extent at zoom 1.
     pub(crate) scale: f64,
     pub(crate) vantage: Vantage,
-    /// The segment whose start is the origin of the view in the plane.
-    pub(crate) origin: Option<Fixed>,
+    /// The place on a segment that is the origin of the view in the plane.
+    pub(crate) origin: Option<Origin>,
     /// The number of segments shown; `None` for all.
     pub(crate) upto: Option<u128>,
     /// The number of mates that may help with a picture in space.

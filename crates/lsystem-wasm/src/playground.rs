@@ -65,7 +65,7 @@ impl Playground {
         vantage: JsValue,
     ) -> Result<(), JsValue> {
         let PageVantage { width, height, ratio, view, camera } = from_js(vantage)?;
-        self.0.set_origin(view.segment());
+        self.0.set_origin(view.origin());
         self.0.look(Viewport { width, height, ratio }, view.into(), camera.map(Into::into));
         Ok(())
     }
@@ -142,8 +142,8 @@ impl Playground {
     /// # Errors
     /// Throws only if the result cannot be translated.
     #[wasm_bindgen(unchecked_return_type = "Anchor | null")]
-    pub fn anchor(&self) -> Result<JsValue, JsValue> {
-        to_js(&self.0.anchor())
+    pub fn anchor(&self, x: f64, y: f64, reach: f64) -> Result<JsValue, JsValue> {
+        to_js(&self.0.anchor(x, y, reach))
     }
 
     /// As [`Session::set_mates`].

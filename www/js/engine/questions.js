@@ -119,8 +119,8 @@ export function asking(ask) {
         /** @param {number} x @param {number} y @param {number} tolerance */
         pick: (x, y, tolerance) => ask('pick', { x, y, tolerance }),
 
-        /** A segment in the middle of the picture, and its start from the view's origin. */
-        anchor: async () => (await ask('anchor', {})).anchor,
+        /** A place on a segment near a place, in device pixels, and where it is from the view's origin. @param {number} x @param {number} y @param {number} reach */
+        anchor: async (x, y, reach) => (await ask('anchor', { x, y, reach })).anchor,
 
         /** @param {import('../protocol.js').Texts} texts */
         notation: (texts) => ask('notation', { texts }),

@@ -14,47 +14,62 @@ const FAR = 40;
 
 /**
  * @param {object} stage
- * @param {(at: Offset, reach: number) => Promise<import('../protocol.js').Picked>} stage.pick
+ * @param {(at: Offset, reach: number) => Promise<number[] | null>} stage.grip finds a place on a line near another one, from the view's origin
+ * @param {() => string | undefined} stage.origin of the view
  * @param {(place: number[]) => Offset} stage.seen projects a place of the drawing
- * @param {(from: number[], to: number[], t: number) => number[]} stage.pointBetween a place on a segment
  */
-export function createHold({ pick, seen, pointBetween }) {
-    /** The held place. @type {number[] | null} */
+export function createHold({ grip, origin, seen }) {
+    /** The held place, from an origin: it means nothing from another. @type {{place: number[], from: string | undefined} | null} */
     let held = null;
 
     /** The search for the line that was clicked last. @type {Promise<void> | null} */
     let clicked = null;
 
+    /** @param {number[] | null} place */
+    const take = (place) => (held = place && { place, from: origin() });
+
+    /** The held place, if it is within `reach` CSS pixels of `at`. @param {Offset} at @param {number} reach */
+    function heldNear(at, reach) {
+        if (held && (held.from !== origin() || apart(seen(held.place), at) > reach)) held = null;
+        return held?.place ?? null;
+    }
+
     /** @param {Offset} at @param {number} reach in CSS pixels */
     async function find(at, reach) {
         try {
-            const { stroke } = await pick(at, reach);
-            held = stroke && nearest(stroke, at, { seen, pointBetween });
+            take(await grip(at, reach));
         } catch {
             // The worker was replaced; no line is held.
             held = null;
         }
     }
 
-    const ask = latest(pick, ({ stroke }, at) => (held = stroke && nearest(stroke, at, { seen, pointBetween })));
+    const ask = latest(grip, take);
 
     return {
         /** The place to hold while zooming at `at`; null while there is no line near. @param {Offset} at */
         at(at) {
-            if (held && apart(seen(held), at) > FAR) held = null;
-            if (!held) ask(at, NEAR);
-            return held;
+            const place = heldNear(at, FAR);
+            if (!place) ask(at, NEAR);
+            return place;
         },
 
         /** The place to hold while zooming in the middle; null if no line is within `reach` CSS pixels. @param {number} reach @returns {Promise<number[] | null>} */
         async inMiddle(reach) {
             await clicked;
-            if (!held || apart(seen(held), [0, 0]) >= reach) await find([0, 0], reach);
-            return held;
+            if (!heldNear([0, 0], reach)) await find([0, 0], reach);
+            return held?.place ?? null;
         },
 
         /** Holds the line that was clicked, if one is near. @param {Offset} at */
         click: (at) => (clicked = find(at, NEAR)),
+
+        /** Finds the held line again. Returns whether one is held. */
+        async again() {
+            const place = heldNear([0, 0], Infinity);
+            if (place) await find(seen(place), NEAR);
+            return held !== null;
+        },
 
         /** The drawing has changed. */
         forget: () => (held = null),
@@ -67,7 +82,7 @@ export function createHold({ pick, seen, pointBetween }) {
  * @param {Offset} at
  * @param {{seen: (place: number[]) => Offset, pointBetween: (from: number[], to: number[], t: number) => number[]}} stage
  */
-function nearest({ fittedFrom, fittedTo }, at, { seen, pointBetween }) {
+export function nearest({ fittedFrom, fittedTo }, at, { seen, pointBetween }) {
     const [[x, y], [toX, toY]] = [seen(fittedFrom), seen(fittedTo)];
     const [dx, dy] = [toX - x, toY - y];
     const length = dx * dx + dy * dy;

@@ -24,9 +24,9 @@ export function createPicture(canvas, mark) {
             return shown?.scale ?? 1;
         },
 
-        /** Tells the picture's view from another origin. @param {number[]} place of the new origin @param {string} at the number of the segment there */
-        from(place, at) {
-            if (shown) shown.view = viewFrom(shown.view, place, at);
+        /** Tells the picture's view from another origin. @param {number[]} place of the new origin @param {string} at its segment @param {string | undefined} before the old origin's segment */
+        from(place, at, before) {
+            if (shown && shown.view.at === before) shown.view = viewFrom(shown.view, place, at);
         },
 
         /** Moves the picture to its place in a view. @param {View} view @param {Camera | null} camera null for a drawing in the plane @param {Size} size of the stage */

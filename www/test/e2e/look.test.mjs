@@ -156,18 +156,50 @@ const exponent = async (page) => {
     return Number([...raised].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)).join(''));
 };
 
-test('the zoom goes on where numbers end', () =>
-    withPage({ hash: KOCH.replace('n=30', 'n=60') }, async (page) => {
-        const { x, y } = await findLine(page);
-        await page.mouse.move(x, y + 8);
-        await wheel(page, 88);
-        await until(async () => (await exponent(page)) >= 20, 'the zoom is beyond 10^20');
-        await stillPicture(page);
-        assert.ok(await hasLines(page));
-        await until(() => page.evaluate(() => /view=[^&]*,\d{20,}/.test(location.hash)), 'the link names the segment');
-        // The line under the pointer is still told, by its number.
-        await findLine(page);
-    }));
+/** Whether the picture has a line within 28 CSS pixels of a place on the page. @param {Page} page @param {number} x @param {number} y */
+async function hasLineAt(page, x, y) {
+    const box = await page.locator('#drawing').boundingBox();
+    assert.ok(box);
+    return onPixels(
+        page,
+        ({ words, width, height }, { across, down, part }) => {
+            const [column, row] = [Math.round(across * width), Math.round(down * height)];
+            const reach = Math.round(part * width);
+            const colours = new Set();
+            for (let y = row - reach; y <= row + reach; y++)
+                for (let x = column - reach; x <= column + reach; x++) colours.add(words[y * width + x]);
+            return colours.size > 1;
+        },
+        { across: (x - box.x) / box.width, down: (y - box.y) / box.height, part: 28 / box.width },
+    );
+}
+
+for (const [n, what] of [
+    ['60', 'segments too short for numbers'],
+    ['4', 'one long segment'],
+    ['1000', 'more segments than have numbers'],
+])
+    test(`the wheel holds a line to a zoom of 10^60: ${what}`, () =>
+        withPage({ hash: KOCH.replace('n=30', `n=${n}`) }, async (page) => {
+            await stillPicture(page);
+            const { x, y } = await lineIn(page, { across: 0.46, from: 0.1 });
+            await page.mouse.move(x, y + 8);
+            for (let decade = 15; decade <= 60; decade += 15) {
+                while (!((await exponent(page)) >= decade)) {
+                    for (let turn = 0; turn < 8; turn++) await page.mouse.wheel(0, -400);
+                    // The page holds on to a line that the worker has found.
+                    await answered(page);
+                }
+                await stillPicture(page);
+                assert.ok(await hasLineAt(page, x, y + 8), `the line is at the pointer at 10^${decade}`);
+            }
+            await until(
+                () => page.evaluate(() => /view=[^&]*,\d+(\.\d+)?(&|$)/.test(location.hash)),
+                'the link names the segment',
+            );
+            // The line under the pointer is still told, by its number.
+            if (n !== '1000') await findLine(page);
+        }));
 
 test('a link leads to one step of a drawing 10^301 times as large', () => {
     const curve = '#v=1&axiom=A&rules=A%20-%3E%20-BF+AFA+FB-%0AB%20-%3E%20+AF-BFB-FA+&n=1000&angle=90';

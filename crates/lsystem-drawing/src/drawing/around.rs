@@ -7,6 +7,7 @@
 
 use super::block::{Block, BlockId, Item, Placed, Polygon, Stroke};
 use super::builder::Builder;
+use super::origin::Origin;
 use super::pieces::Pieces;
 use super::{Drawing, SceneSize};
 use crate::course::{By, Course, Spot};
@@ -23,12 +24,14 @@ use std::sync::{Arc, OnceLock};
 pub struct Around {
     /// What lies near the place, in the directions of the whole drawing. The place is the origin of the model.
     pub drawing: Arc<Drawing>,
-    /// The segment's start, in units of the whole drawing's root block: x, y, and their rounding remainders.
+    /// The origin, in units of the whole drawing's root block: x, y, and their rounding remainders.
     pub start: [f64; 4],
     /// The place itself, in units of the whole drawing's root block.
     pub origin: [f64; 2],
     /// By item of the root block: the number of its first segment in the whole drawing.
     pub firsts: Vec<Fixed>,
+    /// Indices of items of the root block: strokes that are cut off far away, descending.
+    cut: Vec<usize>,
 }
 
 impl Around {
@@ -38,6 +41,46 @@ impl Around {
         let items = self.drawing.items_of(self.drawing.root?);
         let (at, within) = self.drawing.before(items, segment);
         Some(self.firsts.get(at)?.plus(&Fixed::units(within)))
+    }
+
+    /// How many segments of the neighbourhood are among the first `upto` of the whole drawing: they come first here, too.
+    #[must_use]
+    pub fn among_first(&self, upto: u128) -> u128 {
+        let (mut all, end) = (0_u128, Fixed::units(upto));
+        let items = self.drawing.root.map_or(&[][..], |root| self.drawing.items_of(root));
+        for (item, first) in items.iter().zip(&self.firsts) {
+            let count = self.drawing.segments_in(item);
+            if first.plus(&Fixed::units(count)).compared(&end).is_gt() {
+                let within = end.minus(first).decimal().parse().unwrap_or(0);
+                return all.saturating_add(if first.compared(&end).is_lt() { within } else { 0 });
+            }
+            all = all.saturating_add(count);
+        }
+        all
+    }
+
+    /// The number here of a segment of the whole drawing (both 0-based); `None` if it is not here.
+    #[must_use]
+    pub fn local(&self, number: u128) -> Option<u128> {
+        let before = self.among_first(number);
+        Some(before).filter(|_| self.among_first(number.saturating_add(1)) > before)
+    }
+
+    /// A place in the whole drawing, from a segment of the neighbourhood (0-based) and the part of it before the place;
+    /// `None` after the last segment, and on a segment that is cut off.
+    #[must_use]
+    pub fn origin_on(&self, segment: &Fixed, along: f64) -> Option<Origin> {
+        let counts = self.drawing.counts();
+        let mut left = segment.clone();
+        for (at, item) in self.drawing.items_of(self.drawing.root?).iter().enumerate() {
+            let count = count_of(&counts, item);
+            if left.compared(&count).is_lt() {
+                let origin = Origin { segment: self.firsts[at].plus(&left), along };
+                return Some(origin).filter(|_| !self.cut.contains(&at));
+            }
+            left = left.minus(&count);
+        }
+        None
     }
 }
 
@@ -62,18 +105,17 @@ impl Drawing {
         self.root.map_or_else(Fixed::default, |root| self.counts().swap_remove(root.0 as usize))
     }
 
-    /// What lies within `2^reach` steps of a place, and parts that lie farther away. The place is `offset` from the start of
-    /// a segment (0-based), in units of the root block. `None` if
-    /// there is no such segment, if the drawing is not a shared one, or if it has too many parts.
+    /// What lies within `2^reach` steps of a place, and parts that lie farther away. The place is `offset` from the origin,
+    /// in units of the root block. `None` if there is no such segment, if the drawing is not a shared one, or if it has too many parts.
     #[must_use]
-    pub fn around(&self, segment: &Fixed, offset: [f64; 2], reach: i32) -> Option<Around> {
+    pub fn around(&self, origin: &Origin, offset: [f64; 2], reach: i32) -> Option<Around> {
         if !self.course.kept || self.course.legs.len() > MOST_LEGS {
             return None;
         }
         let counts = self.counts();
-        let way = self.way(&counts, segment)?;
+        let way = self.way(&counts, &origin.segment)?;
         let mut exact = Exact::new(self, &way, reach);
-        let centre = exact.centre(&way)?;
+        let centre = exact.centre(&way, origin.along)?;
         let unit = self.course.exponent - self.blocks[self.root?.0 as usize].exponent;
         let places = exact.places[0];
         let [x, y] = centre.numbers(places, unit);
@@ -81,9 +123,9 @@ impl Drawing {
         let [fine_x, fine_y] = rest.numbers(places, unit);
         let mut finder = Finder::new(self, exact, &counts, reach);
         let middle = centre.plus(&FixedPoint(offset.map(|c| fixed(c, places, -unit))));
-        let origin = middle.numbers(places, unit);
+        let place = middle.numbers(places, unit);
         finder.find(middle)?;
-        finder.finish([x, y, fine_x, fine_y], origin)
+        finder.finish([x, y, fine_x, fine_y], place)
     }
 
     /// The numbers of segments of all blocks, exactly.
@@ -247,12 +289,16 @@ impl<'a> Exact<'a> {
         Some(self.spot(spot)?.minus(&origin))
     }
 
-    /// The start of the segment to which a way leads, in the root's frame.
-    fn centre(&mut self, way: &[(BlockId, usize)]) -> Option<FixedPoint> {
+    /// The place on the segment to which a way leads, in the root's frame.
+    fn centre(&mut self, way: &[(BlockId, usize)], along: f64) -> Option<FixedPoint> {
         let mut centre = FixedPoint::default();
         for &(block, at) in way.iter().rev() {
             centre = match &self.drawing.items_of(block)[at] {
-                Item::Stroke(stroke) => self.within(block, self.drawing.course.start(stroke.spot))?,
+                Item::Stroke(stroke) => {
+                    let start = self.within(block, self.drawing.course.start(stroke.spot))?;
+                    let whole = self.within(block, stroke.spot)?.minus(&start);
+                    start.plus(&whole.scaled(along))
+                }
                 Item::Polygon(_) => return None,
                 Item::Block(placed) => {
                     let at = self.within(block, placed.spot?)?;
@@ -300,6 +346,8 @@ struct Finder<'a> {
     vertices: Vec<[f64; 2]>,
     items: Vec<Item>,
     firsts: Vec<Fixed>,
+    /// The strokes among the items that are cut off.
+    cut: Vec<usize>,
     visits: usize,
     seen: HashSet<(BlockId, Heading, StyleId, u64, FixedPoint)>,
 }
@@ -320,6 +368,7 @@ impl<'a> Finder<'a> {
             vertices: drawing.vertices.clone(),
             items: vec![],
             firsts: vec![],
+            cut: vec![],
             visits: 0,
             seen: HashSet::new(),
         }
@@ -379,6 +428,8 @@ impl<'a> Finder<'a> {
         }
         self.items.reverse();
         self.firsts.reverse();
+        let last = self.items.len().saturating_sub(1);
+        self.cut.iter_mut().for_each(|at| *at = last - *at);
         Some(())
     }
 
@@ -510,6 +561,13 @@ impl<'a> Finder<'a> {
             turn = node.turn + leg.heading;
             let most = FAR / node.scale;
             near.iter_mut().for_each(|end| end[0] = end[0].clamp(-most, most));
+            // A stroke that only rounding has brought near would make the neighbourhood as large as it is far.
+            let widths = style.widths().ends();
+            let wide = libm::scalbn(widths[0].max(widths[1]) / node.scale, -self.reach);
+            if near[0][0] == near[1][0] && wide < most || near[0][1].abs() > most + wide {
+                return Some(None);
+            }
+            self.cut.push(self.items.len());
             [from, to] = near.map(|end| self.shown(end, turn, node.scale));
         }
         let style = self.styles.id(style);
@@ -531,7 +589,7 @@ impl<'a> Finder<'a> {
 
     /// The drawing of the items found.
     fn finish(self, start: [f64; 4], origin: [f64; 2]) -> Option<Around> {
-        let Self { drawing, styles, vertices, items, firsts, reach, .. } = self;
+        let Self { drawing, styles, vertices, items, firsts, cut, reach, .. } = self;
         let mut builder = Builder::new();
         builder.blocks.clone_from(&drawing.blocks);
         builder.items = drawing.items.clone();
@@ -562,6 +620,7 @@ impl<'a> Finder<'a> {
             start,
             origin,
             firsts,
+            cut,
         })
     }
 }

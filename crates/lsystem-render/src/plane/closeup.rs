@@ -4,8 +4,7 @@ use super::exact::FittedFrame;
 use super::view::{PlaneFraming, root_bounds};
 use super::wide::Wide;
 use super::{View, Viewport};
-use lsystem_base::fixed::Fixed;
-use lsystem_drawing::{Around, Drawing, exponent_of};
+use lsystem_drawing::{Around, Drawing, Origin, exponent_of};
 use std::sync::Arc;
 
 /// The neighbourhood that is drawn reaches at least `2^MARGIN` times the longer side of the picture.
@@ -16,12 +15,12 @@ const STEP: i32 = 16;
 /// The largest zoom of close views.
 pub const MAX_ZOOM: f64 = 1e301;
 
-/// Close views of a drawing around one segment. The segment's start is the origin of views.
+/// Close views of a drawing around a place on a segment, which is the origin of views.
 #[derive(Clone, Debug)]
 pub struct Closeup {
     whole: Arc<Drawing>,
-    /// The segment (0-based).
-    pub segment: Fixed,
+    /// The place.
+    pub origin: Origin,
     near: Option<Near>,
 }
 
@@ -30,30 +29,30 @@ pub struct Closeup {
 struct Near {
     /// The exponent of its reach, in steps.
     reach: i32,
-    /// Its middle from the segment's start, in units of the whole drawing's root block.
+    /// Its middle from the origin, in units of the whole drawing's root block.
     middle: [f64; 2],
     around: Arc<Around>,
 }
 
 impl Closeup {
-    /// Views around the segment with a number (0-based).
+    /// Views around a place.
     #[must_use]
-    pub fn new(whole: Arc<Drawing>, segment: Fixed) -> Self {
-        Self { whole, segment, near: None }
+    pub fn new(whole: Arc<Drawing>, origin: Origin) -> Self {
+        Self { whole, origin, near: None }
     }
 
     /// A close-up and the view that shows one step of the turtle as `share` of the fitted side of a picture; `None` as for
     /// [`Closeup::show`].
     #[must_use]
-    pub fn on_step(whole: Arc<Drawing>, segment: Fixed, share: f64) -> Option<(Self, View)> {
-        let mut new = Self::new(whole, segment);
+    pub fn on_step(whole: Arc<Drawing>, origin: Origin, share: f64) -> Option<(Self, View)> {
+        let mut new = Self::new(whole, origin);
         new.show(Viewport { width: 1, height: 1, ratio: 1.0 }, View::default())?;
         let zoom = libm::scalbn(share * root_bounds(&new.whole).1.longer_side(), exponent(&new.whole));
         Some((new, View { zoom: zoom.clamp(1.0, MAX_ZOOM), ..View::default() }))
     }
 
     /// The drawing and its view that show what `view` shows of the whole drawing. The view's zoom and coordinates are
-    /// relative to the fitted whole, its origin is the start of the segment. `None` if there is no such segment, or if
+    /// relative to the fitted whole, from the origin. `None` if there is no such segment, or if
     /// the drawing cannot be seen this way: only shared drawings in the plane can.
     pub fn show(&mut self, viewport: Viewport, view: View) -> Option<(Arc<Around>, View)> {
         let outer = PlaneFraming::of_root(&self.whole);
@@ -70,7 +69,7 @@ impl Closeup {
             near.reach == reach && (0..2).all(|axis| (at[axis] - near.middle[axis]).abs() < most)
         };
         if !self.near.as_ref().is_some_and(is_inside) {
-            let around = Arc::new(self.whole.around(&self.segment, at, reach)?);
+            let around = Arc::new(self.whole.around(&self.origin, at, reach)?);
             self.near = Some(Near { reach, middle: at, around });
         }
         let Near { middle, around, .. } = self.near.as_ref()?;
@@ -82,14 +81,14 @@ impl Closeup {
         Some((around.clone(), View { x, y, zoom, fine }))
     }
 
-    /// The segment's start in the fitted whole, as in [`fitted_ends`](crate::fitted_ends), once something is shown.
+    /// The origin in the fitted whole, as in [`fitted_ends`](crate::fitted_ends), once something is shown.
     #[must_use]
     pub fn place(&self) -> Option<[f64; 4]> {
         let [x, y, fine_x, fine_y] = self.near.as_ref()?.around.start;
         Some(FittedFrame::new(&self.whole).fit([Wide::sum(x, fine_x), Wide::sum(y, fine_y)]))
     }
 
-    /// A place in the fitted neighbourhood as one right of the segment's start and above it, in extents of the fitted
+    /// A place in the fitted neighbourhood as one right of the origin and above it, in extents of the fitted
     /// whole.
     #[must_use]
     pub fn outside(&self, [x, y, fine_x, fine_y]: [f64; 4]) -> Option<[f64; 4]> {
@@ -130,6 +129,7 @@ mod tests {
     use super::super::{fitted_ends, fitted_scale};
     use super::*;
     use crate::Renderer;
+    use lsystem_base::fixed::Fixed;
     use lsystem_syntax::{ColourBy, Style};
 
     const VIEWPORT: Viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
@@ -146,7 +146,7 @@ mod tests {
                 let [[x, y, fx, fy], _] = fitted_ends(&drawing, number.into()).unwrap();
                 let aside = 20.0 / (fitted_scale(&drawing, VIEWPORT) * zoom);
                 let usual = View { x: x + aside, y, zoom, fine: [fx, fy] };
-                let mut closeup = Closeup::new(drawing.clone(), Fixed::units(number.into()));
+                let mut closeup = Closeup::new(drawing.clone(), Fixed::units(number.into()).into());
                 let own = View { x: aside, y: 0.0, zoom, fine: [0.0; 2] };
                 let (near, view) = closeup.show(VIEWPORT, own).unwrap();
                 // The place of the segment, and of its end as the neighbourhood has it.
@@ -186,7 +186,7 @@ mod tests {
         for (name, sample) in hard().into_iter().filter(|(name, _)| *name == "koch" || *name == "gosper") {
             let drawing = Arc::new(sample.draw(1000));
             let half = drawing.exact_count().shifted(-1);
-            let mut closeup = Closeup::new(drawing.clone(), half);
+            let mut closeup = Closeup::new(drawing.clone(), half.into());
             for zoom in [1e20, 1e100, 1e290] {
                 let (near, view) = closeup.show(VIEWPORT, View { zoom, ..View::default() }).unwrap();
                 let mut renderer = Renderer::new();
@@ -203,7 +203,7 @@ mod tests {
     fn there_is_no_closeup_without_the_segment() {
         let (_, sample) = hard().swap_remove(0);
         let drawing = Arc::new(sample.draw(3));
-        let none = Closeup::new(drawing.clone(), drawing.exact_count()).show(VIEWPORT, View::default());
+        let none = Closeup::new(drawing.clone(), drawing.exact_count().into()).show(VIEWPORT, View::default());
         assert!(none.is_none());
     }
 }

@@ -101,7 +101,7 @@ pub(crate) use exact::{fitted_ends, fitted_outline, fitted_polygon};
 pub(crate) use inks::{Choice, Shade};
 pub use pane::{Pane, Pass};
 pub(crate) use pick::pick;
-pub use pick::segment_near;
+pub use pick::{Near, segment_near};
 pub use pyramid::{Pyramid, Share, TilePlace, TileRenderer, Tiles};
 pub(crate) use room::TONE_BYTES;
 pub(crate) use search::{Aim, Order, Sight, covers, nearest_on, search};

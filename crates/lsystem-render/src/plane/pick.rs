@@ -22,18 +22,42 @@ pub(crate) fn pick(drawing: &Drawing, viewport: Viewport, view: View, pointer: &
     search(drawing, pointer, &mut sight, root, Order::Best)
 }
 
-/// The number (0-based) of a segment in the picture, near its middle, however many segments the drawing has, and how far
-/// right of the middle and above it the segment begins, in device pixels; `None` if there is none.
+/// A place on a segment, found by [`segment_near`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Near {
+    /// The segment's number (0-based).
+    pub segment: Fixed,
+    /// The part of the segment before the place, from 0 to less than 1.
+    pub along: f64,
+    /// The place in the picture, in device pixels from the upper left corner.
+    pub at: [f64; 2],
+}
+
+/// A place on a segment within about `reach` device pixels of the place `at` in the picture, however many segments the
+/// drawing has; `None` if there is none. Among several, one of the nearest is found, to a part of the reach.
 #[must_use]
-pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View) -> Option<(Fixed, [f64; 2])> {
+pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View, at: [f64; 2], reach: f64) -> Option<Near> {
+    let counts = drawing.counts();
+    // The nearest first. A block smaller than the reach has its first segment for all.
+    [1.0 / 16.0, 0.25, 1.0].into_iter().find_map(|part| within(drawing, &counts, (viewport, view), at, reach * part))
+}
+
+/// As [`segment_near`], anywhere in reach.
+fn within(
+    drawing: &Drawing,
+    counts: &[Fixed],
+    (viewport, view): (Viewport, View),
+    at: [f64; 2],
+    near: f64,
+) -> Option<Near> {
     /// The most items that are looked at: a few for each of some thousand nested blocks.
     const VISITS: usize = 1 << 15;
-    let at = [viewport.width, viewport.height].map(|side| f64::from(side) / 2.0);
+    /// The largest `f64` below 1.
+    const LAST: f64 = 1.0 - f64::EPSILON / 2.0;
     let transform = ViewTransform::new(drawing, viewport, view, 1.0);
     let mut descent = Descent::default();
     let mut open = vec![(0.0, descent.root(drawing, transform)?, Fixed::default())];
     let mut sight = PlaneSight { drawing, at, descent, seen: Seen::default(), step: transform.step };
-    let (counts, near) = (drawing.counts(), at[0].max(at[1]));
     let mut visits = 0;
     while let Some((distance, node, mut before)) = open.pop() {
         let id = node.block;
@@ -47,13 +71,17 @@ pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View) -> Option
             visits += 1;
             match item {
                 Item::Stroke(stroke) if small || sight.stroke(&node, stroke)?.distance <= near => {
-                    let [x, y] = node.place.point(stroke.from);
-                    return Some((before, [x - at[0], at[1] - y]));
+                    let [from, to] = [stroke.from, stroke.to].map(|end| node.place.point(end));
+                    let along = if small { 0.0 } else { nearest_on(at, [from, to]).1.min(LAST) };
+                    let at = [0, 1].map(|axis| from[axis] + along * (to[axis] - from[axis]));
+                    return Some(Near { segment: before, along, at });
                 }
                 Item::Stroke(_) | Item::Polygon(_) => {}
                 Item::Block(placed) => {
                     let inner = sight.inside(&node, placed);
-                    let distance = sight.block(placed.block, &inner).map_or(f64::INFINITY, |aim| aim.distance);
+                    // In a small block, all is as near as the block.
+                    let aim = sight.block(placed.block, &inner).map_or(f64::INFINITY, |aim| aim.distance);
+                    let distance = if small { distance } else { aim };
                     // The nearest is looked into first.
                     let after = open[siblings..].iter().position(|(other, ..)| *other <= distance);
                     let after = after.map_or(open.len(), |after| siblings + after);
@@ -63,7 +91,7 @@ pub fn segment_near(drawing: &Drawing, viewport: Viewport, view: View) -> Option
                     }
                 }
             }
-            before = before.plus(&count_of(&counts, item));
+            before = before.plus(&count_of(counts, item));
         }
     }
     None

@@ -4,6 +4,7 @@ mod limits;
 mod mates;
 mod reading;
 mod schedule;
+mod zoom;
 
 use crate::{Drawn, Report, Session, Surface};
 use lsystem::render::Pane;

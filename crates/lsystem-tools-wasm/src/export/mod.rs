@@ -96,7 +96,7 @@ pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
     let Asked { definition, format, options, view, camera, ratio, upto } = from_js(asked)?;
     let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
     let options = FileOptions::from_values(&options)?;
-    let segment = view.as_ref().and_then(PageView::segment);
+    let segment = view.as_ref().and_then(PageView::origin);
     let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into));
     let view = FileView { view, segment, camera, upto, ratio: Some(ratio), is_described: true };
     let mut page = Page { tell, piece: vec![] };

@@ -3,7 +3,7 @@
 use super::words;
 use crate::{from_js, to_js};
 use lsystem_base::Progress;
-use lsystem_base::fixed::Fixed;
+use lsystem_drawing::Origin;
 use lsystem_film::{Film, GifWriter, LIMITS, Painter, PaletteMaker, Script, Subject, palette_samples};
 use lsystem_render::{Detail, PageCamera, PageView, Vantage};
 use lsystem_syntax::{Definition, Diagnostic};
@@ -30,8 +30,8 @@ enum Gif {
 #[wasm_bindgen]
 pub struct FilmPlayer {
     film: Film,
-    /// The segment (0-based) that is the origin of the view with which the film begins.
-    segment: Option<Fixed>,
+    /// The place on a segment that is the origin of the view with which the film begins.
+    segment: Option<Origin>,
     painter: Painter,
     gif: Gif,
 }
@@ -43,7 +43,7 @@ fn problem(error: &Diagnostic) -> JsValue {
 }
 
 /// The script of a text. The first view is about `segment`, unless the script has views of its own.
-fn script(text: &str, segment: Option<&Fixed>) -> Result<Script, JsValue> {
+fn script(text: &str, segment: Option<&Origin>) -> Result<Script, JsValue> {
     let mut script: Script = text.parse().map_err(words)?;
     if script.segment.is_none() && script.tracks.iter().all(|track| track.subject != Subject::View) {
         script.segment = segment.cloned();
@@ -61,7 +61,7 @@ impl FilmPlayer {
     pub fn new(definition: JsValue, view: JsValue, camera: JsValue, text: &str) -> Result<Self, JsValue> {
         let definition: Definition = from_js(definition)?;
         let view = from_js::<Option<PageView>>(view)?;
-        let segment = view.as_ref().and_then(PageView::segment);
+        let segment = view.as_ref().and_then(PageView::origin);
         let view = view.map(Into::into).unwrap_or_default();
         let camera = from_js::<Option<PageCamera>>(camera)?.map(Into::into).unwrap_or_default();
         let script = script(text, segment.as_ref())?;
@@ -113,7 +113,7 @@ impl FilmPlayer {
         let script: Script = text.parse().map_err(words)?;
         let view = from_js::<Option<PageView>>(view)?;
         let Some(figure) = self.painter.figure() else { return Ok(None) };
-        let segment = view.as_ref().and_then(PageView::segment);
+        let segment = view.as_ref().and_then(PageView::origin);
         let script = script.with_dive(figure, segment, view.map(Into::into), &self.film.frame(0).vantage);
         Ok(script.map(|script| script.to_string()))
     }

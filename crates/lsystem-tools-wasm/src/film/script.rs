@@ -3,7 +3,7 @@
 use super::words;
 use crate::{from_js, to_js};
 use lsystem_base::MAX_ITERATIONS;
-use lsystem_base::fixed::Fixed;
+use lsystem_drawing::Origin;
 use lsystem_film::{Script, Subject};
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::{Definition, Expected, FieldSpec, classify};
@@ -22,7 +22,7 @@ pub(crate) struct ScriptObject {
     easing: &'static str,
     fixed: bool,
     frames: u32,
-    /// The number of the segment whose start is the origin of views, from 1; empty for the fitted centre.
+    /// The place on a segment that is the origin of views, as in links; empty for the fitted centre.
     segment: String,
     tracks: Vec<TrackObject>,
 }
@@ -65,7 +65,7 @@ pub fn read_film(text: &str) -> Result<JsValue, JsValue> {
         easing: script.easing.name(),
         fixed: script.fixed,
         frames: script.frames(),
-        segment: script.segment.as_ref().map(|segment| segment.plus(&Fixed::units(1)).decimal()).unwrap_or_default(),
+        segment: script.segment.as_ref().map(Origin::text).unwrap_or_default(),
         tracks: tracks.collect(),
     })
 }
