@@ -2,6 +2,7 @@
 
 import { toast } from './announce.js';
 import { isWhole } from './files.js';
+import { translate } from './words.js';
 
 /** The styles on the page so far. @type {Set<string>} */
 const styled = new Set();
@@ -37,6 +38,7 @@ export function addElements(markup, styles = [], place = document.body) {
     const { body } = new DOMParser().parseFromString(markup, 'text/html');
     // A page in a single file has no documents beside it.
     if (isWhole()) for (const link of body.querySelectorAll('a[href^="docs/"]')) link.remove();
+    translate(body);
     place.append(...body.children);
     for (const text of styles) {
         if (styled.has(text)) continue;

@@ -20,6 +20,7 @@ mod meter;
 pub mod number;
 mod progress;
 pub mod sorted;
+pub mod words;
 
 pub use limits::{
     LimitName, Limits, MAX_ACTIONS, MAX_CONTEXT, MAX_COUNTING, MAX_FILE, MAX_ITERATIONS, MAX_LETTERS, MAX_MESH_COPIES,
