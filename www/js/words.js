@@ -18,8 +18,6 @@ export const words = await catalogue();
 
 const plurals = new Intl.PluralRules(language);
 const whole = new Intl.NumberFormat(language, { maximumFractionDigits: 0 });
-/** The mark before decimals. */
-const point = new Intl.NumberFormat(language).format(1.5).slice(1, 2);
 
 /** The language of the link, else the one that the reader chose, else the browser's first that there is. */
 function wanted() {
