@@ -6,6 +6,7 @@
 import { SILENCE, STARTUP, createWatchdog } from './engine/watchdog.js';
 import { isCarried, isWhole, scriptAddress } from './files.js';
 import { compile } from './wasm.js';
+import { ours } from './words.js';
 
 /** @typedef {import('./protocol.js').ToTool} ToTool */
 /** @typedef {import('./protocol.js').FromTool} FromTool */
@@ -59,7 +60,7 @@ export function createTool(tool, { isStraight = false } = {}) {
             (wasm) => {
                 failed = false;
                 if (worker !== fresh) return;
-                fresh.postMessage({ type: 'init', wasm });
+                fresh.postMessage({ type: 'init', wasm, words: ours });
                 for (const message of early ?? []) fresh.postMessage(message);
                 early = null;
             },

@@ -16,6 +16,11 @@ export const language = wanted();
 /** All translations; none in English. @type {Record<string, Entry>} */
 export const words = await catalogue();
 
+/** What a worker needs to tell its texts in the reader's language. @typedef {{language: string, words: Record<string, Entry>}} Catalogue */
+
+/** @type {Catalogue} */
+export const ours = { language, words };
+
 const plurals = new Intl.PluralRules(language);
 const whole = new Intl.NumberFormat(language, { maximumFractionDigits: 0 });
 
@@ -96,10 +101,18 @@ export function shown(value) {
     return typeof value === 'number' ? value.toLocaleString(language) : value;
 }
 
+/** Puts the page's own words into the reader's language. */
+export function translatePage() {
+    const page = document.documentElement;
+    page.lang = language;
+    translate(page);
+    delete page.dataset.words;
+}
+
 /** Elements whose texts are the same in all languages. */
-const SAME = 'script, style, svg, code, kbd, pre, textarea, [translate="no"]';
+export const SAME = 'script, style, svg, code, kbd, pre, textarea, [translate="no"]';
 /** Attributes that are read to people. */
-const READ = ['title', 'aria-label', 'aria-roledescription', 'placeholder', 'alt'];
+export const READ = ['title', 'aria-label', 'aria-roledescription', 'placeholder', 'alt'];
 
 /**
  * Puts an element, and all in it, into the reader's language. An element's own text is one sentence, in which each

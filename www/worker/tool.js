@@ -4,6 +4,8 @@
  * gets a function that sends progress to the page while the call runs.
  */
 
+import { setWords } from './words.js';
+
 /** @typedef {import('../js/protocol.js').ToTool} ToTool */
 /** @typedef {import('../js/protocol.js').FromTool} FromTool */
 
@@ -25,6 +27,7 @@ export function serve(calls) {
         else if (data.type === 'init')
             guard(0, () => {
                 wasm_bindgen.initSync({ module: data.wasm });
+                setWords(data.words);
                 // From now on the page need not wait long to know that this worker is silent.
                 page.postMessage({ type: 'pong' });
             });

@@ -13,6 +13,7 @@ import { page } from './page.js';
 import { createMate, createSharing } from './sharing.js';
 import { createThumbs } from './thumbs.js';
 import { createWork } from './work.js';
+import { setWords } from './words.js';
 
 /** @typedef {import('../js/protocol.js').Asked} Asked */
 /** @template {Asked} [T=Asked] @typedef {import('../js/protocol.js').Question<T>} Question */
@@ -50,8 +51,9 @@ import { createWork } from './work.js';
     };
 
     /** @param {import('../js/protocol.js').Init} init */
-    function start({ wasm, master }) {
+    function start({ wasm, words, master }) {
         const instance = wasm_bindgen.initSync({ module: wasm });
+        setWords(words);
         const memory = () => instance.memory.buffer.byteLength;
         const playground = new wasm_bindgen.Playground(canvas);
         if (master) {

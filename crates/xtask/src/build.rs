@@ -33,7 +33,7 @@ impl Kind {
 }
 
 /// The classic scripts of the pages.
-const SCRIPTS: [&str; 4] = ["js/theme-early.js", "js/exercise/lesson.js", "l-system.js", "service-worker.js"];
+const SCRIPTS: [&str; 4] = ["js/early.js", "js/exercise/lesson.js", "l-system.js", "service-worker.js"];
 /// The styles of the documents: those that they share with the playground, then their own.
 const DOCUMENT_STYLES: [&str; 3] = ["css/base.css", "css/contrast.css", "css/docs.css"];
 

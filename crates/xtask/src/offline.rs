@@ -15,7 +15,7 @@ const BEGINNINGS_LEFT_OUT: [&str; 2] = ["gallery/", "icons/screen-"];
 
 /// What the first screen needs, besides the page and its scripts.
 const FIRST: [&str; 6] =
-    ["page.css", "js/theme-early.js", "worker.js", "lsystem.wasm", "icons/icon.svg", "manifest.webmanifest"];
+    ["page.css", "js/early.js", "worker.js", "lsystem.wasm", "icons/icon.svg", "manifest.webmanifest"];
 
 /// Completes the service worker in the folder of the site. All other files must be in place. `scripts` are those that the
 /// page runs from the start.

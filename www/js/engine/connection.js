@@ -4,6 +4,7 @@
  * replaced.
  */
 
+import { ours } from '../words.js';
 import { core, forgetCore, hire } from './core.js';
 import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 
@@ -59,7 +60,7 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         core().then(
             (wasm) => {
                 if (worker !== fresh) return;
-                fresh.postMessage({ type: 'init', wasm });
+                fresh.postMessage({ type: 'init', wasm, words: ours });
                 ready = true;
                 begun();
             },

@@ -1,0 +1,24 @@
+/** The choice of the page's language. */
+
+import { byId, make } from './dom.js';
+import { LANGUAGES } from './languages.js';
+import { language } from './words.js';
+
+/** Fills the list of languages. A choice opens the page again, with the same system in its address. */
+export function languageChoice() {
+    const choice = byId('language', HTMLSelectElement);
+    const options = Object.entries(LANGUAGES).map(([value, name]) => make('option', { value, lang: value }, name));
+    choice.replaceChildren(...options);
+    choice.value = language;
+    choice.addEventListener('change', () => {
+        try {
+            localStorage.setItem('language', choice.value);
+        } catch {
+            // Without storage, the address alone names the language.
+        }
+        const address = new URL(location.href);
+        address.searchParams.set('lang', choice.value);
+        history.replaceState(history.state, '', address);
+        location.reload();
+    });
+}
