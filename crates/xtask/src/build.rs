@@ -155,16 +155,23 @@ fn page(www: &Path, site: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest, `llms.txt`, the schema of files.
+/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest, `llms.txt`, the schema of files, the
+/// words of other languages.
 fn is_shipped(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let is_folder = path.extension().is_none();
     if is_folder {
-        ["icons", "schema", "v1"].contains(&&*name)
+        ["icons", "schema", "v1", "lang"].contains(&&*name) || is_in(path, "lang")
     } else {
         ["html", "svg", "png", "webmanifest", "txt"].iter().any(|end| name.ends_with(end))
             || path.ends_with("v1/system.json")
+            || path.ends_with("words.json")
     }
+}
+
+/// Whether a path stands in a folder with this name.
+fn is_in(path: &Path, folder: &str) -> bool {
+    path.parent().is_some_and(|parent| parent.ends_with(folder))
 }
 
 /// Moves the folder at `place` to `old`, and `new` to `place`.
@@ -181,7 +188,7 @@ mod tests {
 
     #[test]
     fn ships_the_page_and_nothing_of_its_development() {
-        let schema = ["schema", "schema/v1", "schema/v1/system.json", "llms.txt"];
+        let schema = ["schema/v1", "schema/v1/system.json", "llms.txt", "lang", "lang/de", "lang/de/words.json"];
         for path in
             ["index.html", "icons", "icons/leaf.svg", "icons/leaf.png", "manifest.webmanifest"].iter().chain(&schema)
         {

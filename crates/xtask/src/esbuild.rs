@@ -38,9 +38,10 @@ impl Esbuild {
         Ok(Self { program: www.join("node_modules/.bin").join(program), www: www.to_owned() })
     }
 
-    /// A module bundled with its imports, as a classic script.
+    /// A module bundled with its imports, as a classic script. It may wait for the words of a language.
     pub(crate) fn script(&self, entry: &str) -> Result<String> {
-        self.run(&self.www.join(entry), &["--bundle", "--format=iife"])
+        let module = self.run(&self.www.join(entry), &["--bundle", "--format=esm"])?;
+        Ok(format!("(async()=>{{\"use strict\";{module}}})();\n"))
     }
 
     /// A classic script or styles, minified. The ending of `name` decides the kind.
