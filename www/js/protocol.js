@@ -63,7 +63,9 @@ export {};
 
 // Messages.
 
-/** Starts a worker; with a port (`master`), as a mate of the worker at the port's other end. @typedef {{type: 'init', wasm: WebAssembly.Module, words?: import('./words.js').Catalogue, master?: MessagePort}} Init */
+/** A text of another language, or its forms by plural categories. @typedef {string | Record<string, string>} Entry */
+/** The language of the page, and the texts by the English ones. @typedef {{language: string, words: Record<string, Entry>}} Catalogue */
+/** Starts a worker; with a port (`master`), as a mate of the worker at the port's other end. @typedef {{type: 'init', wasm: WebAssembly.Module, words?: Catalogue, master?: MessagePort}} Init */
 /** A new definition, in the frame of the former drawing if `still`; only the first `upto` segments are shown, or all if null. @typedef {{type: 'define', id: number, definition: Definition & {still?: boolean}, upto: bigint | null}} Define */
 /** A new view; `camera` is for drawings in space. @typedef {{type: 'view', id: number, view: View, camera: Camera | null, upto: bigint | null} & Canvas} ViewMessage */
 /**
@@ -190,7 +192,7 @@ export {};
  *     gif: {asked: {film: Film, script: FilmScript}, answer: null},
  * }} FilmCalls
  */
-/** From the page to a tool: calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module, words: import('./words.js').Catalogue} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
+/** From the page to a tool: calls by name; a long one can be cancelled. @typedef {{type: 'init', wasm: WebAssembly.Module, words: Catalogue} | {type: 'ping'} | {type: 'cancel', id: number} | {type: 'call', id: number, call: string, asked: object}} ToTool */
 /** From a tool to the page. `fatal`: the tool has crashed. @typedef {{type: 'pong'} | {type: 'answer', id: number, value: unknown} | {type: 'progress', id: number, value: unknown} | {type: 'refused', id: number, reason: unknown} | {type: 'fatal', id: number, reason: unknown}} FromTool */
 
 /**

@@ -8,7 +8,7 @@
 import { jsonOf } from './files.js';
 import { LANGUAGES } from './languages.js';
 
-/** A text, or its forms by the plural categories of the language. @typedef {string | Record<string, string>} Entry */
+/** @typedef {import('./protocol.js').Entry} Entry */
 
 /** The reader's language, a key of `LANGUAGES`. */
 export const language = wanted();
@@ -16,9 +16,7 @@ export const language = wanted();
 /** All translations; none in English. @type {Record<string, Entry>} */
 export const words = await catalogue();
 
-/** What a worker needs to tell its texts in the reader's language. @typedef {{language: string, words: Record<string, Entry>}} Catalogue */
-
-/** @type {Catalogue} */
+/** What a worker needs. @type {import('./protocol.js').Catalogue} */
 export const ours = { language, words };
 
 const plurals = new Intl.PluralRules(language);
@@ -78,9 +76,9 @@ export function said(text) {
  * @param {...(string | number)} values
  */
 export function counted(number, one, other, ...values) {
-    const forms = Object.hasOwn(words, other) ? words[other] : { one, other };
-    const form = typeof forms === 'string' ? forms : (forms[plurals.select(Number(number))] ?? forms.other);
-    return fill(form, [whole.format(number), ...values]);
+    const entry = Object.hasOwn(words, other) ? words[other] : { one, other };
+    const form = typeof entry === 'object' ? (entry[plurals.select(Number(number))] ?? entry.other) : entry;
+    return fill(form ?? other, [whole.format(number), ...values]);
 }
 
 /**
@@ -90,7 +88,7 @@ export function counted(number, one, other, ...values) {
  */
 function fill(text, values) {
     let next = 0;
-    return text.replace(/\{(\d*)\}/g, (_, digits) => shown(values[digits === '' ? next++ : Number(digits)]));
+    return text.replace(/\{(\d*)\}/g, (_, digits) => shown(values[digits === '' ? next++ : Number(digits)] ?? ''));
 }
 
 /**

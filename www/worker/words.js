@@ -1,6 +1,6 @@
 /** The words of the core, in the language of the page. */
 
-/** @param {import('../js/words.js').Catalogue | undefined} catalogue */
+/** @param {import('../js/protocol.js').Catalogue | undefined} catalogue */
 export function setWords(catalogue) {
     if (!catalogue || catalogue.language === 'en') return;
     const { words } = catalogue;

@@ -19,7 +19,10 @@ const read = (name) => readFileSync(new URL(name, root), 'utf8');
  */
 function list(folder, ending) {
     const found = readdirSync(new URL(folder, root), { recursive: true, encoding: 'utf8' });
-    return found.filter((name) => name.endsWith(ending)).map((name) => `${folder}/${name}`).sort();
+    return found
+        .filter((name) => name.endsWith(ending))
+        .map((name) => `${folder}/${name}`)
+        .sort();
 }
 
 /**
@@ -33,11 +36,13 @@ export function collect() {
     const found = new Map();
     /** @param {string} place @param {string} text @param {string} [one] */
     const add = (place, text, one) => {
-        if (/\p{L}{2}/u.test(text) && !found.has(text)) found.set(text, { place, isCounted: one !== undefined, ...(one === undefined ? {} : { one }) });
+        if (/\p{L}{2}/u.test(text) && !found.has(text))
+            found.set(text, { place, isCounted: one !== undefined, ...(one === undefined ? {} : { one }) });
     };
     add('the name of the language itself', 'English');
     found.set('1,234.5', { place: 'marks in numbers', isCounted: false });
-    for (const name of [...list('www', '.html')].filter((name) => isOurs(name) && !name.startsWith('www/docs'))) ofMarkup(name, add);
+    for (const name of [...list('www', '.html')].filter((name) => isOurs(name) && !name.startsWith('www/docs')))
+        ofMarkup(name, add);
     for (const name of list('www/js', '.js')) ofScript(name, add);
     for (const name of list('crates', '.rs')) if (isProduct(name)) ofRust(name, add);
     ofTables(add);
@@ -48,7 +53,10 @@ export function collect() {
 const isOurs = (name) => !name.includes('node_modules') && !name.startsWith('www/test/');
 
 /** The crates that speak to people. @param {string} name */
-const isProduct = (name) => /^crates\/(lsys|lsystem[a-z-]*)\/src\//.test(name) && !/(^|\/)tests?(\/|\.rs$)/.test(name) && !name.endsWith('words.rs');
+const isProduct = (name) =>
+    /^crates\/(lsys|lsystem[a-z-]*)\/src\//.test(name) &&
+    !/(^|\/)tests?(\/|\.rs$)/.test(name) &&
+    !name.endsWith('words.rs');
 
 /** @typedef {(place: string, text: string, one?: string) => void} Add */
 
@@ -106,7 +114,10 @@ function visit(node, see) {
 }
 
 const STRING = String.raw`"((?:[^"\\]|\\[\s\S])*)"`;
-const RUST = new RegExp(String.raw`\b(?:say|word)!\(\s*${STRING}|\bcounted!\((?:[^"]|'"')*?,\s*${STRING},\s*${STRING}`, 'g');
+const RUST = new RegExp(
+    String.raw`\b(?:say|word)!\(\s*${STRING}|\bcounted!\((?:[^"]|'"')*?,\s*${STRING},\s*${STRING}`,
+    'g',
+);
 
 /** @param {string} name @param {Add} add */
 function ofRust(name, add) {
@@ -122,10 +133,13 @@ function ofRust(name, add) {
 function unescape(text) {
     const plain = { n: '\n', t: '\t', '"': '"', '\\': '\\', "'": "'", 0: '\0' };
     return text.replace(/\\(?:\n\s*|u\{([0-9a-fA-F]+)\}|x([0-9a-fA-F]{2})|(.))/g, (_, long, short, one) =>
-        long || short ? String.fromCodePoint(Number.parseInt(long ?? short, 16)) : one === undefined ? '' : (plain[/** @type {'n'} */ (one)] ?? one),
+        long || short
+            ? String.fromCodePoint(Number.parseInt(long ?? short, 16))
+            : one === undefined
+              ? ''
+              : (plain[/** @type {'n'} */ (one)] ?? one),
     );
 }
-
 
 /** @param {Add} add */
 function ofTables(add) {
@@ -150,7 +164,8 @@ function ofTables(add) {
             ofJson(name, JSON.parse(read(name)));
         } catch {
             // Files with comments have no words for people but these.
-            for (const [, key, text] of read(name).matchAll(/"(title|notes)":\s*("(?:[^"\\]|\\.)*")/g)) ofJson(name, JSON.parse(text ?? '""'), key);
+            for (const [, key, text] of read(name).matchAll(/"(title|notes)":\s*("(?:[^"\\]|\\.)*")/g))
+                ofJson(name, JSON.parse(text ?? '""'), key);
         }
     }
 }
