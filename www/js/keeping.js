@@ -9,7 +9,7 @@ import { say } from './words.js';
 import { marked } from './numerals.js';
 
 /** @param {number} bytes */
-const megabytes = (bytes) => `${marked((bytes / 1e6).toFixed(1))} MB`;
+const megabytes = (bytes) => say`${marked((bytes / 1e6).toFixed(1))} MB`;
 
 export function createKeeping() {
     addElements(markup, [styles]);
