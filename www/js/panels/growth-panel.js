@@ -150,8 +150,13 @@ function showDigits(report, kind) {
     for (const each of /** @type {const} */ (['symbols', 'segments']))
         button(each).setAttribute('aria-expanded', String(shown && each === kind));
     if (!shown || !digits) return;
-    const all = grouped(digits);
-    setText(frame, kind === 'symbols' ? say`${all} symbols` : say`${all} segments`);
+    const [number, all] = [Number(digits), grouped(digits)];
+    setText(
+        frame,
+        kind === 'symbols'
+            ? counted(number, '{1} symbol', '{1} symbols', all)
+            : counted(number, '{1} segment', '{1} segments', all),
+    );
 }
 
 /** Draws the angle beside its label. @param {number} degrees */
