@@ -4,6 +4,7 @@
  */
 
 import { make, withCode } from './dom.js';
+import { say } from './words.js';
 
 /** @typedef {import('./protocol.js').Imported} Imported */
 
@@ -44,7 +45,7 @@ export function showAccount(text, account, entry) {
         }
         const mark = make('mark', { class: part.fate, title: part.words, tabindex: '0' }, words);
         const line = text.slice(0, part.start).split('\n').length;
-        const place = part.fate === 'read' ? [] : [make('span', { class: 'place' }, `Line ${line}`), ' '];
+        const place = part.fate === 'read' ? [] : [make('span', { class: 'place' }, say`Line ${String(line)}`), ' '];
         const item = make('li', { class: part.fate }, ...place, ...withCode(part.words));
         point(mark, item);
         point(item, mark);

@@ -2,6 +2,7 @@
 
 import { html, make, setText, withCode, withoutMarks } from './dom.js';
 import { setLayer } from './layers.js';
+import { say } from './words.js';
 
 /** The pause before an announcement, in milliseconds. */
 const PAUSE = 900;
@@ -45,7 +46,7 @@ export function toast(words, { stay = false, action } = {}) {
         const act = make('button', { type: 'button', class: 'toast-act' }, action.label);
         const dismiss = make(
             'button',
-            { type: 'button', class: 'toast-close', 'aria-label': 'Close this message' },
+            { type: 'button', class: 'toast-close', 'aria-label': say`Close this message` },
             '×',
         );
         act.addEventListener('click', () => {

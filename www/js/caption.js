@@ -4,12 +4,13 @@ import { announce } from './announce.js';
 import { html, setText, setWords } from './dom.js';
 import { isWrong } from './engine.js';
 import { captionOf } from './panels/growth-panel.js';
+import { said, say } from './words.js';
 
 /** @typedef {import('./protocol.js').Report} Report */
 /** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
 /** @typedef {{report: (report: Report, state: import('./state.js').State) => void}} Part */
 
-const LAST = 'Showing the last valid drawing.';
+const LAST = say`Showing the last valid drawing.`;
 
 /** Tells that the newest state is not drawn. */
 export const showLast = () => setText(html('caption-text'), LAST);
@@ -39,7 +40,7 @@ export function createReporter({ store, untitled, stage, drawn, edited, mistaken
         html('empty').hidden = empty === null;
         setText(html('description'), report.description);
         setText(html('caption-text'), captionOf(state, report));
-        html('drawing').setAttribute('aria-label', `Drawing: ${state.title || state.name || untitled}`);
+        html('drawing').setAttribute('aria-label', say`Drawing: ${said(state.title) || state.name || untitled}`);
         announce(empty ?? report.description);
     };
 }

@@ -1,6 +1,7 @@
 /** Copying to the clipboard. */
 
 import { setText } from './dom.js';
+import { say } from './words.js';
 
 /** How long a button shows “Copied”, in milliseconds. */
 const COPIED_MS = 2500;
@@ -51,13 +52,13 @@ export function copies(copier, field, what, tell) {
         const copied = await copyField(field);
         tell(
             copied
-                ? `${what} copied`
-                : `The browser refuses clipboard access. The text is selected: press ${copyKeys()} to copy.`,
+                ? say`${what} copied`
+                : say`The browser refuses clipboard access. The text is selected: press ${copyKeys()} to copy.`,
             !copied,
         );
         if (!copied) return;
         copier.focus();
-        setText(label, 'Copied');
+        setText(label, say`Copied`);
         clearTimeout(timer);
         timer = window.setTimeout(() => setText(label, before), COPIED_MS);
     });

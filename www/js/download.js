@@ -2,6 +2,7 @@
 
 import { announce } from './announce.js';
 import { make } from './dom.js';
+import { say } from './words.js';
 
 /** @param {Blob} blob @param {string} name */
 export function download(blob, name) {
@@ -10,7 +11,7 @@ export function download(blob, name) {
     anchor.click();
     // By then the download no longer needs the URL.
     setTimeout(() => URL.revokeObjectURL(url), 60_000);
-    announce(`Saved ${name}`);
+    announce(say`Saved ${name}`);
 }
 
 /** A file name for a state, without the ending. @param {import('./state.js').State} state */

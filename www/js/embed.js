@@ -37,13 +37,17 @@ import { DEFAULTS, clean, definitionOf, sameDrawing, sameSystem } from './state.
 import { createStore } from './store.js';
 import { createTool } from './tool.js';
 import { QUESTION, createTrouble } from './trouble.js';
+import { counted, language, said, say, translate } from './words.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
 /** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
 /** @typedef {import('./embed/options.js').Control} Control */
 
-const NOTHING = 'The address of this frame contains no drawing.';
+document.documentElement.lang = language;
+translate(document.body);
+
+const NOTHING = say`The address of this frame contains no drawing.`;
 
 let options = readOptions(location.hash);
 showTheme();
@@ -58,7 +62,7 @@ const link = await openLink(location.hash);
 /** Why the exercise cannot be opened; empty if it can. */
 let refusal = '';
 const exercise = await openExercise(location.hash, link?.state).catch((error) => {
-    refusal = error instanceof Error ? `The exercise cannot be opened: ${error.message}.` : String(error);
+    refusal = error instanceof Error ? say`The exercise cannot be opened: ${error.message}.` : String(error);
     return null;
 });
 const store = createStore(exercise ? exercise.start : link ? link.state : DEFAULTS);
@@ -225,7 +229,7 @@ function begin() {
     });
     const report = createReporter({
         store,
-        untitled: 'L-system',
+        untitled: say`L-system`,
         stage,
         drawn: [stage, reader, playback],
         edited: [legend, { report: listProblems }, dials, ...(symbols ? [symbols] : [])],
@@ -272,11 +276,11 @@ function offer(asked) {
     setText(
         html('keys'),
         [
-            has('angle') && 'Left and right arrows change the angle.',
-            has('n') && 'Up and down arrows change the iterations.',
-            'Shift and arrows move the picture, plus and minus zoom, zero fits the picture.',
-            has('play') && 'Space plays the drawing.',
-            'Escape leaves the drawing.',
+            has('angle') && say`Left and right arrows change the angle.`,
+            has('n') && say`Up and down arrows change the iterations.`,
+            say`Shift and arrows move the picture, plus and minus zoom, zero fits the picture.`,
+            has('play') && say`Space plays the drawing.`,
+            say`Escape leaves the drawing.`,
         ]
             .filter(Boolean)
             .join(' '),
@@ -300,9 +304,9 @@ function show(state, before) {
         parts?.playback.forget();
     }
     if (before && before.camera !== state.camera) parts?.hover.turned();
-    const title = state.title || state.name;
-    document.title = title ? `${title} – L-system` : 'L-system';
-    setText(html('caption-title'), exercise ? 'Yours' : title);
+    const title = said(state.title) || state.name;
+    document.title = title ? say`${title} – L-system` : say`L-system`;
+    setText(html('caption-title'), exercise ? say`Yours` : title);
     button('reset').disabled = !store.canReset;
     html('stage').classList.toggle('on-dark', isDark(state.background));
     for (const id of exercise ? ['stage', 'target'] : ['stage'])
@@ -320,15 +324,31 @@ function listProblems(report) {
 /** @param {Diagnostic} first @param {Diagnostic[]} all */
 function mistaken(first, all) {
     const listed = controls.includes('rules') && ['axiom', 'rules'].includes(first.field);
-    const where = first.field === 'numbers' ? '' : ` (in the ${first.field})`;
-    const words = [`${first.message}${where}${all.length > 1 ? `, and ${all.length - 1} more` : ''}.`, first.hint]
-        .filter(Boolean)
-        .join(' ');
+    const placed = withPlace(first);
+    const sentence =
+        all.length > 1 ? counted(all.length - 1, '{1}, and {} more.', '{1}, and {} more.', placed) : `${placed}.`;
+    const words = [sentence, first.hint].filter(Boolean).join(' ');
     // If the rules are shown, their problems are listed below them.
     showProblem(listed ? '' : words);
     if (parts?.drawn()) showLast();
     host.error(first.message, all);
     return words;
+}
+
+/** A message with the field that it is about. @param {Diagnostic} diagnostic */
+function withPlace({ message, field }) {
+    switch (field) {
+        case 'axiom':
+            return say`${message} (in the axiom)`;
+        case 'rules':
+            return say`${message} (in the rules)`;
+        case 'overrides':
+            return say`${message} (in the overrides)`;
+        case 'file':
+            return say`${message} (in the file)`;
+        default:
+            return message;
+    }
 }
 
 /** @param {Report} report */
@@ -337,7 +357,7 @@ function valid({ description, symbols, segments, empty }) {
     facts = { description, symbols, segments };
     // Where an exercise asks for the string, it need not draw.
     return empty !== null && exercise && ASKS[exercise.about.asks].isText
-        ? 'Nothing is drawn. Here the string counts.'
+        ? say`Nothing is drawn. Here the string counts.`
         : empty;
 }
 

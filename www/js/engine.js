@@ -10,6 +10,7 @@ import { createFallback } from './engine/fallback.js';
 import { createNewest } from './engine/newest.js';
 import { createOutbox } from './engine/outbox.js';
 import { Stopped, asking, createQuestions, isReading } from './engine/questions.js';
+import { say } from './words.js';
 
 /** @typedef {import('./protocol.js').Report} Report */
 /** @typedef {import('./protocol.js').Notation} Notation */
@@ -113,7 +114,7 @@ export function createEngine(events) {
     /** @type {import('./engine/questions.js').Ask} */
     async function ask(type, asked) {
         if (questions.isForbidden(type, newest.state.definition))
-            throw new Stopped('this question stopped the worker before');
+            throw new Stopped(say`this question stopped the worker before`);
         connection.revive();
         const answer = questions.ask(type, asked);
         connection.watch();

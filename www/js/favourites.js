@@ -1,6 +1,7 @@
 /** Favourites: states saved by name, newest first. Pure functions. */
 
 import { writeLink } from './link.js';
+import { say } from './words.js';
 
 /** @typedef {import('./state.js').State} State */
 /** A state under a name, as a readable link. @typedef {{id: string, name: string, link: string}} Favourite */
@@ -30,7 +31,7 @@ export function readFavourites(value) {
 export function favourite(name, state) {
     return {
         id: Math.random().toString(36).slice(2),
-        name: cleanName(name) || cleanName(state.title || state.name) || 'Untitled system',
+        name: cleanName(name) || cleanName(state.title || state.name) || say`Untitled system`,
         link: writeLink(state),
     };
 }

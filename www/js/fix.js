@@ -1,9 +1,11 @@
 /** Remedies that the reader can apply with a button. */
 
+import { counted, say } from './words.js';
+
 /** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
 
 /** The label of a remedy's button. @param {string} fix */
-export const fixLabel = (fix) => (fix === '' ? 'Remove it' : `Write ${fix}`);
+export const fixLabel = (fix) => (fix === '' ? say`Remove it` : say`Write ${fix}`);
 
 /** Applies a remedy, as one undo step. @param {import('./store.js').Store} store @param {Diagnostic} diagnostic */
 export function applyFix(store, { field, start, end, fix }) {
@@ -13,4 +15,4 @@ export function applyFix(store, { field, start, end, fix }) {
 }
 
 /** The label of the button that takes the largest number of iterations that can be drawn. @param {number} largest */
-export const largestLabel = (largest) => `Use ${largest} ${largest === 1 ? 'iteration' : 'iterations'}`;
+export const largestLabel = (largest) => counted(largest, 'Use {1} iteration', 'Use {1} iterations', String(largest));

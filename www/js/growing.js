@@ -3,6 +3,8 @@
 import { createAnimation } from './animation.js';
 import { button, reducedMotion } from './dom.js';
 import { definitionOf } from './state.js';
+import { say } from './words.js';
+import { marked } from './numerals.js';
 
 /** Seconds per generation, and limits for the whole animation. */
 const EACH = 0.9;
@@ -109,7 +111,7 @@ export function createGrowing(store, engine, page) {
             return iterations() === 0 ? 1 : grown / iterations();
         },
         get words() {
-            return `generation ${grown.toFixed(1)} of ${iterations()}`;
+            return say`generation ${marked(grown.toFixed(1))} of ${String(iterations())}`;
         },
         toggle() {
             if (animation.playing) pause();

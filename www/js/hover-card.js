@@ -4,6 +4,7 @@ import { html, make } from './dom.js';
 import { setLayer } from './layers.js';
 import { placeText } from './reading/places.js';
 import { birth, birthOf, descent, filledText, strokeText, visible } from './reading/words.js';
+import { counted, say } from './words.js';
 
 /** How many ancestors the card shows. A finger leaves less room. */
 const MAX_ANCESTORS = { mouse: 4, touch: 1 };
@@ -42,7 +43,7 @@ export function createHoverCard(stage, { hidden, read }) {
         const [, ...older] = descent(ancestry);
         const more = older.length - most;
         // A mouse opens the string with a click on the segment.
-        const show = make('button', { type: 'button', class: 'button card-read' }, 'Show in the string');
+        const show = make('button', { type: 'button', class: 'button card-read' }, say`Show in the string`);
         show.addEventListener('click', () => read(ancestry));
         card.replaceChildren(
             ...(own
@@ -65,7 +66,19 @@ export function createHoverCard(stage, { hidden, read }) {
                               .map((link) =>
                                   make('li', {}, make('kbd', {}, visible(link.symbol)), make('span', {}, birth(link))),
                               ),
-                          ...(more > 0 ? [make('li', { class: 'more' }, `and ${more} more, back to the axiom`)] : []),
+                          ...(more > 0
+                              ? [
+                                    make(
+                                        'li',
+                                        { class: 'more' },
+                                        counted(
+                                            more,
+                                            'and {} more, back to the axiom',
+                                            'and {} more, back to the axiom',
+                                        ),
+                                    ),
+                                ]
+                              : []),
                       ),
                   ]
                 : []),
@@ -73,7 +86,7 @@ export function createHoverCard(stage, { hidden, read }) {
                 'p',
                 { class: 'card-facts' },
                 facts,
-                ...(symbol === null ? [] : [make('br'), `Symbol ${number(symbol)}`]),
+                ...(symbol === null ? [] : [make('br'), say`Symbol ${number(symbol)}`]),
             ),
             ...(touch && ancestry.length > 0 ? [show] : []),
         );
@@ -128,8 +141,8 @@ export function createHoverCard(stage, { hidden, read }) {
 
 /** @param {Picked} picked */
 function factsOf({ segment, polygon, stroke, filled }) {
-    if (stroke) return `Segment ${number(segment)}, ${strokeText(stroke)}`;
-    return filled ? `Polygon ${number(polygon)}, ${filledText(filled)}` : '';
+    if (stroke) return say`Segment ${number(segment)}, ${strokeText(stroke)}`;
+    return filled ? say`Polygon ${number(polygon)}, ${filledText(filled)}` : '';
 }
 
 /** @param {string | null} digits counted from 0 */

@@ -5,9 +5,11 @@ import { button, byId, closes, html, setText } from './dom.js';
 import markup from './keeping.html';
 import { addElements } from './late.js';
 import { askVersion } from './offline.js';
+import { say } from './words.js';
+import { marked } from './numerals.js';
 
 /** @param {number} bytes */
-const megabytes = (bytes) => `${(bytes / 1e6).toFixed(1)} MB`;
+const megabytes = (bytes) => say`${marked((bytes / 1e6).toFixed(1))} MB`;
 
 export function createKeeping() {
     addElements(markup, [styles]);
@@ -25,8 +27,8 @@ export function createKeeping() {
         keep.hidden = left === 0;
         tell(
             left === 0
-                ? 'Everything is kept in this browser and works without a network.'
-                : `Everything else takes ${megabytes(Number(left))} of this browser’s storage.`,
+                ? say`Everything is kept in this browser and works without a network.`
+                : say`Everything else takes ${megabytes(Number(left))} of this browser’s storage.`,
         );
     }
 
@@ -35,8 +37,8 @@ export function createKeeping() {
         void askVersion('keep all', (left) => {
             keep.disabled = typeof left === 'number' && left > 0;
             if (typeof left !== 'number')
-                tell(`Not everything could be kept (${left}). Try again with a network.`, true);
-            else if (left > 0) tell(`Downloading, ${megabytes(left)} left…`);
+                tell(say`Not everything could be kept (${String(left)}). Try again with a network.`, true);
+            else if (left > 0) tell(say`Downloading, ${megabytes(left)} left…`);
             else showLeft(0);
         });
     });

@@ -2,7 +2,7 @@
 
 import { toast } from './announce.js';
 import { isWhole } from './files.js';
-import { translate } from './words.js';
+import { say, translate } from './words.js';
 
 /** The styles on the page so far. @type {Set<string>} */
 const styled = new Set();
@@ -22,7 +22,9 @@ export function createLate(load) {
             return await (loading ??= load());
         } catch (error) {
             loading = null;
-            toast(`This part of the page could not be loaded (${error instanceof Error ? error.message : error}).`);
+            toast(
+                say`This part of the page could not be loaded (${error instanceof Error ? error.message : String(error)}).`,
+            );
             return null;
         }
     };

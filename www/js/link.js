@@ -9,6 +9,7 @@
 
 import { DEFAULTS, clean, maxLengthOf, problemOf, same } from './state.js';
 import { FIELDS } from './tables.js';
+import { say } from './words.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {{state: State, problems: string[]}} Link the state in a link, and the problems found while reading */
@@ -131,7 +132,10 @@ export function writeFields(state, guard) {
  */
 export function readLink(hash, unpacked = null) {
     if (hash.length > LONGEST)
-        return { state: clean({}), problems: [`The link is longer than ${LONGEST} characters and was not read.`] };
+        return {
+            state: clean({}),
+            problems: [say`The link is longer than ${String(LONGEST)} characters and was not read.`],
+        };
     // Repeated keys are decoded only once, so that the time is linear in the length.
     /** @type {Map<string, string>} */
     const parts = new Map();
@@ -149,13 +153,13 @@ export function readLink(hash, unpacked = null) {
         try {
             given.set(key, decodeURIComponent(value));
         } catch {
-            problems.push(`“${key}” in the link is damaged and was left out.`);
+            problems.push(say`“${key}” in the link is damaged and was left out.`);
         }
     }
     const version = given.get('v');
     if (version !== undefined && Number(version) !== VERSION)
-        problems.push('The link was made by another version of this page; parts of the drawing may be missing.');
-    if (given.has(PACKED) && unpacked === null) problems.push('The compressed part of the link was not read.');
+        problems.push(say`The link was made by another version of this page; parts of the drawing may be missing.`);
+    if (given.has(PACKED) && unpacked === null) problems.push(say`The compressed part of the link was not read.`);
     /** @type {Partial<Record<keyof State, unknown>>} */
     const values = {};
     for (const [key, field, form] of KEYS) {
@@ -165,7 +169,7 @@ export function readLink(hash, unpacked = null) {
     const state = clean(values);
     for (const [key, field] of KEYS) {
         const wrong = given.has(key) && problemOf(field, values[field]);
-        if (wrong) problems.push(`“${key}” in the link ${wrong}.`);
+        if (wrong) problems.push(say`“${key}” in the link ${wrong}.`);
     }
     return { state, problems };
 }

@@ -14,7 +14,7 @@ import { withThemeScheme, hasScheme, themeScheme, isDark } from './colour-scheme
 import { createMarks } from './marks.js';
 import { followNotation } from './notation.js';
 import { keepOffline } from './offline.js';
-import { blank, opening } from './opening.js';
+import { blank, opening, titleOf } from './opening.js';
 import { createMates, matesOn } from './engine/mates.js';
 import { openLink } from './packed.js';
 import { followPasting } from './pasting.js';
@@ -44,9 +44,13 @@ import { QUESTION, createTrouble } from './trouble.js';
 import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
 import { createWind } from './wind.js';
+import { counted, language, say, translate } from './words.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
+
+document.documentElement.lang = language;
+translate(document.body);
 
 /** Whether rules may have a curve, or custom symbols a leaf, whose editor then loads. */
 const CURVE = /^[^\S\r\n]*curve\s/m;
@@ -96,13 +100,20 @@ const refusal = createRefusal(store, tabs());
 const trouble = createTrouble({ back: goBack, again: drawAgain });
 const report = createReporter({
     store,
-    untitled: 'untitled system',
+    untitled: say`untitled system`,
     stage,
     drawn: [reader, playback, stage, orbit],
     edited: [rules, legend, growth, look, turtle, refusal, wind],
     mistaken({ message }, { length }) {
         showLast();
-        return `${message}${length > 1 ? `, and ${length - 1} more` : ''}. Showing the last valid drawing.`;
+        return length > 1
+            ? counted(
+                  length - 1,
+                  '{1}, and {} more. Showing the last valid drawing.',
+                  '{1}, and {} more. Showing the last valid drawing.',
+                  message,
+              )
+            : say`${message}. Showing the last valid drawing.`;
     },
 });
 const showAddress = followAddress(store, { open: opened });
@@ -148,7 +159,7 @@ button('reset').addEventListener('click', store.reset);
 button('start-anew').addEventListener('click', () => {
     session.visit(blank(theme()));
     html('rules').focus();
-    toast('New system. Undo to go back.');
+    toast(say`New system. Undo to go back.`);
 });
 addEventListener('keydown', (event) => {
     const command = (event.ctrlKey || event.metaKey) && !event.altKey;
@@ -224,14 +235,14 @@ function show(state, before) {
 function showNames(state) {
     // The introduction is about the opening plant, edited or not.
     html('intro').hidden = state.name !== opening(theme()).name;
-    const title = state.title || state.name || 'Untitled system';
+    const title = titleOf(state) || state.name || say`Untitled system`;
     // A system with another title is a new system, not an edited one.
     const edited = !sameSystem(state, store.origin) && state.title === store.origin.title;
     setText(html('specimen-title'), title);
     setText(html('specimen-source'), state.source);
     html('edited').hidden = !edited;
-    setText(html('caption-title'), edited ? `${title}, edited` : title);
-    const heading = `${title} – L-systems`;
+    setText(html('caption-title'), edited ? say`${title}, edited` : title);
+    const heading = say`${title} – L-systems`;
     if (document.title !== heading) document.title = heading;
 }
 
@@ -298,7 +309,7 @@ function doubted({ definition, look }, doubtful) {
 
 /** Offers to draw a system that stopped the drawing before. */
 function offerDrawing() {
-    setText(html('caption-text'), 'Not drawn.');
+    setText(html('caption-text'), say`Not drawn.`);
     trouble.show('held', false);
 }
 
@@ -322,24 +333,27 @@ function greet() {
     const [last] = served ? [] : session.others();
     const offered = link && !restored && last ? openSession(last) : null;
     if (last && offered && !sameSystem(offered.state, store.state)) {
-        toast(problems || 'This is the link you opened.', {
-            action: { label: 'Continue where you left off', act: () => session.resume(last) },
+        toast(problems || say`This is the link you opened.`, {
+            action: { label: say`Continue where you left off`, act: () => session.resume(last) },
         });
     } else if (problems) {
         toast(problems);
     } else if (restored && !restored.again) {
-        toast('This is where you left off.');
+        toast(say`This is where you left off.`);
     }
 }
 
 /** @param {import('./link.js').Link} pasted */
 function opened(pasted) {
     session.visit(pasted.state);
-    toast(`Opened the link. Undo to go back. ${problemWords(pasted)}`.trim());
+    toast(`${say`Opened the link. Undo to go back.`} ${problemWords(pasted)}`.trim());
 }
 
 /** The first few of a link's problems. @param {import('./link.js').Link} link */
 function problemWords({ problems }) {
     const more = problems.length - MOST_PROBLEMS;
-    return [...problems.slice(0, MOST_PROBLEMS), ...(more > 0 ? [`${more} more problems.`] : [])].join(' ');
+    return [
+        ...problems.slice(0, MOST_PROBLEMS),
+        ...(more > 0 ? [counted(more, '{} more problem.', '{} more problems.')] : []),
+    ].join(' ');
 }

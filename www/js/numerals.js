@@ -1,13 +1,34 @@
-/** Writing and reading numbers. Pure functions. */
+/** Writing numbers in the reader's language, and reading them. Pure functions. */
+
+import { language } from './words.js';
 
 const THIN_SPACE = '\u2009';
+
+const parts = new Intl.NumberFormat(language).formatToParts(1234567.5);
+const markOf = (/** @type {string} */ kind) => parts.find(({ type }) => type === kind)?.value ?? '';
+/** What stands between groups of digits, and before decimals. */
+const [GROUP, DECIMAL] = [markOf('group'), markOf('decimal')];
+
+/** The digits of a number with the language's mark before decimals. @param {string} digits with a point */
+export const marked = (digits) => digits.replace('.', DECIMAL);
+
+/** Numbers in a row, apart from the marks in them. @param {readonly string[]} numbers */
+export const listed = (numbers) => numbers.join(DECIMAL === ',' ? '; ' : ', ');
+
+/** A number with the marks of English, from one in the reader's language. @param {string} text */
+export function unmarked(text) {
+    if (DECIMAL === '.') return text;
+    const whole = GROUP === '.' ? text.replace(/\.(?=\d{3}(?!\d))/g, '') : text;
+    // Several commas are those between groups.
+    return whole.split(',').length === 2 ? whole.replace(',', '.') : whole;
+}
 
 /**
  * Digits in groups of three.
  * @param {string} digits of a whole number
  */
 export function grouped(digits) {
-    return digits.replace(/\B(?=(\d{3})+$)/g, ',');
+    return digits.replace(/\B(?=(\d{3})+$)/g, GROUP);
 }
 
 /**
@@ -23,7 +44,7 @@ export function short(digits) {
         hundredths = 100;
         exponent += 1;
     }
-    return { mantissa: (hundredths / 100).toFixed(2), exponent };
+    return { mantissa: marked((hundredths / 100).toFixed(2)), exponent };
 }
 
 /**
@@ -45,10 +66,10 @@ export function raised(value) {
  * @param {number} zoom
  */
 export function zoomText(zoom) {
-    if (zoom < 10) return `${zoom < 0.1 ? (zoom * 100).toFixed(1) : Math.round(zoom * 100)}${THIN_SPACE}%`;
-    if (zoom < 10_000) return `×${Math.round(zoom).toLocaleString('en')}`;
+    if (zoom < 10) return `${zoom < 0.1 ? marked((zoom * 100).toFixed(1)) : Math.round(zoom * 100)}${THIN_SPACE}%`;
+    if (zoom < 10_000) return `×${grouped(String(Math.round(zoom)))}`;
     const exponent = Math.floor(Math.log10(zoom));
-    return `×${(zoom / 10 ** exponent).toFixed(1)}·10${raised(exponent)}`;
+    return `×${marked((zoom / 10 ** exponent).toFixed(1))}·10${raised(exponent)}`;
 }
 
 /**

@@ -1,6 +1,12 @@
 /** The system that a first visit shows, and the system that New starts from. */
 
 import { clean } from './state.js';
+import { said, say } from './words.js';
+
+const TITLE = 'A plant by one rule';
+
+/** A system's title in the reader's language; the opening plant has no file, from which translators get it. @param {{title: string}} system */
+export const titleOf = ({ title }) => (title === TITLE ? say`A plant by one rule` : said(title));
 
 /** The same plant by day and by night: trunk, branches and leaves by branch level. */
 const COLOURS = {
@@ -18,7 +24,7 @@ const COLOURS = {
 export function opening(theme) {
     return clean({
         name: 'plant',
-        title: 'A plant by one rule',
+        title: TITLE,
         source: 'After Prusinkiewicz and Lindenmayer, The Algorithmic Beauty of Plants (1990), figure 1.24 b',
         axiom: 'F',
         rules: 'F -> F[+F]F[-F][F]',

@@ -4,6 +4,7 @@
  */
 
 import { LONGEST, PACKED, escapeLeast, readLink, writeFields, writeLink } from './link.js';
+import { say } from './words.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./link.js').Link} Link */
@@ -99,10 +100,10 @@ async function inflate(bytes) {
 /** @param {unknown} error */
 function wordsOf(error) {
     if (error instanceof TooLarge)
-        return 'The compressed part of the link contains more than any drawing needs and was not read.';
+        return say`The compressed part of the link contains more than any drawing needs and was not read.`;
     if (typeof DecompressionStream !== 'function')
-        return 'This browser cannot read compressed links. Use a newer browser.';
-    return 'The compressed part of the link is damaged or cut off and was not read.';
+        return say`This browser cannot read compressed links. Use a newer browser.`;
+    return say`The compressed part of the link is damaged or cut off and was not read.`;
 }
 
 /** @param {Uint8Array} bytes */

@@ -2,6 +2,7 @@
 
 import { toast } from './announce.js';
 import { pictureIn } from './find/files.js';
+import { say } from './words.js';
 
 /** Shorter pasted text is no whole system, and longer text is not read, in characters. */
 const SHORTEST = 8;
@@ -23,7 +24,7 @@ export function followPasting(dialogs) {
         }
         const { target } = event;
         const isField = target instanceof HTMLTextAreaElement || target instanceof HTMLInputElement;
-        if (text.length > LONGEST && !isField) return toast('The pasted text was not read: it has more than 1 MB.');
+        if (text.length > LONGEST && !isField) return toast(say`The pasted text was not read: it has more than 1 MB.`);
         if (!mayBeSystem(text) || (isField && !['axiom', 'rules'].includes(target.id))) return;
         const root = document.documentElement;
         if (isField) root.toggleAttribute('data-pasted', true);

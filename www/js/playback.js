@@ -5,9 +5,10 @@ import { grouped, shortText } from './numerals.js';
 import { createClock } from './playback/clock.js';
 import { createPace } from './playback/pace.js';
 import { createSegmentField } from './playback/segment-field.js';
-import { REACH, portion, ratio, within } from './reading/places.js';
+import { REACH, REACH_TEXT, portion, ratio, within } from './reading/places.js';
 import { poseText } from './reading/words.js';
 import { createToggled } from './toggled.js';
+import { counted, say } from './words.js';
 
 /** What the bar plays in place of the segments; `left` is called when something else takes its place. @typedef {{readonly playing: boolean, readonly part: number, readonly words: string, toggle: () => void, seek: (part: number) => void, stop: () => void, left?: () => void}} Show */
 
@@ -47,20 +48,25 @@ export function createPlayback(engine, { turtle, offered = () => true }) {
             });
         }
         const title = digits
-            ? `${grouped(digits)} segments${total === REACH ? ', of which the first 3.4 × 10³⁸ can be played' : ''}`
+            ? total === REACH
+                ? say`${grouped(digits)} segments, of which the first ${REACH_TEXT} can be played`
+                : counted(Number(digits), '{1} segments', '{1} segments', grouped(digits))
             : '';
-        const words = `${shortText(String(shown()))} of ${digits ? shortText(digits) : '…'} segments`;
+        const words = say`${shortText(String(shown()))} of ${digits ? shortText(digits) : '…'} segments`;
         bar.show({
             part: total ? ratio(shown(), total) : null,
             playing: clock.running,
             words,
-            total: digits ? `of ${shortText(digits)}` : '',
+            total: digits ? say`of ${shortText(digits)}` : '',
             title,
         });
         field.show();
         pace.show();
         if (upto === null)
-            setText(html('play-pose'), total === null ? '' : total === 0n ? 'Nothing is drawn.' : 'The whole drawing.');
+            setText(
+                html('play-pose'),
+                total === null ? '' : total === 0n ? say`Nothing is drawn.` : say`The whole drawing.`,
+            );
     }
 
     /** @param {number} part of the whole, from 0 to 1 */
@@ -212,7 +218,7 @@ function createBar({ play, changed, seek }) {
             slider.setAttribute('aria-valuetext', words);
             setText(html('play-total'), total);
             html('play-total').title = title;
-            player.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+            player.setAttribute('aria-label', playing ? say`Pause` : say`Play`);
             player.classList.toggle('playing', playing);
             /** @type {SVGUseElement} */ (player.querySelector('use')).setAttribute(
                 'href',

@@ -1,6 +1,7 @@
 /** The system as text, for printing. */
 
 import { html, make } from './dom.js';
+import { say } from './words.js';
 
 /** @typedef {Readonly<import('./state.js').State>} State */
 
@@ -8,8 +9,10 @@ import { html, make } from './dom.js';
 export function showPrintText(state, before) {
     if (before && state.axiom === before.axiom && state.rules === before.rules && state.source === before.source)
         return;
-    const rows = Object.entries({ 'Start (axiom)': state.axiom, Rules: state.rules, Source: state.source }).filter(
-        ([, text]) => text !== '',
-    );
+    const rows = /** @type {const} */ ([
+        [say`Start (axiom)`, state.axiom],
+        [say`Rules`, state.rules],
+        [say`Source`, state.source],
+    ]).filter(([, text]) => text !== '');
     html('sheet').replaceChildren(...rows.flatMap(([name, text]) => [make('dt', {}, name), make('dd', {}, text)]));
 }

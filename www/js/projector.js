@@ -6,6 +6,7 @@ import { button, byId, html } from './dom.js';
 import { setLayer } from './layers.js';
 import { addElements } from './late.js';
 import markup from './projector.html';
+import { say } from './words.js';
 
 /** Tools, keys and the pointer are hidden after this time without a movement of the pointer, in milliseconds. */
 const IDLE = 6000;
@@ -45,7 +46,7 @@ export function createProjector() {
     function begin() {
         set(true);
         if (!document.querySelector('dialog[open]')) drawing.focus();
-        announce('The drawing fills the screen. Escape ends this.');
+        announce(say`The drawing fills the screen. Escape ends this.`);
         // Where a browser or the page around has no full screen, the window is filled.
         root.requestFullscreen?.().catch(() => {});
     }

@@ -10,15 +10,28 @@
 
 export {};
 
-/** @typedef {import('./state.js').Definition} Definition */
-/** @typedef {import('./state.js').View} View */
-/** @typedef {import('./state.js').Camera} Camera */
+/** @typedef {import('./tables.js').Definition} Definition */
 
 // Contents of messages.
 
 /** @typedef {import('./messages.js').Problem} Diagnostic */
 /** @typedef {Diagnostic['field']} Field */
 /** The properties of a definition, or its problems; if not `ok`, the last good drawing stays. @typedef {import('./messages.js').Report} Report */
+
+/**
+ * A view of a drawing in the plane. `x` and `y` move the picture's centre; the unit is the longer side of what Fit
+ * shows, y up. `zoom` 1 is fitted. `fx` and `fy` are rounding remainders to add to `x` and `y`. `at` is the number, from
+ * 1, of the segment whose start is the origin, and decimals for a place farther on the segment; without it, the origin is the
+ * fitted centre.
+ * @typedef {{x: number, y: number, zoom: number, fx?: number, fy?: number, at?: string}} View
+ */
+
+/**
+ * A view of a drawing in space. `azimuth` and `elevation` are in degrees: 0 looks from the front, 90 from the right and
+ * from above. `x`, `y` and `z` move the target along the model's axes; the unit is the diameter of a ball around the
+ * drawing. `zoom` 1 is fitted. `fade`, from 0 to 1, fades distant parts into the background.
+ * @typedef {{azimuth: number, elevation: number, zoom: number, x: number, y: number, z: number, perspective: boolean, fade: number}} Camera
+ */
 
 /** Width and height in device pixels; `ratio` is device pixels per CSS pixel. @typedef {{width: number, height: number, ratio: number}} Canvas */
 /** In the plane: x to the right, y upwards, and the rounding remainders of both. In space: x, y and z of the model. @typedef {number[]} Place */

@@ -4,6 +4,7 @@
  */
 
 import { FIELDS as TABLE } from './tables.js';
+import { said, say } from './words.js';
 
 /** @typedef {import('./tables.js').Definition} Definition */
 /** @typedef {import('./tables.js').FieldName} FieldName */
@@ -12,22 +13,8 @@ import { FIELDS as TABLE } from './tables.js';
 /** @typedef {Definition['dialect']} Dialect */
 /** @typedef {Definition['colourBy']} ColourBy */
 /** @typedef {Definition['ink']} Ink */
-
-/**
- * A view of a drawing in the plane. `x` and `y` move the picture's centre; the unit is the longer side of what Fit
- * shows, y up. `zoom` 1 is fitted. `fx` and `fy` are rounding remainders to add to `x` and `y`. `at` is the number, from
- * 1, of the segment whose start is the origin, and decimals for a place farther on the segment; without it, the origin is the
- * fitted centre.
- * @typedef {{x: number, y: number, zoom: number, fx?: number, fy?: number, at?: string}} View
- */
-
-/**
- * A view of a drawing in space. `azimuth` and `elevation` are in degrees: 0 looks from the front, 90 from the right and
- * from above. `x`, `y` and `z` move the target along the model's axes; the unit is the diameter of a ball around the
- * drawing. `zoom` 1 is fitted. `fade`, from 0 to 1, fades distant parts into the background.
- * @typedef {{azimuth: number, elevation: number, zoom: number, x: number, y: number, z: number, perspective: boolean, fade: number}} Camera
- */
-
+/** @typedef {import('./protocol.js').View} View */
+/** @typedef {import('./protocol.js').Camera} Camera */
 /** @typedef {Definition & {view: View | null, camera: Camera | null}} State `view` and `camera` are null until the reader moves them. */
 
 /** The names of the state's fields. */
@@ -80,8 +67,8 @@ export function cleanField(field, value) {
 export function problemOf(field, value) {
     const taken = cleanField(field, value);
     const { expected } = TABLE[field];
-    if (taken === undefined) return `must be ${expected}; it was left out`;
-    return isAsGiven(value, taken) ? null : `must be ${expected}; the nearest value was taken`;
+    if (taken === undefined) return say`must be ${said(expected)}; it was left out`;
+    return isAsGiven(value, taken) ? null : say`must be ${said(expected)}; the nearest value was taken`;
 }
 
 /**

@@ -2,6 +2,7 @@
 
 import { toast } from './announce.js';
 import { createTool } from './tool.js';
+import { say } from './words.js';
 
 /** @param {import('./dialogs.js').Page} page */
 export function createSurprise({ store, engine }) {
@@ -18,7 +19,7 @@ export function createSurprise({ store, engine }) {
                 const made = await tool.call('surprise', { seed });
                 if (own === last) store.open(made);
             } catch (error) {
-                toast(`No new system: ${error instanceof Error ? error.message : error}`);
+                toast(say`No new system: ${error instanceof Error ? error.message : String(error)}`);
             }
         },
     };

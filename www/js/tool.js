@@ -6,14 +6,14 @@
 import { SILENCE, STARTUP, createWatchdog } from './engine/watchdog.js';
 import { isCarried, isWhole, scriptAddress } from './files.js';
 import { compile } from './wasm.js';
-import { ours } from './words.js';
+import { ours, say } from './words.js';
 
 /** @typedef {import('./protocol.js').ToTool} ToTool */
 /** @typedef {import('./protocol.js').FromTool} FromTool */
 /** @typedef {{resolve: (value: any) => void, reject: (error: unknown) => void, progress?: ((value: any) => void) | undefined}} Waiting */
 
 /** The reason of calls whose worker was silent for too long. */
-export const SILENT = 'the tool did not answer';
+export const SILENT = say`the tool did not answer`;
 
 /** The reason of a call that its caller cancelled. */
 export class Cancelled extends Error {}
@@ -54,7 +54,7 @@ export function createTool(tool, { isStraight = false } = {}) {
         fresh.onmessage = ({ data }) => worker === fresh && receive(data);
         fresh.onerror = (event) => {
             event.preventDefault();
-            if (worker === fresh) end(event.message || 'the tool did not start');
+            if (worker === fresh) end(event.message || say`the tool did not start`);
         };
         compile(`${name}.wasm`, failed).then(
             (wasm) => {
@@ -101,7 +101,7 @@ export function createTool(tool, { isStraight = false } = {}) {
     return {
         /** Stops the worker. The next call starts another one. */
         close() {
-            if (worker) end('it was closed');
+            if (worker) end(say`it was closed`);
         },
         /**
          * @template {keyof Calls & string} T
@@ -118,7 +118,7 @@ export function createTool(tool, { isStraight = false } = {}) {
                 waiting.set(id, { resolve, reject, progress });
                 signal?.addEventListener('abort', () => {
                     if (!waiting.delete(id)) return;
-                    if (isStraight) end('another call was cancelled');
+                    if (isStraight) end(say`another call was cancelled`);
                     else post({ type: 'cancel', id });
                     reject(new Cancelled());
                 });

@@ -6,22 +6,23 @@
 import { announce } from './announce.js';
 import { button, html, setText } from './dom.js';
 import { setLayer } from './layers.js';
+import { say } from './words.js';
 
 /** @typedef {import('./engine.js').Trouble} Trouble */
 /** `held`: a drawing that stopped on an earlier visit and was not started this time. @typedef {Trouble['how'] | 'held'} Kind */
 
 /** @type {Record<Kind, string>} */
 const WORDS = {
-    silent: 'Drawing stopped answering and was restarted. Your text is kept.',
-    crashed: 'Drawing failed and was restarted. Your text is kept.',
-    loading: 'The drawing engine could not be loaded. Trying again…',
-    unloadable: 'The drawing engine could not be loaded. Check the connection, then try again.',
-    lost: 'Drawing failed several times in a row. Change the system, or try again.',
-    held: 'This system could not be drawn before, so it was not started. Change it, or draw it anyway.',
+    silent: say`Drawing stopped answering and was restarted. Your text is kept.`,
+    crashed: say`Drawing failed and was restarted. Your text is kept.`,
+    loading: say`The drawing engine could not be loaded. Trying again…`,
+    unloadable: say`The drawing engine could not be loaded. Check the connection, then try again.`,
+    lost: say`Drawing failed several times in a row. Change the system, or try again.`,
+    held: say`This system could not be drawn before, so it was not started. Change it, or draw it anyway.`,
 };
 
 /** The message for a question that stopped the worker. */
-export const QUESTION = 'This detail of the drawing could not be read, because the drawing engine stopped answering.';
+export const QUESTION = say`This detail of the drawing could not be read, because the drawing engine stopped answering.`;
 
 /**
  * @param {{back: () => void, again: () => void}} page `back` returns to the last drawing, `again` retries the drawing
@@ -51,7 +52,7 @@ export function createTrouble({ back, again }) {
             setText(html('trouble-words'), WORDS[kind]);
             backButton.hidden = !canGoBack || kind === 'loading' || kind === 'held';
             againButton.hidden = kind === 'loading';
-            setText(againButton, kind === 'held' ? 'Draw it anyway' : 'Try again');
+            setText(againButton, kind === 'held' ? say`Draw it anyway` : say`Try again`);
             note.hidden = false;
             setLayer(hide, true);
             announce(WORDS[kind]);

@@ -1,6 +1,7 @@
 /** Compiling the site's wasms. */
 
 import { responseOf } from './files.js';
+import { say } from './words.js';
 
 /**
  * Compiles while downloading, if the server sends the right content type.
@@ -15,6 +16,8 @@ export async function compile(name, anew) {
             ? WebAssembly.compileStreaming(response)
             : WebAssembly.compile(await response.arrayBuffer()));
     } catch (error) {
-        throw new Error(`${name} is not what the server sent (${error instanceof Error ? error.message : error})`);
+        throw new Error(
+            say`${name} is not what the server sent (${error instanceof Error ? error.message : String(error)})`,
+        );
     }
 }

@@ -3,6 +3,8 @@
 import { createAnimation } from './animation.js';
 import { button } from './dom.js';
 import { definitionOf } from './state.js';
+import { say } from './words.js';
+import { marked } from './numerals.js';
 
 /** The strength in degrees where the system has none, as in films: crates/lsystem-film/src/preset.rs. */
 const LIGHT_WIND = 3;
@@ -12,9 +14,9 @@ const RISE_MS = 1500;
 /** Pictures are waited for up to this time, in milliseconds. */
 const PATIENCE_MS = 4000;
 
-const SWAYS = 'Let the branches sway in the wind';
+const SWAYS = say`Let the branches sway in the wind`;
 /** Why a drawing has no wind. */
-export const STANDS = 'Only branches sway, and this drawing has none.';
+export const STANDS = say`Only branches sway, and this drawing has none.`;
 
 /** The strength of the wind, in degrees. @param {Readonly<import('./state.js').Definition>} definition */
 export const strengthOf = ({ sway: [own] }) => own || LIGHT_WIND;
@@ -104,7 +106,7 @@ export function createWind(store, engine, { begins, present }) {
             return phase / 360;
         },
         get words() {
-            return `wind of ${Number(strengthOf(store.state).toFixed(1))}°`;
+            return say`wind of ${marked(String(Number(strengthOf(store.state).toFixed(1))))}°`;
         },
         toggle() {
             if (animation.playing) pause();

@@ -41,7 +41,7 @@ export function createThumbs({ playground, waiting, tellAt }) {
     function take(small, { definition, width, height, camera }) {
         const { ok, empty } = small.define(definition);
         small.look({ width, height, ratio: 1, view: { x: 0, y: 0, zoom: 1 }, camera });
-        return ok ? empty : 'The rules have mistakes.';
+        return ok ? empty : 'mistakes';
     }
 
     return {
@@ -84,7 +84,7 @@ export function createThumbs({ playground, waiting, tellAt }) {
             making = null;
             thumb.small.free();
             const { bitmap } = thumb;
-            const missing = bitmap ? null : (thumb.missing ?? 'Too large for a small picture.');
+            const missing = bitmap ? null : (thumb.missing ?? 'size');
             page.postMessage({ type: 'thumb', id: request.id, bitmap, missing }, bitmap ? [bitmap] : []);
         },
     };

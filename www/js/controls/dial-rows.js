@@ -3,6 +3,7 @@
 import { make } from '../dom.js';
 import { FIELDS } from '../tables.js';
 import { dial } from './dial.js';
+import { said, say } from '../words.js';
 
 /** Unit signs beside the field, by the unit's name. @type {Record<string, string>} */
 const SIGNS = { degrees: '°', percent: '%', pixels: 'px' };
@@ -12,12 +13,13 @@ export function dialRows(store) {
     const rows = [...document.querySelectorAll('.dial[data-field]')].map((row) => {
         const field = /** @type {import('../state.js').FieldName} */ (row.getAttribute('data-field'));
         const id = field.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-        const { label, unit = '' } = FIELDS[field];
+        const { unit = '' } = FIELDS[field];
+        const label = said(FIELDS[field].label);
         const number = make('input', { id, class: 'number', type: 'text', inputmode: 'decimal', autocomplete: 'off' });
         const sign = SIGNS[unit];
         row.append(
             make('label', { for: id }, label),
-            make('input', { id: `${id}-slider`, type: 'range', 'aria-label': `${label}, slider` }),
+            make('input', { id: `${id}-slider`, type: 'range', 'aria-label': say`${label}, slider` }),
             sign
                 ? make(
                       'span',

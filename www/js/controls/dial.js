@@ -1,11 +1,12 @@
 /** A slider and a number field for one number of the state. */
 
 import { input, make } from '../dom.js';
-import { plain } from '../numerals.js';
+import { marked, plain } from '../numerals.js';
 import { rangeOf } from '../state.js';
 import { FIELDS } from '../tables.js';
 import { numberField } from './number-field.js';
 import { even, slider } from './slider.js';
+import { said } from '../words.js';
 
 /**
  * @param {import('../store.js').Store} store
@@ -17,7 +18,7 @@ export function dial(store, field, id) {
     const change = (/** @type {number} */ value, held = false) =>
         store.change({ [field]: value }, held ? `drag ${field}` : field);
     const settle = () => store.settle();
-    const text = (/** @type {number} */ value) => `${plain(value)} ${unit}`.trim();
+    const text = (/** @type {number} */ value) => `${marked(plain(value))} ${said(unit)}`.trim();
     const slide = slider(input(`${id}-slider`), {
         stops: stopsOf(field),
         open: Boolean(rangeOf(field).whole),
@@ -28,7 +29,11 @@ export function dial(store, field, id) {
     const write = numberField(input(id), { ...rangeOf(field), expected, step: scale?.arrow ?? 1, change, settle });
     // A finger is wider than a stop of the slider.
     for (const sign of '−+') {
-        const step = make('button', { type: 'button', class: 'button step', 'aria-label': `${label} ${sign}` }, sign);
+        const step = make(
+            'button',
+            { type: 'button', class: 'button step', 'aria-label': `${said(label)} ${sign}` },
+            sign,
+        );
         const key = sign === '+' ? 'ArrowUp' : 'ArrowDown';
         step.addEventListener('click', () => input(id).dispatchEvent(new KeyboardEvent('keydown', { key })));
         input(id).closest('.lead')?.append(step);

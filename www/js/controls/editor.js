@@ -7,6 +7,7 @@ import { make, setValue, withCode } from '../dom.js';
 import { fixLabel } from '../fix.js';
 import { maxLengthOf } from '../state.js';
 import { carryOver, spansOf } from '../tint.js';
+import { counted, say } from '../words.js';
 
 /** @typedef {import('../protocol.js').Diagnostic} Diagnostic */
 /**
@@ -149,7 +150,11 @@ export function listProblems(list, diagnostics, text, editor) {
     const more = diagnostics.length - MOST_LISTED;
     if (more > 0)
         list.append(
-            make('li', {}, make('span', { class: 'problem-text' }, `${more.toLocaleString('en')} more problems.`)),
+            make(
+                'li',
+                {},
+                make('span', { class: 'problem-text' }, counted(more, '{} more problem.', '{} more problems.')),
+            ),
         );
 }
 
@@ -161,7 +166,9 @@ export function placesIn(text) {
         const line = lineOf(starts, offset);
         const before = text.slice(starts[line], offset);
         const column = (before.length > COUNTED ? before.length : [...before].length) + 1;
-        return starts.length > 1 ? `Line ${line + 1}, column ${column}` : `Column ${column}`;
+        return starts.length > 1
+            ? say`Line ${String(line + 1)}, column ${String(column)}`
+            : say`Column ${String(column)}`;
     };
 }
 

@@ -1,5 +1,7 @@
 /** What the symbols of the newest valid system do, in words. */
 
+import { say } from '../words.js';
+
 /** @typedef {import('../protocol.js').Report} Report */
 
 export function createLegend() {
@@ -16,9 +18,10 @@ export function createLegend() {
         of(symbol) {
             const entry = legend.find((each) => each.symbol.startsWith(symbol));
             if (!entry) return null;
+            const actions = entry.actions || say`draws nothing`;
             return {
                 symbol: entry.symbol,
-                words: `${entry.actions || 'draws nothing'}${entry.rewritten ? '; replaced by its rule at each iteration' : ''}.`,
+                words: entry.rewritten ? say`${actions}; replaced by its rule at each iteration.` : `${actions}.`,
                 acts: entry.actions !== '',
             };
         },

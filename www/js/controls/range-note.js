@@ -1,6 +1,7 @@
 /** The note below a number field about its range, shown for an invalid number and after a correction. */
 
 import { make } from '../dom.js';
+import { said, say } from '../words.js';
 
 /**
  * @param {HTMLInputElement} field
@@ -16,7 +17,9 @@ export function rangeNote(field, expected) {
         field.setAttribute('aria-invalid', String(wrong));
         // An empty field is about to be typed into.
         if ((wrong && field.value.trim() !== '') || corrected) {
-            note.textContent = `Must be ${expected}${corrected ? '; the nearest value was taken' : ''}.`;
+            note.textContent = corrected
+                ? say`Must be ${said(expected)}; the nearest value was taken.`
+                : say`Must be ${said(expected)}.`;
             if (!note.isConnected) (field.closest('.dial, .quad, .seed') ?? field).after(note);
             if (wrong) field.setAttribute('aria-errormessage', id);
         } else {

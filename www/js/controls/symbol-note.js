@@ -6,11 +6,12 @@
 import { byId, html, isTouch, make } from '../dom.js';
 import { sameDrawing } from '../state.js';
 import { createTrace } from './trace.js';
+import { say } from '../words.js';
 
 /** @typedef {import('./trace.js').TextField} TextField */
 /** A symbol in a text. @typedef {{field: TextField, offset: number, symbol: string}} Written */
 
-const HINT = `${isTouch() ? 'Tap' : 'Point at'} a symbol to see what it does.`;
+const HINT = isTouch() ? say`Tap a symbol to see what it does.` : say`Point at a symbol to see what it does.`;
 
 /**
  * @param {import('../store.js').Store} store
@@ -27,7 +28,7 @@ export function symbolNote(store, engine, { legend, mark }) {
     const trace = createTrace(store, engine, (outline, { field, offset }) => {
         if (shown?.field !== field || shown.offset !== offset) return;
         mark(outline);
-        say(shown, outline.length);
+        explain(shown, outline.length);
     });
 
     /** The symbol at a place; null for an arrow, white space or a comment. @param {TextField} field @param {string} text @param {number} offset @returns {Written | null} */
@@ -40,11 +41,16 @@ export function symbolNote(store, engine, { legend, mark }) {
     }
 
     /** @param {Written} written @param {number} corners of the mark in the drawing */
-    function say({ symbol }, corners) {
+    function explain({ symbol }, corners) {
         const meaning = legend.of(symbol);
         if (!meaning) return note.replaceChildren(HINT);
-        const where = corners > 0 ? ` ${corners > 1 ? 'What it became' : 'Its place'} is marked in the drawing.` : '';
-        note.replaceChildren(make('code', {}, meaning.symbol), ` ${meaning.words}${where}`);
+        const where =
+            corners > 1
+                ? [say`What it became is marked in the drawing.`]
+                : corners > 0
+                  ? [say`Its place is marked in the drawing.`]
+                  : [];
+        note.replaceChildren(make('code', {}, meaning.symbol), ` ${[meaning.words, ...where].join(' ')}`);
     }
 
     /** @param {Written | null} written @param {boolean} [marking] */
@@ -53,7 +59,7 @@ export function symbolNote(store, engine, { legend, mark }) {
         shown = written;
         mark([]);
         if (!written) return note.replaceChildren(HINT);
-        say(written, 0);
+        explain(written, 0);
         if (marking) trace({ field: written.field, offset: written.offset });
     }
 

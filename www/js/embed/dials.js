@@ -2,6 +2,7 @@
 
 import { dial } from '../controls/dial.js';
 import { html, setText } from '../dom.js';
+import { say } from '../words.js';
 
 /**
  * @param {import('../store.js').Store} store
@@ -23,7 +24,7 @@ export function createDials(store) {
         show(state) {
             steps.show(state.iterations);
             turns.show(state.angle);
-            setText(html('angle-label'), state.rightAngle === null ? 'Angle' : 'Left turns');
+            setText(html('angle-label'), state.rightAngle === null ? say`Angle` : say`Left turns`);
             html('right-row').hidden = html('angle-row').hidden || state.rightAngle === null;
             if (state.rightAngle !== null) rights.show(state.rightAngle);
         },

@@ -7,6 +7,7 @@
 import { bestLink, openLink } from '../packed.js';
 import { readControls, readTheme } from './options.js';
 import { fieldsOf, valuesOf } from './values.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../protocol.js').Report} Report */
 /** @typedef {import('./options.js').Control} Control */
@@ -59,7 +60,7 @@ export function connectHost(store, { host, offer, theme: paint, play, facts }) {
         open: async ({ link }) => {
             const opened = typeof link === 'string' ? await openLink(link) : null;
             if (opened) asHost(() => store.open(opened.state));
-            const problems = opened ? opened.problems : ['This link contains no drawing.'];
+            const problems = opened ? opened.problems : [say`This link contains no drawing.`];
             if (problems.length > 0) send({ lsystem: 'error', message: problems.join(' '), problems: [] });
         },
         reset: () => asHost(store.reset),

@@ -2,6 +2,7 @@
 
 import { KEYS } from '../link.js';
 import { cleanField, problemOf } from '../state.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../state.js').State} State */
 
@@ -25,7 +26,7 @@ export function valuesOf(state) {
  */
 export function fieldsOf(values) {
     if (typeof values !== 'object' || values === null)
-        return { fields: {}, problems: ['The values must be an object with the keys of links.'] };
+        return { fields: {}, problems: [say`The values must be an object with the keys of links.`] };
     /** @type {string[]} */
     const problems = [];
     /** @type {Record<string, unknown>} */
@@ -34,14 +35,14 @@ export function fieldsOf(values) {
         if (problems.length === MOST_PROBLEMS) break;
         const [, field, form] = KEYS.find(([known]) => known === key) ?? [];
         if (!field || !form) {
-            problems.push(`Unknown key “${key.slice(0, 20)}”.`);
+            problems.push(say`Unknown key “${key.slice(0, 20)}”.`);
             continue;
         }
         const read = typeof value === 'string' ? form.read(value) : undefined;
         const meant = cleanField(field, read) === undefined ? value : read;
         const [known, problem] = [cleanField(field, meant), problemOf(field, meant)];
         if (known !== undefined) given[field] = known;
-        if (problem) problems.push(`“${key}” ${problem}.`);
+        if (problem) problems.push(say`“${key}” ${problem}.`);
     }
     return { fields: /** @type {Partial<State>} */ (given), problems };
 }

@@ -7,6 +7,7 @@
 import { ours } from '../words.js';
 import { core, forgetCore, hire } from './core.js';
 import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
+import { say } from '../words.js';
 
 /** @typedef {import('./core.js').Hired} Hired */
 /** @typedef {import('../protocol.js').FromWorker} FromWorker */
@@ -44,7 +45,7 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         patience,
         ping: () => worker?.postMessage({ type: 'ping' }),
         doubted,
-        stopped: () => stopped('silent', 'the worker did not answer'),
+        stopped: () => stopped('silent', say`the worker did not answer`),
     });
 
     function start() {
@@ -55,7 +56,7 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         fresh.onmessage = ({ data }) => worker === fresh && receive(data);
         fresh.onerror = (event) => {
             event.preventDefault();
-            if (worker === fresh) fail(event.message || 'the worker did not start');
+            if (worker === fresh) fail(event.message || say`the worker did not start`);
         };
         core().then(
             (wasm) => {

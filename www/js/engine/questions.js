@@ -1,5 +1,7 @@
 /** Open questions to the worker. Questions outlive the worker: a fresh worker is asked the open ones again. */
 
+import { say } from '../words.js';
+
 /** @typedef {import('../protocol.js').Asked} Asked */
 /** @typedef {import('../protocol.js').Questions} Questions */
 /** @template {Asked} [T=Asked] @typedef {import('../protocol.js').Question<T>} Question */
@@ -84,7 +86,7 @@ export function createQuestions({ post, nextId }) {
         /** The worker stopped while answering a question. @param {number} id @returns {Asked | undefined} the type of the question, if the id is open */
         refuseOne(id) {
             const type = open.get(id)?.question.type;
-            refuse((question) => question.id === id, new Stopped('it stopped answering and was given up'));
+            refuse((question) => question.id === id, new Stopped(say`it stopped answering and was given up`));
             return type;
         },
 
@@ -95,12 +97,21 @@ export function createQuestions({ post, nextId }) {
         },
 
         /** Refuses the questions about a drawing that was given up. */
-        refuseAboutDrawing: () => refuse(({ type }) => isReading(type), new Stopped('the drawing was given up')),
+        refuseAboutDrawing: () => refuse(({ type }) => isReading(type), new Stopped(say`the drawing was given up`)),
 
         /** @param {Error} error */
         refuseAll: (error) => refuse(() => true, error),
     };
 }
+
+/** Why the worker has no small picture; the core says other reasons in words. @type {Partial<Record<string, string>>} */
+const REASONS = { mistakes: say`The rules have mistakes.`, size: say`Too large for a small picture.` };
+
+/** @param {Answer<'thumb'>} answer */
+const withReason = ({ missing, ...answer }) => ({
+    ...answer,
+    missing: missing === null ? null : (REASONS[missing] ?? missing),
+});
 
 /** @typedef {<T extends Asked>(type: T, asked: Questions[T]['asked']) => Promise<Answer<T>>} Ask */
 
@@ -138,6 +149,6 @@ export function asking(ask) {
 
         /** @param {Definition} definition @param {number} width @param {number} height @param {import('../protocol.js').Camera | null} [camera] @param {import('../protocol.js').Definition | null} [frame] */
         thumb: (definition, width, height, camera = null, frame = null) =>
-            ask('thumb', { definition, width, height, camera, frame }),
+            ask('thumb', { definition, width, height, camera, frame }).then(withReason),
     };
 }

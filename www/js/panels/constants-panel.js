@@ -4,7 +4,8 @@ import { html, make, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
 import { needsNewScale, scaleAbout, writtenAs } from '../controls/scale.js';
 import { slider } from '../controls/slider.js';
-import { plain } from '../numerals.js';
+import { marked, plain } from '../numerals.js';
+import { counted, say } from '../words.js';
 
 /** @typedef {import('../protocol.js').ConstantSpan} ConstantSpan */
 /** @typedef {{element: HTMLElement, name: string, number: boolean, show: (value: number | null) => void}} Row */
@@ -50,12 +51,17 @@ export function constantsPanel(store, rules) {
         const id = `constant-${++serial}`;
         const label = make('label', { for: id }, make('code', {}, name));
         if (!number) {
-            const output = make('output', { id, class: 'computed', title: 'Computed in the rules' });
+            const output = make('output', { id, class: 'computed', title: say`Computed in the rules` });
             const element = make('div', { class: 'dial' }, label, output);
-            return { element, name, number, show: (next) => setText(output, next === null ? '–' : plain(next)) };
+            return {
+                element,
+                name,
+                number,
+                show: (next) => setText(output, next === null ? '–' : marked(plain(next))),
+            };
         }
         let stops = scaleAbout(value ?? 0);
-        const range = make('input', { type: 'range', 'aria-label': `${name}, slider` });
+        const range = make('input', { type: 'range', 'aria-label': say`${name}, slider` });
         const field = make('input', { id, class: 'number', type: 'text', autocomplete: 'off', spellcheck: 'false' });
         const settle = () => {
             held = false;
@@ -65,7 +71,7 @@ export function constantsPanel(store, rules) {
         };
         const scale = slider(range, {
             stops,
-            text: (next) => `${name} = ${plain(next)}`,
+            text: (next) => `${name} = ${marked(plain(next))}`,
             change: (next) => {
                 held = true;
                 set(name, next, `drag ${name}`);
@@ -75,7 +81,7 @@ export function constantsPanel(store, rules) {
         const showField = numberField(field, {
             low: -Number.MAX_VALUE,
             high: Number.MAX_VALUE,
-            expected: 'a number',
+            expected: say`a number`,
             step: () => /** @type {number} */ (stops[1]) - /** @type {number} */ (stops[0]),
             change: (next) => set(name, next, `constant ${name}`),
             settle,
@@ -112,7 +118,10 @@ export function constantsPanel(store, rules) {
         shown.forEach(({ value }, at) => rows[at]?.show(value));
         group.hidden = shown.length === 0;
         const rest = constants.length - shown.length;
-        setText(html('constants-rest'), rest > 0 ? `${rest} more in the rules.` : '');
+        setText(
+            html('constants-rest'),
+            rest > 0 ? counted(rest, '{} more in the rules.', '{} more in the rules.') : '',
+        );
     }
 
     return {

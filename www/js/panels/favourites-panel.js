@@ -4,6 +4,7 @@ import { toast } from '../announce.js';
 import { button, byId, input } from '../dom.js';
 import { MOST_FAVOURITES, favourite } from '../favourites.js';
 import { FULL } from '../favourites/stored.js';
+import { say } from '../words.js';
 
 /** @param {import('../store.js').Store} store @param {ReturnType<typeof import('../favourites/stored.js').createStored>} stored */
 export function favouritesPanel(store, stored) {
@@ -16,16 +17,17 @@ export function favouritesPanel(store, stored) {
         const added = favourite(name.value, store.state);
         const former = stored.list();
         if (former.some((one) => one.name === added.name && one.link === added.link))
-            return toast(`“${added.name}” is already in favourites.`);
-        if (former.length >= MOST_FAVOURITES) return toast(`At most ${MOST_FAVOURITES} favourites: delete some first.`);
+            return toast(say`“${added.name}” is already in favourites.`);
+        if (former.length >= MOST_FAVOURITES)
+            return toast(say`At most ${MOST_FAVOURITES} favourites: delete some first.`);
         if (!stored.put([added, ...former])) return toast(FULL);
         name.value = '';
-        toast(`Added “${added.name}” to favourites.`);
+        toast(say`Added “${added.name}” to favourites.`);
     });
 
     /** Shows the default name of a new favourite. */
     function showName() {
-        name.placeholder = store.state.title || store.state.name || 'Untitled system';
+        name.placeholder = store.state.title || store.state.name || say`Untitled system`;
     }
     store.subscribe(showName);
     showName();

@@ -6,9 +6,10 @@ import { listProblems } from '../controls/editor.js';
 import { numberField } from '../controls/number-field.js';
 import { largestLabel } from '../fix.js';
 import { setLayer } from '../layers.js';
-import { grouped, plain, short, shortText } from '../numerals.js';
+import { grouped, marked, plain, short, shortText } from '../numerals.js';
 import { definitionOf, rangeOf } from '../state.js';
 import { FIELDS } from '../tables.js';
+import { counted, say } from '../words.js';
 
 /** @typedef {import('../engine.js').Report} Report */
 
@@ -67,7 +68,7 @@ export function growthPanel(store, source) {
             const differs = state.rightAngle !== null;
             twoAngles.checked = differs;
             html('right-row').hidden = !differs;
-            setText(html('angle-label'), differs ? 'Left turns' : 'Angle');
+            setText(html('angle-label'), differs ? say`Left turns` : say`Angle`);
             if (state.rightAngle !== null) right.show(state.rightAngle);
             showSeed(state.seed);
             showAnglePicture(state.angle);
@@ -108,12 +109,17 @@ export function growthPanel(store, source) {
  * @param {{largest: number, why: string} | null} bound
  */
 function statusOf({ kind, space, memoised, blocks, largest }, bound) {
-    const limit = bound ? ` At most n = ${bound.largest}. ${largest === null ? `Above: ${bound.why}.` : ''}` : '';
-    if (memoised === null || blocks === null) return bound ? limit.trim() : 'Growing…';
-    const sentence = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}${space ? ', in space' : ''}`;
-    if (!memoised) return `${sentence}; expanded in full.${limit}`;
-    if (blocks <= 1) return `${sentence}.${limit}`;
-    return `${sentence}; drawn from ${grouped(String(blocks))} reusable parts.${limit}`;
+    const limit = bound ? [say`At most n = ${String(bound.largest)}.`] : [];
+    if (bound && largest === null) limit.push(say`Above: ${bound.why}.`);
+    if (memoised === null || blocks === null) return bound ? limit.join(' ') : say`Growing…`;
+    const named = `${kind.charAt(0).toUpperCase()}${kind.slice(1)}`;
+    const sort = space ? say`${named}, in space` : named;
+    const made = !memoised
+        ? say`${sort}; expanded in full.`
+        : blocks <= 1
+          ? `${sort}.`
+          : counted(blocks, '{1}; drawn from {} reusable part.', '{1}; drawn from {} reusable parts.', sort);
+    return [made, ...limit].join(' ');
 }
 
 /** @param {HTMLButtonElement} element @param {Report} report @param {'symbols' | 'segments'} kind */
@@ -121,7 +127,11 @@ function showCount(element, report, kind) {
     const digits = report[kind];
     const long = digits !== null && short(digits).exponent !== null;
     element.disabled = !long;
-    element.title = long ? `Show all digits of the number of ${kind}` : '';
+    element.title = !long
+        ? ''
+        : kind === 'symbols'
+          ? say`Show all digits of the number of symbols`
+          : say`Show all digits of the number of segments`;
     // Before the first picture the count may still come; afterwards it is unknown.
     if (digits === null) return setText(element, report.memoised === null ? '…' : '–');
     const { mantissa, exponent } = short(digits);
@@ -139,7 +149,14 @@ function showDigits(report, kind) {
     frame.hidden = !shown;
     for (const each of /** @type {const} */ (['symbols', 'segments']))
         button(each).setAttribute('aria-expanded', String(shown && each === kind));
-    if (shown && digits) setText(frame, `${grouped(digits)} ${kind}`);
+    if (!shown || !digits) return;
+    const [number, all] = [Number(digits), grouped(digits)];
+    setText(
+        frame,
+        kind === 'symbols'
+            ? counted(number, '{1} symbol', '{1} symbols', all)
+            : counted(number, '{1} segment', '{1} segments', all),
+    );
 }
 
 /** Draws the angle beside its label. @param {number} degrees */
@@ -158,7 +175,9 @@ function showAnglePicture(degrees) {
  * @param {Report} report
  */
 export function captionOf({ iterations, angle, rightAngle }, { segments }) {
-    const turns = rightAngle === null ? `${plain(angle)}°` : `${plain(angle)}° and ${plain(rightAngle)}°`;
-    const size = segments === null ? '' : `, ${shortText(segments)} ${segments === '1' ? 'segment' : 'segments'}`;
-    return `n = ${iterations}, ${turns}${size}`;
+    const [left, right] = [angle, rightAngle ?? angle].map((turn) => `${marked(plain(turn))}°`);
+    const turns = rightAngle === null ? left : say`${String(left)} and ${String(right)}`;
+    const size =
+        segments === null ? [] : [counted(Number(segments), '{1} segment', '{1} segments', shortText(segments))];
+    return [`n = ${iterations}`, turns, ...size].join(', ');
 }

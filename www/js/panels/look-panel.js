@@ -4,15 +4,16 @@ import { button, byId, html, input, make, setChoice, setText } from '../dom.js';
 import { numberField } from '../controls/number-field.js';
 import { SCHEMES, hasScheme, schemePatch } from '../colour-schemes.js';
 import { maxLengthOf, rangeOf } from '../state.js';
+import { say } from '../words.js';
 
 /** @type {Record<import('../state.js').ColourBy, string>} */
 const NOTES = {
     symbol: '',
-    level: 'First colour for the stem, next colour for its branches, and so on.',
-    generation: 'Colour by the iteration that made a symbol. A symbol that a rule copies keeps its generation.',
-    path: 'A gradient of all colours, from the first segment to the last.',
-    turn: 'First colour at the start, other colours after turns. Each branch restores the colour before it.',
-    density: 'Where ink adds up: a gradient of all colours, from the least ink to the most.',
+    level: say`First colour for the stem, next colour for its branches, and so on.`,
+    generation: say`Colour by the iteration that made a symbol. A symbol that a rule copies keeps its generation.`,
+    path: say`A gradient of all colours, from the first segment to the last.`,
+    turn: say`First colour at the start, other colours after turns. Each branch restores the colour before it.`,
+    density: say`Where ink adds up: a gradient of all colours, from the least ink to the most.`,
     single: '',
 };
 
@@ -58,11 +59,13 @@ export function lookPanel(store) {
         setText(
             html('ink-note'),
             isDensity
-                ? `Overlapping strokes add up${space ? ', and nothing is hidden' : ''}. PNG pictures keep this; SVG files are opaque.`
+                ? space
+                    ? say`Overlapping strokes add up, and nothing is hidden. PNG pictures keep this; SVG files are opaque.`
+                    : say`Overlapping strokes add up. PNG pictures keep this; SVG files are opaque.`
                 : space
                   ? ''
                   : adds
-                    ? 'Opaque, but strokes finer than a pixel add up. SVG files are opaque.'
+                    ? say`Opaque, but strokes finer than a pixel add up. SVG files are opaque.`
                     : '',
         );
         for (const option of colourBy.options)
@@ -84,7 +87,7 @@ export function lookPanel(store) {
         numberField(input(id), {
             low: 1,
             high: rangeOf('turnColours').high + 1,
-            expected: 'a whole number above 0',
+            expected: say`a whole number above 0`,
             step: 1,
             whole: true,
             settle,
@@ -119,8 +122,8 @@ export function lookPanel(store) {
         const well = make('input', {
             type: 'color',
             class: 'well',
-            'aria-label': `Colour ${index + 1}`,
-            title: `Colour ${index + 1}`,
+            'aria-label': say`Colour ${index + 1}`,
+            title: say`Colour ${index + 1}`,
         });
         well.addEventListener('input', () => {
             store.change(

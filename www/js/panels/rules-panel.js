@@ -6,6 +6,7 @@ import { applyFix } from '../fix.js';
 import { editor } from '../controls/editor.js';
 import { maxLengthOf } from '../state.js';
 import { FIELDS } from '../tables.js';
+import { said, say } from '../words.js';
 
 /** @param {import('../store.js').Store} store */
 export function rulesPanel(store) {
@@ -16,7 +17,7 @@ export function rulesPanel(store) {
     const change = (field, text) => {
         store.change({ [field]: text }, field);
         if (text.length > maxLengthOf(field))
-            toast(`${FIELDS[field].label} must be ${FIELDS[field].expected}; the rest was cut.`);
+            toast(say`${said(FIELDS[field].label)} must be ${said(FIELDS[field].expected)}; the rest was cut.`);
     };
     const axiom = editor(byId('axiom', HTMLTextAreaElement), html('axiom-problems'), 'axiom', {
         change: (text) => change('axiom', text),
@@ -35,7 +36,7 @@ export function rulesPanel(store) {
             axiom.show(state.axiom);
             rules.show(state.rules);
             setText(html('system-source'), state.source);
-            setText(html('system-notes'), state.notes);
+            setText(html('system-notes'), said(state.notes));
             html('about').hidden = state.source === '' && state.notes === '';
         },
         /** @param {import('../protocol.js').Notation} notation @param {import('../notation.js').Texts} texts */

@@ -4,6 +4,7 @@ import { toast } from '../announce.js';
 import { copyText } from '../copy.js';
 import { button, byId, input, setValue } from '../dom.js';
 import { bestLink } from '../packed.js';
+import { say } from '../words.js';
 
 /**
  * @param {import('../store.js').Store} store
@@ -20,7 +21,7 @@ export function savePanel(store, dialogs) {
 
     button('copy-link').addEventListener('click', async () => {
         const address = new URL(await bestLink(store.state), location.href).href;
-        if (await copyText(address)) toast('Link copied');
+        if (await copyText(address)) toast(say`Link copied`);
         else await (await dialogs.part('share'))?.select();
     });
 

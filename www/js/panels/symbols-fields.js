@@ -6,13 +6,14 @@ import { editor } from '../controls/editor.js';
 import { numberField } from '../controls/number-field.js';
 import { rangeOf } from '../state.js';
 import { DIALECTS, FIELDS } from '../tables.js';
+import { said } from '../words.js';
 
 /** @param {import('../store.js').Store} store */
 export function symbolsFields(store) {
     const settle = () => store.settle();
     const dialect = byId('dialect', HTMLSelectElement);
     dialect.replaceChildren(
-        ...Object.entries(DIALECTS).map(([name, { label }]) => make('option', { value: name }, label)),
+        ...Object.entries(DIALECTS).map(([name, { label }]) => make('option', { value: name }, said(label))),
     );
     dialect.addEventListener('change', () => {
         store.change({ dialect: /** @type {import('../state.js').Dialect} */ (dialect.value) }, '');
@@ -34,7 +35,7 @@ export function symbolsFields(store) {
         /** @param {Readonly<import('../state.js').State>} state */
         show(state) {
             setChoice(dialect, state.dialect);
-            setText(html('dialect-note'), DIALECTS[state.dialect].help);
+            setText(html('dialect-note'), said(DIALECTS[state.dialect].help));
             overrides.show(state.overrides);
             showHeading(state.heading);
         },

@@ -5,12 +5,14 @@ import { numberField, optionalField } from '../controls/number-field.js';
 import { rangeOf } from '../state.js';
 import { FIELDS } from '../tables.js';
 import { symbolsFields } from './symbols-fields.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../engine.js').Report} Report */
 /** @typedef {import('../state.js').FieldName} FieldName */
 
 /** What the report says of a symbol without actions. */
-const SILENT = 'draws nothing';
+/** As the core says it. */
+const SILENT = say`draws nothing`;
 
 /** @param {import('../store.js').Store} store */
 export function turtlePanel(store) {
@@ -86,10 +88,12 @@ export function turtlePanel(store) {
             .filter(({ symbol, actions }) => actions === SILENT && /^[A-Za-z]/.test(symbol))
             .map(({ symbol }) => symbol.charAt(0));
         html('legend-hint').hidden = silent.length === 0 || store.state.dialect === 'every-letter';
-        const [names, last] = [silent.slice(0, -1).join(', '), silent.at(-1)];
+        const [names, last = ''] = [silent.slice(0, -1).join(', '), silent.at(-1)];
         setText(
             html('legend-silent'),
-            `${names ? `${names} and ${last} draw` : `${last} draws`} nothing (course assignments: every letter draws).`,
+            names
+                ? say`${names} and ${last} draw nothing (course assignments: every letter draws).`
+                : say`${last} draws nothing (course assignments: every letter draws).`,
         );
     }
 
@@ -159,8 +163,8 @@ function legendRow({ symbol, actions, rewritten }) {
                 ? [
                       make(
                           'span',
-                          { class: 'rewritten', title: 'A rule rewrites this symbol at each iteration' },
-                          'rewritten',
+                          { class: 'rewritten', title: say`A rule rewrites this symbol at each iteration` },
+                          say`rewritten`,
                       ),
                   ]
                 : []),

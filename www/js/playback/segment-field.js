@@ -3,6 +3,7 @@
 import { input, setValue } from '../dom.js';
 import { grouped } from '../numerals.js';
 import { placeText, readPlace, within } from '../reading/places.js';
+import { counted } from '../words.js';
 
 /**
  * @param {object} playback
@@ -29,7 +30,11 @@ export function createSegmentField({ total, shown, seek }) {
         field.disabled = !total();
         if (document.activeElement === field) return;
         setValue(field, total() === null ? '' : placeText(shown()));
-        field.title = `${grouped(String(shown()))} segments are drawn. Type a number, 10^12, 50 %`;
+        field.title = counted(
+            shown(),
+            '{} segments are drawn. Type a number, 10^12, 50 %',
+            '{} segments are drawn. Type a number, 10^12, 50 %',
+        );
         field.removeAttribute('data-wrong');
     }
 

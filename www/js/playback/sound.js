@@ -11,6 +11,7 @@ import { createTool } from '../tool.js';
 import { createFollower } from './follower.js';
 import { createInstrument } from './instrument.js';
 import { createTogether } from './together.js';
+import { said, say } from '../words.js';
 
 /** The choices on the page; a file has more. */
 const CHOICES = /** @type {const} */ (['pitch', 'time', 'scale']);
@@ -70,7 +71,7 @@ export function createSound({ store, storage, listening }) {
             const tune = await tool.call('tune', { options: choices() });
             if (voice && own === asked) together.begin(tune);
         } catch (error) {
-            if (own === asked) toast(`No sound: ${error instanceof Error ? error.message : error}`);
+            if (own === asked) toast(say`No sound: ${error instanceof Error ? error.message : String(error)}`);
         }
     }
 
@@ -126,13 +127,13 @@ function createRow(stored, changed) {
         const [words, usual] = option.kind === 'word' ? [option.words, option.default] : [{}, ''];
         const list = make(
             'select',
-            { id: `sound-${name}`, title: option.help },
-            ...Object.entries(words).map(([word, text]) => make('option', { value: word }, text)),
+            { id: `sound-${name}`, title: said(option.help) },
+            ...Object.entries(words).map(([word, text]) => make('option', { value: word }, said(text))),
         );
         const before = String(stored?.[name]);
         list.value = before in words ? before : usual;
         list.addEventListener('change', () => changed(name));
-        return { name, list, label: make('label', { class: 'sound-choice' }, option.label, list) };
+        return { name, list, label: make('label', { class: 'sound-choice' }, said(option.label), list) };
     });
     const loudness = make('input', { id: 'sound-volume', type: 'range', min: '0', max: '100', step: '1' });
     const before = stored?.['volume'];
@@ -145,7 +146,7 @@ function createRow(stored, changed) {
     paint();
     addElements(markup, [styles], html('playback'));
     const row = html('play-sound');
-    row.append(...lists.map(({ label }) => label), make('label', { class: 'sound-choice' }, 'Volume', loudness));
+    row.append(...lists.map(({ label }) => label), make('label', { class: 'sound-choice' }, say`Volume`, loudness));
     return {
         row,
         choices: () => Object.fromEntries(lists.map(({ name, list }) => [name, list.value])),

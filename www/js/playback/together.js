@@ -1,5 +1,7 @@
 /** Sound by length: all branches at their own times, on the playback bar in place of the segments. */
 
+import { say } from '../words.js';
+
 /** Notes are handed to the sound card this long before they sound, and this often, in seconds. */
 const [AHEAD, EVERY] = [0.2, 0.03];
 
@@ -83,7 +85,7 @@ export function createTogether({ now, play, hush, present, mark }) {
         },
         get words() {
             const step = tune?.step ?? 0;
-            return `${timeText(steps() * step)} of ${timeText((tune?.length ?? 0) * step)} min`;
+            return say`${timeText(steps() * step)} of ${timeText((tune?.length ?? 0) * step)} min`;
         },
         toggle() {
             if (began === null) run();

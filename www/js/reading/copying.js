@@ -5,6 +5,7 @@ import { copyText } from '../copy.js';
 import { button } from '../dom.js';
 import { grouped } from '../numerals.js';
 import { modulesOf } from './words.js';
+import { counted, say } from '../words.js';
 
 /** Longer strings are for files, in symbols. */
 const LONGEST = 1_000_000;
@@ -19,21 +20,25 @@ export function createCopying(area, { read, generation, open }) {
     async function copy() {
         try {
             const first = await read(generation(), 0n, 1);
-            if (first.text === null || first.length === null) return toast('This string is too long to be copied.');
+            if (first.text === null || first.length === null) return toast(say`This string is too long to be copied.`);
             if (BigInt(first.length) > LONGEST)
                 return toast(
-                    `A string of ${grouped(first.length)} symbols is too long to be copied: save it as a text.`,
+                    say`A string of ${grouped(first.length)} symbols is too long to be copied: save it as a text.`,
                 );
             /** @type {string[]} */
             const symbols = [];
             while (symbols.length < Number(first.length)) {
                 const page = await read(generation(), BigInt(symbols.length), PAGE);
                 const more = modulesOf(page.text ?? '', page.apart);
-                if (more.length === 0) return toast('This string could not be read to its end.');
+                if (more.length === 0) return toast(say`This string could not be read to its end.`);
                 for (const symbol of more) symbols.push(symbol);
             }
             const text = symbols.join('');
-            toast((await copyText(text)) ? `Copied ${grouped(first.length)} symbols.` : 'The browser refused to copy.');
+            toast(
+                (await copyText(text))
+                    ? counted(BigInt(first.length), 'Copied {} symbols.', 'Copied {} symbols.')
+                    : say`The browser refused to copy.`,
+            );
         } catch {
             // The worker was replaced; the stage tells why.
         }

@@ -1,6 +1,7 @@
 /** The buttons and the slider that choose the generation of the string view. */
 
 import { button, html, input, setText } from '../dom.js';
+import { say } from '../words.js';
 
 /** @param {(to: number) => void} goTo */
 export function createGenerations(goTo) {
@@ -40,7 +41,7 @@ export function createGenerations(goTo) {
             slider.max = String(iterations);
             slider.value = String(shown);
             slider.style.setProperty('--at', String(iterations === 0 ? 0 : shown / iterations));
-            slider.setAttribute('aria-valuetext', `generation ${shown} of ${iterations}`);
+            slider.setAttribute('aria-valuetext', say`generation ${String(shown)} of ${String(iterations)}`);
             button('reader-back').disabled = shown === 0;
             button('reader-on').disabled = shown === iterations;
         },

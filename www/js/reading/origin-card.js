@@ -3,12 +3,13 @@
 import { html, make } from '../dom.js';
 import { countText, placeText } from './places.js';
 import { birth, birthOf, descent, origin, visible } from './words.js';
+import { counted, say } from '../words.js';
 
 /** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
 /** @typedef {import('../protocol.js').SymbolFacts} SymbolFacts */
 /** The symbol, if loaded, its meaning in words, its index and generation, and the drawn generation. @typedef {{symbol: string | undefined, words: string, index: bigint, generation: number, iterations: number}} Chosen */
 
-const UNTRACED = 'This derivation is too long to record, so the origin of the symbol is unknown.';
+const UNTRACED = say`This derivation is too long to record, so the origin of the symbol is unknown.`;
 
 /** @param {(generation: number, index: bigint) => void} goTo shows a symbol of the chain */
 export function createOriginCard(goTo) {
@@ -28,7 +29,7 @@ export function createOriginCard(goTo) {
 
     return {
         clear() {
-            card.replaceChildren(make('p', { class: 'note' }, 'Select a symbol to see its origin.'));
+            card.replaceChildren(make('p', { class: 'note' }, say`Select a symbol to see its origin.`));
         },
 
         /** @param {Chosen} chosen @param {SymbolFacts} facts */
@@ -40,7 +41,7 @@ export function createOriginCard(goTo) {
                         'p',
                         { class: 'path-head' },
                         make('kbd', {}, visible(chosen.symbol ?? '?')),
-                        `symbol ${placeText(chosen.index + 1n)}`,
+                        say`symbol ${placeText(chosen.index + 1n)}`,
                     ),
                     make('p', { class: 'note' }, UNTRACED),
                 );
@@ -65,7 +66,7 @@ export function createOriginCard(goTo) {
                 make('p', { class: 'note' }, part ? drawnText(chosen, part, stroke !== null) : ''),
                 make(
                     'ol',
-                    { class: 'links', 'aria-label': 'Origin of the symbol, back to the axiom' },
+                    { class: 'links', 'aria-label': say`Origin of the symbol, back to the axiom` },
                     ...descent(ancestry).map((link) => item(link, own)),
                 ),
             );
@@ -77,13 +78,25 @@ export function createOriginCard(goTo) {
 function drawnText({ generation, iterations }, { symbols, segments }, placed) {
     const from = BigInt(segments[0]);
     const count = BigInt(segments[1]) - from;
-    const grown =
-        generation === iterations
-            ? ''
-            : `${countText(BigInt(symbols[1]) - BigInt(symbols[0]))} symbols at n = ${iterations}: `;
     const drawn =
-        count === 0n
-            ? `draws no segment${placed ? ', marked at the turtle’s position' : ''}`
-            : `${count === 1n ? `segment ${placeText(from + 1n)}` : `${countText(count)} segments`}, marked in the drawing`;
-    return `${grown}${drawn}.`.replace(/^./, (letter) => letter.toUpperCase());
+        count === 1n
+            ? say`segment ${placeText(from + 1n)}, marked in the drawing`
+            : count > 0n
+              ? say`${countText(count)} segments, marked in the drawing`
+              : placed
+                ? say`draws no segment, marked at the turtle’s position`
+                : say`draws no segment`;
+    const grown = BigInt(symbols[1]) - BigInt(symbols[0]);
+    const all =
+        generation === iterations
+            ? `${drawn}.`
+            : counted(
+                  grown,
+                  '{1} symbols at n = {2}: {3}.',
+                  '{1} symbols at n = {2}: {3}.',
+                  countText(grown),
+                  String(iterations),
+                  drawn,
+              );
+    return all.replace(/^./, (letter) => letter.toUpperCase());
 }

@@ -3,6 +3,7 @@
 import { latest } from '../latest.js';
 import { REACH, within } from './places.js';
 import { modulesOf } from './words.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../protocol.js').StringPage} StringPage */
 /**
@@ -33,7 +34,7 @@ export function createPages(read, generation, arrived) {
         const another = page.generation !== wanted || redefined;
         stale = false;
         redefined = false;
-        reason = readable ? '' : 'This generation is too long to derive.';
+        reason = readable ? '' : say`This generation is too long to derive.`;
         setLength(answer.length);
         page = { generation: wanted, start, symbols: modulesOf(answer.text ?? '', answer.apart) };
         arrived({ another, readable, full: page.symbols.length >= count });

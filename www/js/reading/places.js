@@ -3,10 +3,12 @@
  * through them. Pure functions.
  */
 
-import { grouped, raised, shortText } from '../numerals.js';
+import { grouped, marked, raised, shortText, unmarked } from '../numerals.js';
+import { say } from '../words.js';
 
 /** The last place that can be reached, because the core counts in 128 bits. */
 export const REACH = 2n ** 128n - 1n;
+export const REACH_TEXT = `${marked('3.4')} × 10³⁸`;
 
 /** Fractions are rounded to this denominator. */
 const STEPS = 2 ** 53;
@@ -99,7 +101,7 @@ export function revealed(top, row, page) {
  */
 export function readPlace(text, length) {
     const last = length > 0n ? length - 1n : 0n;
-    const words = text.trim().toLowerCase();
+    const words = unmarked(text.trim().toLowerCase());
     if (words === 'end' || words === 'last') return last;
     if (words === 'start' || words === 'first') return 0n;
     const percent = /^(\d+(?:\.\d+)?|\.\d+)\s*%$/.exec(words.replace(/(\d),(\d{1,2})(?=\s*%)/, '$1.$2'));
@@ -140,10 +142,11 @@ export const pace = (whole, seconds) => Math.max(1, Number(whole) / seconds);
  * @param {number} perSecond
  */
 export function paceText(perSecond) {
-    if (perSecond < 10) return `${perSecond.toFixed(perSecond < 2 ? 1 : 0).replace(/\.0$/, '')} a second`;
-    if (perSecond < 1e9) return `${Math.round(perSecond).toLocaleString('en')} a second`;
+    if (perSecond < 10) return say`${marked(perSecond.toFixed(perSecond < 2 ? 1 : 0).replace(/\.0$/, ''))} a second`;
+    if (perSecond < 1e9) return say`${Math.round(perSecond)} a second`;
     const exponent = Math.floor(Math.log10(perSecond));
-    return `${(perSecond / 10 ** exponent).toFixed(1)}\u2009×\u200910${raised(exponent)} a second`;
+    const number = `${marked((perSecond / 10 ** exponent).toFixed(1))}\u2009×\u200910${raised(exponent)}`;
+    return say`${number} a second`;
 }
 
 /** A count in short form. @param {bigint} count */

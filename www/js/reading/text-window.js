@@ -6,10 +6,11 @@
 import { html, setText } from '../dom.js';
 import { grouped, shortText } from '../numerals.js';
 import { createPages } from './pages.js';
-import { REACH, lastTop, placeText, portion, ratio, revealed, rowsOf, scrolled, within } from './places.js';
+import { REACH, REACH_TEXT, lastTop, placeText, portion, ratio, revealed, rowsOf, scrolled, within } from './places.js';
 import { listenToGestures } from './row-gestures.js';
 import { rowsView } from './rows.js';
 import { createScrollbar } from './scrollbar.js';
+import { say } from '../words.js';
 
 /** @typedef {import('./places.js').Top} Top */
 
@@ -162,9 +163,14 @@ export function createTextWindow(area, { read, open, generation, marks, arrived,
 function showWhere({ length, digits, reason }, first, end) {
     const where = html('reader-where');
     if (length === null) return setText(where, reason || '…');
-    if (length === 0n) return setText(where, 'There are no symbols.');
+    if (length === 0n) return setText(where, say`There are no symbols.`);
     const last = within(end, 0n, length);
-    const limitText = length === REACH ? ', of which the first 3.4 × 10³⁸ can be read' : '';
-    setText(where, `${placeText(first + 1n, 20)} to ${placeText(last)} of ${shortText(digits)}${limitText}`);
-    where.title = `From ${grouped(String(first + 1n))} to ${grouped(String(last))} of ${grouped(digits)} symbols`;
+    const [from, to, all] = [placeText(first + 1n, 20), placeText(last), shortText(digits)];
+    setText(
+        where,
+        length === REACH
+            ? say`${from} to ${to} of ${all}, of which the first ${REACH_TEXT} can be read`
+            : say`${from} to ${to} of ${all}`,
+    );
+    where.title = say`From ${grouped(String(first + 1n))} to ${grouped(String(last))} of ${grouped(digits)} symbols`;
 }

@@ -1,24 +1,25 @@
 /** The origin of a symbol and the pose of the turtle, in words. Pure functions. */
 
-import { grouped, plain, raised } from '../numerals.js';
+import { grouped, listed, marked, plain, raised } from '../numerals.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../protocol.js').AncestryLink} AncestryLink */
 /** @typedef {import('../protocol.js').SegmentFacts} SegmentFacts */
 /** @typedef {import('../protocol.js').PolygonFacts} PolygonFacts */
 
 const ORDINALS = [
-    'first',
-    'second',
-    'third',
-    'fourth',
-    'fifth',
-    'sixth',
-    'seventh',
-    'eighth',
-    'ninth',
-    'tenth',
-    'eleventh',
-    'twelfth',
+    say`first`,
+    say`second`,
+    say`third`,
+    say`fourth`,
+    say`fifth`,
+    say`sixth`,
+    say`seventh`,
+    say`eighth`,
+    say`ninth`,
+    say`tenth`,
+    say`eleventh`,
+    say`twelfth`,
 ];
 
 /** @param {number} position counted from 0 */
@@ -26,8 +27,17 @@ export function ordinal(position) {
     const word = ORDINALS[position];
     if (word) return word;
     const number = position + 1;
-    const ending = Math.floor(number / 10) % 10 === 1 ? 'th' : ({ 1: 'st', 2: 'nd', 3: 'rd' }[number % 10] ?? 'th');
-    return `${grouped(String(number))}${ending}`;
+    const digits = grouped(String(number));
+    switch (Math.floor(number / 10) % 10 === 1 ? 0 : number % 10) {
+        case 1:
+            return say`${digits}st`;
+        case 2:
+            return say`${digits}nd`;
+        case 3:
+            return say`${digits}rd`;
+        default:
+            return say`${digits}th`;
+    }
 }
 
 /**
@@ -59,9 +69,9 @@ function fewDigits(number) {
 
 /** The origin of a link's symbol: `step 5, by rule 1, third symbol`. @param {AncestryLink} link */
 export function birth({ generation, production, position }) {
-    if (generation === 0) return `${ordinal(position)} symbol of the axiom`;
-    if (production === null) return `copied at step ${generation}`;
-    return `step ${generation}, by rule ${production + 1}, ${ordinal(position)} symbol`;
+    if (generation === 0) return say`${ordinal(position)} symbol of the axiom`;
+    if (production === null) return say`copied at step ${String(generation)}`;
+    return say`step ${String(generation)}, by rule ${String(production + 1)}, ${ordinal(position)} symbol`;
 }
 
 /**
@@ -85,7 +95,7 @@ export function origin(chain) {
     if (!born) return '';
     return born.generation === 0
         ? `${visible(born.symbol)}, ${birth(born)}`
-        : `${visible(born.symbol)} at ${birth(born)}`;
+        : say`${visible(born.symbol)} at ${birth(born)}`;
 }
 
 /**
@@ -93,30 +103,35 @@ export function origin(chain) {
  * @param {Pick<import('../protocol.js').Pose, 'at' | 'heading' | 'level'>} pose
  */
 export function poseText({ at, heading, level }) {
-    return `At ${at.map(coordinate).join(', ')}, ${headingText(heading)}, level ${level}`;
+    return say`At ${listed(at.map(coordinate))}, ${headingText(heading)}, level ${String(level)}`;
 }
 
 /** @param {import('../protocol.js').Heading} heading */
 function headingText(heading) {
-    return `heading ${typeof heading === 'number' ? `${plain(Number(heading.toFixed(2)))}°` : heading.map(coordinate).join(', ')}`;
+    return typeof heading === 'number'
+        ? say`heading ${marked(plain(Number(heading.toFixed(2))))}°`
+        : say`heading ${listed(heading.map(coordinate))}`;
 }
 
 /** The look of a segment, in words. @param {SegmentFacts} stroke */
 export const strokeText = (stroke) => [headingText(stroke.heading), ...looks(stroke)].join(', ');
 
 /** The look of a polygon, in words. @param {PolygonFacts} filled */
-export const filledText = (filled) => ['filled', ...looks(filled)].join(', ');
+export const filledText = (filled) => [say`filled`, ...looks(filled)].join(', ');
 
 /** @param {{level: number, colour: number}} drawn */
 function looks({ level, colour }) {
-    return [...(level > 0 ? [`branch level ${level}`] : []), ...(colour !== 0 ? [`colour ${coordinate(colour)}`] : [])];
+    return [
+        ...(level > 0 ? [say`branch level ${String(level)}`] : []),
+        ...(colour !== 0 ? [say`colour ${coordinate(colour)}`] : []),
+    ];
 }
 
 /** @param {number} value in model units */
 export function coordinate(value) {
     if (value !== 0 && (Math.abs(value) >= 1e7 || Math.abs(value) < 1e-3)) {
         const [mantissa, exponent] = value.toExponential(3).split('e');
-        return `${mantissa}·10${raised(Number(exponent))}`.replace('-', '−');
+        return `${marked(String(mantissa))}·10${raised(Number(exponent))}`.replace('-', '−');
     }
-    return plain(Number(value.toFixed(3))).replace('-', '−');
+    return marked(plain(Number(value.toFixed(3)))).replace('-', '−');
 }

@@ -1,6 +1,7 @@
 /** The note on a view that shows only the background or only one broad line, with ways back. */
 
 import { button, html, setText } from '../dom.js';
+import { say } from '../words.js';
 
 /** The first search reaches this far, in CSS pixels, and each further one this many times as far. */
 const FIRST = 500;
@@ -36,8 +37,8 @@ export function createNothingHere({ pick, goTo, fit }) {
             // The focus must not be lost with the button.
             if (!only && note.contains(document.activeElement)) html('drawing').focus({ preventScroll: true });
             note.hidden = only === null;
-            setText(html('nothing-here-words'), only === 'ink' ? 'You are inside one line.' : 'Nothing here.');
-            setText(button('nothing-here-back'), only === 'ink' ? 'Show this line' : 'Go to the nearest line');
+            setText(html('nothing-here-words'), only === 'ink' ? say`You are inside one line.` : say`Nothing here.`);
+            setText(button('nothing-here-back'), only === 'ink' ? say`Show this line` : say`Go to the nearest line`);
         },
     };
 }
