@@ -121,6 +121,8 @@ export function translate(root) {
     if (language === 'en') return;
     const inside = root.querySelectorAll('*');
     for (const element of 'matches' in root ? [root, ...inside] : inside) {
+        const document = element.getAttribute('href')?.match(/^(docs\/[a-z-]+)\.html(#.*)?$/);
+        if (document) element.setAttribute('href', `${document[1]}.${language}.html${document[2] ?? ''}`);
         for (const name of READ) {
             const text = element.getAttribute(name);
             if (text) element.setAttribute(name, said(text));

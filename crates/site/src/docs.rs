@@ -1,10 +1,13 @@
-//! The documents of `docs/` as pages of the site: `docs/NAME.html`.
+//! The documents of `docs/` as pages of the site: `docs/NAME.html`, and in another language `docs/NAME.de.html`, from
+//! `www/lang/de/docs/`. A document that a language does not have stands there in English, so that links lead somewhere.
 
 mod drawing;
 mod markdown;
 
+use crate::words;
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
+use lsystem_base::say;
 use markdown::Site;
 pub(crate) use markdown::{escape, shortened};
 use std::path::Path;
@@ -37,37 +40,61 @@ const PAGES: [&str; 23] = [
 ];
 /// The document that the site also has as Markdown, as `llms.txt` names it.
 const PLAIN: &str = "assistants";
-/// The pages in the navigation line, with their names there.
-const NAVIGATION: [(&str, &str); 6] = [
-    ("lesson", "Lesson"),
-    ("notation", "Notation"),
-    ("links", "Links"),
-    ("embedding", "Embedding"),
-    ("exercises", "Exercises"),
-    ("about", "About"),
-];
+/// The pages in the navigation line.
+const NAVIGATION: [&str; 6] = ["lesson", "notation", "links", "embedding", "exercises", "about"];
 
-/// Writes the pages and their pictures into the folder of the site. `docs` holds the documents. The other pages of the
-/// site must be in place, because documents link to them.
-pub(crate) fn write_pages(docs: &Path, template: &Path, site: &Path) -> Result<()> {
+/// The name of a page in the navigation line.
+fn navigation_name(page: &str) -> String {
+    match page {
+        "lesson" => say!("Lesson"),
+        "notation" => say!("Notation"),
+        "links" => say!("Links"),
+        "embedding" => say!("Embedding"),
+        "exercises" => say!("Exercises"),
+        _ => say!("About"),
+    }
+}
+
+/// Where documents are read and written.
+pub(crate) struct Folders<'a> {
+    /// The documents, and their pictures.
+    pub(crate) docs: &'a Path,
+    /// The documents in the language of the pages.
+    pub(crate) told: Option<&'a Path>,
+    pub(crate) template: &'a Path,
+    pub(crate) site: &'a Path,
+}
+
+/// Writes the pages and their pictures into the folder of the site. The other pages of the site must be in place,
+/// because documents link to them.
+pub(crate) fn write_pages(folders: &Folders) -> Result<()> {
+    let Folders { docs, told, template, site } = *folders;
     let out = site.join("docs");
     fs::create_dir_all(&out)?;
     let template = fs::read_to_string(template)?;
     let is_shipped = |path: &str| site.join(path).is_file();
-    let rules = Site { pages: &PAGES, is_shipped: &is_shipped };
+    let ending = words::ending();
+    let rules = Site { pages: &PAGES, ending: &ending, is_shipped: &is_shipped };
     for name in PAGES {
         let text = fs::read_to_string(docs.join(format!("{name}.md")))?;
-        let document = markdown::render(&text, &rules).with_context(|| format!("in docs/{name}.md"))?;
+        let mut document = markdown::render(&text, &rules, None).with_context(|| format!("in docs/{name}.md"))?;
+        let told = told.map(|told| told.join(format!("{name}.md"))).filter(|told| told.exists());
+        let language = if told.is_some() { words::language() } else { "en" };
+        if let Some(told) = told {
+            let text = fs::read_to_string(&told)?;
+            document = markdown::render(&text, &rules, Some(&document)).with_context(|| told.display().to_string())?;
+        }
         let page = Page {
             docs: "",
             name,
             title: &document.title,
             description: &document.summary,
             head: "",
+            language,
             body: &document.body,
         };
-        fs::write(out.join(format!("{name}.html")), page.fill(&template)?)?;
-        if name == PLAIN {
+        fs::write(out.join(format!("{name}{ending}.html")), page.fill(&template)?)?;
+        if name == PLAIN && ending.is_empty() {
             fs::write(out.join(format!("{name}.md")), &text)?;
         }
         for image in &document.images {
@@ -87,6 +114,8 @@ pub(crate) struct Page<'a> {
     pub(crate) description: &'a str,
     /// Further elements of the head, as HTML.
     pub(crate) head: &'a str,
+    /// The language of the text.
+    pub(crate) language: &'a str,
     /// The text, as HTML.
     pub(crate) body: &'a str,
 }
@@ -94,12 +123,14 @@ pub(crate) struct Page<'a> {
 impl Page<'_> {
     /// The template around the text.
     pub(crate) fn fill(&self, template: &str) -> Result<String> {
-        let Page { docs, name, title, description, head, body } = self;
+        let Page { docs, name, title, description, head, language, body } = self;
+        let ending = words::ending();
         let navigation: String = NAVIGATION
             .iter()
-            .map(|(page, words)| {
+            .map(|page| {
                 let current = if page == name { " aria-current=\"page\"" } else { "" };
-                format!("<li><a href=\"{docs}{page}.html\"{current}>{words}</a></li>\n")
+                let words = escape(&navigation_name(page));
+                format!("<li><a href=\"{docs}{page}{ending}.html\"{current}>{words}</a></li>\n")
             })
             .collect();
         fill(
@@ -112,6 +143,14 @@ impl Page<'_> {
                 ("navigation", &navigation),
                 ("body", body),
                 ("version", env!("CARGO_PKG_VERSION")),
+                ("page language", words::language()),
+                ("text language", language),
+                ("ending", &ending),
+                ("pages", &escape(&say!("Pages"))),
+                ("skip", &escape(&say!("Skip to the text"))),
+                ("open", &escape(&say!("Open the playground"))),
+                ("about", &escape(&say!("About"))),
+                ("security", &escape(&say!("Security"))),
             ],
         )
     }
@@ -148,7 +187,7 @@ mod tests {
         fs::write(docs.join("about.md"), "# About\n\n![A leaf](leaf.svg)\n").unwrap();
         fs::write(docs.join("leaf.svg"), "<svg/>").unwrap();
         fs::write(&template, "{{title}}|{{description}}|{{head}}{{docs}}{{navigation}}|{{body}}|{{version}}").unwrap();
-        write_pages(&docs, &template, &site).unwrap();
+        write_pages(&Folders { docs: &docs, told: None, template: &template, site: &site }).unwrap();
         let text = fs::read_to_string(site.join("docs/links.html")).unwrap();
         assert!(text.starts_with("The links|A &amp; b.|<li><a href=\"lesson.html\">"), "{text}");
         assert!(text.contains("<a href=\"links.html\" aria-current=\"page\">Links</a>"), "{text}");

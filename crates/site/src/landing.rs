@@ -126,7 +126,7 @@ impl<'a> Landing<'a> {
     fn page(&self, template: &str) -> Result<String> {
         let (head, body) = (self.head(), self.body());
         let (title, description) = (self.title, &*shortened(self.summary()));
-        Page { docs: "../docs/", name: "", title, description, head: &head, body: &body }.fill(template)
+        Page { docs: "../docs/", name: "", title, description, head: &head, language: "en", body: &body }.fill(template)
     }
 
     fn head(&self) -> String {
@@ -287,7 +287,7 @@ fn index(template: &str, shelves: &[Shelf], cards: &HashMap<String, String>, sit
         }
     }
     let head = format!("<link rel=\"canonical\" href=\"{site}{FOLDER}/\">\n");
-    Page { docs: "../docs/", name: "", title, description, head: &head, body: &body }.fill(template)
+    Page { docs: "../docs/", name: "", title, description, head: &head, language: "en", body: &body }.fill(template)
 }
 
 /// The addresses of all pages for readers (sitemaps.org, version 0.9).

@@ -3,7 +3,7 @@
 //!
 //! - `site systems ROOT SITE` reads the repository ROOT, writes `gallery.json` and `exercises.json` into the folder
 //!   SITE, and completes links to exercises in `course.html` there.
-//! - `site documents ROOT SITE` writes the pages of `docs/`. All other pages must be in SITE, because documents link to
+//! - `site documents ROOT SITE [LANGUAGE]` writes the pages of `docs/`, in English or in a language of `www/lang`. All other pages must be in SITE, because documents link to
 //!   them.
 //! - `site landing ROOT SITE ADDRESS` writes the pages of the gallery for a site with this address.
 
@@ -11,6 +11,7 @@ mod docs;
 mod exercises;
 mod gallery;
 mod landing;
+mod words;
 
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
@@ -20,16 +21,26 @@ fn main() -> Result<()> {
     let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     match words.as_slice() {
         [what, root, site] if what == Path::new("systems") => systems(root, site),
-        [what, root, site] if what == Path::new("documents") => {
-            docs::write_pages(&root.join("docs"), &root.join("www/docs/page.html"), site)
+        [what, root, site] if what == Path::new("documents") => documents(root, site, None),
+        [what, root, site, language] if what == Path::new("documents") => {
+            let folder = root.join("www/lang").join(language);
+            words::choose(&folder)?;
+            documents(root, site, Some(&folder.join("docs")))
         }
         [what, root, site, address] if what == Path::new("landing") => {
             let address = address.to_str().context("an address that is not UTF-8")?;
             println!("{}", landing::write(&landing::Sources { root, site, address })?);
             Ok(())
         }
-        _ => bail!("usage: site systems|documents ROOT SITE, or site landing ROOT SITE ADDRESS"),
+        _ => bail!(
+            "usage: site systems ROOT SITE, site documents ROOT SITE [LANGUAGE], or site landing ROOT SITE ADDRESS"
+        ),
     }
+}
+
+fn documents(root: &Path, site: &Path, told: Option<&Path>) -> Result<()> {
+    let (docs, template) = (&root.join("docs"), &root.join("www/docs/page.html"));
+    docs::write_pages(&docs::Folders { docs, told, template, site })
 }
 
 fn systems(root: &Path, site: &Path) -> Result<()> {

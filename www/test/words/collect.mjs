@@ -54,7 +54,7 @@ const isOurs = (name) => !name.includes('node_modules') && !name.startsWith('www
 
 /** The crates that speak to people. @param {string} name */
 const isProduct = (name) =>
-    /^crates\/(lsys|lsystem[a-z-]*)\/src\//.test(name) &&
+    /^crates\/(lsys|site|lsystem[a-z-]*)\/src\//.test(name) &&
     !/(^|\/)tests?(\/|\.rs$)/.test(name) &&
     !name.endsWith('words.rs');
 

@@ -2,6 +2,7 @@
 
 use super::drawing;
 use anyhow::{Result, bail, ensure};
+use lsystem_base::say;
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, LinkType, Options, Parser, Tag, TagEnd, html};
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -17,6 +18,8 @@ const LONGEST_SUMMARY: usize = 160;
 pub(super) struct Site<'a> {
     /// The names of the documents that are pages.
     pub(super) pages: &'a [&'a str],
+    /// What the names of pages have before `.html`.
+    pub(super) ending: &'a str,
     /// Whether the site has a file at this path.
     pub(super) is_shipped: &'a dyn Fn(&str) -> bool,
 }
@@ -31,12 +34,17 @@ pub(super) struct Document {
     pub(super) body: String,
     /// The names of the pictures beside the document.
     pub(super) images: Vec<String>,
+    /// The levels and ids of all headings.
+    headings: Vec<(HeadingLevel, String)>,
 }
 
-/// Renders a document.
-pub(super) fn render(text: &str, site: &Site) -> Result<Document> {
+/// Renders a document. A translated one has the headings of the original, in order, with their ids, so that links to
+/// sections hold in all languages.
+pub(super) fn render(text: &str, site: &Site, original: Option<&Document>) -> Result<Document> {
     let mut renderer = Renderer {
         site,
+        given: original.map(|original| &*original.headings),
+        headings: vec![],
         out: vec![],
         ids: HashMap::new(),
         sections: vec![],
@@ -83,7 +91,11 @@ pub(super) fn render(text: &str, site: &Site) -> Result<Document> {
     }
     let mut body = String::new();
     html::push_html(&mut body, renderer.out.into_iter());
-    Ok(Document { title, summary, body, images: renderer.images })
+    if let Some(original) = original {
+        ensure!(renderer.headings.len() == original.headings.len(), "the original has other sections");
+        ensure!(renderer.images == original.images, "the original has other pictures");
+    }
+    Ok(Document { title, summary, body, images: renderer.images, headings: renderer.headings })
 }
 
 /// The events up to the end of an element, without the end.
@@ -93,6 +105,9 @@ fn inside<'a>(events: &mut Parser<'a>, end: TagEnd) -> Vec<Event<'a>> {
 
 struct Renderer<'a, 's> {
     site: &'s Site<'s>,
+    /// The headings of the original.
+    given: Option<&'s [(HeadingLevel, String)]>,
+    headings: Vec<(HeadingLevel, String)>,
     out: Vec<Event<'a>>,
     /// How many headings have had an id so far.
     ids: HashMap<String, usize>,
@@ -153,8 +168,8 @@ impl<'a> Renderer<'a, '_> {
             }
             // A table can be wider than a phone. Scrolling by keyboard needs the focus, and the focus a name.
             Event::Start(Tag::Table(alignments)) => {
-                let name = escape(&self.section);
-                self.html(format!("<div class=\"table\" role=\"group\" aria-label=\"Table: {name}\" tabindex=\"0\">"));
+                let name = escape(&say!("Table: {}", self.section));
+                self.html(format!("<div class=\"table\" role=\"group\" aria-label=\"{name}\" tabindex=\"0\">"));
                 self.out.push(Event::Start(Tag::Table(alignments)));
             }
             Event::End(TagEnd::Table) => {
@@ -169,7 +184,14 @@ impl<'a> Renderer<'a, '_> {
     /// Writes a heading with an id, and returns its words.
     fn heading(&mut self, level: HeadingLevel, inner: Vec<Event<'a>>) -> Result<String> {
         let words = plain(&inner);
-        let id = self.id(&words);
+        let id = match self.given {
+            None => self.id(&words),
+            Some(given) => match given.get(self.headings.len()) {
+                Some((of, id)) if *of == level => id.clone(),
+                _ => bail!("the original has no such heading: {words}"),
+            },
+        };
+        self.headings.push((level, id.clone()));
         if level == HeadingLevel::H2 {
             self.sections.push((id.clone(), words.clone()));
         }
@@ -194,8 +216,10 @@ impl<'a> Renderer<'a, '_> {
             let frame = drawing::frame(code)?;
             self.html(frame);
         } else {
-            let (name, code) = (escape(&self.section), escape(code));
-            self.html(format!("<pre class=\"block\" role=\"group\" aria-label=\"Code: {name}\" tabindex=\"0\"><code>{code}</code></pre>\n"));
+            let (name, code) = (escape(&say!("Code: {}", self.section)), escape(code));
+            self.html(format!(
+                "<pre class=\"block\" role=\"group\" aria-label=\"{name}\" tabindex=\"0\"><code>{code}</code></pre>\n"
+            ));
         }
         Ok(())
     }
@@ -221,7 +245,7 @@ fn address(link: &str, site: &Site) -> Result<Option<String>> {
         return Ok(Some(link.to_owned()));
     }
     if let Some(name) = path.strip_suffix(".md").filter(|name| site.pages.contains(name)) {
-        return Ok(Some(format!("{name}.html{hash}")));
+        return Ok(Some(format!("{name}{}.html{hash}", site.ending)));
     }
     // The repository keeps the pages of the site in `www`.
     let shipped = path.strip_prefix("../www/").filter(|path| (site.is_shipped)(path));
@@ -233,7 +257,8 @@ fn is_elsewhere(link: &str) -> bool {
 }
 
 fn contents(sections: &[(String, String)]) -> String {
-    let mut text = "<nav class=\"contents\" aria-label=\"On this page\">\n<ul>\n".to_owned();
+    let name = escape(&say!("On this page"));
+    let mut text = format!("<nav class=\"contents\" aria-label=\"{name}\">\n<ul>\n");
     for (id, words) in sections {
         _ = writeln!(text, "<li><a href=\"#{id}\">{}</a></li>", escape(words));
     }
@@ -272,8 +297,8 @@ mod tests {
     use super::*;
 
     fn rendered(text: &str) -> Result<Document> {
-        let site = Site { pages: &["links", "lesson"], is_shipped: &|path| path == "course.html" };
-        render(&format!("# Title\n\n{text}\n"), &site)
+        let site = Site { pages: &["links", "lesson"], ending: "", is_shipped: &|path| path == "course.html" };
+        render(&format!("# Title\n\n{text}\n"), &site, None)
     }
 
     fn body(text: &str) -> String {
