@@ -10,6 +10,7 @@ import markup from './breed.html';
 import { clean, definitionOf, sameSystem } from './state.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 import { createTool } from './tool.js';
+import { say } from './words.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
 
@@ -42,8 +43,8 @@ export function createBreed({ store, engine }) {
         const picture = emptyThumb();
         const label = make('span', { class: 'card-kind' });
         const card = make('button', { type: 'button', class: 'card' }, picture, label);
-        const box = make('input', { type: 'checkbox', 'aria-label': `Keep child ${index + 1} to cross it` });
-        const keep = make('label', { class: 'keep', title: 'Keep two to cross them' }, box, 'keep');
+        const box = make('input', { type: 'checkbox', 'aria-label': say`Keep child ${index + 1} to cross it` });
+        const keep = make('label', { class: 'keep', title: say`Keep two to cross them` }, box, say`keep`);
         const slot = make('div', { class: 'breed-slot' }, card, keep);
         card.addEventListener('click', () => choose(index));
         box.addEventListener('change', () => keepCard(index, box.checked));
@@ -83,10 +84,10 @@ export function createBreed({ store, engine }) {
         setText(
             html('breed-note'),
             isSeeds
-                ? 'Click one to take its seed.'
+                ? say`Click one to take its seed.`
                 : kept.length === 1
-                  ? 'Keep another one to cross both.'
-                  : 'Click one to go on with it, or keep two to cross them.',
+                  ? say`Keep another one to cross both.`
+                  : say`Click one to go on with it, or keep two to cross them.`,
         );
     }
 
@@ -131,7 +132,10 @@ export function createBreed({ store, engine }) {
             }
         } catch (error) {
             if (wanted())
-                setText(html('breed-note'), `No relatives: ${error instanceof Error ? error.message : error}`);
+                setText(
+                    html('breed-note'),
+                    say`No relatives: ${String(error instanceof Error ? error.message : error)}`,
+                );
         }
     }
 
@@ -142,12 +146,13 @@ export function createBreed({ store, engine }) {
             slot.hidden = !definition;
             if (!definition) continue;
             const present = isSeeds && definition.seed === store.state.seed;
-            const seed = present ? `Seed ${definition.seed}, current` : `Seed ${definition.seed}`;
+            const own = String(definition.seed);
+            const seed = present ? say`Seed ${own}, current` : say`Seed ${own}`;
             card.value = String(isSeeds ? definition.seed : index);
-            card.setAttribute('aria-label', isSeeds ? seed : `Go on with child ${index + 1}`);
+            card.setAttribute('aria-label', isSeeds ? seed : say`Go on with child ${index + 1}`);
             card.title = isSeeds ? '' : definition.rules;
             card.classList.toggle('present', present);
-            setText(label, !isSeeds ? '' : present ? `${definition.seed} (current)` : String(definition.seed));
+            setText(label, !isSeeds ? '' : present ? say`${own} (current)` : own);
             keep.hidden = isSeeds;
             box.checked = kept.includes(definition);
             picture.style.background = definition.background;
@@ -173,7 +178,7 @@ export function createBreed({ store, engine }) {
             picture.style.background = definition.background;
             const step = make(
                 'button',
-                { type: 'button', class: 'card', 'aria-label': `Go back to ancestor ${index + 1}` },
+                { type: 'button', class: 'card', 'aria-label': say`Go back to ancestor ${index + 1}` },
                 picture,
             );
             step.addEventListener('click', () => {
@@ -198,7 +203,7 @@ export function createBreed({ store, engine }) {
             const file = await tool.call('descent', { definitions: line, side: FILM });
             download(new Blob([file], { type: 'image/gif' }), `${fileName(store.state)}_descent.gif`);
         } catch (error) {
-            toast(`No film: ${error instanceof Error ? error.message : error}`);
+            toast(say`No film: ${String(error instanceof Error ? error.message : error)}`);
         } finally {
             save.disabled = false;
         }

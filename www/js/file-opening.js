@@ -7,6 +7,7 @@ import { FORMAT, LARGEST_FILE } from './favourites.js';
 import { isPicture } from './find/files.js';
 import { withShape } from './shape-line.js';
 import { createTool } from './tool.js';
+import { say } from './words.js';
 
 /** Larger JSON files are not read, in bytes: a system's texts have at most 1 MiB, and more when escaped. */
 const LARGEST_JSON = 4 << 20;
@@ -27,8 +28,8 @@ export function createFileOpening({ store, engine, part, open }) {
         if (shape === null) return false;
         const [rules, name] = withShape(store.state.rules, shape);
         store.change({ rules, shapes: true }, '');
-        toast(`${file.name} is the shape \`${name}\` now, 20 units in size: \`inside(${name}, x, y)\`.`, {
-            action: { label: 'Find its rules', act: () => void open('find', file) },
+        toast(say`${file.name} is the shape \`${name}\` now, 20 units in size: \`inside(${name}, x, y)\`.`, {
+            action: { label: say`Find its rules`, act: () => void open('find', file) },
         });
         return true;
     }
@@ -41,7 +42,9 @@ export function createFileOpening({ store, engine, part, open }) {
             const json = /\.json$/i.test(file.name);
             if (file.size > (json ? LARGEST_JSON : LARGEST_PICTURE))
                 return toast(
-                    `This file is too large. ${json ? 'JSON files have at most 4 MB' : 'Pictures have at most 64 MB'}.`,
+                    json
+                        ? say`This file is too large. JSON files have at most 4 MB.`
+                        : say`This file is too large. Pictures have at most 64 MB.`,
                 );
             try {
                 if (json && file.size <= LARGEST_FILE) {
@@ -55,22 +58,26 @@ export function createFileOpening({ store, engine, part, open }) {
                 if (!definition) {
                     if (isPicture(file)) {
                         if (await addOutline(file)) return;
-                        return toast(`${file.name} has no system inside.`, {
-                            action: { label: 'Find its rules', act: () => void open('find', file) },
+                        return toast(say`${file.name} has no system inside.`, {
+                            action: { label: say`Find its rules`, act: () => void open('find', file) },
                         });
                     }
                     const mistake = diagnostics.find(({ severity }) => severity === 'error');
                     const words = [
                         text !== null && mistake && `${placesIn(text)(mistake.start)}: `,
-                        mistake?.message ?? 'The file contains no system',
+                        mistake?.message ?? say`The file contains no system`,
                     ];
-                    return toast(`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
+                    return toast(say`${file.name} could not be read. ${words.filter(Boolean).join('')}`);
                 }
                 const name = definition.name || file.name.replace(/\.(json|svg|png)$/i, '');
                 store.open({ ...definition, name });
-                toast(`Opened ${file.name}${diagnostics.length > 0 ? ', with warnings: see Save' : ''}`);
+                toast(
+                    diagnostics.length > 0
+                        ? say`Opened ${file.name}, with warnings: see Save`
+                        : say`Opened ${file.name}`,
+                );
             } catch (error) {
-                toast(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
+                toast(say`${file.name} could not be read: ${String(error instanceof Error ? error.message : error)}`);
             }
         },
     };

@@ -9,9 +9,10 @@ import markup from './gallery.html';
 import { addElements } from './late.js';
 import { Stopped } from './engine/questions.js';
 import { enliven } from './lively.js';
-import { NAMES, choose, count, filtersOf, matches, searchText, shelved, shortSource } from './shelves.js';
+import { LABELS, NAMES, choose, count, filtersOf, matches, searchText, shelved, shortSource } from './shelves.js';
 import { clean, definitionOf } from './state.js';
 import { emptyThumb, paintThumb } from './thumb.js';
+import { counted, said, say } from './words.js';
 
 /** @typedef {import('./state.js').Definition} Definition */
 /** @typedef {import('./shelves.js').Entry} Entry */
@@ -52,7 +53,7 @@ export function createGallery({ store, engine, restyle, theme }) {
         const entries = /** @type {Entry[]} */ (await jsonOf('gallery.json'));
         for (const [name, inside] of shelved(entries)) {
             const shelf = make('div', { class: 'cards' }, ...inside.map((entry) => newCard(entry, name === NAMES[0])));
-            shelves.append(make('section', { class: 'shelf' }, make('h3', {}, name), shelf));
+            shelves.append(make('section', { class: 'shelf' }, make('h3', {}, LABELS[name] ?? name), shelf));
         }
         const course = make('div', { class: 'cards' }, ...(await exercises()).map(newExercise));
         shelves.append(make('section', { class: 'shelf' }, make('h3', {}, EXERCISES), course));
@@ -61,7 +62,13 @@ export function createGallery({ store, engine, restyle, theme }) {
     /** @param {string} filter */
     function newChip(filter) {
         const many = make('span', { class: 'chip-count' });
-        const chip = make('button', { type: 'button', class: 'chip', 'aria-pressed': 'false' }, filter, ' ', many);
+        const chip = make(
+            'button',
+            { type: 'button', class: 'chip', 'aria-pressed': 'false' },
+            LABELS[filter] ?? filter,
+            ' ',
+            many,
+        );
         chip.addEventListener('click', () => {
             chosen = choose(chosen, filter, found());
             show();
@@ -81,7 +88,7 @@ export function createGallery({ store, engine, restyle, theme }) {
             'button',
             { type: 'button', class: 'card', 'data-path': entry.path, 'aria-describedby': 'gallery-about' },
             place,
-            make('span', { class: 'card-title' }, definition.title || definition.name),
+            make('span', { class: 'card-title' }, said(definition.title || definition.name)),
             make('span', { class: 'card-kind' }, shortSource(definition.source)),
         );
         for (const event of ['focus', 'pointerenter']) card.addEventListener(event, () => tell(definition));
@@ -112,7 +119,7 @@ export function createGallery({ store, engine, restyle, theme }) {
             ...made,
             exercise: entry.x,
             painted: '',
-            text: `${EXERCISES} ${entry.title}`.toLowerCase(),
+            text: `${EXERCISES} ${entry.title} ${said(entry.title)}`.toLowerCase(),
             filters: [EXERCISES],
         });
         seen.observe(made.card);
@@ -136,7 +143,7 @@ export function createGallery({ store, engine, restyle, theme }) {
             // After a colon stands advice for editing, which a card does not need.
             reason = ((await paintThumb(card.picture, engine, definition, SIDE)) ?? '').replace(/:.*$/s, '.');
         } catch (error) {
-            reason = error instanceof Stopped ? 'Drawing this system took too long.' : 'Drawing was interrupted.';
+            reason = error instanceof Stopped ? say`Drawing this system took too long.` : say`Drawing was interrupted.`;
             // A system that stopped the worker has no picture; others are drawn when the gallery is next opened.
             if (!(error instanceof Stopped)) card.painted = '';
         }
@@ -146,9 +153,9 @@ export function createGallery({ store, engine, restyle, theme }) {
 
     /** Shows the notes and source of a system. @param {Definition} definition */
     function tell({ title, name, source, notes }) {
-        setText(html('about-title'), title || name);
-        setText(html('about-notes'), notes);
-        setText(html('about-source'), source);
+        setText(html('about-title'), said(title || name));
+        setText(html('about-notes'), said(notes));
+        setText(html('about-source'), said(source));
         html('gallery-about').hidden = notes === '' && source === '';
     }
 
@@ -186,13 +193,15 @@ export function createGallery({ store, engine, restyle, theme }) {
         for (const card of cards.values()) card.card.hidden = !shown.has(card);
         setText(
             html('found'),
-            shown.size === cards.size ? `${shown.size} systems` : `${shown.size} of ${cards.size} systems`,
+            shown.size === cards.size
+                ? counted(shown.size, '{} system', '{} systems')
+                : say`${shown.size} of ${cards.size} systems`,
         );
         for (const shelf of shelves.children) {
             if (shelf instanceof HTMLElement) shelf.hidden = !shelf.querySelector('.card:not([hidden])');
         }
         arrange();
-        setText(nothing, 'No results.');
+        setText(nothing, say`No results.`);
         html('no-results').hidden = shown.size > 0;
         clear.hidden = false;
     }
@@ -213,7 +222,10 @@ export function createGallery({ store, engine, restyle, theme }) {
             filled = null;
             html('no-results').hidden = false;
             clear.hidden = true;
-            setText(nothing, `The gallery could not be loaded (${error instanceof Error ? error.message : error}).`);
+            setText(
+                nothing,
+                say`The gallery could not be loaded (${String(error instanceof Error ? error.message : error)}).`,
+            );
         }
     }
 

@@ -14,6 +14,7 @@ import { setLayer } from './layers.js';
 import { mayBeSystem } from './pasting.js';
 import { emptyThumb, paintThumb } from './thumb.js';
 import { createTool } from './tool.js';
+import { counted, said, say } from './words.js';
 
 /** @typedef {import('./protocol.js').Imported} Imported */
 /** @typedef {Imported['entries'][number]} Entry */
@@ -23,13 +24,12 @@ const SIDE = 168;
 /** The most remarks shown for one system. */
 const MOST_REMARKS = 40;
 
-const UNKNOWN =
-    'No L-system was found in the pasted text. It needs an axiom and a rule, such as: axiom F, F -> F+F, angle 60.';
+const UNKNOWN = say`No L-system was found in the pasted text. It needs an axiom and a rule, such as: axiom F, F -> F+F, angle 60.`;
 /** The name of our own notation, whose files open without this dialog. */
 const OURS = 'our own JSON';
 
 /** @param {Entry} entry */
-const nameOf = ({ name }) => name || 'Untitled system';
+const nameOf = ({ name }) => name || say`Untitled system`;
 
 /** @param {import('./dialogs.js').Page} page */
 export function createImporting({ store, engine, restyle }) {
@@ -93,17 +93,17 @@ export function createImporting({ store, engine, restyle }) {
         setText(
             html('import-note'),
             entry.definition === null
-                ? 'This system cannot be opened:'
+                ? say`This system cannot be opened:`
                 : entry.remarks.length > 0
-                  ? 'Carried over with remarks:'
-                  : 'Everything was carried over.',
+                  ? say`Carried over with remarks:`
+                  : say`Everything was carried over.`,
         );
         button('import-open').disabled = entry.definition === null;
     }
 
     /** @param {Imported} found @param {string} pasted */
     function show(found, pasted) {
-        const { notation } = found;
+        const notation = said(found.notation);
         ({ account, entries } = found);
         text = pasted;
         hideOffer();
@@ -111,16 +111,18 @@ export function createImporting({ store, engine, restyle }) {
         const readable = entries.filter(({ definition }) => definition !== null);
         setText(
             html('h-import'),
-            entries.length === 1 ? `Open from ${notation}` : `${entries.length} systems from ${notation}`,
+            entries.length === 1
+                ? say`Open from ${notation}`
+                : counted(entries.length, '{} system from {}', '{} systems from {}', notation),
         );
         cards = entries.map((entry) => {
             const picture = emptyThumb();
             if (entry.definition) picture.style.background = restyle(entry.definition).background;
             const kind =
                 entry.definition === null
-                    ? 'cannot be opened'
+                    ? say`cannot be opened`
                     : entry.remarks.length > 0
-                      ? `${entry.remarks.length} ${entry.remarks.length === 1 ? 'remark' : 'remarks'}`
+                      ? counted(entry.remarks.length, '{} remark', '{} remarks')
                       : '';
             const card = make(
                 'button',
@@ -155,7 +157,7 @@ export function createImporting({ store, engine, restyle }) {
     /** @param {Entry} entry @param {import('./state.js').Definition} definition */
     function take(entry, definition) {
         store.open(restyle({ ...definition, title: definition.title || entry.name }));
-        toast(`Opened ${nameOf(entry)}. Undo to go back.`);
+        toast(say`Opened ${nameOf(entry)}. Undo to go back.`);
     }
 
     function hideOffer() {
@@ -171,7 +173,7 @@ export function createImporting({ store, engine, restyle }) {
         try {
             return await tool.call('import', { text });
         } catch {
-            toast('The readers of other notations did not load. Try again.');
+            toast(say`The readers of other notations did not load. Try again.`);
             return undefined;
         }
     }
@@ -220,9 +222,12 @@ export function createImporting({ store, engine, restyle }) {
             const found = await read(text);
             if (!found) return false;
             offered = { found, text };
+            const [notation, many] = [said(found.notation), found.entries.length];
             setText(
                 html('import-what'),
-                `This looks like ${found.notation}${found.entries.length > 1 ? ` (${found.entries.length} systems)` : ''}.`,
+                many > 1
+                    ? say`This looks like ${notation} (${counted(many, '{} system', '{} systems')}).`
+                    : say`This looks like ${notation}.`,
             );
             note.hidden = false;
             setLayer(hideOffer, true);

@@ -10,6 +10,16 @@ import { addElements } from './late.js';
 import { readLink, writePlain } from './link.js';
 import markup from './served.html';
 import { sameSystem } from './state.js';
+import { say } from './words.js';
+
+/** What the file is, in words. */
+const SIGNS = {
+    'not connected': say`not connected`,
+    conflict: say`conflict`,
+    'has an error': say`has an error`,
+    'not saved': say`not saved`,
+    saved: say`saved`,
+};
 
 /** @typedef {import('./state.js').State} State */
 /**
@@ -49,24 +59,24 @@ export function createServed(element, { store, tab }) {
     html('tabs').before(html('served'));
     const save = button('served-save');
     setText(html('served-name'), name);
-    setText(save, 'Save');
-    save.title = `Save to ${name} (Ctrl+S)`;
-    save.setAttribute('aria-label', `Save to ${name}`);
+    setText(save, say`Save`);
+    save.title = say`Save to ${name} (Ctrl+S)`;
+    save.setAttribute('aria-label', say`Save to ${name}`);
 
     /** Whether the page has changes that are not in the file. */
     const isChanged = () => !saved || !sameSystem(store.state, saved);
 
-    /** @returns {[sign: string, words: string]} */
+    /** @returns {[sign: keyof typeof SIGNS, words: string]} */
     function words() {
-        if (!answers) return ['not connected', `The program lsys has ended. Start it again to save into ${name}.`];
-        if (conflict) return ['conflict', `${name} was changed elsewhere, and here as well.`];
+        if (!answers) return ['not connected', say`The program lsys has ended. Start it again to save into ${name}.`];
+        if (conflict) return ['conflict', say`${name} was changed elsewhere, and here as well.`];
         if (file.link === null) return ['has an error', file.problems];
         return [isChanged() ? 'not saved' : 'saved', file.refusal && isChanged() ? file.refusal : ''];
     }
 
     function show() {
         const [sign, note] = words();
-        setText(html('served-sign'), sign);
+        setText(html('served-sign'), SIGNS[sign]);
         setText(html('served-words'), note);
         html('served-note').hidden = note === '';
         html('served-note').classList.toggle('placed', answers && !conflict && file.link === null);
@@ -110,12 +120,12 @@ export function createServed(element, { store, tab }) {
             });
             // The file has been changed since.
             if (response.status === 412) return learn(await response.json());
-            if (!response.ok) return toast(`Not saved: ${await response.text()}`, { stay: true });
+            if (!response.ok) return toast(say`Not saved: ${await response.text()}`, { stay: true });
             file = await response.json();
             saved = systemIn(file);
             conflict = false;
             tab.write('served', file.version);
-            toast(`Saved to ${name}`);
+            toast(say`Saved to ${name}`);
         } catch {
             answers = false;
         }

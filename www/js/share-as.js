@@ -4,6 +4,7 @@ import { copies } from './copy.js';
 import { button, byId, html, make, setText } from './dom.js';
 import { NOTATIONS } from './late-tables.js';
 import { createTool } from './tool.js';
+import { said, say } from './words.js';
 
 /**
  * @param {import('./dialogs.js').Page} page
@@ -20,7 +21,7 @@ export function createShareAs({ store }, tell) {
     let turn = 0;
 
     for (const [value, { label, help }] of Object.entries(NOTATIONS)) {
-        notation.append(make('option', { value, title: help }, label));
+        notation.append(make('option', { value, title: said(help) }, said(label)));
     }
 
     async function refresh() {
@@ -32,15 +33,16 @@ export function createShareAs({ store }, tell) {
             if (own !== turn) return;
             text.value = answer.text ?? '';
             button('as-copy').disabled = answer.text === null;
-            setText(note, [answer.text === null ? 'Not possible:' : '', ...answer.notes].join(' ').trim());
+            const notes = answer.notes.join(' ');
+            setText(note, answer.text === null ? say`Not possible: ${notes}`.trim() : notes.trim());
         } catch {
-            if (own === turn) setText(note, 'The writers of other notations did not load. Try again.');
+            if (own === turn) setText(note, say`The writers of other notations did not load. Try again.`);
         }
     }
 
     part.addEventListener('toggle', refresh);
     notation.addEventListener('change', refresh);
-    copies(button('as-copy'), text, 'Text', tell);
+    copies(button('as-copy'), text, say`Text`, tell);
 
     return { refresh };
 }

@@ -1,6 +1,7 @@
 /** The preview of an embedded drawing: the frame itself, scaled down where there is less room. */
 
 import { html, make, setText } from './dom.js';
+import { say } from './words.js';
 
 export function createPreview() {
     const place = html('embed-preview');
@@ -15,9 +16,12 @@ export function createPreview() {
         frame.style.height = `${size.height}px`;
         frame.style.transform = `scale(${scale})`;
         place.style.height = `${Math.ceil(size.height * scale)}px`;
+        const [width, height] = [String(size.width), String(size.height)];
         setText(
             html('embed-preview-note'),
-            `${size.width} × ${size.height} pixels${scale < 1 ? `, shown at ${Math.round(scale * 100)} %` : ''}`,
+            scale < 1
+                ? say`${width} × ${height} pixels, shown at ${Math.round(scale * 100)} %`
+                : say`${width} × ${height} pixels`,
         );
     }
     new ResizeObserver(fit).observe(place);
@@ -32,7 +36,7 @@ export function createPreview() {
                 frame.dataset.address = address;
             } else {
                 frame = make('iframe', {
-                    title: 'Preview of the embedded drawing',
+                    title: say`Preview of the embedded drawing`,
                     src: address,
                     'data-address': address,
                 });

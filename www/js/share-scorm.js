@@ -5,6 +5,7 @@ import { savePackage, savedWords } from './course/packaging.js';
 import { button, byId, html, input, make, setText } from './dom.js';
 import { exerciseIn } from './exercise/open.js';
 import { showFailure } from './failure.js';
+import { said, say } from './words.js';
 
 export function createShareScorm() {
     const part = byId('share-scorm', HTMLDetailsElement);
@@ -25,7 +26,7 @@ export function createShareScorm() {
                     'label',
                     { class: 'check' },
                     make('input', { type: 'checkbox', value: x }),
-                    make('span', {}, title),
+                    make('span', {}, said(title)),
                 ),
             ),
         );
@@ -37,16 +38,16 @@ export function createShareScorm() {
         const lines = own.value.split('\n').map((line) => line.trim());
         const linked = lines.filter(Boolean).map((line) => {
             const found = exerciseIn(line);
-            if (found === null) throw `This line is no link of an exercise: ${line.slice(0, 60)}`;
+            if (found === null) throw say`This line is no link of an exercise: ${line.slice(0, 60)}`;
             return found;
         });
-        if (ticked.length + linked.length === 0) throw 'Choose an exercise.';
+        if (ticked.length + linked.length === 0) throw say`Choose an exercise.`;
         return [...ticked, ...linked];
     }
 
     async function pack() {
         save.disabled = true;
-        setText(note, 'Packing…');
+        setText(note, say`Packing…`);
         try {
             const bytes = await savePackage({
                 exercises: isLesson() ? [] : chosen(),

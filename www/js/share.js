@@ -13,6 +13,7 @@ import markup from './share.html';
 import { createShareAs } from './share-as.js';
 import { createPreview } from './share-preview.js';
 import { createShareScorm } from './share-scorm.js';
+import { say } from './words.js';
 
 /** Some programs cut longer links, in characters. */
 const LONG = 2000;
@@ -63,12 +64,12 @@ export function createShare(page) {
 
     /** @param {string} href */
     function linkNote(href) {
-        if (onDisk) return 'This page was opened from a disk, so the link works on this computer only.';
+        if (onDisk) return say`This page was opened from a disk, so the link works on this computer only.`;
         if (href.length > LONGEST)
-            return `The link has ${href.length.toLocaleString('en')} characters, more than browsers open. Send a file or picture from Save, which holds the same.`;
+            return say`The link has ${href.length} characters, more than browsers open. Send a file or picture from Save, which holds the same.`;
         if (href.length > LONG)
-            return `The link has ${href.length.toLocaleString('en')} characters, and some programs cut links of this length. A file or picture from Save holds the same.`;
-        return 'The link contains the whole drawing. Nothing is stored on a server.';
+            return say`The link has ${href.length} characters, and some programs cut links of this length. A file or picture from Save holds the same.`;
+        return say`The link contains the whole drawing. Nothing is stored on a server.`;
     }
 
     /** The checked form of the code: `frame`, `element` or `markdown`. */
@@ -109,12 +110,12 @@ export function createShare(page) {
 
     /** @param {string} wanted */
     function embedNote(wanted) {
-        if (wanted === 'markdown') return 'Markdown cannot embed drawings: this is a link with the title.';
+        if (wanted === 'markdown') return say`Markdown cannot embed drawings: this is a link with the title.`;
         if (onDisk)
-            return 'This page was opened from a disk. Put it on a web server to get code that works in other pages.';
+            return say`This page was opened from a disk. Put it on a web server to get code that works in other pages.`;
         return wanted === 'element'
-            ? 'For pages that may run scripts. Scripts can change the drawing and hear of changes.'
-            : 'For any page, including Moodle: paste this code into the HTML source.';
+            ? say`For pages that may run scripts. Scripts can change the drawing and hear of changes.`
+            : say`For any page, including Moodle: paste this code into the HTML source.`;
     }
 
     /** @param {string} href @param {number} own */
@@ -125,12 +126,14 @@ export function createShare(page) {
         try {
             made = onDisk ? null : await engine.qr(href);
             words = made
-                ? `Scan it with a phone to open the drawing. ${isTouch() ? 'Tap' : 'Click'} it to enlarge it.`
+                ? isTouch()
+                    ? say`Scan it with a phone to open the drawing. Tap it to enlarge it.`
+                    : say`Scan it with a phone to open the drawing. Click it to enlarge it.`
                 : onDisk
-                  ? 'This page was opened from a disk, so phones cannot reach it.'
-                  : 'This link is too long for a QR code that can be read.';
+                  ? say`This page was opened from a disk, so phones cannot reach it.`
+                  : say`This link is too long for a QR code that can be read.`;
         } catch (error) {
-            words = `The QR code could not be made (${error instanceof Error ? error.message : error}).`;
+            words = say`The QR code could not be made (${String(error instanceof Error ? error.message : error)}).`;
         }
         if (own !== turn) return;
         modules = made;
@@ -149,8 +152,8 @@ export function createShare(page) {
 
     const as = createShareAs(page, tell);
     createShareScorm();
-    copies(button('copy-share'), link, 'Link', tell);
-    copies(button('copy-code'), code, 'Code', tell);
+    copies(button('copy-share'), link, say`Link`, tell);
+    copies(button('copy-code'), code, say`Code`, tell);
     for (const choice of [withView, theme, ...choices]) choice.addEventListener('change', refresh);
     size.addEventListener('change', () => {
         sides.forEach((field, at) => setValue(field, String(SIZES[size.value]?.[at] ?? field.value)));
@@ -184,7 +187,7 @@ export function createShare(page) {
             await navigator.share({ title: store.state.title || store.state.name || 'L-system', url: link.value });
         } catch (error) {
             if (error instanceof Error && error.name === 'AbortError') return;
-            setText(status, 'This browser could not send the link. Copy the link instead.');
+            setText(status, say`This browser could not send the link. Copy the link instead.`);
             status.classList.add('alert');
         }
     });
@@ -207,7 +210,10 @@ export function createShare(page) {
             await open();
             link.focus();
             link.select();
-            setText(status, `The browser refuses clipboard access. The link is selected: press ${copyKeys()} to copy.`);
+            setText(
+                status,
+                say`The browser refuses clipboard access. The link is selected: press ${copyKeys()} to copy.`,
+            );
             status.classList.add('alert');
         },
     };

@@ -2,6 +2,7 @@
 
 import { toast } from './announce.js';
 import { isPicture } from './find/files.js';
+import { say } from './words.js';
 
 /** @param {import('./dialogs.js').Page} page */
 export function createShared({ part, open }) {
@@ -12,7 +13,7 @@ export function createShared({ part, open }) {
             place.hash = place.search = '';
             history.replaceState(history.state, '', location.pathname + location.hash);
             const kept = await caches.open(place.href).then((cache) => cache.match(place.href));
-            if (!kept) return toast('What was shared did not arrive. Share it again.');
+            if (!kept) return toast(say`What was shared did not arrive. Share it again.`);
             await caches.delete(place.href);
             const body = await kept.blob();
             const file = new File([body], decodeURIComponent(kept.headers.get('name') ?? ''), { type: body.type });

@@ -1,5 +1,7 @@
 /** The shelves of the gallery: where each system stands, and which systems a filter or a search finds. Pure functions. */
 
+import { said, say } from './words.js';
+
 /** @typedef {import('./state.js').Definition} Definition */
 /** @typedef {{path: string, kinds: string[], solid: boolean, definition: Definition}} Entry */
 
@@ -200,6 +202,21 @@ export const SHELVES = {
 /** The names of the shelves, which are also the filters. */
 export const NAMES = Object.freeze(Object.keys(SHELVES));
 
+/** The names as they are read. @type {Readonly<Record<string, string>>} */
+export const LABELS = {
+    'Start here': say`Start here`,
+    Trees: say`Trees`,
+    'Flowers and leaves': say`Flowers and leaves`,
+    Curves: say`Curves`,
+    Tilings: say`Tilings`,
+    Stars: say`Stars`,
+    'In space': say`In space`,
+    'Plants that look around': say`Plants that look around`,
+    'By chance': say`By chance`,
+    Signals: say`Signals`,
+    'Books and courses': say`Books and courses`,
+};
+
 /** The shelf of systems that the table does not have. */
 const LAST = /** @type {string} */ (NAMES.at(-1));
 
@@ -272,7 +289,7 @@ export function count(found, chosen) {
 
 /** The text that a search reads. Sources are left out, because one book is the source of half the gallery. @param {Pick<Definition, 'title' | 'name' | 'notes' | 'rules'>} definition */
 export function searchText({ title, name, notes, rules }) {
-    return [title, name, notes, rules].join('\n').toLowerCase();
+    return [title, name, notes, rules, said(title), said(notes)].join('\n').toLowerCase();
 }
 
 /** Whether a text has every word of a search. @param {string} text in lower case @param {string} search */
@@ -290,6 +307,6 @@ export function shortSource(source) {
         /^(?:(?:After|In the manner of) )?figure [\d.]+[a-z]? of (The Algorithmic Beauty of Plants)|^(.*?)(?:,| \(|: |;|$)/i.exec(
             source,
         );
-    const name = named?.[1] ? `After ${named[1]}` : (named?.[2] ?? '');
+    const name = named?.[1] ? say`After ${named[1]}` : (named?.[2] ?? '');
     return [name, year].filter(Boolean).join(', ');
 }

@@ -5,6 +5,7 @@ import { button, byId, closes, html, input, setText } from '../dom.js';
 import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { definitionOf } from '../state.js';
+import { counted, say } from '../words.js';
 import markup from './check.html';
 import { createTextIntake } from './text-intake.js';
 import { courseTool as tool } from './tool.js';
@@ -25,7 +26,7 @@ export function createCheck({ store, readAt }) {
         place = null;
         button('check-show').hidden = true;
         if (text.trim() === '') return setText(told, '');
-        setText(told, 'Comparing…');
+        setText(told, say`Comparing…`);
         const result = await tool
             .call('check', { definition: definitionOf(store.state), output: text })
             .catch((error) => {
@@ -57,7 +58,12 @@ export function createCheck({ store, readAt }) {
             const { title, name, iterations } = store.state;
             setText(
                 html('check-system'),
-                `What it printed for “${title || name || 'this system'}” after ${iterations} iteration${iterations === 1 ? '' : 's'}:`,
+                counted(
+                    iterations,
+                    'What it printed for “{1}” after {0} iteration:',
+                    'What it printed for “{1}” after {0} iterations:',
+                    title || name || say`this system`,
+                ),
             );
             dialog.showModal();
             intake.take();

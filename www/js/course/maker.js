@@ -13,6 +13,7 @@ import { readNumber } from '../numerals.js';
 import { showQrPicture } from '../qr.js';
 import { exerciseCode, frameCode, stable } from '../share-code.js';
 import { definitionOf } from '../state.js';
+import { counted, said, say } from '../words.js';
 import markup from './maker.html';
 import { createOthers } from './others.js';
 import { savePackage, savedWords } from './packaging.js';
@@ -32,18 +33,18 @@ const MOST_SYMBOLS = 2 ** 32 - 1;
 
 /** @type {[Given, string][]} */
 const CHOICES = [
-    ['shown', 'given'],
-    ['free', 'to be found'],
-    ['hidden', 'hidden'],
+    ['shown', say`given`],
+    ['free', say`to be found`],
+    ['hidden', say`hidden`],
 ];
 
 /** The properties in which variants differ, in words. @type {[import('../protocol.js').Varied, string][]} */
 const VARIED = [
-    ['mirrored', 'mirrored'],
-    ['angle', 'other angles'],
-    ['letters', 'other letters'],
-    ['lengths', 'other lengths'],
-    ['seed', 'other seeds'],
+    ['mirrored', say`mirrored`],
+    ['angle', say`other angles`],
+    ['letters', say`other letters`],
+    ['lengths', say`other lengths`],
+    ['seed', say`other seeds`],
 ];
 
 /** Whether a line has something to find: not a comment, and not the heading of the rules for drawing. @param {string} line */
@@ -58,7 +59,7 @@ export function createMaker({ store, engine }) {
     const code = byId('maker-code', HTMLTextAreaElement);
     const qr = byId('maker-qr', SVGSVGElement);
     byId('maker-asks', HTMLSelectElement).append(
-        ...Object.entries(ASKS).map(([value, { label }]) => make('option', { value }, label)),
+        ...Object.entries(ASKS).map(([value, { label }]) => make('option', { value }, said(label))),
     );
     html('maker-varied').append(
         ...VARIED.map(([value, words]) =>
@@ -93,8 +94,12 @@ export function createMaker({ store, engine }) {
         if (own !== turn) return plain;
         const words =
             variants.length === 0
-                ? 'These properties make no other target.'
-                : `${variants.length + 1} targets. Students type their name, and the same name gets the same target.`;
+                ? say`These properties make no other target.`
+                : counted(
+                      variants.length + 1,
+                      '{} target. Students type their name, and the same name gets the same target.',
+                      '{} targets. Students type their name, and the same name gets the same target.',
+                  );
         setText(html('maker-variants'), words);
         return { ...plain, variants };
     }
@@ -122,10 +127,10 @@ export function createMaker({ store, engine }) {
         setValue(input('maker-title'), title || name);
         const lines = rules.split('\n').slice(0, MOST_LINES);
         rows.replaceChildren(
-            row('axiom', make('span', {}, 'Start (axiom) ', make('code', {}, axiom.slice(0, 40))), 'shown'),
-            row('n', `Iterations: ${iterations}`, 'shown'),
-            row('angle', `Angle: ${angle}°`, 'shown'),
-            row('turtle', 'Meaning of the symbols', 'shown'),
+            row('axiom', make('span', {}, say`Start (axiom)`, ' ', make('code', {}, axiom.slice(0, 40))), 'shown'),
+            row('n', say`Iterations: ${String(iterations)}`, 'shown'),
+            row('angle', say`Angle: ${String(angle)}°`, 'shown'),
+            row('turtle', say`Meaning of the symbols`, 'shown'),
             ...lines.flatMap((line, at) =>
                 !isRule(line) ? [] : [row(`line-${at}`, make('code', {}, line.slice(0, 80)), 'free')],
             ),
@@ -206,11 +211,11 @@ export function createMaker({ store, engine }) {
     const others = createOthers(engine, tool, exercise);
 
     const tell = (/** @type {string} */ words) => setText(html('maker-status'), words);
-    copies(button('maker-copy'), link, 'Link', tell);
-    copies(button('maker-copy-code'), code, 'Code', tell);
+    copies(button('maker-copy'), link, say`Link`, tell);
+    copies(button('maker-copy-code'), code, say`Code`, tell);
     button('maker-package').addEventListener('click', async function pack() {
         if (link.value === '') return;
-        tell('Packing…');
+        tell(say`Packing…`);
         const asked = {
             exercises: [exerciseIn(link.value) ?? ''],
             title: input('maker-title').value.trim(),

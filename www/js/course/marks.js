@@ -7,6 +7,7 @@ import { download } from '../download.js';
 import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { Cancelled } from '../tool.js';
+import { language, said, say } from '../words.js';
 import markup from './marks.html';
 import { createTextIntake } from './text-intake.js';
 import { courseTool as tool } from './tool.js';
@@ -27,18 +28,19 @@ const COLOURS = [
 
 /** @typedef {(line: Line) => string | number} Sorting */
 
-/** @type {[string, Sorting | null][]} */
+/** By name, with the heading. @type {[string, string, Sorting | null][]} */
 const COLUMNS = [
-    ['Name', ({ row }) => row.name.toLocaleLowerCase()],
-    ['By', ({ row }) => row.by.toLocaleLowerCase()],
-    ['Solved', ({ row }) => (row.isSolved ? 0 : 1)],
-    ['Agrees', ({ row }) => -row.agreement],
-    ['Symbols', ({ row }) => row.symbols ?? Infinity],
-    ['Picture', null],
-    ['Rules', ({ row }) => row.rules],
-    ['Remark', ({ row }) => row.words],
+    ['name', say`Name`, ({ row }) => row.name.toLocaleLowerCase()],
+    ['by', say`By`, ({ row }) => row.by.toLocaleLowerCase()],
+    ['solved', say`Solved`, ({ row }) => (row.isSolved ? 0 : 1)],
+    ['agrees', say`Agrees`, ({ row }) => -row.agreement],
+    ['symbols', say`Symbols`, ({ row }) => row.symbols ?? Infinity],
+    ['picture', say`Picture`, null],
+    ['rules', say`Rules`, ({ row }) => row.rules],
+    ['remark', say`Remark`, ({ row }) => row.words],
 ];
-const VARIANT = 'Variant';
+/** @type {[string, string, null]} */
+const VARIANT = ['variant', say`Variant`, null];
 
 export function createMarks() {
     addElements(markup, [styles, own]);
@@ -67,7 +69,7 @@ export function createMarks() {
             {},
             make('td', {}, name),
             make('td', {}, row.by),
-            make('td', { class: row.isSolved ? 'yes' : '' }, row.isSolved ? 'yes' : 'no'),
+            make('td', { class: row.isSolved ? 'yes' : '' }, row.isSolved ? say`yes` : say`no`),
             make('td', { class: 'figure' }, row.percent),
             make('td', { class: 'figure' }, row.symbols === null ? '' : String(row.symbols)),
             make('td', {}, ...(picture ? [canvasOf(picture)] : [])),
@@ -79,35 +81,34 @@ export function createMarks() {
 
     /** @param {boolean} hasVariants */
     function showHead(hasVariants) {
-        const columns = hasVariants ? [...COLUMNS, [VARIANT, null]] : COLUMNS;
+        const columns = hasVariants ? [...COLUMNS, VARIANT] : COLUMNS;
         head?.replaceChildren(
-            ...columns.map(([name, sorting]) => {
-                const words = String(name);
+            ...columns.map(([column, words, sorting]) => {
                 if (!sorting) return make('th', { scope: 'col' }, words);
                 const sorts = make('button', { type: 'button', class: 'sorts' }, words);
                 sorts.addEventListener('click', () => {
-                    order = { column: words, down: order.column === words && !order.down };
+                    order = { column, down: order.column === column && !order.down };
                     arrange();
                 });
-                return make('th', { scope: 'col' }, sorts);
+                return make('th', { scope: 'col', 'data-column': column }, sorts);
             }),
         );
     }
 
     /** Sorts and filters the table. */
     function arrange() {
-        const sorting = COLUMNS.find(([name]) => name === order.column)?.[1];
+        const sorting = COLUMNS.find(([column]) => column === order.column)?.[2];
         const sign = order.down ? -1 : 1;
         const sorted = [...lines];
         if (sorting)
             sorted.sort((a, b) => {
                 const [x, y] = [sorting(a), sorting(b)];
                 const compared =
-                    typeof x === 'string' ? x.localeCompare(String(y), 'en', { numeric: true }) : x - Number(y);
+                    typeof x === 'string' ? x.localeCompare(String(y), language, { numeric: true }) : x - Number(y);
                 return sign * compared || a.number - b.number;
             });
         for (const cell of head?.cells ?? []) {
-            const isOrder = cell.textContent === order.column;
+            const isOrder = cell.dataset['column'] === order.column;
             if (isOrder) cell.setAttribute('aria-sort', order.down ? 'descending' : 'ascending');
             else cell.removeAttribute('aria-sort');
         }
@@ -129,8 +130,8 @@ export function createMarks() {
                 const example = lines[numbers[0] ?? 0]?.row.name ?? '';
                 const chooses = make(
                     'button',
-                    { type: 'button', 'aria-pressed': 'false', title: `For example ${example}` },
-                    make('strong', {}, `${numbers.length} of ${lines.length}`),
+                    { type: 'button', 'aria-pressed': 'false', title: say`For example ${example}` },
+                    make('strong', {}, say`${numbers.length} of ${lines.length}`),
                     ` ${words}`,
                 );
                 chooses.addEventListener('click', () => {
@@ -162,7 +163,7 @@ export function createMarks() {
         if (text.trim() === '') return;
         const turn = marking;
         const status = html('marks-status');
-        setText(status, 'Marking…');
+        setText(status, say`Marking…`);
         let all = 0;
         let hasVariants = false;
         const progress = (/** @type {import('../protocol.js').ClassProgress} */ told) => {
@@ -178,7 +179,7 @@ export function createMarks() {
             const element = lineOf(told.row, told.picture, hasVariants);
             lines.push({ row: told.row, element, number: lines.length });
             body?.append(element);
-            setText(status, `Marking… ${lines.length} of ${all}`);
+            setText(status, say`Marking… ${lines.length} of ${all}`);
         };
         try {
             const exercise = input('marks-exercise').value;
@@ -187,7 +188,12 @@ export function createMarks() {
             csv = done.csv;
             showMistakes(done.mistakes);
             const solved = lines.filter(({ row }) => row.isSolved).length;
-            setText(status, `${title === '' ? '' : `${title}: `}${solved} of ${lines.length} solved.`);
+            setText(
+                status,
+                title === ''
+                    ? say`${solved} of ${lines.length} solved.`
+                    : say`${said(title)}: ${solved} of ${lines.length} solved.`,
+            );
             arrange();
         } catch (error) {
             if (error instanceof Cancelled || turn !== marking) return;

@@ -8,6 +8,7 @@ import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
 import { raised, shortText } from '../numerals.js';
 import { definitionOf, sameSystem } from '../state.js';
+import { counted, language, say } from '../words.js';
 import markup from './mathematics.html';
 import { courseTool as tool } from './tool.js';
 
@@ -45,7 +46,7 @@ export function createMathematics({ store, open }) {
         made = answer?.growth ? answer : null;
         html('math-known').hidden = made === null;
         html('math-words').replaceChildren(
-            ...(answer?.growth?.sentences ?? [answer?.why || 'This could not be computed.']).map((words) =>
+            ...(answer?.growth?.sentences ?? [answer?.why || say`This could not be computed.`]).map((words) =>
                 make('p', {}, words),
             ),
         );
@@ -98,7 +99,7 @@ export function createMathematics({ store, open }) {
             svg(
                 'title',
                 {},
-                `Symbols and segments by generation, on a logarithmic scale. ${growth.sentences[0] ?? ''}`,
+                `${say`Symbols and segments by generation, on a logarithmic scale.`} ${growth.sentences[0] ?? ''}`,
             ),
             ...marks.flatMap((log) => [
                 svg('line', { class: 'grid', x1: LEFT, x2: WIDTH - 8, y1: y(log), y2: y(log) }),
@@ -144,13 +145,15 @@ export function createMathematics({ store, open }) {
             make(
                 'caption',
                 {},
-                growth.isRandom ? 'What a letter becomes in one step, on average' : 'What a letter becomes in one step',
+                growth.isRandom
+                    ? say`What a letter becomes in one step, on average`
+                    : say`What a letter becomes in one step`,
             ),
             head,
             ...rows,
         );
         const more = growth.letterCount - letters.length;
-        setText(html('math-more'), more > 0 ? `And ${more} more letter${more === 1 ? '' : 's'}.` : '');
+        setText(html('math-more'), more > 0 ? counted(more, 'And {} more letter.', 'And {} more letters.') : '');
     }
 
     /** @param {Growth} growth @param {number} n */
@@ -177,11 +180,11 @@ export function createMathematics({ store, open }) {
                 ),
             );
         html('math-table').replaceChildren(
-            make('caption', { class: 'unseen' }, 'Generations'),
+            make('caption', { class: 'unseen' }, say`Generations`),
             make(
                 'tr',
                 {},
-                ...['n', 'Symbols', 'Segments', growth.isRandom ? 'Spread' : 'Size'].map((words) =>
+                ...['n', say`Symbols`, say`Segments`, growth.isRandom ? say`Spread` : say`Size`].map((words) =>
                     make('th', { scope: 'col' }, words),
                 ),
             ),
@@ -197,7 +200,7 @@ export function createMathematics({ store, open }) {
     button('math-project').addEventListener('click', () => void open('projector', 'mathematics'));
     button('math-latex').addEventListener('click', async () => {
         if (!made) return;
-        if (await copyText(made.latex)) setText(html('math-status'), 'LaTeX copied');
+        if (await copyText(made.latex)) setText(html('math-status'), say`LaTeX copied`);
         else download(new Blob([made.latex], { type: 'text/x-tex' }), `${fileName(store.state)}_growth.tex`);
     });
 
@@ -214,4 +217,7 @@ export function createMathematics({ store, open }) {
 const short = (digits) => (/^\d+$/.test(digits) ? shortText(digits) : digits);
 
 /** A number with at most three decimals. @param {number} value */
-const number = (value) => (Math.abs(value) >= 1e6 ? value.toExponential(2) : String(Math.round(value * 1000) / 1000));
+const number = (value) =>
+    Math.abs(value) >= 1e6
+        ? value.toExponential(2)
+        : (Math.round(value * 1000) / 1000 + 0).toLocaleString(language, { useGrouping: false });

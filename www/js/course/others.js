@@ -7,11 +7,11 @@ import { button, html, setText } from '../dom.js';
 import { wholeOf } from '../exercise/open.js';
 import { blackOnWhite, pictureOf } from '../find/examples.js';
 import { inked, levelOf } from '../find/ink.js';
-import { systems } from '../find/merge.js';
 import { candidateCard, workWords } from '../find/results.js';
 import { createSearch } from '../find/search.js';
 import { ASKS, DRAWS } from '../late-tables.js';
 import { Cancelled } from '../tool.js';
+import { counted, say } from '../words.js';
 
 /** @typedef {import('../state.js').Definition} Definition */
 /** @typedef {import('../protocol.js').Exercise} Exercise */
@@ -61,6 +61,16 @@ export function answerOf(candidate, about) {
 const keyOf = ({ axiom, rules, angle, iterations }) =>
     JSON.stringify([axiom.replace(/\s/g, ''), linesOf(rules).sort(), angle, iterations]);
 
+/** @param {number} count of other answers */
+const othersWords = (count) =>
+    counted(count, '{} other system also solves this exercise.', '{} other systems also solve this exercise.');
+
+/** @param {number} count of shorter answers among them */
+const shorterWords = (count) =>
+    count === 0
+        ? say`None of them is shorter than yours.`
+        : counted(count, '{} of them is shorter than yours.', '{} of them are shorter than yours.');
+
 /**
  * @param {import('../engine.js').Engine} engine
  * @param {import('./tool.js').CourseTool} tool
@@ -91,9 +101,9 @@ export function createOthers(engine, tool, exercise) {
     /** @param {Exercise} made @param {AbortSignal} signal */
     async function look(made, signal) {
         const { target } = made;
-        if (!ASKS[made.asks].isSearched) return tell('Only exercises that ask for the picture are searched.');
+        if (!ASKS[made.asks].isSearched) return tell(say`Only exercises that ask for the picture are searched.`);
         if (target.dialect === 'axes' || (target.rightAngle !== null && target.rightAngle !== target.angle))
-            return tell('Systems in space and with two angles are not searched.');
+            return tell(say`Systems in space and with two angles are not searched.`);
         const x = await tool.call('write', { exercise: made });
         const about = await tool.call('open', { text: x });
         const picture = await pictureOf(engine, target);
@@ -101,7 +111,7 @@ export function createOthers(engine, tool, exercise) {
         const source = inked(picture, { crop, level: levelOf(picture, crop), isDark: true });
         const own = answerOf(target, about);
         const { symbols: ownSymbols } = (await tool.call('mark', { text: x, student: own }, { signal })).mark;
-        tell('Searching…');
+        tell(say`Searching…`);
         const report = await search.begin(source, questionOf(made), signal, (so) => tell(`${workWords(so, false)}…`), {
             thorough: true,
         });
@@ -119,12 +129,11 @@ export function createOthers(engine, tool, exercise) {
         }
         const all = [...answers.values()].sort((a, b) => a.symbols - b.symbols);
         const shorter = all.filter(({ symbols }) => symbols < ownSymbols).length;
-        const searched = `Searched: ${workWords(report, false)}: ${report.searched}.`;
-        const others = `${systems(all.length).replace('system', 'other system')} also ${all.length === 1 ? 'solves' : 'solve'} this exercise`;
+        const searched = say`Searched: ${workWords(report, false)}: ${report.searched}.`;
         tell(
             all.length === 0
-                ? `No other answer was found. That does not prove that there is none. ${searched}`
-                : `${others}; ${shorter === 0 ? 'none' : shorter} of them ${shorter === 1 ? 'is' : 'are'} shorter than yours. ${searched}`,
+                ? say`No other answer was found. That does not prove that there is none. ${searched}`
+                : `${othersWords(all.length)} ${shorterWords(shorter)} ${searched}`,
         );
         cards.replaceChildren(
             ...all.map(({ candidate, symbols }) =>
@@ -133,7 +142,10 @@ export function createOthers(engine, tool, exercise) {
                     {
                         engine,
                         restyle: blackOnWhite,
-                        told: `${symbols} symbols${symbols < ownSymbols ? ', shorter' : ''}`,
+                        told:
+                            symbols < ownSymbols
+                                ? counted(symbols, '{} symbol, shorter', '{} symbols, shorter')
+                                : counted(symbols, '{} symbol', '{} symbols'),
                     },
                 ),
             ),
@@ -150,13 +162,13 @@ export function createOthers(engine, tool, exercise) {
             await look(exercise(), own.signal);
         } catch (error) {
             if (!(error instanceof Cancelled))
-                tell(`The search failed: ${error instanceof Error ? error.message : error}`);
+                tell(say`The search failed: ${String(error instanceof Error ? error.message : error)}`);
         }
         if (running === own) stop();
     });
     halt.addEventListener('click', () => {
         forget();
-        tell('Stopped.');
+        tell(say`Stopped.`);
         ask.focus();
     });
 

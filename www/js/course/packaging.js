@@ -1,12 +1,13 @@
 /** Packages for learning systems, made of the site's pages. */
 
+import { decimal } from '../decimals.js';
 import { download } from '../download.js';
 import { isWhole, responseOf } from '../files.js';
 import { createTool } from '../tool.js';
+import { say } from '../words.js';
 
 /** A page in one file has no other pages beside it. */
-const ALONE =
-    'This page is a single file and has no package inside. Open the playground on a web server, or use the program: lsys scorm.';
+const ALONE = say`This page is a single file and has no package inside. Open the playground on a web server, or use the program: lsys scorm.`;
 
 /** @type {ReturnType<typeof createTool<import('../protocol.js').ExportCalls>>} */
 const tool = createTool('export', { isStraight: true });
@@ -40,4 +41,4 @@ export async function savePackage(asked) {
 
 /** The words for a saved package. @param {number} bytes */
 export const savedWords = (bytes) =>
-    `Saved (${(bytes / 1e6).toFixed(1)} MB). Upload the zip as it is, as a SCORM package.`;
+    say`Saved (${decimal(bytes / 1e6, 1)} MB). Upload the zip as it is, as a SCORM package.`;

@@ -1,11 +1,12 @@
 /** The published exercises, in the order in which they are done. */
 
 import { jsonOf } from '../files.js';
+import { say } from '../words.js';
 
 /** @typedef {{id: string, shelf: string, title: string, text: string | null, x: string}} Entry */
 
 /** The groups of exercises, in order, with their words on the cards. @type {Readonly<Record<string, string>>} */
-export const GROUPS = { rising: 'Rising difficulty', assignment: 'From the assignment' };
+export const GROUPS = { rising: say`Rising difficulty`, assignment: say`From the assignment` };
 
 /** @returns {Promise<Entry[]>} */
 export async function exercises() {

@@ -2,13 +2,14 @@
 
 import { make } from '../dom.js';
 import { emptyThumb } from '../thumb.js';
+import { said, say } from '../words.js';
 import { GROUPS } from './published.js';
 import { courseTool } from './tool.js';
 
 /** @typedef {import('./published.js').Entry} Entry */
 
 /** The shelf's name, and its filter. */
-export const EXERCISES = 'Exercises';
+export const EXERCISES = say`Exercises`;
 
 /** @param {Entry} entry */
 export function exerciseCard({ title, shelf, text, x }) {
@@ -18,7 +19,7 @@ export function exerciseCard({ title, shelf, text, x }) {
         'a',
         { class: 'card', href: `exercise.html#v=1&x=${x}`, target: '_blank', rel: 'noopener' },
         make('span', { class: 'card-picture' }, picture, missing),
-        make('span', { class: 'card-title' }, title),
+        make('span', { class: 'card-title' }, said(title)),
         make('span', { class: 'card-kind' }, GROUPS[shelf] ?? ''),
     );
     return { card, picture, missing };

@@ -1,5 +1,7 @@
 /** A text that is typed, pasted, opened as a file or dropped on a dialog. */
 
+import { say } from '../words.js';
+
 /** Longer texts are not taken, in characters. */
 const LONGEST = 16 << 20;
 /** A field shows no more than the beginning of an opened file: megabytes make it slow. */
@@ -24,7 +26,7 @@ export function createTextIntake({ dialog, field, file, opener, taken, refused }
     function take() {
         clearTimeout(timer);
         const text = whole ?? field.value;
-        if (text.length > LONGEST) refused('The text has more than 16 MiB.');
+        if (text.length > LONGEST) refused(say`The text has more than 16 MiB.`);
         else taken(text);
     }
 
@@ -36,7 +38,7 @@ export function createTextIntake({ dialog, field, file, opener, taken, refused }
     /** @param {File | undefined} chosen */
     async function read(chosen) {
         if (!chosen) return;
-        if (chosen.size > LONGEST) return refused('The file has more than 16 MiB.');
+        if (chosen.size > LONGEST) return refused(say`The file has more than 16 MiB.`);
         whole = await chosen.text();
         field.value = whole.slice(0, SHOWN);
         take();

@@ -3,13 +3,17 @@
 import styles from '../../css/curves.css';
 import { html, make } from '../dom.js';
 import { addElements } from '../late.js';
+import { say } from '../words.js';
 import { curvesIn, written } from './curve.js';
 import markup from './curves.html';
 import { FRESH, PARTS, leavesIn, missingFrom, numbersOf, withCurve } from './leaf.js';
 import { createPlot } from './plot.js';
 
+/** The parts of a leaf, in words. @type {Readonly<Record<string, string>>} */
+const WORDS = { outline: say`outline`, midrib: say`midrib`, margins: say`margins` };
+
 /** @typedef {import('./curve.js').Point} Point */
-/** A curve, with the change that gives it other points. @typedef {{name: string, points: readonly Point[], isLeaf: boolean, changed: (points: readonly Point[]) => {rules: string} | {surfaces: string}}} Editable */
+/** A curve, with the change that gives it other points. @typedef {{name: string, label: string, points: readonly Point[], isLeaf: boolean, changed: (points: readonly Point[]) => {rules: string} | {surfaces: string}}} Editable */
 
 /** @param {string} text @param {{start: number, end: number}} place @param {string} by */
 const replaced = (text, { start, end }, by) => text.slice(0, start) + by + text.slice(end);
@@ -18,6 +22,7 @@ const replaced = (text, { start, end }, by) => text.slice(0, start) + by + text.
 const editableIn = ({ rules, surfaces }) => [
     ...curvesIn(rules).map((curve) => ({
         name: curve.name,
+        label: curve.name,
         points: curve.points,
         isLeaf: false,
         changed: (/** @type {readonly Point[]} */ points) => ({ rules: replaced(rules, curve, written(points)) }),
@@ -25,6 +30,7 @@ const editableIn = ({ rules, surfaces }) => [
     ...leavesIn(surfaces).flatMap((leaf) =>
         PARTS.map((part, at) => ({
             name: `${leaf.name}: ${part}`,
+            label: `${leaf.name}: ${WORDS[part]}`,
             points: leaf.curves[at] ?? [],
             isLeaf: true,
             changed: (/** @type {readonly Point[]} */ points) => ({
@@ -51,7 +57,7 @@ export function createCurves({ store }) {
 
     /** A button that makes a leaf for a surface without one. @param {string} name */
     function maker(name) {
-        const add = make('button', { type: 'button', class: 'button quiet' }, `Make a leaf for surface ${name}`);
+        const add = make('button', { type: 'button', class: 'button quiet' }, say`Make a leaf for surface ${name}`);
         add.addEventListener('click', () => {
             const { surfaces } = store.state;
             store.change({ surfaces: `${surfaces && `${surfaces}\n`}${name}: ${numbersOf(FRESH)}` }, `leaf ${name}`);
@@ -66,8 +72,8 @@ export function createCurves({ store }) {
         group.hidden = curves.length + missing.length === 0;
         const fits = plots.length === curves.length && plots.every(({ name }, at) => curves[at]?.name === name);
         if (!fits) {
-            plots = curves.map(({ name, isLeaf }) =>
-                createPlot(name, {
+            plots = curves.map(({ name, label, isLeaf }) =>
+                createPlot(name, label, {
                     change: (points, held) => set(name, points, held),
                     settle: () => store.settle(),
                     isFixed: isLeaf,

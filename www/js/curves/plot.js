@@ -2,6 +2,7 @@
 
 import { make, setText } from '../dom.js';
 import { plain } from '../numerals.js';
+import { say } from '../words.js';
 import { MOST_POINTS, along, extentOf, moved, onSteps, stepOf, widestGap, withPoint, withoutPoint } from './curve.js';
 
 /** @typedef {import('./curve.js').Point} Point */
@@ -23,10 +24,11 @@ function shape(name, of) {
 
 /**
  * @param {string} name of the curve
+ * @param {string} label the name as it is shown
  * @param {{change: (points: readonly Point[], held: boolean) => void, settle: () => void, isFixed: boolean}} on points are neither added nor removed if their number is fixed
  * @returns {Plot}
  */
-export function createPlot(name, { change, settle, isFixed }) {
+export function createPlot(name, label, { change, settle, isFixed }) {
     const svg = document.createElementNS(SVG, 'svg');
     svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
     svg.setAttribute('preserveAspectRatio', 'none');
@@ -35,13 +37,13 @@ export function createPlot(name, { change, settle, isFixed }) {
     svg.append(zero, sides, line);
     const area = make('div', { class: 'plot' }, svg);
     const place = make('output', { class: 'note' });
-    const add = make('button', { type: 'button', class: 'button quiet' }, 'Add point');
-    const remove = make('button', { type: 'button', class: 'button quiet' }, 'Remove point');
+    const add = make('button', { type: 'button', class: 'button quiet' }, say`Add point`);
+    const remove = make('button', { type: 'button', class: 'button quiet' }, say`Remove point`);
     const row = make('div', { class: 'row' }, place, ...(isFixed ? [] : [add, remove]));
     const element = make(
         'div',
-        { class: 'curve', role: 'group', 'aria-label': `Curve ${name}` },
-        make('code', {}, name),
+        { class: 'curve', role: 'group', 'aria-label': say`Curve ${label}` },
+        make('code', {}, label),
         area,
         row,
     );
@@ -89,7 +91,7 @@ export function createPlot(name, { change, settle, isFixed }) {
             type: 'button',
             role: 'slider',
             class: 'handle',
-            'aria-label': `Point ${at + 1}`,
+            'aria-label': say`Point ${at + 1}`,
         });
         handle.addEventListener('focus', () => choose(at));
         handle.addEventListener('pointerdown', (event) => {
@@ -147,7 +149,7 @@ export function createPlot(name, { change, settle, isFixed }) {
     function choose(at) {
         chosen = at;
         const [x, y] = points[at] ?? [0, 0];
-        setText(place, `Point ${at + 1} of ${points.length}: x ${plain(x)}, y ${plain(y)}`);
+        setText(place, say`Point ${at + 1} of ${points.length}: x ${plain(x)}, y ${plain(y)}`);
         handles.forEach((handle, index) => handle.classList.toggle('chosen', index === at));
         add.disabled = points.length >= MOST_POINTS;
         remove.disabled = at === 0 || at === points.length - 1;

@@ -8,6 +8,7 @@ import { DEFAULTS, clean, definitionOf, sameSystem } from '../state.js';
 import { ASKS } from '../late-tables.js';
 import { DIALECTS } from '../tables.js';
 import { Cancelled, createTool } from '../tool.js';
+import { counted, said, say } from '../words.js';
 import { answerLink, exerciseIn, startOf, studentIn, wholeOf } from './open.js';
 import { createTarget } from './target.js';
 import { inline, paragraphs } from './words.js';
@@ -81,8 +82,8 @@ export function createExercise(store, { text, own: variantText, variant, about, 
         else new ResizeObserver(() => needs(html('app').offsetHeight)).observe(html('app'));
     }
     for (const id of ['exercise', 'target', 'mark']) html(id).hidden = false;
-    setText(html('exercise-title'), about.title || 'Exercise');
-    html('exercise-task').replaceChildren(...paragraphs(about.task || ASKS[about.asks].task));
+    setText(html('exercise-title'), said(about.title) || say`Exercise`);
+    html('exercise-task').replaceChildren(...paragraphs(said(about.task || ASKS[about.asks].task)));
     showGiven();
     showHints();
     html('texts').hidden = about.text === null;
@@ -90,7 +91,7 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     if (about.variants > 0) {
         // The link says whose variant it is; another name would be another exercise.
         name.readOnly = true;
-        setText(html('variant'), `Variant ${variant} of ${about.variants + 1}, for ${name.value}`);
+        setText(html('variant'), say`Variant ${variant} of ${about.variants + 1}, for ${name.value}`);
         html('variant').hidden = false;
     }
     html('handing').hidden = /(^|[#&])hand=0(&|$)/.test(location.hash);
@@ -98,37 +99,45 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     /** What the student sees and cannot change. */
     function showGiven() {
         const values = [
-            about.axiom === 'shown' && ['Axiom', about.fixed.axiom],
-            about.n === 'shown' && ['Iterations', String(about.fixed.iterations)],
-            about.angle === 'shown' && ['Angle', `${about.fixed.angle}°`],
-            about.shownRules.trim() !== '' && ['Rules', about.shownRules],
+            about.axiom === 'shown' && [say`Axiom`, about.fixed.axiom],
+            about.n === 'shown' && [say`Iterations`, String(about.fixed.iterations)],
+            about.angle === 'shown' && [say`Angle`, `${about.fixed.angle}°`],
+            about.shownRules.trim() !== '' && [say`Rules`, about.shownRules],
             about.turtle === 'shown' &&
-                about.fixed.dialect !== DEFAULTS.dialect && ['Dialect', DIALECTS[about.fixed.dialect].label],
-            about.turtle === 'shown' && about.fixed.overrides !== '' && ['Symbols', about.fixed.overrides],
-            about.mostSymbols !== null && ['At most', `${about.mostSymbols} symbols in your rules`],
+                about.fixed.dialect !== DEFAULTS.dialect && [say`Dialect`, said(DIALECTS[about.fixed.dialect].label)],
+            about.turtle === 'shown' && about.fixed.overrides !== '' && [say`Symbols`, about.fixed.overrides],
+            about.mostSymbols !== null && [
+                say`At most`,
+                counted(about.mostSymbols, '{} symbol in your rules', '{} symbols in your rules'),
+            ],
         ];
         const shown = values.filter((value) => Array.isArray(value));
         html('given').replaceChildren(
             ...shown.flatMap(([label, value]) => [make('dt', {}, String(label)), make('dd', {}, String(value))]),
         );
         const hidden = [
-            about.axiom === 'hidden' && 'the axiom',
-            about.n === 'hidden' && 'the iterations',
-            about.angle === 'hidden' && 'the angle',
-            about.turtle === 'hidden' && 'the meaning of some symbols',
-            about.hidesRules && 'some rules',
+            about.axiom === 'hidden' && say`the axiom`,
+            about.n === 'hidden' && say`the iterations`,
+            about.angle === 'hidden' && say`the angle`,
+            about.turtle === 'hidden' && say`the meaning of some symbols`,
+            about.hidesRules && say`some rules`,
         ].filter(Boolean);
-        setText(html('given-hidden'), hidden.length > 0 ? `Hidden, but in force: ${hidden.join(', ')}.` : '');
+        setText(html('given-hidden'), hidden.length > 0 ? say`Hidden, but in force: ${hidden.join(', ')}.` : '');
         byId('axiom', HTMLTextAreaElement)
             .closest('.field')
             ?.classList.toggle('not-asked', about.axiom !== 'free');
     }
 
     function showHints() {
-        html('hints').replaceChildren(...about.hints.slice(0, hints).map((hint) => make('li', {}, ...inline(hint))));
+        html('hints').replaceChildren(
+            ...about.hints.slice(0, hints).map((hint) => make('li', {}, ...inline(said(hint)))),
+        );
         html('hints').hidden = hints === 0;
         button('ask-hint').hidden = hints >= about.hints.length;
-        setText(button('ask-hint'), about.hints.length > 1 ? `Hint ${hints + 1} of ${about.hints.length}` : 'Hint');
+        setText(
+            button('ask-hint'),
+            about.hints.length > 1 ? say`Hint ${hints + 1} of ${about.hints.length}` : say`Hint`,
+        );
     }
 
     const link = () => answerLink(text, about, store.state, name.value);
@@ -146,7 +155,7 @@ export function createExercise(store, { text, own: variantText, variant, about, 
         if (about.asks === 'statistics') {
             // Until the mark is known, that of the answer before would look like this one's.
             setText(html('mark-percent'), '');
-            setText(html('mark-words'), 'Comparing 400 seeds…');
+            setText(html('mark-words'), say`Comparing 400 seeds…`);
         }
         try {
             const { mark, pixels } = await tool.call(
@@ -161,7 +170,7 @@ export function createExercise(store, { text, own: variantText, variant, about, 
             if (error instanceof Cancelled || own !== marking) return;
             setText(
                 html('mark-words'),
-                `The drawing could not be compared (${error instanceof Error ? error.message : error}).`,
+                say`The drawing could not be compared (${String(error instanceof Error ? error.message : error)}).`,
             );
         }
     }
@@ -171,10 +180,10 @@ export function createExercise(store, { text, own: variantText, variant, about, 
         byId('mark-measure', HTMLMeterElement).value = mark.agreement;
         setText(html('mark-percent'), mark.percent);
         const words = mark.errors.length > 0 ? mark.errors.slice(0, MOST_ERRORS).join(' ') : mark.words;
-        setText(html('mark-words'), mark.isSolved ? `Solved. ${words}` : words);
+        setText(html('mark-words'), mark.isSolved ? say`Solved. ${words}` : words);
         setText(
             html('mark-symbols'),
-            about.mostSymbols === null ? '' : `${mark.symbols} of at most ${about.mostSymbols} symbols`,
+            about.mostSymbols === null ? '' : say`${mark.symbols} of at most ${about.mostSymbols} symbols`,
         );
         // Statistics that agree as far as chance allows are as good as equal ones.
         byId('mark-measure', HTMLMeterElement).high = mark.isSolved ? 0.5 : NEARLY;
@@ -182,7 +191,7 @@ export function createExercise(store, { text, own: variantText, variant, about, 
         html('mark').classList.toggle('solved', mark.isSolved);
         button('ask-why').hidden = mark.isSolved || mark.errors.length > 0;
         if (mark.isSolved && !solved) {
-            announce('Solved.');
+            announce(say`Solved.`);
             void showAnswer();
         }
         solved ||= mark.isSolved;
@@ -211,22 +220,22 @@ export function createExercise(store, { text, own: variantText, variant, about, 
     });
     button('ask-why').addEventListener('click', async () => {
         const student = definitionOf(store.state);
-        setText(html('mark-why'), 'Comparing…');
+        setText(html('mark-why'), say`Comparing…`);
         const words = await tool.call('hint', { text: variantText, student }).catch(() => null);
         if (sameSystem(clean(student), store.state))
             setText(
                 html('mark-why'),
-                words ?? 'No usual mistake explains the difference. Compare the pictures part by part.',
+                words ?? say`No usual mistake explains the difference. Compare the pictures part by part.`,
             );
     });
     button('hand-in').addEventListener('click', async () => {
         const address = new URL(link(), location.href).href;
-        if (await copyText(address)) return toast('Your answer is copied as a link. Paste it where you hand it in.');
+        if (await copyText(address)) return toast(say`Your answer is copied as a link. Paste it where you hand it in.`);
         const field = input('answer-link');
         field.hidden = false;
         field.value = address;
         field.select();
-        toast(`Press ${copyKeys()} to copy the link.`);
+        toast(say`Press ${copyKeys()} to copy the link.`);
     });
     button('print').addEventListener('click', () => print());
     html('mark')
@@ -254,7 +263,7 @@ const EXAMPLE = 'F -> …';
 function askName(title) {
     document.body.classList.add('asking');
     html('exercise').hidden = false;
-    setText(html('exercise-title'), title || 'Exercise');
+    setText(html('exercise-title'), said(title) || say`Exercise`);
     const field = make('input', {
         id: 'variant-name',
         type: 'text',
@@ -265,10 +274,10 @@ function askName(title) {
     const form = make(
         'form',
         { class: 'variant-form' },
-        make('label', { for: 'variant-name' }, 'Your name or number'),
+        make('label', { for: 'variant-name' }, say`Your name or number`),
         field,
-        make('button', { class: 'button primary', type: 'submit' }, 'Begin'),
-        make('p', { class: 'note' }, 'Each student gets a target of their own: always the same for the same name.'),
+        make('button', { class: 'button primary', type: 'submit' }, say`Begin`),
+        make('p', { class: 'note' }, say`Each student gets a target of their own: always the same for the same name.`),
     );
     form.addEventListener('submit', (event) => {
         event.preventDefault();

@@ -2,10 +2,14 @@
 
 import { copyText } from '../copy.js';
 import { html, button, make, setText } from '../dom.js';
+import { language, say, translate } from '../words.js';
 import { createPackage } from './package.js';
 
 /** Where the site's lesson keeps the place and what is done, in this browser. */
 const KEY = 'l-system-lesson';
+
+document.documentElement.lang = language;
+translate(document.body);
 
 const steps = [...document.querySelectorAll('.step')];
 const tasks = [...document.querySelectorAll('[data-step]')].filter((task) => task instanceof HTMLElement);
@@ -36,10 +40,10 @@ function show(at) {
         link.toggleAttribute('aria-current', index === kept.at);
         if (index === kept.at) link.setAttribute('aria-current', 'step');
         link.classList.toggle('done', isDone(index));
-        link.setAttribute('aria-label', `${link.title}${isDone(index) ? ', done' : ''}`);
+        link.setAttribute('aria-label', isDone(index) ? say`${link.title}, done` : link.title);
     });
-    const last = steps.length === 1 ? 'Done.' : 'Done. This was the last step.';
-    setText(html('told'), !isDone(kept.at) ? '' : kept.at < steps.length - 1 ? 'Done. On to the next step.' : last);
+    const last = steps.length === 1 ? say`Done.` : say`Done. This was the last step.`;
+    setText(html('told'), !isDone(kept.at) ? '' : kept.at < steps.length - 1 ? say`Done. On to the next step.` : last);
     back.disabled = kept.at === 0;
     onward.disabled = kept.at === steps.length - 1;
 }
@@ -73,7 +77,7 @@ const own = /** @type {(HTMLElement & {state: string | null}) | null} */ (docume
 const plant = () => new URL(own?.state ?? '', new URL('./', location.href)).href;
 document.getElementById('take')?.addEventListener('click', () => open(plant(), '_blank', 'noopener'));
 document.getElementById('copy')?.addEventListener('click', async () => {
-    setText(html('told'), (await copyText(plant())) ? 'The link is copied.' : plant());
+    setText(html('told'), (await copyText(plant())) ? say`The link is copied.` : plant());
 });
 document.body.classList.toggle('alone', steps.length === 1);
 // Beside the text, a task is as high as the window: all of it is in sight.

@@ -3,6 +3,7 @@
 import { exercises } from '../course/published.js';
 import { html } from '../dom.js';
 import { isCarried } from '../files.js';
+import { said } from '../words.js';
 
 /** Shows the link to the exercise after this one, if the list has one. @param {string} text the exercise, as in its link */
 export async function showNext(text) {
@@ -14,6 +15,6 @@ export async function showNext(text) {
     const next = at < 0 ? undefined : list[at + 1];
     if (!next) return;
     link.setAttribute('href', `#v=1&x=${next.x}`);
-    link.title = next.title;
+    link.title = said(next.title);
     link.hidden = false;
 }

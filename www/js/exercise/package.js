@@ -5,6 +5,7 @@
 
 import { copyField, copyKeys } from '../copy.js';
 import { make, setText } from '../dom.js';
+import { say } from '../words.js';
 import { OWN, fieldsIn, keyOf, linkOf, merged, readAttempt, writeAttempt } from './attempt.js';
 import { createScorm } from './scorm.js';
 
@@ -18,10 +19,10 @@ const [FIRST_WAIT, LONGEST_WAIT] = [2000, 30_000];
 /** How often a state is halved for a learning system that refuses it. */
 const HALVINGS = 3;
 
-const ABSENT = 'No learning system answers here.';
-const PREVIEW = 'This is a preview: the learning system saves nothing.';
-const EARLIER = 'This browser has earlier answers that the learning system does not have.';
-const SAVED = 'Saved in the learning system.';
+const ABSENT = say`No learning system answers here.`;
+const PREVIEW = say`This is a preview: the learning system saves nothing.`;
+const EARLIER = say`This browser has earlier answers that the learning system does not have.`;
+const SAVED = say`Saved in the learning system.`;
 
 /**
  * @param {{id: string, standard: import('./scorm.js').Standard, tasks: HTMLElement[], above: Element, restored: (at: number, done: number[]) => void}} page
@@ -53,11 +54,11 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     const field = make('textarea', {
         readonly: true,
         rows: '3',
-        'aria-label': 'The links of my answers',
+        'aria-label': say`The links of my answers`,
         hidden: true,
     });
-    const copy = make('button', { type: 'button', hidden: true }, 'Copy my answers');
-    const again = make('button', { type: 'button', hidden: true }, 'Use my earlier answers');
+    const copy = make('button', { type: 'button', hidden: true }, say`Copy my answers`);
+    const again = make('button', { type: 'button', hidden: true }, say`Use my earlier answers`);
     const notice = make('section', { id: 'learning', hidden: true }, words, make('p', {}, copy, again), field);
     above.before(notice);
 
@@ -72,7 +73,7 @@ export function createPackage({ id, standard, tasks, above, restored }) {
 
     /** Where answers are that the learning system does not have. */
     const here = () =>
-        isKept ? 'Your answers are kept in this browser' : 'Your answers are on this page only: leave it open';
+        isKept ? say`Your answers are kept in this browser.` : say`Your answers are on this page only: leave it open.`;
 
     /** @param {string} of the student */
     const place = (of) => `l-system-package ${id} ${of}`;
@@ -123,8 +124,9 @@ export function createPackage({ id, standard, tasks, above, restored }) {
     function connect() {
         const why = scorm.open();
         if (why === null) return opened();
-        const told = why === '' ? ABSENT : `The learning system does not start this page (${why}).`;
-        tell(`${told} ${here()}${isKept ? ' only' : ''}. Trying again.`, { isTrouble: true });
+        const told = why === '' ? ABSENT : say`The learning system does not start this page (${why}).`;
+        const where = isKept ? say`Your answers are kept in this browser only.` : here();
+        tell(`${told} ${where} ${say`Trying again.`}`, { isTrouble: true });
         later(connect);
     }
 
@@ -183,19 +185,19 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         isSent = isStored && failed === null;
         keep();
         if (!isSent) {
-            const why = failed ?? 'it does not keep the answers';
+            const why = failed ?? say`it does not keep the answers`;
             const told =
                 attempt.parts.length === 0
-                    ? `The learning system does not save (${why}).`
-                    : `The learning system has not saved your last answers (${why}). ${here()}.`;
-            tell(`${told} Trying again.`, { isTrouble: true });
+                    ? say`The learning system does not save (${why}).`
+                    : `${say`The learning system has not saved your last answers (${why}).`} ${here()}`;
+            tell(`${told} ${say`Trying again.`}`, { isTrouble: true });
             return later(send);
         }
         wait = FIRST_WAIT;
         const steps = keys.flatMap((key, at) => (dropped.includes(key) ? [at + 1] : []));
         if (steps.length > 0)
             tell(
-                `${SAVED} It has no room for the text of step ${steps.join(', ')}: its mark is saved, and the text is kept in this browser only.`,
+                `${SAVED} ${say`It has no room for the text of step ${steps.join(', ')}: its mark is saved, and the text is kept in this browser only.`}`,
                 { isTrouble: true },
             );
         else if (attempt.parts.length > 0) tell(SAVED);
@@ -249,7 +251,7 @@ export function createPackage({ id, standard, tasks, above, restored }) {
             .join('\n');
         field.hidden = false;
         const isCopied = await copyField(field);
-        copy.textContent = isCopied ? 'Copied: send it to your teacher' : `Press ${copyKeys()} to copy`;
+        copy.textContent = isCopied ? say`Copied: send it to your teacher` : say`Press ${copyKeys()} to copy`;
     });
     addEventListener('visibilitychange', () => document.hidden && isGraded && !isSent && send());
     addEventListener('pagehide', () => {

@@ -3,6 +3,8 @@
  * system may throw, refuse, or answer with anything, so every answer is checked, and what went wrong is a sentence.
  */
 
+import { say } from '../words.js';
+
 /** Windows are searched up to this depth; a page may hold itself. */
 const DEEPEST = 50;
 
@@ -120,7 +122,7 @@ export function createScorm(standard, { from = window, now = () => performance.n
     function reason() {
         const code = call(error) ?? '';
         const told = code === '' || code === '0' ? '' : call(words, code);
-        return told || (code === '' || code === '0' ? 'it gives no reason' : `error ${code}`);
+        return told || (code === '' || code === '0' ? say`it gives no reason` : say`error ${code}`);
     }
     const read = (/** @type {string} */ element) => call(get, element) ?? '';
     const write = (/** @type {string} */ element, /** @type {string} */ value) => agrees(call(set, element, value));

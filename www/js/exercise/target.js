@@ -2,6 +2,7 @@
 
 import { COLOURS, SIDE } from '../differences.js';
 import { byId, html, input, reducedMotion, setText } from '../dom.js';
+import { say } from '../words.js';
 
 /** A blinking picture changes after this time, in milliseconds. */
 const BLINK = 700;
@@ -45,7 +46,7 @@ export function createTarget({ picture }) {
         html('target-legend').hidden = now !== 'differences' || pixels === null;
         setText(
             html('target-name'),
-            now === 'target' ? 'Target' : now === 'differences' ? 'Differences' : shownOwn ? 'Yours' : 'Target',
+            now === 'differences' ? say`Differences` : now === 'blink' && shownOwn ? say`Yours` : say`Target`,
         );
         if (differs && pixels) paintDifferences(pixels, now === 'blink');
         clearTimeout(timer);

@@ -1,6 +1,7 @@
 /** Cards of the favourites dialog: favourites with their buttons, and earlier visits. */
 
 import { make } from '../dom.js';
+import { language, said, say } from '../words.js';
 
 /** @typedef {import('../favourites.js').Favourite} Favourite */
 /** @typedef {import('../state.js').State} State */
@@ -28,20 +29,23 @@ export function favouriteCard(one, picture, { open, rename, remove }) {
     const acts = make(
         'div',
         { class: 'card-acts' },
-        actButton('Rename', `Rename ${one.name}`, rename),
-        actButton('Delete', `Delete ${one.name}`, remove),
+        actButton(say`Rename`, say`Rename ${one.name}`, rename),
+        actButton(say`Delete`, say`Delete ${one.name}`, remove),
     );
     return make('li', { class: 'card-item', 'data-favourite': one.id }, opener, acts);
 }
 
 /** @param {number} time when the visit ended @param {State} state @param {HTMLCanvasElement} picture @param {() => void} open */
 export function visitCard(time, state, picture, open) {
-    const when = new Date(time).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+    const when = new Date(time).toLocaleString(language === 'en' ? [] : language, {
+        dateStyle: 'medium',
+        timeStyle: 'short',
+    });
     const opener = make(
         'button',
         { type: 'button', class: 'card' },
         picture,
-        make('span', { class: 'card-title' }, state.title || state.name || 'Untitled system'),
+        make('span', { class: 'card-title' }, said(state.title || state.name) || say`Untitled system`),
         make('span', { class: 'card-kind' }, when),
     );
     opener.addEventListener('click', open);

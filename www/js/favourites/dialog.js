@@ -8,6 +8,7 @@ import { rename } from '../favourites.js';
 import { addElements } from '../late.js';
 import { readLink } from '../link.js';
 import { openSession } from '../sessions.js';
+import { say } from '../words.js';
 import { favouriteCard, visitCard } from './cards.js';
 import markup from './dialog.html';
 import { createExchange } from './exchange.js';
@@ -88,7 +89,7 @@ export function createFavourites({ engine, favourites: stored, session }) {
         showNameField(acts, one.name, (name, focused) => {
             const next = name === null ? [] : rename(stored.list(), id, name);
             const given = next.find((each) => each.id === id)?.name ?? one.name;
-            if (given !== one.name) tell(stored.put(next) ? `Renamed to “${given}”.` : FULL);
+            if (given !== one.name) tell(stored.put(next) ? say`Renamed to “${given}”.` : FULL);
             fill();
             if (focused) partOf(id, '.card-act')?.focus();
         });
@@ -103,7 +104,7 @@ export function createFavourites({ engine, favourites: stored, session }) {
         stored.put(former.filter((one) => one.id !== id));
         fill();
         before = former;
-        tell(`Deleted “${gone.name}”.`, true);
+        tell(say`Deleted “${gone.name}”.`, true);
         // Focus the card that took the place of the deleted one.
         const next = stored.list()[Math.min(at, former.length - 2)];
         (next ? partOf(next.id, '.card-acts button:last-child') : button('close-favourites'))?.focus();
@@ -116,7 +117,7 @@ export function createFavourites({ engine, favourites: stored, session }) {
         const now = stored.list();
         stored.put([...now.filter((one) => !former.some(({ id }) => id === one.id)), ...former]);
         fill();
-        tell('Restored.');
+        tell(say`Restored.`);
         button('close-favourites').focus();
     });
     closes(dialog, 'close-favourites');
@@ -133,7 +134,7 @@ export function createFavourites({ engine, favourites: stored, session }) {
         /** Imports a file of favourites that was opened like a system; whether it is one. @param {string} text */
         async take(text) {
             if (!isFavouritesFile(text)) return false;
-            if (!stored.available) toast('This browser cannot store favourites here.');
+            if (!stored.available) toast(say`This browser cannot store favourites here.`);
             else await add(text);
             return true;
         },
@@ -144,7 +145,7 @@ export function createFavourites({ engine, favourites: stored, session }) {
         try {
             toast(await exchange.take(text));
         } catch (error) {
-            toast(`The favourites could not be read: ${error instanceof Error ? error.message : error}.`);
+            toast(say`The favourites could not be read: ${String(error instanceof Error ? error.message : error)}.`);
         }
     }
 }

@@ -3,6 +3,7 @@
 import { button, input } from '../dom.js';
 import { download } from '../download.js';
 import { LARGEST_FILE } from '../favourites.js';
+import { counted, say } from '../words.js';
 import { readFile, writeFile } from './file.js';
 import { FULL } from './stored.js';
 
@@ -15,7 +16,7 @@ export function createExchange(stored, { tell, changed }) {
 
     button('export-favourites').addEventListener('click', () => {
         download(new Blob([writeFile(stored.list())], { type: 'application/json' }), 'favourites.json');
-        tell('Exported all favourites to favourites.json.');
+        tell(say`Exported all favourites to favourites.json.`);
     });
     button('import-favourites').addEventListener('click', () => chooser.click());
     chooser.addEventListener('change', async () => {
@@ -25,18 +26,18 @@ export function createExchange(stored, { tell, changed }) {
         try {
             tell(
                 file.size > LARGEST_FILE
-                    ? 'This file is too large. Files of favourites have at most 2 MB.'
+                    ? say`This file is too large. Files of favourites have at most 2 MB.`
                     : await take(await file.text()),
             );
         } catch (error) {
-            tell(`${file.name} could not be read: ${error instanceof Error ? error.message : error}`);
+            tell(say`${file.name} could not be read: ${String(error instanceof Error ? error.message : error)}`);
         }
     });
 
     /** Adds the favourites of a file. @param {string} text @returns {Promise<string>} a message about the result */
     async function take(text) {
         const read = await readFile(stored.list(), text);
-        if (!read) return 'This file contains no favourites.';
+        if (!read) return say`This file contains no favourites.`;
         const isStored = read.added === 0 || stored.put(read.list);
         changed();
         return isStored ? resultText(read) : FULL;
@@ -48,10 +49,10 @@ export function createExchange(stored, { tell, changed }) {
 /** @param {NonNullable<Awaited<ReturnType<typeof readFile>>>} read */
 function resultText({ added, known, damaged, tooMany }) {
     const parts = [
-        added === 1 ? 'Added 1 favourite.' : `Added ${added} favourites.`,
-        known > 0 && `${known} ${known === 1 ? 'was' : 'were'} already there.`,
-        damaged > 0 && `${damaged} could not be read.`,
-        tooMany > 0 && `There was no room for ${tooMany} more.`,
+        counted(added, 'Added {} favourite.', 'Added {} favourites.'),
+        known > 0 && counted(known, '{} was already there.', '{} were already there.'),
+        damaged > 0 && counted(damaged, '{} could not be read.', '{} could not be read.'),
+        tooMany > 0 && counted(tooMany, 'There was no room for {} more.', 'There was no room for {} more.'),
     ];
     return parts.filter(Boolean).join(' ');
 }

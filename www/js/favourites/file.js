@@ -2,6 +2,7 @@
 
 import { FORMAT, MOST_FAVOURITES, favourite } from '../favourites.js';
 import { openLink } from '../packed.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../favourites.js').Favourite} Favourite */
 
@@ -36,8 +37,7 @@ export function isFavouritesFile(text) {
 export async function readFile(list, text) {
     const given = parse(text)?.favourites;
     if (!Array.isArray(given)) return null;
-    if (given.length > MOST_ENTRIES)
-        throw new RangeError(`it has more than ${MOST_ENTRIES.toLocaleString('en')} entries`);
+    if (given.length > MOST_ENTRIES) throw new RangeError(say`it has more than ${MOST_ENTRIES} entries`);
     let sliceStart = performance.now();
     const same = (/** @type {Favourite} */ { name, link }) => `${name}\n${link}`;
     const there = new Set(list.map(same));
@@ -57,7 +57,7 @@ export async function readFile(list, text) {
         if (!link || link.problems.length > 0) {
             result.damaged += 1;
             if (result.damaged > MOST_DAMAGED)
-                throw new RangeError(`more than ${MOST_DAMAGED} of its links are damaged`);
+                throw new RangeError(say`more than ${MOST_DAMAGED} of its links are damaged`);
             continue;
         }
         const read = favourite(typeof one.name === 'string' ? one.name : '', link.state);

@@ -2,6 +2,7 @@
 
 import { make } from '../dom.js';
 import { LONGEST_NAME } from '../favourites.js';
+import { say } from '../words.js';
 
 /**
  * @param {Element} place the element whose children are replaced
@@ -14,7 +15,7 @@ export function showNameField(place, name, finish) {
         class: 'number',
         maxlength: String(LONGEST_NAME),
         value: name,
-        'aria-label': `New name of ${name}`,
+        'aria-label': say`New name of ${name}`,
         autocomplete: 'off',
     });
     let done = false;

@@ -2,9 +2,10 @@
 
 import { html, setText } from '../dom.js';
 import { readFavourites } from '../favourites.js';
+import { say } from '../words.js';
 
 /** The message when the storage is full. */
-export const FULL = 'The browser’s storage for this page is full. Export the favourites to a file, then delete some.';
+export const FULL = say`The browser’s storage for this page is full. Export the favourites to a file, then delete some.`;
 
 /** @typedef {import('../favourites.js').Favourite} Favourite */
 

@@ -1,6 +1,7 @@
 /** The list of numbers that have no track yet: choosing one adds a track. */
 
 import { make } from '../dom.js';
+import { said, say } from '../words.js';
 
 /** @typedef {import('../protocol.js').FilmScript} FilmScript */
 /** @typedef {import('../protocol.js').FilmSubject} FilmSubject */
@@ -16,7 +17,7 @@ const USUAL = { view: [0, 0, 1], camera: [25, 12, 1], drawn: [1] };
 export function createAdder(store, stage, { add }) {
     /** @type {FilmSubject[]} */
     let subjects = [];
-    const element = make('select', { id: 'film-add', 'aria-label': 'Add a track' });
+    const element = make('select', { id: 'film-add', 'aria-label': say`Add a track` });
 
     /** The present value of a subject. @param {string} subject */
     function valueOf(subject) {
@@ -41,12 +42,12 @@ export function createAdder(store, stage, { add }) {
             const used = new Set(script.tracks.map(({ subject }) => subject));
             const options = subjects
                 .filter(({ name, value }) => !used.has(name) && value !== null)
-                .map(({ name, label }) => make('option', { value: name }, `${label} (${name})`));
-            const others = (stage.space ? [['camera', 'Camera']] : [['view', 'View']])
-                .concat([['drawn', 'Part drawn']])
+                .map(({ name, label }) => make('option', { value: name }, `${said(label)} (${name})`));
+            const others = (stage.space ? [['camera', say`Camera`]] : [['view', say`View`]])
+                .concat([['drawn', say`Part drawn`]])
                 .filter(([name]) => !used.has(String(name)));
             element.replaceChildren(
-                make('option', { value: '' }, 'Add a track…'),
+                make('option', { value: '' }, say`Add a track…`),
                 ...others.map(([name, words]) => make('option', { value: String(name) }, String(words))),
                 ...options,
             );

@@ -3,6 +3,7 @@
 import styles from '../../css/film.css';
 import { toast } from '../announce.js';
 import { copyText } from '../copy.js';
+import { decimal } from '../decimals.js';
 import { button, byId, html, icon, input, setText, setValue } from '../dom.js';
 import { showFailure } from '../failure.js';
 import { isWhole } from '../files.js';
@@ -11,6 +12,7 @@ import { bestLink } from '../packed.js';
 import { SIZES as FRAMES, stable } from '../share-code.js';
 import { definitionOf } from '../state.js';
 import { Cancelled } from '../tool.js';
+import { said, say } from '../words.js';
 import { createAdder } from './adder.js';
 import { filmCode, filmIn } from './embed-code.js';
 import { createFilmTool } from './frames.js';
@@ -64,7 +66,7 @@ export function createFilms({ store, stage }) {
     });
     const timeline = createTimeline({
         change: (tracks) => change({ tracks }),
-        label: (subject) => subjects.find(({ name }) => name === subject)?.label ?? subject,
+        label: (subject) => said(subjects.find(({ name }) => name === subject)?.label ?? subject),
     });
     html('film-options').prepend(presets.element, options.element);
     html('film-acts').prepend(...saving.buttons);
@@ -98,7 +100,7 @@ export function createFilms({ store, stage }) {
             timeline.at(script.frames > 1 ? timeOf(frame) / script.seconds : 0);
             setText(
                 html('film-clock'),
-                `${(frame / script.rate).toFixed(1)} of ${(script.frames / script.rate).toFixed(1)} s`,
+                say`${decimal(frame / script.rate, 1)} of ${decimal(script.frames / script.rate, 1)} s`,
             );
             showPlay();
         },
@@ -116,7 +118,7 @@ export function createFilms({ store, stage }) {
     }
 
     function showPlay() {
-        const words = player.playing ? 'Pause' : 'Play';
+        const words = player.playing ? say`Pause` : say`Play`;
         if (play.getAttribute('aria-label') === words) return;
         play.setAttribute('aria-label', words);
         play.replaceChildren(icon(player.playing ? 'i-pause' : 'i-play'));
@@ -208,7 +210,7 @@ export function createFilms({ store, stage }) {
         if (!script) return;
         if (location.protocol === 'file:' || isWhole())
             return toast(
-                'This page was opened from a disk. Put it on a web server to get code that works in other pages.',
+                say`This page was opened from a disk. Put it on a web server to get code that works in other pages.`,
             );
         const { width, height } = script;
         const [most = width] = FRAMES.large ?? [];
@@ -222,7 +224,7 @@ export function createFilms({ store, stage }) {
             Math.round(width * scale),
             Math.round(height * scale),
         );
-        toast((await copyText(code)) ? 'Embed code copied' : 'The browser refused to copy.');
+        toast((await copyText(code)) ? say`Embed code copied` : say`The browser refused to copy.`);
     });
 
     /** Shows the wanted film, or the last one, and plays it. */

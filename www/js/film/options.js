@@ -1,6 +1,7 @@
 /** The choices for a whole film: its length, its rate, its size, its loop and its pace. */
 
 import { make, setChoice, setValue } from '../dom.js';
+import { say } from '../words.js';
 import { choice, numberOption } from './fields.js';
 import { EASINGS, ENDINGS, SIZES, stretched } from './script.js';
 
@@ -14,9 +15,9 @@ const RATE = 25;
 export function createOptions({ change }) {
     /** @type {FilmScript | null} */
     let script = null;
-    const seconds = numberOption('film-seconds', 'Seconds', { min: '0.1', max: '3600', step: '0.5' });
-    const rate = numberOption('film-rate', 'Frames a second', { min: '1', max: '60', step: '1' });
-    const size = choice('film-size', [...SIZES, ['own', 'Other size']], 'Size');
+    const seconds = numberOption('film-seconds', say`Seconds`, { min: '0.1', max: '3600', step: '0.5' });
+    const rate = numberOption('film-rate', say`Frames a second`, { min: '1', max: '60', step: '1' });
+    const size = choice('film-size', [...SIZES, ['own', say`Other size`]], say`Size`);
     const sides = ['width', 'height'].map((name) =>
         make('input', {
             id: `film-${name}`,
@@ -24,7 +25,7 @@ export function createOptions({ change }) {
             type: 'number',
             min: '16',
             max: '4096',
-            'aria-label': `${name === 'width' ? 'Width' : 'Height'} in pixels`,
+            'aria-label': name === 'width' ? say`Width in pixels` : say`Height in pixels`,
         }),
     );
     const own = make(
@@ -34,12 +35,12 @@ export function createOptions({ change }) {
         '×',
         /** @type {HTMLElement} */ (sides[1]),
     );
-    const ending = choice('film-loop', ENDINGS, 'Loop');
-    const pace = choice('film-pace', EASINGS, 'Pace');
+    const ending = choice('film-loop', ENDINGS, say`Loop`);
+    const pace = choice('film-pace', EASINGS, say`Pace`);
 
     const follow = make('input', { id: 'film-follow', type: 'checkbox' });
-    const following = make('label', { class: 'check' }, follow, 'Follow the drawing');
-    following.title = 'Fit every frame to its drawing, instead of the frame of the end';
+    const following = make('label', { class: 'check' }, follow, say`Follow the drawing`);
+    following.title = say`Fit every frame to its drawing, instead of the frame of the end`;
 
     follow.addEventListener('change', () => change({ fixed: !follow.checked }));
     seconds.field.addEventListener('change', () => {

@@ -3,11 +3,15 @@
 import { button, byId, html, icon, input, reducedMotion, setText } from '../dom.js';
 import { bestLink, openLink } from '../packed.js';
 import { definitionOf } from '../state.js';
+import { language, say, translate } from '../words.js';
 import { filmIn, guarded } from './embed-code.js';
 import { createFilmTool } from './frames.js';
 import { createPlayer } from './player.js';
 
-const NOTHING = 'The address of this frame contains no film.';
+document.documentElement.lang = language;
+translate(document.body);
+
+const NOTHING = say`The address of this frame contains no film.`;
 
 const tool = createFilmTool();
 const canvas = byId('film-picture', HTMLCanvasElement);
@@ -34,7 +38,7 @@ const player = createPlayer(tool, canvas, {
 });
 
 function showPlay() {
-    const words = player.playing ? 'Pause' : 'Play';
+    const words = player.playing ? say`Pause` : say`Play`;
     if (play.getAttribute('aria-label') === words) return;
     play.setAttribute('aria-label', words);
     play.replaceChildren(icon(player.playing ? 'i-pause' : 'i-play'));
@@ -46,9 +50,9 @@ async function open() {
     if (!link || text === '') return setText(problem, NOTHING);
     const { state } = link;
     const title = state.title || state.name || 'L-system';
-    document.title = `${title} – film`;
+    document.title = say`${title} – film`;
     setText(html('film-title'), document.title);
-    canvas.setAttribute('aria-label', `Film: ${title}`);
+    canvas.setAttribute('aria-label', say`Film: ${title}`);
     document.documentElement.style.setProperty('--sheet', state.background);
     // Without a server, a folder address does not open its page.
     const place = new URL(location.protocol === 'file:' ? 'playground.html' : './', location.href).href;

@@ -2,19 +2,20 @@
 
 import { make } from '../dom.js';
 import { STANDS, strengthOf } from '../wind.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../protocol.js').FilmPreset} FilmPreset */
 /** @typedef {import('../state.js').View} View */
 
 /** Why a drawing has no turntable. */
-const FLAT = 'A turntable needs a drawing in space.';
+const FLAT = say`A turntable needs a drawing in space.`;
 /** @type {[FilmPreset['kind'], string][]} */
 const KINDS = [
-    ['growth', 'Growth'],
-    ['turtle', 'Turtle’s way'],
-    ['turntable', 'Turntable'],
-    ['sway', 'Sway'],
-    ['dive', 'Dive'],
+    ['growth', say`Growth`],
+    ['turtle', say`Turtle’s way`],
+    ['turntable', say`Turntable`],
+    ['sway', say`Sway`],
+    ['dive', say`Dive`],
 ];
 
 /**
@@ -62,7 +63,7 @@ export function createPresets(store, stage, { dive, use }) {
     return {
         element: make(
             'div',
-            { class: 'row', role: 'group', 'aria-label': 'Presets' },
+            { class: 'row', role: 'group', 'aria-label': say`Presets` },
             ...buttons.map(({ button }) => button),
             flat,
         ),

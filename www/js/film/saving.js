@@ -1,8 +1,10 @@
 /** The buttons that save a film as a file, and the progress of the file in the making. */
 
 import { toast } from '../announce.js';
+import { decimal } from '../decimals.js';
 import { icon, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
+import { say } from '../words.js';
 import { fileOf, videosOf } from './save.js';
 
 /** @typedef {import('../protocol.js').Film} Film */
@@ -29,16 +31,18 @@ export function createSaving(store, { film: present, start: begin }) {
             kind === 'webm' ? 'WebM' : kind.toUpperCase(),
         ),
     }));
-    const bar = make('progress', { id: 'film-progress', max: '1', value: '0', 'aria-label': 'Progress' });
-    const cancel = make('button', { id: 'film-cancel', class: 'button quiet', type: 'button' }, 'Cancel');
+    const bar = make('progress', { id: 'film-progress', max: '1', value: '0', 'aria-label': say`Progress` });
+    const cancel = make('button', { id: 'film-cancel', class: 'button quiet', type: 'button' }, say`Cancel`);
     const told = make('span', { class: 'note', role: 'status' });
     const progress = make('div', { class: 'film-progress idle' }, bar, told, cancel);
+    const [before = '', after = ''] =
+        say`WebM and MP4 files are written by ${'\n'} (Mozilla Public License 2.0).`.split('\n');
     const credit = make(
         'p',
         { class: 'note film-credit' },
-        'WebM and MP4 files are written by ',
+        before,
         make('a', { href: 'https://mediabunny.dev', target: '_blank', rel: 'noopener' }, 'Mediabunny'),
-        ' (Mozilla Public License 2.0).',
+        after,
     );
     /** The file in the making. @type {AbortController | null} */
     let saving = null;
@@ -60,7 +64,9 @@ export function createSaving(store, { film: present, start: begin }) {
             const left = done > 0 ? ((performance.now() - start) / done) * (frames - done) : NaN;
             setText(
                 told,
-                `Frame ${done} of ${frames}${Number.isFinite(left) ? `, ${Math.ceil(left / 1000)} s left` : ''}`,
+                Number.isFinite(left)
+                    ? say`Frame ${String(done)} of ${String(frames)}, ${String(Math.ceil(left / 1000))} s left`
+                    : say`Frame ${String(done)} of ${String(frames)}`,
             );
         };
         show(0);
@@ -70,10 +76,10 @@ export function createSaving(store, { film: present, start: begin }) {
             const blob = await fileOf(kind, film, script, { signal: mine.signal, progress: show });
             download(blob, `${fileName(store.state)}.${kind}`);
             toast(
-                `Saved: ${(blob.size / 1e6).toFixed(1)} MB, made in ${((performance.now() - start) / 1000).toFixed(1)} s`,
+                say`Saved: ${decimal(blob.size / 1e6, 1)} MB, made in ${decimal((performance.now() - start) / 1000, 1)} s`,
             );
         } catch (error) {
-            if (!mine.signal.aborted) toast(`Not saved: ${error instanceof Error ? error.message : error}.`);
+            if (!mine.signal.aborted) toast(say`Not saved: ${String(error instanceof Error ? error.message : error)}.`);
         } finally {
             saving = null;
             progress.classList.add('idle');

@@ -1,22 +1,24 @@
 /** Scripts of films as text, and values between keys. Pure functions. docs/films.md describes the text. */
 
+import { say } from '../words.js';
+
 /** @typedef {import('../protocol.js').FilmScript} FilmScript */
 /** @typedef {import('../protocol.js').FilmTrack} FilmTrack */
 /** @typedef {import('../protocol.js').FilmKey} FilmKey */
 
 /** The names of paces and endings, with their words on the page. @type {readonly (readonly [string, string])[]} */
 export const EASINGS = [
-    ['linear', 'Linear'],
-    ['smooth', 'Smooth'],
-    ['in', 'Slow start'],
-    ['out', 'Slow end'],
-    ['hold', 'Hold'],
+    ['linear', say`Linear`],
+    ['smooth', say`Smooth`],
+    ['in', say`Slow start`],
+    ['out', say`Slow end`],
+    ['hold', say`Hold`],
 ];
 /** @type {readonly (readonly [string, string])[]} */
 export const ENDINGS = [
-    ['repeat', 'Repeat'],
-    ['bounce', 'Back and forth'],
-    ['once', 'Play once'],
+    ['repeat', say`Repeat`],
+    ['bounce', say`Back and forth`],
+    ['once', say`Play once`],
 ];
 /** @type {readonly (readonly [string, string])[]} */
 export const SIZES = [

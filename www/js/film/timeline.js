@@ -1,6 +1,7 @@
 /** The timeline of a film: a row for each track, with its keys; the chosen key below. */
 
 import { icon, make, setChoice, setText, setValue } from '../dom.js';
+import { say } from '../words.js';
 import { EASINGS, added, moved, numbersOf, rounded } from './script.js';
 
 /** @typedef {import('../protocol.js').FilmScript} FilmScript */
@@ -12,11 +13,20 @@ const STEP = 0.1;
 
 /** The names of subjects that are no number of the system. @type {Readonly<Record<string, string>>} */
 const NAMES = {
-    n: 'Iterations',
-    drawn: 'Part drawn',
-    view: 'View (x y zoom)',
-    camera: 'Camera (azimuth elevation zoom x y z)',
+    n: say`Iterations`,
+    drawn: say`Part drawn`,
+    view: say`View (x y zoom)`,
+    camera: say`Camera (azimuth elevation zoom x y z)`,
 };
+
+/** The place of a field in a sentence. */
+const HERE = '\n';
+
+/** A sentence with a field in it. @param {string} words @param {HTMLElement} field */
+function around(words, field) {
+    const [before = '', after = ''] = words.split(HERE);
+    return [before, field, after];
+}
 
 /** @param {{change: (tracks: FilmTrack[]) => void, label: (subject: string) => string}} page */
 export function createTimeline({ change, label }) {
@@ -27,29 +37,29 @@ export function createTimeline({ change, label }) {
         type: 'number',
         min: '0',
         step: '0.1',
-        'aria-label': 'Time of the key, in seconds',
+        'aria-label': say`Time of the key, in seconds`,
     });
     const value = make('input', {
         class: 'number film-value',
         type: 'text',
         autocomplete: 'off',
         spellcheck: 'false',
-        'aria-label': 'Value of the key',
+        'aria-label': say`Value of the key`,
     });
     const pace = make(
         'select',
-        { 'aria-label': 'Pace to the next key' },
+        { 'aria-label': say`Pace to the next key` },
         ...EASINGS.map(([name, words]) => make('option', { value: name }, words)),
     );
-    const remove = make('button', { class: 'button quiet', type: 'button' }, 'Delete key');
+    const remove = make('button', { class: 'button quiet', type: 'button' }, say`Delete key`);
     const name = make('strong', {});
     const editor = make(
         'div',
         { class: 'film-key', hidden: true },
         name,
-        make('label', {}, 'at ', time, ' s'),
-        make('label', {}, 'value ', value),
-        make('label', {}, 'then ', pace),
+        make('label', {}, ...around(say`at ${HERE} s`, time)),
+        make('label', {}, ...around(say`value ${HERE}`, value)),
+        make('label', {}, ...around(say`then ${HERE}`, pace)),
         remove,
     );
     const element = make('div', { class: 'film-timeline' }, make('div', { class: 'film-lanes' }, head, list), editor);
@@ -72,11 +82,11 @@ export function createTimeline({ change, label }) {
 
     /** @param {FilmTrack} track @returns {Row} */
     function newRow({ subject }) {
-        const lane = make('div', { class: 'film-lane', title: 'Click to add a key' });
+        const lane = make('div', { class: 'film-lane', title: say`Click to add a key` });
         const words = make('span', { class: 'film-name' });
         const off = make(
             'button',
-            { class: 'tool', type: 'button', 'aria-label': `Remove ${nameOf(subject)}` },
+            { class: 'tool', type: 'button', 'aria-label': say`Remove ${nameOf(subject)}` },
             icon('i-close'),
         );
         off.addEventListener('click', () => change(tracks().filter((track) => track.subject !== subject)));
@@ -152,9 +162,9 @@ export function createTimeline({ change, label }) {
             keys.forEach(({ time, value }, number) => {
                 const key = /** @type {HTMLButtonElement} */ (row.keys[number]);
                 key.style.left = `${Math.min(100, (100 * time) / (script?.seconds ?? 1))}%`;
-                key.setAttribute('aria-label', `${nameOf(subject)} at ${time} s: ${value.join(' ')}`);
+                key.setAttribute('aria-label', say`${nameOf(subject)} at ${String(time)} s: ${value.join(' ')}`);
                 key.setAttribute('aria-pressed', String(chosen?.subject === subject && chosen.at === number));
-                key.title = `${time} s: ${value.join(' ')}`;
+                key.title = say`${String(time)} s: ${value.join(' ')}`;
             });
         });
         const track = chosenTrack();

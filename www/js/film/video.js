@@ -3,6 +3,7 @@
  * the files: Mediabunny (https://mediabunny.dev), under the Mozilla Public License 2.0.
  */
 
+import { say } from '../words.js';
 import {
     BufferTarget,
     Mp4OutputFormat,
@@ -37,7 +38,9 @@ export function codecOf(kind, width, height) {
 export async function videoOf(kind, { width, height, rate }, frames, { signal, progress }) {
     const codec = await codecOf(kind, width, height);
     if (!codec)
-        throw new Error(`this browser cannot write ${kind === 'webm' ? 'WebM' : 'MP4'} of ${width} × ${height} pixels`);
+        throw new Error(
+            say`this browser cannot write ${kind === 'webm' ? 'WebM' : 'MP4'} of ${String(width)} × ${String(height)} pixels`,
+        );
     const target = new BufferTarget();
     const output = new Output({
         format: kind === 'webm' ? new WebMOutputFormat() : new Mp4OutputFormat({ fastStart: 'in-memory' }),

@@ -4,13 +4,19 @@ import { make } from '../dom.js';
 import { jsonOf } from '../files.js';
 import { clean, definitionOf } from '../state.js';
 import { emptyThumb, paintThumb } from '../thumb.js';
+import { say } from '../words.js';
 import { pixelsOf } from './picture.js';
 
 /** @typedef {import('../state.js').Definition} Definition */
 /** @typedef {import('./ink.js').Grey} Grey */
 
 /** The systems by their paths in the gallery, with their names here. */
-const EXAMPLES = { left_plant: 'Left plant', crossout: 'Crossout', hexerode: 'Hexerode', flower_plant: 'Flower plant' };
+const EXAMPLES = {
+    left_plant: say`Left plant`,
+    crossout: say`Crossout`,
+    hexerode: say`Hexerode`,
+    flower_plant: say`Flower plant`,
+};
 /** The side of a small picture, in CSS pixels, and of a picture to search, in pixels. */
 const SIDE = 96;
 const SEARCHED = 768;
@@ -34,7 +40,7 @@ export const blackOnWhite = (definition) => ({
  */
 export async function pictureOf(engine, definition) {
     const { bitmap, missing } = await engine.thumb(blackOnWhite(definition), SEARCHED, SEARCHED);
-    if (!bitmap) throw new Error(missing ?? 'There is no picture.');
+    if (!bitmap) throw new Error(missing ?? say`There is no picture.`);
     const grey = pixelsOf(bitmap, bitmap.width, bitmap.height);
     bitmap.close();
     return grey;

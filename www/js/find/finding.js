@@ -6,6 +6,7 @@ import { toast } from '../announce.js';
 import { button, byId, closes, html, input, setText } from '../dom.js';
 import { addElements } from '../late.js';
 import { Cancelled, SILENT } from '../tool.js';
+import { say } from '../words.js';
 import { fillExamples, pictureOf } from './examples.js';
 import { pictureIn } from './files.js';
 import markup from './finding.html';
@@ -26,7 +27,7 @@ const isSvg = (text) => /^\s*</.test(text) && text.includes('<svg');
 /** @param {unknown} error */
 const sentence = (error) => {
     const words = String(error instanceof Error ? error.message : error);
-    if (words === SILENT) return 'The search has stopped, because it did not answer. Try again.';
+    if (words === SILENT) return say`The search has stopped, because it did not answer. Try again.`;
     return `${words.charAt(0).toUpperCase()}${words.slice(1)}${/[.!?]$/.test(words) ? '' : '.'}`;
 };
 
@@ -46,7 +47,7 @@ export function createFinding({ store, engine, restyle }) {
             stop();
             dialog.close();
             store.open(restyle({ ...definition, title: title && `Rules of ${title}` }));
-            toast('Opened. Undo to go back; “Rules from a picture” has the other systems.');
+            toast(say`Opened. Undo to go back; “Rules from a picture” has the other systems.`);
         },
     });
     /** Stops the running search. @type {AbortController | null} */
@@ -149,13 +150,13 @@ export function createFinding({ store, engine, restyle }) {
         try {
             const question = readQuestion();
             if (isString()) {
-                if (text.value.trim() === '') throw new Error('Type or paste a string.');
+                if (text.value.trim() === '') throw new Error(say`Type or paste a string.`);
                 title = '';
                 return void run((signal) => search.begin({ text: text.value }, question, signal, progress));
             }
-            if (!shown) throw new Error('Open a picture first.');
+            if (!shown) throw new Error(say`Open a picture first.`);
             if (inkShare(shown.picture, shown.choice) === 0)
-                throw new Error('Nothing is ink here. Move the threshold.');
+                throw new Error(say`Nothing is ink here. Move the threshold.`);
             const source = inked(shown.picture, shown.choice);
             void run(async (signal) =>
                 search.begin(source, question, signal, progress, { named: await namedSystems() }),
@@ -191,7 +192,7 @@ export function createFinding({ store, engine, restyle }) {
             const straight = await search.straightened(grey);
             if (own !== turn) return;
             setPicture(grey, picture.name.replace(/\.\w+$/, ''), straight);
-            setText(html('find-left-out'), grey.leftOut && `Left out of this SVG: ${grey.leftOut}.`);
+            setText(html('find-left-out'), grey.leftOut && say`Left out of this SVG: ${grey.leftOut}.`);
         } catch (error) {
             if (own === turn) problem(sentence(error));
         }

@@ -1,5 +1,8 @@
 /** The merged results of searches that run in parallel. Pure functions. */
 
+import { decimal } from '../decimals.js';
+import { counted, say } from '../words.js';
+
 /** @typedef {import('../protocol.js').Candidate} Candidate */
 /** @typedef {import('../protocol.js').FindReport} FindReport */
 
@@ -43,13 +46,30 @@ export function merged(reports) {
 }
 
 /** An agreement in percent, rounded down: what is not the same is never called 100 %. @param {number} agreement */
-export const percent = (agreement) => `${(Math.floor(agreement * 1000 + 1e-9) / 10).toFixed(1)} %`;
+export const percent = (agreement) => `${decimal(Math.floor(agreement * 1000 + 1e-9) / 10, 1)} %`;
 
-const WORDS = ['No', 'One', 'Two', 'Three', 'Four', 'Five', 'Six', 'Seven', 'Eight', 'Nine', 'Ten', 'Eleven', 'Twelve'];
+const WORDS = [
+    say`No systems`,
+    say`One system`,
+    say`Two systems`,
+    say`Three systems`,
+    say`Four systems`,
+    say`Five systems`,
+    say`Six systems`,
+    say`Seven systems`,
+    say`Eight systems`,
+    say`Nine systems`,
+    say`Ten systems`,
+    say`Eleven systems`,
+    say`Twelve systems`,
+];
 
 /** A number of systems at the beginning of a sentence. @param {number} count */
 export const systems = (count) =>
-    `${WORDS[count] ?? (count < MOST ? count : `At least ${count}`)} ${count === 1 ? 'system' : 'systems'}`;
+    WORDS[count] ??
+    (count < MOST
+        ? counted(count, '{} system', '{} systems')
+        : counted(count, 'At least {} system', 'At least {} systems'));
 
 /**
  * The result in a sentence.
@@ -58,12 +78,12 @@ export const systems = (count) =>
 export function verdict({ candidates }, isString) {
     const same = candidates.filter(isSame).length;
     const best = Math.max(0, ...candidates.map(({ agreement }) => agreement));
-    const [one, many] = isString
-        ? ['derives the string', 'derive the string']
-        : ['draws this picture', 'draw the same picture'];
-    if (same > 0) return `${systems(same)} ${same === 1 ? one : many}.`;
-    if (candidates.some(({ isFound }) => isFound)) return `Nearly the same: ${percent(best)}`;
-    return candidates.length > 0
-        ? 'None of the searched systems draws this picture. The closest:'
-        : `None of the searched systems ${isString ? one : 'comes close'}.`;
+    if (same === 1) return isString ? say`One system derives the string.` : say`One system draws this picture.`;
+    if (same > 0)
+        return isString ? say`${systems(same)} derive the string.` : say`${systems(same)} draw the same picture.`;
+    if (candidates.some(({ isFound }) => isFound)) return say`Nearly the same: ${percent(best)}`;
+    if (candidates.length > 0) return say`None of the searched systems draws this picture. The closest:`;
+    return isString
+        ? say`None of the searched systems derives the string.`
+        : say`None of the searched systems comes close.`;
 }

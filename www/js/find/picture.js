@@ -1,5 +1,6 @@
 /** Pictures from files and the clipboard as levels of grey: decoded by the browser, but for SVG. */
 
+import { say } from '../words.js';
 import { promisedSize } from './header.js';
 import { greyOf, isPlain } from './ink.js';
 
@@ -18,7 +19,7 @@ const SIDE = 1536;
 /** A picture that is not decoded after this time is given up, in milliseconds. */
 const PATIENCE = 10_000;
 
-const DAMAGED = 'This picture is damaged, or the browser does not know its format.';
+const DAMAGED = say`This picture is damaged, or the browser does not know its format.`;
 
 /** How files of pictures begin. @type {Readonly<Record<string, RegExp>>} */
 const KINDS = {
@@ -38,10 +39,10 @@ const KINDS = {
 export async function readPicture(blob, drawSvg) {
     const start = String.fromCharCode(...new Uint8Array(await blob.slice(0, 1024).arrayBuffer()));
     const kind = Object.keys(KINDS).find((kind) => KINDS[kind]?.test(start));
-    if (!kind) throw new Error('This file is no PNG, JPEG, WebP, GIF or SVG picture.');
+    if (!kind) throw new Error(say`This file is no PNG, JPEG, WebP, GIF or SVG picture.`);
     const isSvg = kind === 'image/svg+xml';
     if (blob.size > (isSvg ? LARGEST_SVG : LARGEST))
-        throw new Error(`This picture has more than ${isSvg ? 16 : 64} MB.`);
+        throw new Error(say`This picture has more than ${isSvg ? 16 : 64} MB.`);
     if (isSvg) return drawSvg(new Uint8Array(await blob.arrayBuffer()));
     const size = promisedSize(kind, await blob.slice(0, HEADER).arrayBuffer());
     if (!size) throw new Error(DAMAGED);
@@ -61,10 +62,8 @@ export async function readPicture(blob, drawSvg) {
 /** @param {number} width @param {number} height */
 function check(width, height) {
     if (width * height > MOST_PIXELS)
-        throw new Error(
-            `This picture has ${width.toLocaleString('en')} × ${height.toLocaleString('en')} pixels. At most 64 million are read.`,
-        );
-    if (width === 0 || height === 0) throw new Error('This picture is empty.');
+        throw new Error(say`This picture has ${width} × ${height} pixels. At most 64 million are read.`);
+    if (width === 0 || height === 0) throw new Error(say`This picture is empty.`);
 }
 
 /** @param {Promise<ImageBitmap>} decoded @returns {Promise<ImageBitmap>} */
@@ -73,7 +72,7 @@ function inTime(decoded) {
         let isLate = false;
         const timer = setTimeout(() => {
             isLate = true;
-            reject(new Error('This picture takes too long to read.'));
+            reject(new Error(say`This picture takes too long to read.`));
         }, PATIENCE);
         decoded.then(
             (bitmap) => {
@@ -98,7 +97,7 @@ export function pixelsOf(source, width, height) {
     const canvas = document.createElement('canvas');
     [canvas.width, canvas.height] = [width, height];
     const context = canvas.getContext('2d', { willReadFrequently: true });
-    if (!context) throw new Error('The browser has no memory for this picture.');
+    if (!context) throw new Error(say`The browser has no memory for this picture.`);
     context.imageSmoothingQuality = 'high';
     for (const paper of ['#fff', '#000']) {
         context.fillStyle = paper;
@@ -107,5 +106,5 @@ export function pixelsOf(source, width, height) {
         const grey = greyOf(context.getImageData(0, 0, width, height).data, width, height);
         if (!isPlain(grey)) return grey;
     }
-    throw new Error('This picture has one shade of grey only.');
+    throw new Error(say`This picture has one shade of grey only.`);
 }

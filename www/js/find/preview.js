@@ -1,6 +1,7 @@
 /** The preview of a picture: its ink, the crop with corners to drag or to move by keys, and the threshold. */
 
 import { button, byId, html, input, make, setText } from '../dom.js';
+import { say } from '../words.js';
 import { darkIsLess, inkMap, inkShare, levelOf, withCorner } from './ink.js';
 
 /** @typedef {import('./ink.js').Grey} Grey */
@@ -14,10 +15,10 @@ const STEP = 0.005;
 
 /** @type {[Corner, string][]} */
 const CORNERS = [
-    [['top', 'left'], 'Top left'],
-    [['top', 'right'], 'Top right'],
-    [['bottom', 'left'], 'Bottom left'],
-    [['bottom', 'right'], 'Bottom right'],
+    [['top', 'left'], say`Top left`],
+    [['top', 'right'], say`Top right`],
+    [['bottom', 'left'], say`Bottom left`],
+    [['bottom', 'right'], say`Bottom right`],
 ];
 /** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -119,7 +120,7 @@ export function createPreview({ changed }) {
             const whole = (/** @type {number} */ part) => `${Math.round(100 * part)} %`;
             handle.setAttribute(
                 'aria-label',
-                `${name} corner of the crop: ${whole(choice.crop[side] / width)} from the left, ${whole(choice.crop[end] / height)} from the top. Arrow keys move it.`,
+                say`${name} corner of the crop: ${whole(choice.crop[side] / width)} from the left, ${whole(choice.crop[end] / height)} from the top. Arrow keys move it.`,
             );
         }
         slider.value = String(choice.level);
@@ -129,9 +130,9 @@ export function createPreview({ changed }) {
         setText(
             html('find-ink-note'),
             share === 0
-                ? 'Nothing is ink here. Move the threshold.'
+                ? say`Nothing is ink here. Move the threshold.`
                 : share > 0.5
-                  ? `${Math.round(100 * share)} % of the picture is ink. Lines cover less: move the threshold, or take the other kind of lines.`
+                  ? say`${Math.round(100 * share)} % of the picture is ink. Lines cover less: move the threshold, or take the other kind of lines.`
                   : '',
         );
     }

@@ -2,6 +2,7 @@
 
 import { valueOf } from '../arithmetic.js';
 import { input, setValue } from '../dom.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
 
@@ -9,9 +10,9 @@ import { input, setValue } from '../dom.js';
 const FIELDS = ['axiom', 'angle', 'n', 'draws', 'heading'];
 /** The fields with numbers, with what is expected of them. @type {Partial<Record<keyof FindQuestion, string>>} */
 const NUMBERS = {
-    angle: 'The angle is expected in degrees.',
-    n: 'A whole number of iterations is expected.',
-    heading: 'The heading is expected in degrees.',
+    angle: say`The angle is expected in degrees.`,
+    n: say`A whole number of iterations is expected.`,
+    heading: say`The heading is expected in degrees.`,
 };
 
 /** @param {keyof FindQuestion} name */

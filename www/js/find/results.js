@@ -4,6 +4,7 @@ import { html, make, setText } from '../dom.js';
 import { theme } from '../theme.js';
 import { emptyThumb, paintThumb } from '../thumb.js';
 import { SIDE as COMPARED, coloured } from '../differences.js';
+import { counted, said, say } from '../words.js';
 import { isSame, percent, verdict } from './merge.js';
 
 /** @typedef {import('../protocol.js').Candidate} Candidate */
@@ -13,7 +14,6 @@ import { isSame, percent, verdict } from './merge.js';
 const SIDE = 168;
 /** The margin of differences, in their pixels. */
 const MARGIN = 5;
-const NUMBERS = new Intl.NumberFormat('en');
 
 /**
  * A card of a candidate: its picture, its agreement and its rules, with a button that opens it.
@@ -29,12 +29,12 @@ export function candidateCard(candidate, { engine, restyle, open, told, compared
     picture.style.background = styled.background;
     const { axiom, iterations, angle, overrides, heading } = definition;
     const facts = [
-        `axiom ${axiom}`,
+        say`axiom ${axiom}`,
         `n = ${iterations}`,
         `${angle}°`,
-        heading === 90 ? '' : `heading ${heading}°`,
+        heading === 90 ? '' : say`heading ${String(heading)}°`,
         overrides.replaceAll('\n', ', '),
-        `${symbols} symbols`,
+        counted(symbols, '{} symbol', '{} symbols'),
     ];
     const card = make(
         'li',
@@ -49,12 +49,14 @@ export function candidateCard(candidate, { engine, restyle, open, told, compared
                 told ?? percent(agreement),
             ),
         ),
-        candidate.name === null ? '' : make('span', { class: 'find-name' }, `${candidate.name}, in the gallery`),
+        candidate.name === null
+            ? ''
+            : make('span', { class: 'find-name' }, say`${said(candidate.name)}, in the gallery`),
         make('pre', { class: 'find-rules' }, definition.rules),
         make('span', { class: 'card-kind' }, facts.filter(Boolean).join(' · ')),
     );
     if (open) {
-        const act = make('button', { type: 'button', class: 'button find-open' }, 'Open');
+        const act = make('button', { type: 'button', class: 'button find-open' }, say`Open`);
         act.addEventListener('click', () => open(candidate));
         card.append(act);
     }
@@ -73,7 +75,7 @@ export function candidateCard(candidate, { engine, restyle, open, told, compared
 
 /** A picture of differences. @param {Uint8Array} codes */
 function differencesOf(codes) {
-    const canvas = make('canvas', { class: 'find-differences', role: 'img', 'aria-label': 'The differences' });
+    const canvas = make('canvas', { class: 'find-differences', role: 'img', 'aria-label': say`The differences` });
     // The ink begins in the upper left corner. The same margin on the other sides puts it in the middle.
     let [right, bottom] = [0, 0];
     for (const [at, code] of codes.entries())
@@ -86,7 +88,9 @@ function differencesOf(codes) {
 
 /** How much was searched. @param {FindReport} report @param {boolean} isString */
 export const workWords = ({ work }, isString) =>
-    isString ? `${NUMBERS.format(work)} symbols read` : `${NUMBERS.format(work)} systems tried`;
+    isString
+        ? counted(work, '{} symbol read', '{} symbols read')
+        : counted(work, '{} system tried', '{} systems tried');
 
 /** @param {Omit<Parameters<typeof candidateCard>[1], 'told'>} page */
 export function createResults(page) {
@@ -102,7 +106,7 @@ export function createResults(page) {
                 report.candidates.map((candidate) => [
                     candidate.key,
                     old.get(candidate.key) ??
-                        candidateCard(candidate, isString ? { ...page, told: 'derives it' } : page),
+                        candidateCard(candidate, isString ? { ...page, told: say`derives it` } : page),
                 ]),
             );
             const order = [...cards.values()];
@@ -112,22 +116,27 @@ export function createResults(page) {
             const so =
                 isRunning && !isFound
                     ? report.candidates.length > 0
-                        ? 'The closest so far:'
-                        : 'Searching…'
+                        ? say`The closest so far:`
+                        : say`Searching…`
                     : verdict(report, isString);
             setText(html('find-verdict'), so);
             html('find-verdict').classList.toggle('found', report.candidates.some(isSame));
             html('find-legend').hidden = isString || report.candidates.every(isSame);
-            setText(html('find-searched'), `Searched${isRunning ? ' so far' : ''}: ${report.searched}.`);
+            setText(
+                html('find-searched'),
+                isRunning ? say`Searched so far: ${report.searched}.` : say`Searched: ${report.searched}.`,
+            );
             setText(
                 html('find-advice'),
                 isRunning || report.candidates.some(isSame)
                     ? ''
                     : isFound
-                      ? `Small parts differ, such as twigs.${report.isMore ? ' Search longer, or tell more of what is known.' : ''}`
+                      ? report.isMore
+                          ? say`Small parts differ, such as twigs. Search longer, or tell more of what is known.`
+                          : say`Small parts differ, such as twigs.`
                       : report.isMore
-                        ? 'Other systems may do. Search longer, or tell more of what is known.'
-                        : 'This was all that this search can try. Other systems may do.',
+                        ? say`Other systems may do. Search longer, or tell more of what is known.`
+                        : say`This was all that this search can try. Other systems may do.`,
             );
         },
 

@@ -4,6 +4,7 @@
  */
 
 import { SILENT, createTool } from '../tool.js';
+import { say } from '../words.js';
 import { isSame, merged } from './merge.js';
 
 /** @typedef {import('../protocol.js').FindQuestion} FindQuestion */
@@ -136,13 +137,13 @@ export function createSearch() {
         async drawSvg(bytes) {
             have(1);
             const [tool] = tools;
-            if (!tool) throw new Error('There is no worker.');
+            if (!tool) throw new Error(say`There is no worker.`);
             try {
                 return await tool.call('svg', { bytes });
             } catch (error) {
                 // On a busy machine the worker is ended before its work is counted to the end.
                 if (error instanceof Error && error.message === SILENT)
-                    throw new Error('This SVG takes too long to draw. Save it as a PNG first.');
+                    throw new Error(say`This SVG takes too long to draw. Save it as a PNG first.`);
                 throw error;
             }
         },

@@ -1,6 +1,8 @@
 /** The choices of the save dialog as values: what a file is for, its format, and the format's options. */
 
+import { decimal } from '../decimals.js';
 import { FILE_OPTIONS, FORMATS, PURPOSES, SHEETS } from '../late-tables.js';
+import { counted, say } from '../words.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
 /** @typedef {keyof typeof PURPOSES} Purpose */
@@ -146,10 +148,11 @@ export function savedName(base, format) {
 
 /** A size in bytes, in words. @param {number} bytes */
 export function sizeWords(bytes) {
-    if (bytes < 1000) return `${bytes} ${bytes === 1 ? 'byte' : 'bytes'}`;
+    if (bytes < 1000) return counted(bytes, '{} byte', '{} bytes');
     const power = Math.min(3, Math.floor(Math.log10(bytes) / 3));
     const value = bytes / 1000 ** power;
-    return `${value < 9.95 ? value.toFixed(1) : Math.round(value).toLocaleString('en')} ${['', 'kB', 'MB', 'GB'][power]}`;
+    const text = value < 9.95 ? decimal(value, 1) : Math.round(value);
+    return power === 1 ? say`${text} kB` : power === 2 ? say`${text} MB` : say`${text} GB`;
 }
 
 /** The choices of the last time, as far as the browser stores them. @param {import('../storage.js').SafeStorage} storage @param {readonly CustomRow[]} custom */

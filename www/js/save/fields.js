@@ -1,6 +1,7 @@
 /** The options of a format as fields, made from the table of options. */
 
 import { make } from '../dom.js';
+import { said, say, shown } from '../words.js';
 import {
     POSTERS,
     RESOLUTIONS,
@@ -22,16 +23,16 @@ const SIDES = [1024, 2048, 4096, 8192, 16_384, 32_768];
 
 /** @type {[string, string][]} */
 const ORIENTATIONS = [
-    ['portrait', 'Portrait'],
-    ['landscape', 'Landscape'],
+    ['portrait', say`Portrait`],
+    ['landscape', say`Landscape`],
 ];
 
 /** The name of a sheet with its sides in millimetres and inches. @param {string} name */
 function sheetWords(name) {
     const sides = posterSides({ sheet: name, landscape: false, dpi: 0 });
-    const inches = sides.map((side) => String(Math.round(side / 2.54) / 10));
+    const inches = sides.map((side) => shown(Math.round(side / 2.54) / 10));
     const label = name.length > 2 ? name.charAt(0).toUpperCase() + name.slice(1) : name.toUpperCase();
-    return `${label}, ${sides.map(Math.round).join(' × ')} mm, ${inches.join(' × ')} in`;
+    return say`${said(label)}, ${sides.map(Math.round).join(' × ')} mm, ${inches.join(' × ')} in`;
 }
 
 /**
@@ -44,7 +45,7 @@ export function optionFields({ canvas, choose }) {
     function flag(name, option, value) {
         const box = make('input', { type: 'checkbox', id: `option-${name}`, checked: value === true });
         box.addEventListener('change', () => choose(name, box.checked));
-        return make('label', { class: 'check', title: option.help }, box, make('span', {}, option.label));
+        return make('label', { class: 'check', title: said(option.help) }, box, make('span', {}, said(option.label)));
     }
 
     /** @param {string} name @param {FileOption} option @param {...HTMLElement} fields */
@@ -52,7 +53,7 @@ export function optionFields({ canvas, choose }) {
         return make(
             'div',
             { class: 'save-option' },
-            make('label', { for: `option-${name}`, title: option.help }, option.label),
+            make('label', { for: `option-${name}`, title: said(option.help) }, said(option.label)),
             ...fields,
         );
     }
@@ -62,7 +63,7 @@ export function optionFields({ canvas, choose }) {
         const list = make(
             'select',
             { id: `option-${name}` },
-            ...Object.entries(option.words).map(([each, label]) => make('option', { value: each }, label)),
+            ...Object.entries(option.words).map(([each, label]) => make('option', { value: each }, said(label))),
         );
         list.value = String(value);
         list.addEventListener('change', () => choose(name, list.value));
@@ -105,7 +106,7 @@ export function optionFields({ canvas, choose }) {
                 'span',
                 { class: 'save-number' },
                 field,
-                ...(option.unit ? [make('span', { class: 'unit' }, option.unit)] : []),
+                ...(option.unit ? [make('span', { class: 'unit' }, said(option.unit))] : []),
             ),
         );
     }
@@ -122,17 +123,19 @@ export function optionFields({ canvas, choose }) {
         const list = make(
             'select',
             { id: `option-${name}` },
-            ...[...offered, ['own', 'Other…']].map(([each = '', label = '']) => make('option', { value: each }, label)),
+            ...[...offered, ['own', say`Other…`]].map(([each = '', label = '']) =>
+                make('option', { value: each }, label),
+            ),
         );
         list.value = isOwn ? 'own' : value;
-        const fields = ['Width', 'Height'].map((side, at) =>
+        const fields = [say`Width, in ${long}`, say`Height, in ${long}`].map((side, at) =>
             make('input', {
                 class: 'number',
                 type: 'number',
                 inputmode: 'decimal',
                 min: '1',
                 step,
-                'aria-label': `${side}, in ${long}`,
+                'aria-label': side,
                 value: sides[at] ?? '',
             }),
         );
@@ -172,14 +175,14 @@ export function optionFields({ canvas, choose }) {
         return sized(name, option, {
             value: String(value),
             offered: [
-                ['', `As on the page, ${words('')}`],
+                ['', say`As on the page, ${words('')}`],
                 ...fits.map((side) => /** @type {[string, string]} */ ([side, words(side)])),
             ],
             sides: pixelSize(value, shown).split('x'),
-            unit: ['pixels', 'px'],
+            unit: [say`pixels`, 'px'],
             step: '1',
             isValid: (text) => sizeOf(text, option) !== null,
-            range: `At most ${option.most.toLocaleString('en')} pixels each way.`,
+            range: say`At most ${option.most} pixels each way.`,
         });
     }
 
@@ -188,12 +191,12 @@ export function optionFields({ canvas, choose }) {
         const { width, height } = sheetOf({ sheet: value });
         return sized(name, option, {
             value: String(value),
-            offered: Object.entries(option.words),
+            offered: Object.entries(option.words).map(([each, label]) => [each, said(label)]),
             sides: [String(width), String(height)],
-            unit: ['millimetres', 'mm'],
+            unit: [say`millimetres`, 'mm'],
             step: 'any',
             isValid: (text) => sidesOf(text, option) !== null,
-            range: `From ${option.low} to ${option.high.toLocaleString('en')} mm each way.`,
+            range: say`From ${option.low} to ${option.high} mm each way.`,
         });
     }
 
@@ -211,8 +214,8 @@ export function optionFields({ canvas, choose }) {
             values['landscape'] === true ? 'landscape' : isFree && values['portrait'] !== true ? '' : 'portrait';
         return list(
             'option-orientation',
-            'Orientation',
-            [...(isFree ? /** @type {[string, string][]} */ ([['', 'As the drawing']]) : []), ...ORIENTATIONS],
+            say`Orientation`,
+            [...(isFree ? /** @type {[string, string][]} */ ([['', say`As the drawing`]]) : []), ...ORIENTATIONS],
             value,
             (chosen) => {
                 choose('landscape', chosen === 'landscape');
@@ -226,22 +229,22 @@ export function optionFields({ canvas, choose }) {
         poster: (poster, change) => [
             list(
                 'poster-sheet',
-                'Sheet',
+                say`Sheet`,
                 POSTERS.map((name) => [name, sheetWords(name)]),
                 poster.sheet,
                 (sheet) => change({ sheet }),
             ),
             list(
                 'poster-orientation',
-                'Orientation',
+                say`Orientation`,
                 ORIENTATIONS,
                 poster.landscape ? 'landscape' : 'portrait',
                 (chosen) => change({ landscape: chosen === 'landscape' }),
             ),
             list(
                 'poster-dpi',
-                'Resolution',
-                RESOLUTIONS.map((dpi) => [String(dpi), `${dpi} pixels per inch`]),
+                say`Resolution`,
+                RESOLUTIONS.map((dpi) => [String(dpi), say`${dpi} pixels per inch`]),
                 String(poster.dpi),
                 (dpi) => change({ dpi: Number(dpi) }),
             ),

@@ -5,6 +5,7 @@
 
 import { make, setText } from '../dom.js';
 import { FORMATS, SHEETS } from '../late-tables.js';
+import { say } from '../words.js';
 import { sidesOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
@@ -64,7 +65,7 @@ export function createPreview(frame, { shown, fitted }) {
     function imageOf(blob) {
         const old = address;
         address = URL.createObjectURL(blob);
-        const image = make('img', { src: address, alt: 'The drawing' });
+        const image = make('img', { src: address, alt: say`The drawing` });
         if (old) image.addEventListener('load', () => URL.revokeObjectURL(old), { once: true });
         return image;
     }
@@ -90,7 +91,7 @@ export function createPreview(frame, { shown, fitted }) {
         const own = ++last;
         const element = await content
             .catch(() => shown().then(imageOf))
-            .catch(() => make('p', { class: 'note' }, 'Nothing to show.'));
+            .catch(() => make('p', { class: 'note' }, say`Nothing to show.`));
         if (own === last) frame.replaceChildren(element);
     }
 
@@ -99,7 +100,7 @@ export function createPreview(frame, { shown, fitted }) {
         last += 1;
         if (frame.firstElementChild?.tagName !== 'PRE')
             frame.replaceChildren(
-                make('pre', { tabindex: '0', role: 'region', 'aria-label': 'Beginning of the file' }),
+                make('pre', { tabindex: '0', role: 'region', 'aria-label': say`Beginning of the file` }),
             );
         setText(/** @type {Element} */ (frame.firstElementChild), text);
     }

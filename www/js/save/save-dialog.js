@@ -13,6 +13,7 @@ import { button, byId, closes, html, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { addElements } from '../late.js';
 import { FORMATS } from '../late-tables.js';
+import { said, say } from '../words.js';
 import { pixelSize, posterSides, posterValues, rowOf, savedName, sizeWords, valuesFor } from './choices.js';
 import { optionFields } from './fields.js';
 import { createMaking } from './making.js';
@@ -35,7 +36,7 @@ const isStrokes = (name) =>
 const notMade = (reason) => ({
     field: 'file',
     severity: 'error',
-    message: `Not made: ${reason ?? 'the file could not be made'}.`,
+    message: reason === null ? say`Not made: the file could not be made.` : say`Not made: ${reason}.`,
     hint: null,
     fix: null,
     start: 0,
@@ -107,7 +108,7 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     }
 
     const purposes = groups.map(({ purpose, label }) =>
-        tile('save-purpose', purpose, () => choosePurpose(purpose), make('span', {}, label)),
+        tile('save-purpose', purpose, () => choosePurpose(purpose), make('span', {}, said(label))),
     );
     html('save-purposes').replaceChildren(...purposes);
 
@@ -120,8 +121,8 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
                     'save-format',
                     name,
                     () => chooseFormat(name),
-                    make('span', { class: 'save-label' }, label),
-                    make('span', { class: 'save-help' }, help),
+                    make('span', { class: 'save-label' }, said(label)),
+                    make('span', { class: 'save-help' }, said(help)),
                 ),
             ),
         );
@@ -143,7 +144,7 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
         setText(html('save-advice'), advised.get(choices.purpose)?.why ?? '');
         html('save-options-set').hidden = names.length === 0;
         const custom = customRow();
-        setText(save, custom ? custom.action : 'Save');
+        setText(save, custom ? custom.action : say`Save`);
         setText(html('save-name'), name ? savedName(fileName(store.state), name) : '');
         refresh(0);
     }
@@ -177,16 +178,22 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
     function advise() {
         advised.clear();
         if (store.state.ink === 'density' && isStrokes(rowOf({ ...choices, purpose: 'screen' }, groups).name))
-            advised.set('screen', { name: 'png', why: 'PNG, because files of strokes lose the glow of additive ink.' });
+            advised.set('screen', {
+                name: 'png',
+                why: say`PNG, because files of strokes lose the glow of additive ink.`,
+            });
     }
 
     /** Tells which formats can hold a drawing that has too many segments for a file of strokes, and takes one. @param {string} name @param {Made} made */
     function adviseAfter(name, { diagnostics }) {
         if (!isStrokes(name) || diagnostics.some(({ field }) => field !== 'numbers' && field !== 'file')) return '';
-        if (choices.purpose !== 'screen') return 'Under Screen, PNG holds every drawing, and Compact SVG most.';
-        const why = 'PNG holds every drawing, and Compact SVG most.';
+        if (choices.purpose !== 'screen') return say`Under Screen, PNG holds every drawing, and Compact SVG most.`;
+        const why = say`PNG holds every drawing, and Compact SVG most.`;
         if (isOwnChoice) return why;
-        advised.set('screen', { name: 'png', why: `PNG, because ${FORMATS.svg.label} would be too large. ${why}` });
+        advised.set('screen', {
+            name: 'png',
+            why: `${say`PNG, because ${said(FORMATS.svg.label)} would be too large.`} ${why}`,
+        });
         showRows();
         return null;
     }
@@ -210,7 +217,7 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
             if (!what) return preview.showDrawing();
             // A large picture takes long, so it is made when it is saved.
             if (FORMATS[what.format].content === 'pixels') {
-                setText(html('save-size'), `${pixelSize(what.values['size'], canvas()).replace('x', ' × ')} pixels`);
+                setText(html('save-size'), say`${pixelSize(what.values['size'], canvas()).replace('x', ' × ')} pixels`);
                 if (isPoster()) return preview.showPoster(posterSides(choices.poster));
                 return void preview.show(what.format, what.values, null);
             }
@@ -223,9 +230,10 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
         const name = format();
         if (!name) return;
         const { state, size, diagnostics, reason } = made;
-        if (state === 'making') setText(html('save-size'), size > 0 ? `${sizeWords(size)} so far` : 'Making the file…');
+        if (state === 'making')
+            setText(html('save-size'), size > 0 ? say`${sizeWords(size)} so far` : say`Making the file…`);
         else if (state === 'made') setText(html('save-size'), sizeWords(size));
-        else if (state === 'large') setText(html('save-size'), `More than ${sizeWords(size)}`);
+        else if (state === 'large') setText(html('save-size'), say`More than ${sizeWords(size)}`);
         else setText(html('save-size'), '');
         if (state !== 'making') {
             if (state === 'failed') {
@@ -268,14 +276,14 @@ export function createSaveDialog({ store, remembered, exports, files, canvas, cu
         dialog.close();
         // A remark about the file, such as that it opens slowly.
         const [remark] = diagnostics;
-        toast(remark ? [remark.message, remark.hint].filter(Boolean).join(' ') : `Saved, ${sizeWords(blob.size)}`);
+        toast(remark ? [remark.message, remark.hint].filter(Boolean).join(' ') : say`Saved, ${sizeWords(blob.size)}`);
     }
 
     save.addEventListener('click', saveNow);
     stop.addEventListener('click', () => {
         making.cancel();
         setSaving(false);
-        setText(html('save-size'), 'Cancelled');
+        setText(html('save-size'), say`Cancelled`);
         save.focus();
     });
     closes(dialog, 'close-save');

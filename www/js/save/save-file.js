@@ -3,6 +3,7 @@
 import { byId, make } from '../dom.js';
 import { definitionOf } from '../state.js';
 import { FORMATS } from '../late-tables.js';
+import { say } from '../words.js';
 import { pixelSize, sizeOf } from './choices.js';
 
 /** @typedef {import('../protocol.js').Format} Format */
@@ -19,7 +20,7 @@ export function createSaveFile({ store, engine, exports, canvas }) {
     /** The width and the height of a picture that is asked for. @param {import('./choices.js').Value | undefined} size @returns {[number, number]} */
     function sidesOf(size) {
         const sides = sizeOf(pixelSize(size, canvas()), { most: Infinity });
-        if (!sides) throw new Error('the size is not a width and a height');
+        if (!sides) throw new Error(say`the size is not a width and a height`);
         return sides;
     }
 
@@ -46,7 +47,7 @@ export function createSaveFile({ store, engine, exports, canvas }) {
             if (!bitmap) throw new Error('there is no picture');
             const picture = make('canvas', {
                 role: 'img',
-                'aria-label': 'The drawing',
+                'aria-label': say`The drawing`,
                 width: String(bitmap.width),
                 height: String(bitmap.height),
             });

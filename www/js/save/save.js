@@ -2,6 +2,7 @@
 
 import { toast } from '../announce.js';
 import { download, fileName } from '../download.js';
+import { say } from '../words.js';
 import { rememberedChoices, savedName, valuesFor } from './choices.js';
 import { createExports } from './exports.js';
 import { createSaveDialog } from './save-dialog.js';
@@ -16,9 +17,9 @@ export function createSave({ store, engine, storage, stage, open }) {
         {
             name: 'film',
             purposes: ['film'],
-            label: 'Film',
-            help: "Growth, the turtle's way, a turn, or any numbers that change: as GIF or video",
-            action: 'Make a film…',
+            label: say`Film`,
+            help: say`Growth, the turtle's way, a turn, or any numbers that change: as GIF or video`,
+            action: say`Make a film…`,
             open: () => void open('film'),
         },
     ];
@@ -41,12 +42,12 @@ export function createSave({ store, engine, storage, stage, open }) {
                 });
                 const [first] = diagnostics;
                 const words = [first?.message, first?.hint].filter(Boolean).join(' ');
-                if (!blob) return toast(`Not saved: ${words || 'the file could not be made.'}`);
+                if (!blob) return toast(words ? say`Not saved: ${words}` : say`Not saved: the file could not be made.`);
                 download(blob, name);
                 // A remark about the file, such as that it opens slowly.
                 if (words) toast(words);
             } catch (error) {
-                toast(`Not saved: ${error instanceof Error ? error.message : error}.`);
+                toast(say`Not saved: ${String(error instanceof Error ? error.message : error)}.`);
             } finally {
                 exports.leave();
             }

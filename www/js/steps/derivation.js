@@ -2,6 +2,7 @@
 
 import { button, html, make } from '../dom.js';
 import { grouped } from '../numerals.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../protocol.js').StepRows} StepRows */
 
@@ -55,7 +56,7 @@ export function createDerivation(tool, told) {
         const stays = children.length === 1 && children[0] === parent;
         const becomes =
             children.length === 0
-                ? [make('span', { class: 'gone' }, 'nothing')]
+                ? [make('span', { class: 'gone' }, say`nothing`)]
                 : children.map((child) => make('code', {}, child));
         if (more !== '0') becomes.push(make('span', { class: 'more' }, `+${grouped(more)}`));
         const item = make(
@@ -63,7 +64,11 @@ export function createDerivation(tool, told) {
             {
                 class: stays ? 'family stays' : 'family',
                 tabindex: index === 0 ? '0' : '-1',
-                'aria-label': stays ? `${parent} stays` : `${parent} becomes ${children.join('') || 'nothing'}`,
+                'aria-label': stays
+                    ? say`${parent} stays`
+                    : children.length === 0
+                      ? say`${parent} becomes nothing`
+                      : say`${parent} becomes ${children.join('')}`,
             },
             make('code', { class: 'parent' }, parent),
             make('span', { class: 'children' }, ...becomes),
@@ -77,7 +82,7 @@ export function createDerivation(tool, told) {
 
     const rest = () =>
         rows
-            ? `Symbols ${grouped(String(start + 1n))} to ${grouped(String(start + BigInt(rows.families.length)))} of ${grouped(rows.lengths[0])}.`
+            ? say`Symbols ${grouped(String(start + 1n))} to ${grouped(String(start + BigInt(rows.families.length)))} of ${grouped(rows.lengths[0])}.`
             : '';
 
     /** @param {number} index */
@@ -89,11 +94,11 @@ export function createDerivation(tool, told) {
         const first = BigInt(family.first) + 1n;
         const where =
             count === 0n
-                ? 'It is deleted'
+                ? say`It is deleted.`
                 : count === 1n
-                  ? `It becomes symbol ${grouped(String(first))} of generation ${at + 1}`
-                  : `It becomes symbols ${grouped(String(first))} to ${grouped(String(first + count - 1n))} of generation ${at + 1}`;
-        return `${family.parent} is symbol ${place} of generation ${at}. ${where}.`;
+                  ? say`It becomes symbol ${grouped(String(first))} of generation ${at + 1}.`
+                  : say`It becomes symbols ${grouped(String(first))} to ${grouped(String(first + count - 1n))} of generation ${at + 1}.`;
+        return `${say`${family.parent} is symbol ${place} of generation ${at}.`} ${where}`;
     }
 
     /** @param {bigint} next */
@@ -125,8 +130,8 @@ export function createDerivation(tool, told) {
         pause: PAUSE,
         words: () =>
             rows
-                ? `Generation ${at}: ${grouped(rows.lengths[0])} symbols. Generation ${at + 1}: ${grouped(rows.lengths[1])}.`
-                : `Generation ${at} cannot be read.`,
+                ? say`Generation ${at}: ${grouped(rows.lengths[0])} symbols. Generation ${at + 1}: ${grouped(rows.lengths[1])}.`
+                : say`Generation ${at} cannot be read.`,
         async show(next, n) {
             definition = next;
             end = n;

@@ -2,6 +2,7 @@
 
 import { byId, html, make } from '../dom.js';
 import { grouped } from '../numerals.js';
+import { say } from '../words.js';
 
 /** The most steps in the table. */
 const MOST = 24;
@@ -46,13 +47,13 @@ export function createSingle(tool) {
                 make('td', {}, together ? grouped(together.length) : ''),
                 make('td', {}, make('code', {}, together ? cut(together.text) : '')),
                 make('td', {}, alone ? grouped(String(alone.length)) : ''),
-                make('td', {}, ...(alone ? marked(alone) : ['no rule fits'])),
+                make('td', {}, ...(alone ? marked(alone) : [say`no rule fits`])),
             );
         });
         const head = make(
             'tr',
             {},
-            ...['Step', 'Symbols', 'All at once', 'Symbols', 'One at a time'].map((words) =>
+            ...[say`Step`, say`Symbols`, say`All at once`, say`Symbols`, say`One at a time`].map((words) =>
                 make('th', { scope: 'col' }, words),
             ),
         );
@@ -69,7 +70,7 @@ export function createSingle(tool) {
         },
         pause: PAUSE,
         words: () =>
-            `Step ${at}: ${grouped(all[at]?.length ?? '') || 'too many'} symbols all at once, ${(singles[at] ?? singles.at(-1))?.length ?? 0} one at a time.`,
+            say`Step ${at}: ${grouped(all[at]?.length ?? '') || say`too many`} symbols all at once, ${String((singles[at] ?? singles.at(-1))?.length ?? 0)} one at a time.`,
         async show(definition) {
             singles = await askSingles(definition);
             system = definition;

@@ -4,6 +4,7 @@ import styles from '../../css/steps.css';
 import { button, byId, closes, html, input, reducedMotion, setText, setValue } from '../dom.js';
 import { showFailure } from '../failure.js';
 import { addElements } from '../late.js';
+import { say } from '../words.js';
 import { createDerivation } from './derivation.js';
 import { createSingle } from './single.js';
 import markup from './steps.html';
@@ -68,16 +69,16 @@ export function createSteps(tool, definition) {
         slider.max = String(chosen() === 'turtle' ? Math.max(1, end) : Math.max(FEWEST, Math.min(end, MOST)));
         setValue(slider, String(at));
         slider.style.setProperty('--at', String(at / Number(slider.max)));
-        slider.setAttribute('aria-label', chosen() === 'turtle' ? 'Symbols read' : 'Generation');
+        slider.setAttribute('aria-label', chosen() === 'turtle' ? say`Symbols read` : say`Generation`);
         setText(html('steps-words'), part().words());
         button('steps-back').disabled = at <= 0;
         button('steps-on').disabled = at >= Number(slider.max);
-        for (const [id, way] of /** @type {const} */ ([
-            ['steps-back', 'Previous'],
-            ['steps-on', 'Next'],
-        ])) {
-            button(id).setAttribute('aria-label', `${way} ${chosen() === 'turtle' ? 'symbol' : 'generation'}`);
-        }
+        const [back, on] =
+            chosen() === 'turtle'
+                ? [say`Previous symbol`, say`Next symbol`]
+                : [say`Previous generation`, say`Next generation`];
+        button('steps-back').setAttribute('aria-label', back);
+        button('steps-on').setAttribute('aria-label', on);
     }
 
     /** @param {number} at */
@@ -91,13 +92,13 @@ export function createSteps(tool, definition) {
         clearInterval(timer);
         timer = 0;
         play.setAttribute('aria-pressed', 'false');
-        setText(play, 'Play');
+        setText(play, say`Play`);
     }
 
     function start() {
         if (part().at >= Number(slider.max)) void seek(0);
         play.setAttribute('aria-pressed', 'true');
-        setText(play, 'Pause');
+        setText(play, say`Pause`);
         timer = window.setInterval(() => {
             if (part().at >= Number(slider.max)) stop();
             else void seek(part().at + 1);

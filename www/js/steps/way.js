@@ -2,6 +2,7 @@
 
 import { byId, html, make } from '../dom.js';
 import { grouped } from '../numerals.js';
+import { say } from '../words.js';
 
 /** @typedef {import('../protocol.js').TurtleState} TurtleState */
 /** @typedef {[number, number, number]} Vector */
@@ -98,27 +99,27 @@ export function createWay(tool, told, moved) {
         const heading = state.axes[0] ?? [0, 0, 0];
         const degrees = ((Math.atan2(heading[1], heading[0]) * 180) / Math.PI + 360) % 360;
         const words = legend.get(kindOf(state.symbol)) ?? '';
-        const facts = {
-            Symbol: at === 0 ? 'the start' : state.symbol,
-            Does: at === 0 ? '' : words || 'nothing',
-            Position: place(state.at),
+        const stored = state.stored.map(place).join(', ');
+        /** @type {[string, string][]} */
+        const facts = [
+            [say`Symbol`, at === 0 ? say`the start` : state.symbol],
+            [say`Does`, at === 0 ? '' : words || say`nothing`],
+            [say`Position`, place(state.at)],
             ...(isSolid
-                ? Object.fromEntries(
-                      ['Heading', 'Left', 'Up'].map((name, axis) => [
-                          name,
-                          place(/** @type {Vector} */ (state.axes[axis])),
-                      ]),
+                ? [say`Heading`, say`Left`, say`Up`].map(
+                      (name, axis) =>
+                          /** @type {[string, string]} */ ([name, place(/** @type {Vector} */ (state.axes[axis]))]),
                   )
-                : { Heading: `${number(degrees)}°` }),
-            Stack:
+                : [/** @type {[string, string]} */ ([say`Heading`, `${number(degrees)}°`])]),
+            [
+                say`Stack`,
                 state.depth === 0
-                    ? 'empty'
-                    : `${state.depth}: ${state.stored.map(place).join(', ')}${state.depth > state.stored.length ? ', …' : ''}`,
-        };
+                    ? say`empty`
+                    : `${state.depth}: ${stored}${state.depth > state.stored.length ? ', …' : ''}`,
+            ],
+        ];
         html('steps-state').replaceChildren(
-            ...Object.entries(facts).flatMap(([name, text]) =>
-                text === '' ? [] : [make('dt', {}, name), make('dd', {}, text)],
-            ),
+            ...facts.flatMap(([name, text]) => (text === '' ? [] : [make('dt', {}, name), make('dd', {}, text)])),
         );
         const from = Math.max(1, Math.min(at - AROUND / 2, states.length - AROUND));
         const shown = states.slice(from, from + AROUND).map(({ symbol }, index) => {
@@ -151,7 +152,7 @@ export function createWay(tool, told, moved) {
             return states.length - 1;
         },
         pause: PAUSE,
-        words: () => `${grouped(String(at))} of ${grouped(length)} symbols read`,
+        words: () => say`${grouped(String(at))} of ${grouped(length)} symbols read`,
         async show(definition, n) {
             const made = await tool.call('trace', { definition, n, count: MOST });
             ({ states, isSolid, length } = made);
@@ -161,7 +162,7 @@ export function createWay(tool, told, moved) {
             draw();
             if (BigInt(length) > BigInt(MOST))
                 told(
-                    `Only the first ${grouped(String(MOST))} of ${grouped(length)} symbols are followed. With fewer iterations all are.`,
+                    say`Only the first ${grouped(String(MOST))} of ${grouped(length)} symbols are followed. With fewer iterations all are.`,
                 );
         },
         seek(next) {

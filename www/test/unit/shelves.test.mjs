@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
 import {
+    LABELS,
     NAMES,
     SHELVES,
     choose,
@@ -62,6 +63,7 @@ test('every system of data_in is on exactly one shelf', () => {
 
 test('the first shelf is small, and the last one takes systems without a shelf', () => {
     assert.equal(NAMES[0], 'Start here');
+    assert.deepEqual(Object.keys(LABELS), NAMES);
     const first = Object.keys(SHELVES['Start here'] ?? {}).length;
     assert.ok(first >= 6 && first <= 8);
     assert.deepEqual(shelved([{ path: 'new/one.json' }]), [['Books and courses', [{ path: 'new/one.json' }]]]);
