@@ -37,15 +37,14 @@ import { DEFAULTS, clean, definitionOf, sameDrawing, sameSystem } from './state.
 import { createStore } from './store.js';
 import { createTool } from './tool.js';
 import { QUESTION, createTrouble } from './trouble.js';
-import { counted, language, said, say, translate } from './words.js';
+import { counted, said, say, translatePage } from './words.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
 /** @typedef {import('./protocol.js').Diagnostic} Diagnostic */
 /** @typedef {import('./embed/options.js').Control} Control */
 
-document.documentElement.lang = language;
-translate(document.body);
+translatePage();
 
 const NOTHING = say`The address of this frame contains no drawing.`;
 

@@ -44,13 +44,12 @@ import { QUESTION, createTrouble } from './trouble.js';
 import { createStore } from './store.js';
 import { theme, themeButton } from './theme.js';
 import { createWind } from './wind.js';
-import { counted, language, say, translate } from './words.js';
+import { counted, say, translatePage } from './words.js';
 
 /** @typedef {import('./state.js').State} State */
 /** @typedef {import('./protocol.js').Report} Report */
 
-document.documentElement.lang = language;
-translate(document.body);
+translatePage();
 
 /** Whether rules may have a curve, or custom symbols a leaf, whose editor then loads. */
 const CURVE = /^[^\S\r\n]*curve\s/m;

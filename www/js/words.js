@@ -8,16 +8,11 @@
 import { jsonOf } from './files.js';
 import { LANGUAGES } from './languages.js';
 
-/** @typedef {import('./protocol.js').Entry} Entry */
+/** The words of the language that is wanted; English if they do not come. */
+export const ours = await catalogue(wanted());
 
-/** The reader's language, a key of `LANGUAGES`. */
-export const language = wanted();
-
-/** All translations; none in English. @type {Record<string, Entry>} */
-export const words = await catalogue();
-
-/** What a worker needs. @type {import('./protocol.js').Catalogue} */
-export const ours = { language, words };
+/** The reader's language, a key of `LANGUAGES`, and all translations; none in English. */
+export const { language, words } = ours;
 
 const plurals = new Intl.PluralRules(language);
 const whole = new Intl.NumberFormat(language, { maximumFractionDigits: 0 });
@@ -39,14 +34,15 @@ function kept() {
     }
 }
 
-/** @returns {Promise<Record<string, Entry>>} */
-async function catalogue() {
-    if (language === 'en') return {};
+/** @param {string} language @returns {Promise<import('./protocol.js').Catalogue>} */
+async function catalogue(language) {
+    const english = { language: 'en', words: {} };
+    if (language === 'en') return english;
     try {
-        return await jsonOf(`lang/${language}/words.json`);
+        return { language, words: await jsonOf(`lang/${language}/words.json`) };
     } catch {
         // A page without its words is still a page.
-        return {};
+        return english;
     }
 }
 

@@ -2,14 +2,13 @@
 
 import { copyText } from '../copy.js';
 import { html, button, make, setText } from '../dom.js';
-import { language, say, translate } from '../words.js';
+import { say, translatePage } from '../words.js';
 import { createPackage } from './package.js';
 
 /** Where the site's lesson keeps the place and what is done, in this browser. */
 const KEY = 'l-system-lesson';
 
-document.documentElement.lang = language;
-translate(document.body);
+translatePage();
 
 const steps = [...document.querySelectorAll('.step')];
 const tasks = [...document.querySelectorAll('[data-step]')].filter((task) => task instanceof HTMLElement);

@@ -3,13 +3,12 @@
 import { button, byId, html, icon, input, reducedMotion, setText } from '../dom.js';
 import { bestLink, openLink } from '../packed.js';
 import { definitionOf } from '../state.js';
-import { language, say, translate } from '../words.js';
+import { say, translatePage } from '../words.js';
 import { filmIn, guarded } from './embed-code.js';
 import { createFilmTool } from './frames.js';
 import { createPlayer } from './player.js';
 
-document.documentElement.lang = language;
-translate(document.body);
+translatePage();
 
 const NOTHING = say`The address of this frame contains no film.`;
 

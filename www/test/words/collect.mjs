@@ -83,10 +83,9 @@ function ofScript(name, add) {
         if (node.type === 'TaggedTemplateExpression' && node.tag.name === 'say')
             add(name, node.quasi.quasis.map((/** @type {any} */ part) => part.value.cooked).join('{}'));
         if (node.type !== 'CallExpression') return;
-        const [first, second, third] = node.arguments.map(literal);
+        const [, second, third] = node.arguments.map(literal);
         if (node.callee.name === 'said') for (const text of choices(node.arguments[0])) add(name, text);
         if (node.callee.name === 'counted' && second !== null && third !== null) add(name, third, second);
-        void first;
     });
 }
 
@@ -149,6 +148,13 @@ function ofTables(add) {
             if (node.type !== 'Property') return;
             const [key, text] = [node.key.name ?? node.key.value, literal(node.value)];
             if (text !== null && ['label', 'help', 'task', 'unit', 'expected'].includes(key)) add(name, text);
+            // The names of choices.
+            if (key === 'words')
+                visit(node.value, (inside) => inside.type === 'Property' && add(name, literal(inside.value) ?? ''));
+        });
+        visit(tree, (node) => {
+            if (node.type !== 'VariableDeclarator' || node.id.name !== 'PURPOSES') return;
+            visit(node.init, (inside) => inside.type === 'Property' && add(name, literal(inside.value) ?? ''));
         });
     }
     /** @param {string} name @param {any} value @param {string} [key] */
