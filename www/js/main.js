@@ -42,6 +42,7 @@ import { clean, definitionOf, same, sameDrawing, sameSystem } from './state.js';
 import { createStorage } from './storage.js';
 import { QUESTION, createTrouble } from './trouble.js';
 import { createStore } from './store.js';
+import { languageChoice } from './language.js';
 import { theme, themeButton } from './theme.js';
 import { createWind } from './wind.js';
 import { counted, say, translatePage } from './words.js';
@@ -139,6 +140,7 @@ window.launchQueue?.setConsumer(async ({ files: [file] }) => file && dialogs.ope
 html('mathematics').addEventListener('toggle', () => void dialogs.open('mathematics'));
 if (/[#&]film=./.test(location.hash)) void dialogs.open('film', location.hash);
 engine.share(createMates(matesOn(navigator)));
+languageChoice();
 themeButton((next) => {
     // A system in the theme's default colours, and the opening plant, take the new theme's colours.
     const former = next === 'dark' ? 'light' : 'dark';
