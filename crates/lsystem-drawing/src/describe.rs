@@ -295,7 +295,7 @@ pub(crate) fn describe(
     } else {
         counted!(number, "A line figure of {1} line", "A line figure of {1} lines", lines)
     };
-    let after = counted!(n, "after {} derivation step", "after {} derivation steps");
+    let after = counted!(n, "after {1} derivation step", "after {1} derivation steps", n);
     let made = match blocks {
         None => say!("Every symbol was derived by itself."),
         Some(1) => say!("One piece makes it up."),

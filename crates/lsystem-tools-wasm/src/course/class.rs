@@ -2,6 +2,7 @@
 
 use super::exercise::undrawable;
 use crate::{from_js, to_js};
+use lsystem_base::say;
 use lsystem_course::{Answer, Class, Exercise, Marked, Marker, Varied, answers, exercise_in, mistakes};
 use serde::Serialize;
 use std::collections::VecDeque;
@@ -68,11 +69,13 @@ impl ClassMarking {
         let wanted = if exercise.trim().is_empty() { text } else { exercise };
         let veiled = exercise_in(wanted)
             .or_else(|| is_bare(exercise).then(|| exercise.trim().to_owned()))
-            .ok_or("There is no link of an exercise (with x=…).")?;
-        let class = Class::new(veiled).map_err(|wrong| format!("The exercise {wrong}."))?;
-        let left: VecDeque<Answer> = answers(text, "Answer", class.veiled()).take(MOST).collect();
+            .ok_or_else(|| say!("There is no link of an exercise (with x=…)."))?;
+        let class = Class::new(veiled).map_err(|wrong| say!("The exercise {}.", wrong))?;
+        let left: VecDeque<Answer> = answers(text, &say!("Answer"), class.veiled()).take(MOST).collect();
         if left.is_empty() {
-            return Err("There is no answer: paste links, one on each line, or a table with a column of links.".into());
+            return Err(
+                say!("There is no answer: paste links, one on each line, or a table with a column of links.").into()
+            );
         }
         Ok(Self { class, left, marked: Vec::new() })
     }
