@@ -279,7 +279,7 @@ impl Marker {
                 let agreement = if has_ink { agreement } else { 0.0 };
                 let words = match is_same {
                     Some(true) => self.same(&marking.whole),
-                    _ => say!("{} of the ink agrees.", percent(agreement)),
+                    _ => say!("{} of the ink agrees.", shown(&percent(agreement))),
                 };
                 self.marked(marking, own, agreement, is_same, words)
             }
@@ -361,7 +361,7 @@ impl Marker {
             true => say!("Over many seeds the numbers of segments and the sizes agree."),
             false => say!(
                 "Over many seeds the numbers of segments or the sizes differ; they agree to {}.",
-                percent(1.0 - distance)
+                shown(&percent(1.0 - distance))
             ),
         };
         self.marked(marking, own, 1.0 - distance, Some(is_near), words)
@@ -405,7 +405,7 @@ fn string(definition: &Definition) -> Result<String, Vec<Diagnostic>> {
 
 /// A part in percent, rounded down.
 fn percent(part: f64) -> String {
-    shown(&format!("{:.1} %", libm::floor(part * 1000.0) / 10.0))
+    format!("{:.1} %", libm::floor(part * 1000.0) / 10.0)
 }
 
 /// A count in words: with separators, or with an exponent if it has many digits.

@@ -3,6 +3,7 @@
 use super::exercise::undrawable;
 use crate::{from_js, to_js};
 use lsystem_base::say;
+use lsystem_base::words::shown;
 use lsystem_course::{Answer, Class, Exercise, Marked, Marker, Varied, answers, exercise_in, mistakes};
 use serde::Serialize;
 use std::collections::VecDeque;
@@ -107,7 +108,7 @@ impl ClassMarking {
             link: one.answer.link.clone(),
             is_solved: one.is_solved(),
             agreement: one.grade.as_ref().map_or(0.0, |grade| grade.agreement),
-            percent: one.percent(),
+            percent: shown(&one.percent()),
             symbols: one.grade.as_ref().map(|grade| grade.symbols),
             rules,
             words: one.words(),

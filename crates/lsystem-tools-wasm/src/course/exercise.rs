@@ -2,6 +2,7 @@
 
 use crate::{from_js, to_js};
 use lsystem_base::say;
+use lsystem_base::words::shown;
 use lsystem_course::{Asks, Exercise, Given, Grade, Marker, Marking};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
@@ -135,7 +136,7 @@ impl OpenExercise {
         let Some(mark) = self.marker.step(marking, WORK) else { return Ok(JsValue::NULL) };
         self.marking = None;
         self.is_solved |= mark.is_solved;
-        let percent = mark.percent();
+        let percent = shown(&mark.percent());
         let Grade { is_solved, agreement, is_same, symbols, words, errors, .. } = mark;
         let errors = errors.iter().map(Diagnostic::message).collect();
         let exercise = self.marker.exercise();
