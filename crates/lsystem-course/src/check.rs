@@ -8,6 +8,7 @@ mod string;
 mod words;
 
 use crate::compiled::compiled;
+use lsystem_base::say;
 use lsystem_base::{Limits, MAX_ITERATIONS};
 use lsystem_derive::Tally;
 use lsystem_files::read_segments;
@@ -125,7 +126,7 @@ pub fn check(definition: &Definition, output: &str) -> Check {
     let generation = definition.iterations;
     let refused = |output, verdict| Check { output, generation, expected: None, found: 0, verdict };
     if output.len() > MAX_OUTPUT {
-        let reason = format!("the output has more than {} MiB", MAX_OUTPUT >> 20);
+        let reason = say!("the output has more than {} MiB", MAX_OUTPUT >> 20);
         return refused(Output::Text, Verdict::Unreadable(reason));
     }
     let system = match compiled(definition) {

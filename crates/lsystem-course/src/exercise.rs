@@ -1,6 +1,8 @@
 //! Exercises: a target, what the student is given, and what counts as solved.
 
 use crate::variants::MAX_VARIANTS;
+use lsystem_base::words::said;
+use lsystem_base::{say, word};
 use lsystem_files::packed::{pack, unpack};
 use lsystem_syntax::{Definition, FIELDS, parse};
 use serde::{Deserialize, Serialize};
@@ -64,10 +66,10 @@ impl Asks {
     #[must_use]
     pub fn label(self) -> &'static str {
         match self {
-            Self::Picture => "the picture",
-            Self::Text => "the string",
-            Self::Segments => "the number of segments",
-            Self::Statistics => "the statistics over many seeds",
+            Self::Picture => word!("the picture"),
+            Self::Text => word!("the string"),
+            Self::Segments => word!("the number of segments"),
+            Self::Statistics => word!("the statistics over many seeds"),
         }
     }
 
@@ -75,10 +77,10 @@ impl Asks {
     #[must_use]
     pub fn task(self) -> &'static str {
         match self {
-            Self::Picture => "Find rules that draw the target.",
-            Self::Text => "Find rules that derive the same string.",
-            Self::Segments => "Find rules that draw as many segments as the target.",
-            Self::Statistics => "Find rules of chance whose drawings have the same statistics.",
+            Self::Picture => word!("Find rules that draw the target."),
+            Self::Text => word!("Find rules that derive the same string."),
+            Self::Segments => word!("Find rules that draw as many segments as the target."),
+            Self::Statistics => word!("Find rules of chance whose drawings have the same statistics."),
         }
     }
 
@@ -156,10 +158,10 @@ impl Exercise {
     /// # Errors
     /// A sentence's end that says what is wrong.
     pub fn read(text: &str) -> Result<Self, String> {
-        let bytes = unpack(text, MAX_JSON).map_err(str::to_owned)?;
+        let bytes = unpack(text, MAX_JSON).map_err(said)?;
         let exercise: Self = serde_json::from_slice(&veiled(bytes)).map_err(|error| match error.classify() {
-            serde_json::error::Category::Data => format!("has a wrong value: {error}"),
-            _ => "is damaged or cut off".to_owned(),
+            serde_json::error::Category::Data => say!("has a wrong value: {}", error),
+            _ => say!("is damaged or cut off"),
         })?;
         Ok(exercise.within_limits())
     }

@@ -7,6 +7,8 @@ use crate::repair::{Repair, unmatched};
 use crate::sketch::{Sketch, Sketching};
 use core::cell::Cell;
 use lsystem_base::MAX_ITERATIONS;
+use lsystem_base::words::shown;
+use lsystem_base::{counted, say};
 use lsystem_derive::Tally;
 use lsystem_drawing::{System, why_empty};
 use lsystem_syntax::Definition;
@@ -28,16 +30,16 @@ impl Marker {
         let own = tries.sketch(&whole)?;
         if own.mask.is_empty() && !self.target().mask.is_empty() {
             let system = System::new(&whole).0?;
-            return Some(why_empty(&system, whole.iterations).unwrap_or_else(|| "Nothing is drawn.".to_owned()));
+            return Some(why_empty(&system, whole.iterations).unwrap_or_else(|| say!("Nothing is drawn.")));
         }
         if !exercise.asks.is_searched() {
             return None;
         }
         if Exercise::symbols(&whole) == 0 {
-            return Some("There is no rule yet. A rule says what becomes of a letter: F -> F+F.".to_owned());
+            return Some(say!("There is no rule yet. A rule says what becomes of a letter: F -> F+F."));
         }
         self.turned(&own)
-            .or_else(|| Some(format!("The brackets in the rule of {} do not match.", unmatched(&student.rules)?)))
+            .or_else(|| Some(say!("The brackets in the rule of {} do not match.", unmatched(&student.rules)?)))
             .or_else(|| Some(Repair::of(exercise, student)?.to_string()))
             .or_else(|| self.other_size(&own, &whole))
             .or_else(|| self.other_heading(&whole, &tries))
@@ -60,12 +62,12 @@ impl Marker {
             own.mask.turned(quarters, is_mirrored).agreement(&self.target().mask) >= LOOKS_THE_SAME
         })?;
         Some(match (quarters, is_mirrored) {
-            (0, _) => "Your drawing is a mirror image: left and right are exchanged.".to_owned(),
-            (2, true) => "Your drawing is a mirror image: it is upside down.".to_owned(),
-            (_, true) => "Your drawing is a mirror image, and turned.".to_owned(),
-            (1, false) => "The shape is right, but turned by 90 degrees to the right.".to_owned(),
-            (2, false) => "The shape is right, but upside down.".to_owned(),
-            (_, false) => "The shape is right, but turned by 90 degrees to the left.".to_owned(),
+            (0, _) => say!("Your drawing is a mirror image: left and right are exchanged."),
+            (2, true) => say!("Your drawing is a mirror image: it is upside down."),
+            (_, true) => say!("Your drawing is a mirror image, and turned."),
+            (1, false) => say!("The shape is right, but turned by 90 degrees to the right."),
+            (2, false) => say!("The shape is right, but upside down."),
+            (_, false) => say!("The shape is right, but turned by 90 degrees to the left."),
         })
     }
 
@@ -76,10 +78,13 @@ impl Marker {
         }
         Some(match (self.segments(), own.segments(whole)) {
             (Some(expected), Some(found)) if *expected != found => {
-                let much = if found > *expected { "too many" } else { "too few" };
-                format!("Right outline, {much} segments: {} instead of {}.", counted(&found), counted(expected))
+                if found > *expected {
+                    say!("Right outline, too many segments: {} instead of {}.", counted(&found), counted(expected))
+                } else {
+                    say!("Right outline, too few segments: {} instead of {}.", counted(&found), counted(expected))
+                }
             }
-            _ => "It looks right, but details differ. Compare the finest parts.".to_owned(),
+            _ => say!("It looks right, but details differ. Compare the finest parts."),
         })
     }
 
@@ -90,8 +95,12 @@ impl Marker {
             let turned = Definition { heading: whole.heading + by, ..whole.clone() };
             *by != 0.0 && tries.sketch(&turned).is_some_and(|turned| self.looks_like(&turned))
         })?;
-        let way = if by > 0.0 { "right" } else { "left" };
-        Some(format!("The shape is right, but turned by {} degrees to the {way}.", by.abs()))
+        let degrees = shown(&by.abs().to_string());
+        Some(if by > 0.0 {
+            say!("The shape is right, but turned by {} degrees to the right.", degrees)
+        } else {
+            say!("The shape is right, but turned by {} degrees to the left.", degrees)
+        })
     }
 
     fn other_generation(&self, whole: &Definition, tries: &Tries) -> Option<String> {
@@ -103,13 +112,24 @@ impl Marker {
                     .sketch(&Definition { iterations: n, ..whole.clone() })
                     .is_some_and(|other| self.looks_like(&other))
         })?;
-        let (way, count) = (if is_more { "more" } else { "less" }, ["one", "two"][steps as usize - 1]);
-        let s = if steps == 1 { "" } else { "s" };
-        Some(match self.exercise().n {
-            Given::Free => format!("The same after {count} {way} iteration{s}."),
-            _ => format!("It would be the same after {count} {way} iteration{s}: in each step your rules do {}.", {
-                if is_more { "too little" } else { "too much" }
-            }),
+        let is_free = self.exercise().n == Given::Free;
+        Some(match (is_free, is_more) {
+            (true, true) => {
+                counted!(steps, "The same after one more iteration.", "The same after two more iterations.")
+            }
+            (true, false) => {
+                counted!(steps, "The same after one less iteration.", "The same after two less iterations.")
+            }
+            (false, true) => counted!(
+                steps,
+                "It would be the same after one more iteration: in each step your rules do too little.",
+                "It would be the same after two more iterations: in each step your rules do too little."
+            ),
+            (false, false) => counted!(
+                steps,
+                "It would be the same after one less iteration: in each step your rules do too much.",
+                "It would be the same after two less iterations: in each step your rules do too much."
+            ),
         })
     }
 
@@ -121,7 +141,7 @@ impl Marker {
         let found = ANGLES.into_iter().chain([own]).any(|angle| {
             tries.sketch(&Definition { angle, ..whole.clone() }).is_some_and(|other| self.looks_like(&other))
         });
-        found.then(|| "The rules are right, but the angle is not.".to_owned())
+        found.then(|| say!("The rules are right, but the angle is not."))
     }
 
     /// The first segment that differs.
@@ -130,29 +150,32 @@ impl Marker {
         let Difference { right, kind } = Difference::of(&own, &target)?;
         let many = |count: usize| counted(&Tally::from(count as u128));
         let subject = match right {
-            0 => "The first segment".to_owned(),
-            1 => "The first segment is right. The second".to_owned(),
-            right => format!("The first {} segments are right. The next", many(right)),
+            0 => say!("The first segment"),
+            1 => say!("The first segment is right. The second"),
+            right => say!("The first {} segments are right. The next", many(right)),
         };
         Some(match kind {
-            Kind::TooShort => format!("{subject} has the right direction, but is too short."),
-            Kind::TooLong => format!("{subject} has the right direction, but is too long."),
+            Kind::TooShort => say!("{} has the right direction, but is too short.", subject),
+            Kind::TooLong => say!("{} has the right direction, but is too long.", subject),
             Kind::Turned(Some(by)) => {
-                let way = if by > 0.0 { "right" } else { "left" };
-                format!("{subject} has the right length, but points too far to the {way}.")
+                if by > 0.0 {
+                    say!("{} has the right length, but points too far to the right.", subject)
+                } else {
+                    say!("{} has the right length, but points too far to the left.", subject)
+                }
             }
-            Kind::Turned(None) => format!("{subject} has the right length, but another direction."),
-            Kind::Other => format!("{subject} has another direction and another length."),
-            Kind::Elsewhere => format!("{subject} begins where the target has none: look at what comes before it."),
-            Kind::Missing(count) => format!(
-                "All that you draw is right, but {} segment{} missing.",
-                if count == 1 { "one".to_owned() } else { many(count) },
-                if count == 1 { " is" } else { "s are" },
+            Kind::Turned(None) => say!("{} has the right length, but another direction.", subject),
+            Kind::Other => say!("{} has another direction and another length.", subject),
+            Kind::Elsewhere => say!("{} begins where the target has none: look at what comes before it.", subject),
+            Kind::Missing(count) => counted!(
+                count,
+                "All that you draw is right, but one segment is missing.",
+                "All that you draw is right, but {} segments are missing."
             ),
-            Kind::TooMany(count) => format!(
-                "Nothing is missing, but {} segment{} too many.",
-                if count == 1 { "one".to_owned() } else { many(count) },
-                if count == 1 { " is" } else { "s are" },
+            Kind::TooMany(count) => counted!(
+                count,
+                "Nothing is missing, but one segment is too many.",
+                "Nothing is missing, but {} segments are too many."
             ),
         })
     }

@@ -4,6 +4,8 @@ use crate::compiled::compiled;
 use crate::correspondence::draw_alike;
 use crate::exercise::{Asks, Exercise};
 use crate::repair::{drawn, ink, is_of};
+use lsystem_base::say;
+use lsystem_base::words::{grouped, shown};
 
 use crate::same::Outline;
 use crate::sample::{Sample, Sampling};
@@ -13,7 +15,6 @@ use lsystem_derive::Tally;
 use lsystem_drawing::expand;
 use lsystem_render::mask::Mask;
 use lsystem_render::{Renderer, View, Viewport, fit};
-use lsystem_syntax::message::grouped;
 use lsystem_syntax::{Definition, Diagnostic, Style};
 
 /// Pictures whose ink agrees less than this are different: equal ones differ by the rounding of pixels only.
@@ -263,11 +264,11 @@ impl Marker {
             Asks::Segments => {
                 let found = own.segments(&marking.whole);
                 let (Some(expected), Some(found)) = (&self.segments, &found) else {
-                    let words = "There are too many segments to count.".to_owned();
+                    let words = say!("There are too many segments to count.");
                     return self.marked(marking, own, 0.0, None, words);
                 };
                 let agreement = expected.min(found).ratio(expected.max(found)).unwrap_or(1.0);
-                let words = format!("{} of {} segments.", counted(found), counted(expected));
+                let words = say!("{} of {} segments.", counted(found), counted(expected));
                 self.marked(marking, own, agreement, Some(expected == found), words)
             }
             Asks::Picture | Asks::Statistics => {
@@ -277,30 +278,35 @@ impl Marker {
                 let has_ink = is_same == Some(true) || !own.mask.is_empty();
                 let agreement = if has_ink { agreement } else { 0.0 };
                 let words = match is_same {
-                    Some(true) => format!("The picture is the same{}.", self.reach(&marking.whole)),
-                    _ => format!("{} of the ink agrees.", percent(agreement)),
+                    Some(true) => self.same(&marking.whole),
+                    _ => say!("{} of the ink agrees.", shown(&percent(agreement))),
                 };
                 self.marked(marking, own, agreement, is_same, words)
             }
         }
     }
 
-    /// For which numbers of iterations an answer that is right is right, too; empty if that is not known.
-    fn reach(&self, whole: &Definition) -> String {
+    /// That an answer is right, and for which numbers of iterations it is right, too, if that is known.
+    fn same(&self, whole: &Definition) -> String {
         let target = &self.exercise.target;
         let n = target.iterations;
+        let alone = || say!("The picture is the same.");
         if whole.iterations != n || n == 0 {
-            return String::new();
+            return alone();
         }
         if draw_alike(whole, target) {
-            return ", at every number of iterations".to_owned();
+            return say!("The picture is the same, at every number of iterations.");
         }
         let at = |definition: &Definition, n: u32| Definition { iterations: n, ..definition.clone() };
         let is_same_at = |n: u32| {
             let ink = ink(&at(target, n), MOST_COMPARED);
             ink.zip(drawn(&at(whole, n), MOST_COMPARED)).is_some_and(|(mut ink, own)| is_of(&mut ink, &own))
         };
-        if n <= MOST_GENERATIONS && (0..n).all(is_same_at) { format!(", for n up to {n}") } else { String::new() }
+        if n <= MOST_GENERATIONS && (0..n).all(is_same_at) {
+            say!("The picture is the same, for n up to {}.", n)
+        } else {
+            alone()
+        }
     }
 
     /// Whether a drawing is the same picture as the target; `None` if unknown.
@@ -333,15 +339,15 @@ impl Marker {
         let is_same = text == expected;
         let agreement = if is_same { 1.0 } else { same as f64 / found.max(most) as f64 };
         let words = match is_same {
-            true => "The string is the same.".to_owned(),
+            true => say!("The string is the same."),
             false => {
                 let [found, most] = [found, most].map(|count| counted(&Tally::from(count as u128)));
                 let start = match same {
-                    0 => "The first symbol differs.".to_owned(),
-                    1 => "The first symbol agrees, the second differs.".to_owned(),
-                    same => format!("The first {} symbols agree.", counted(&Tally::from(same as u128))),
+                    0 => say!("The first symbol differs."),
+                    1 => say!("The first symbol agrees, the second differs."),
+                    same => say!("The first {} symbols agree.", counted(&Tally::from(same as u128))),
                 };
-                format!("{start} Length of your string: {found}; of the target: {most}.")
+                say!("{} Length of your string: {}; of the target: {}.", start, found, most)
             }
         };
         self.own_text = Some(text);
@@ -352,10 +358,10 @@ impl Marker {
         let distance = self.sample.as_ref().map_or(1.0, |target| target.distance(sample));
         let is_near = Sample::is_near(distance);
         let words = match is_near {
-            true => "Over many seeds the numbers of segments and the sizes agree.".to_owned(),
-            false => format!(
+            true => say!("Over many seeds the numbers of segments and the sizes agree."),
+            false => say!(
                 "Over many seeds the numbers of segments or the sizes differ; they agree to {}.",
-                percent(1.0 - distance)
+                shown(&percent(1.0 - distance))
             ),
         };
         self.marked(marking, own, 1.0 - distance, Some(is_near), words)
@@ -376,7 +382,7 @@ impl Marker {
         let is_short = self.exercise.most_symbols.is_none_or(|most| marking.symbols <= most);
         let words = match (is_close, is_short, self.exercise.most_symbols) {
             (true, false, Some(most)) => {
-                format!("{words} But your rules have {} symbols; at most {most} are asked for.", marking.symbols)
+                say!("{} But your rules have {} symbols; at most {} are asked for.", words, marking.symbols, most)
             }
             _ => words,
         };
@@ -407,6 +413,6 @@ pub(crate) fn counted(count: &Tally) -> String {
     const MOST_DIGITS: usize = 39;
     match count.to_string() {
         digits if digits.len() <= MOST_DIGITS => grouped(&digits),
-        digits => format!("about {}.{} × 10^{}", &digits[..1], &digits[1..3], digits.len() - 1),
+        digits => say!("about {} × 10^{}", shown(&format!("{}.{}", &digits[..1], &digits[1..3])), digits.len() - 1),
     }
 }

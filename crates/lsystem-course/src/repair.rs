@@ -7,6 +7,7 @@ use crate::same::Outline;
 use crate::sketch::{LIMITS, lists};
 use core::fmt;
 use lsystem_base::Limits;
+use lsystem_base::say;
 use lsystem_drawing::Figure;
 use lsystem_syntax::{Action, Definition};
 
@@ -74,18 +75,24 @@ impl fmt::Display for Repair {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rule = &self.rule;
         match (self.less, self.more) {
-            (Some((_, Kind::Turn)), Some(Kind::Turn)) => write!(f, "One turn in the rule of {rule} is the wrong one."),
+            (Some((_, Kind::Turn)), Some(Kind::Turn)) => {
+                f.write_str(&say!("One turn in the rule of {} is the wrong one.", rule))
+            }
             (Some((_, Kind::Turn)), Some(_)) => {
-                write!(f, "In the rule of {rule}, a turn stands where a letter should be.")
+                f.write_str(&say!("In the rule of {}, a turn stands where a letter should be.", rule))
             }
             (Some((symbol, _)), Some(Kind::Turn)) => {
-                write!(f, "In the rule of {rule}, one {symbol} stands where a turn should be.")
+                f.write_str(&say!("In the rule of {}, one {} stands where a turn should be.", rule, symbol))
             }
-            (Some((symbol, _)), Some(_)) => write!(f, "One {symbol} in the rule of {rule} should be another letter."),
-            (None, Some(Kind::Turn)) => write!(f, "A turn is missing in the rule of {rule}."),
-            (None, _) => write!(f, "A letter is missing in the rule of {rule}."),
-            (Some((_, Kind::Turn)), None) => write!(f, "There is one turn too many in the rule of {rule}."),
-            (Some((symbol, _)), None) => write!(f, "There is one {symbol} too many in the rule of {rule}."),
+            (Some((symbol, _)), Some(_)) => {
+                f.write_str(&say!("One {} in the rule of {} should be another letter.", symbol, rule))
+            }
+            (None, Some(Kind::Turn)) => f.write_str(&say!("A turn is missing in the rule of {}.", rule)),
+            (None, _) => f.write_str(&say!("A letter is missing in the rule of {}.", rule)),
+            (Some((_, Kind::Turn)), None) => f.write_str(&say!("There is one turn too many in the rule of {}.", rule)),
+            (Some((symbol, _)), None) => {
+                f.write_str(&say!("There is one {} too many in the rule of {}.", symbol, rule))
+            }
         }
     }
 }

@@ -6,6 +6,7 @@
 mod manifest;
 
 use crate::Exercise;
+use lsystem_base::say;
 use miniz_oxide::deflate::compress_to_vec;
 use rawzip::time::UtcDateTime;
 use rawzip::{CompressionMethod, DataDescriptorOutput, ZipArchiveWriter, crc32};
@@ -81,9 +82,9 @@ pub struct ScormPages<'a> {
 /// A sentence about an exercise that is damaged, about too many exercises, or about pages of another version.
 pub fn scorm_package(scorm: &Scorm<'_>, pages: &ScormPages<'_>) -> Result<Vec<u8>, String> {
     if scorm.exercises.len() > MAX_EXERCISES {
-        return Err(format!("A package holds at most {MAX_EXERCISES} exercises."));
+        return Err(say!("A package holds at most {} exercises.", MAX_EXERCISES));
     }
-    let read = |text: &String| Exercise::read(text).map_err(|wrong| format!("The exercise {wrong}."));
+    let read = |text: &String| Exercise::read(text).map_err(|wrong| say!("The exercise {}.", wrong));
     let exercises = scorm.exercises.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let title = title(scorm, &exercises);
     let id = match scorm.exercises {
@@ -91,7 +92,7 @@ pub fn scorm_package(scorm: &Scorm<'_>, pages: &ScormPages<'_>) -> Result<Vec<u8
         all => Exercise::key(&all.join("\n")),
     };
     let page = page(scorm, pages.steps, &id, &title, &exercises)
-        .ok_or("The page of steps belongs to another version of this program.")?;
+        .ok_or_else(|| say!("The page of steps belongs to another version of this program."))?;
     let manifest = manifest::manifest(scorm.standard, &id, &title);
     let read_me = read_me(scorm, &title, &exercises);
     let files = [
@@ -100,7 +101,7 @@ pub fn scorm_package(scorm: &Scorm<'_>, pages: &ScormPages<'_>) -> Result<Vec<u8
         (EXERCISE, pages.exercise),
         (READ_ME, read_me.as_bytes()),
     ];
-    zip(&files).map_err(|error| format!("The package cannot be written ({error})."))
+    zip(&files).map_err(|error| say!("The package cannot be written ({}).", error))
 }
 
 /// The title of a package.

@@ -3,6 +3,7 @@
 use crate::actions::Actions;
 use crate::exercise::Exercise;
 use crate::mark::Marker;
+use lsystem_base::word;
 use lsystem_drawing::System;
 use lsystem_syntax::{Definition, Seen, parse, print_axiom, print_rules};
 use serde::{Deserialize, Serialize};
@@ -41,11 +42,11 @@ impl Varied {
     #[must_use]
     pub fn label(self) -> &'static str {
         match self {
-            Self::Mirrored => "mirrored",
-            Self::Angle => "other angles",
-            Self::Letters => "other letters",
-            Self::Lengths => "other lengths",
-            Self::Seed => "other seeds",
+            Self::Mirrored => word!("mirrored"),
+            Self::Angle => word!("other angles"),
+            Self::Letters => word!("other letters"),
+            Self::Lengths => word!("other lengths"),
+            Self::Seed => word!("other seeds"),
         }
     }
 

@@ -2,9 +2,9 @@
 use crate::System;
 use crate::drawn::shown_by_letter;
 use lsystem_base::sorted::set;
-use lsystem_base::{MAX_ITERATIONS, Meter};
+use lsystem_base::words::{grouped, said, shown};
+use lsystem_base::{MAX_ITERATIONS, Meter, counted, say, word};
 use lsystem_derive::{LetterId, Rewrite, Tally, weigh_until};
-use lsystem_syntax::message::grouped;
 use lsystem_syntax::{Action, Grammar, Heading, Outline, Pattern, Production};
 
 /// A symbol of a system and its actions, in words.
@@ -49,13 +49,12 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
                     Some(name) if at == 0 => numbered_words(system, action, name),
                     _ => action_words(system, action),
                 });
-                words.collect::<Vec<_>>().join(", then ")
+                words.reduce(|first, then| say!("{}, then {}", first, then)).unwrap_or_default()
             } else {
-                let words: Vec<String> = images(id)
+                let words = images(id)
                     .iter()
-                    .map(|image| lsystem_syntax::print::successor(&drawn[image.production - productions.len()]))
-                    .collect();
-                format!("is drawn as {}", words.join(" or "))
+                    .map(|image| lsystem_syntax::print::successor(&drawn[image.production - productions.len()]));
+                say!("is drawn as {}", words.reduce(|one, other| say!("{} or {}", one, other)).unwrap_or_default())
             };
             let names = if names.is_empty() { String::new() } else { format!("({})", names.join(",")) };
             LegendEntry {
@@ -64,8 +63,8 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
                     None => format!("{symbol}{names}"),
                 },
                 actions: match query {
-                    Some(query) => query.words().to_owned(),
-                    None if actions.is_empty() => "draws nothing".to_owned(),
+                    Some(query) => said(query.words()),
+                    None if actions.is_empty() => say!("draws nothing"),
                     None => actions,
                 },
                 rewritten: !matches!(rules.rewrites[id], Rewrite::Keep),
@@ -101,21 +100,21 @@ fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) ->
 /// An action whose number is the parameter `name`, in words.
 fn numbered_words(system: &System, action: Action, name: &str) -> String {
     match action.with(1.0) {
-        Action::Draw(_) | Action::DrawUnmarked(_) => format!("draws {name}"),
-        Action::Move(_) | Action::MoveUnmarked(_) => format!("moves {name}"),
-        Action::TurnLeft(_) => format!("turns left by {name}°"),
-        Action::TurnRight(_) => format!("turns right by {name}°"),
-        Action::PitchDown(_) => format!("pitches down by {name}°"),
-        Action::PitchUp(_) => format!("pitches up by {name}°"),
-        Action::RollLeft(_) => format!("rolls left by {name}°"),
-        Action::RollRight(_) => format!("rolls right by {name}°"),
-        Action::SetColour(_) => format!("takes colour {name}"),
-        Action::SetWidth(_) => format!("draws {name} steps wide"),
-        Action::ScaleLength(_) => format!("multiplies lengths by {name}"),
-        Action::Circle(_) => format!("draws a circle with the diameter {name}"),
-        Action::Fill(Outline::Disc, _) => format!("fills a disc with the diameter {name}"),
-        Action::Fill(outline, _) => format!("draws a {} of length {name}", leaf_words(outline)),
-        Action::Surface(surface, _) => format!("draws the surface {surface}, {name} in size"),
+        Action::Draw(_) | Action::DrawUnmarked(_) => say!("draws {}", name),
+        Action::Move(_) | Action::MoveUnmarked(_) => say!("moves {}", name),
+        Action::TurnLeft(_) => say!("turns left by {}°", name),
+        Action::TurnRight(_) => say!("turns right by {}°", name),
+        Action::PitchDown(_) => say!("pitches down by {}°", name),
+        Action::PitchUp(_) => say!("pitches up by {}°", name),
+        Action::RollLeft(_) => say!("rolls left by {}°", name),
+        Action::RollRight(_) => say!("rolls right by {}°", name),
+        Action::SetColour(_) => say!("takes colour {}", name),
+        Action::SetWidth(_) => say!("draws {} steps wide", name),
+        Action::ScaleLength(_) => say!("multiplies lengths by {}", name),
+        Action::Circle(_) => say!("draws a circle with the diameter {}", name),
+        Action::Fill(Outline::Disc, _) => say!("fills a disc with the diameter {}", name),
+        Action::Fill(outline, _) => say!(leaf_words(outline), name),
+        Action::Surface(surface, _) => say!("draws the surface {}, {} in size", surface, name),
         _ => action_words(system, action),
     }
 }
@@ -126,73 +125,65 @@ fn numbered_words(system: &System, action: Action, name: &str) -> String {
 pub fn kind(system: &System) -> String {
     let productions = &system.grammar.productions;
     let kinds = [
-        ("stochastic", system.has_choices()),
-        ("context-sensitive", productions.iter().any(Production::is_context_sensitive)),
-        ("parametric", system.rules.is_parametric()),
-        ("environmentally sensitive", system.rules.asks()),
+        (word!("stochastic"), system.has_choices()),
+        (word!("context-sensitive"), productions.iter().any(Production::is_context_sensitive)),
+        (word!("parametric"), system.rules.is_parametric()),
+        (word!("environmentally sensitive"), system.rules.asks()),
     ];
     let kinds: Vec<&str> = kinds.into_iter().filter(|(_, holds)| *holds).map(|(kind, _)| kind).collect();
-    if kinds.is_empty() { "deterministic".to_owned() } else { kinds.join(", ") }
+    if kinds.is_empty() { word!("deterministic").to_owned() } else { kinds.join(", ") }
 }
 
-/// A leaf in words.
+/// What draws a leaf of a length, in words.
 fn leaf_words(outline: Outline) -> &'static str {
     match outline {
-        Outline::Disc => "disc",
-        Outline::Lance => "narrow leaf",
-        Outline::Heart => "heart-shaped leaf",
-        Outline::Oak => "lobed leaf",
-        Outline::Needle => "needle",
-        Outline::Petal => "petal",
+        Outline::Disc => word!("draws a disc of length {}"),
+        Outline::Lance => word!("draws a narrow leaf of length {}"),
+        Outline::Heart => word!("draws a heart-shaped leaf of length {}"),
+        Outline::Oak => word!("draws a lobed leaf of length {}"),
+        Outline::Needle => word!("draws a needle of length {}"),
+        Outline::Petal => word!("draws a petal of length {}"),
     }
 }
 
 fn action_words(system: &System, action: Action) -> String {
-    let along = |verb: &str, length: Option<f64>| match length {
-        None => format!("{verb} one step"),
-        Some(length) => format!("{verb} {length}"),
-    };
-    let round = |words: &str, diameter: Option<f64>| match diameter {
-        None => format!("{words} one step wide"),
-        Some(diameter) => format!("{words} {diameter} wide"),
-    };
-    let bend = |verb: &str, degrees: Option<f64>, own: Heading| {
-        format!("{verb} by {}°", degrees.unwrap_or_else(|| own.degrees()))
-    };
+    let figure = |value: f64| shown(&value.to_string());
+    let steps = |length: Option<f64>| length.map_or_else(|| say!("one step"), figure);
+    let degrees = |degrees: Option<f64>, own: Heading| figure(degrees.unwrap_or_else(|| own.degrees()));
     match action {
-        Action::Draw(length) | Action::DrawUnmarked(length) => along("draws", length),
-        Action::Move(length) | Action::MoveUnmarked(length) => along("moves", length),
-        Action::OpenPolygon => "begins a filled polygon".to_owned(),
-        Action::Vertex => "is a vertex of the polygon".to_owned(),
-        Action::ClosePolygon => "fills the polygon".to_owned(),
-        Action::OpenTube => "begins a smooth tube".to_owned(),
-        Action::TubePoint => "draws the tube up to here".to_owned(),
-        Action::CloseTube => "draws the tube up to here and ends it".to_owned(),
-        Action::TurnLeft(degrees) => bend("turns left", degrees, system.turtle.left),
-        Action::TurnRight(degrees) => bend("turns right", degrees, system.turtle.right),
-        Action::PitchDown(degrees) => bend("pitches down", degrees, system.turtle.pitch_down),
-        Action::PitchUp(degrees) => bend("pitches up", degrees, system.turtle.pitch_up),
-        Action::RollLeft(degrees) => bend("rolls left", degrees, system.turtle.roll_left),
-        Action::RollRight(degrees) => bend("rolls right", degrees, system.turtle.roll_right),
-        Action::RollUpright => "rolls upright".to_owned(),
-        Action::TurnRound => "turns round".to_owned(),
-        Action::Cut => "cuts off the rest of its branch in the next step".to_owned(),
-        Action::Push => "starts a branch".to_owned(),
-        Action::Pop => "ends the branch".to_owned(),
-        Action::SetColour(index) => format!("takes colour {index}"),
-        Action::AddColour(1) => "takes the next colour".to_owned(),
-        Action::AddColour(-1) => "takes the previous colour".to_owned(),
-        Action::AddColour(by) => format!("goes {by} colours on"),
-        Action::SetWidth(width) => format!("draws {width} steps wide"),
-        Action::ScaleWidth(factor) if factor < 1.0 => format!("draws thinner (x {factor:.3})"),
-        Action::ScaleWidth(factor) => format!("draws thicker (x {factor:.3})"),
-        Action::ScaleLength(factor) => format!("multiplies lengths by {factor}"),
-        Action::SwapTurns => "exchanges left and right turns".to_owned(),
-        Action::Circle(diameter) => round("draws a circle", diameter),
-        Action::Fill(Outline::Disc, diameter) => round("fills a disc", diameter),
-        Action::Surface(surface, None) => format!("draws the surface {surface}"),
-        Action::Surface(surface, Some(size)) => format!("draws the surface {surface}, {size} in size"),
-        Action::Fill(outline, length) => along(&format!("draws a {} of length", leaf_words(outline)), length),
+        Action::Draw(length) | Action::DrawUnmarked(length) => say!("draws {}", steps(length)),
+        Action::Move(length) | Action::MoveUnmarked(length) => say!("moves {}", steps(length)),
+        Action::OpenPolygon => say!("begins a filled polygon"),
+        Action::Vertex => say!("is a vertex of the polygon"),
+        Action::ClosePolygon => say!("fills the polygon"),
+        Action::OpenTube => say!("begins a smooth tube"),
+        Action::TubePoint => say!("draws the tube up to here"),
+        Action::CloseTube => say!("draws the tube up to here and ends it"),
+        Action::TurnLeft(angle) => say!("turns left by {}°", degrees(angle, system.turtle.left)),
+        Action::TurnRight(angle) => say!("turns right by {}°", degrees(angle, system.turtle.right)),
+        Action::PitchDown(angle) => say!("pitches down by {}°", degrees(angle, system.turtle.pitch_down)),
+        Action::PitchUp(angle) => say!("pitches up by {}°", degrees(angle, system.turtle.pitch_up)),
+        Action::RollLeft(angle) => say!("rolls left by {}°", degrees(angle, system.turtle.roll_left)),
+        Action::RollRight(angle) => say!("rolls right by {}°", degrees(angle, system.turtle.roll_right)),
+        Action::RollUpright => say!("rolls upright"),
+        Action::TurnRound => say!("turns round"),
+        Action::Cut => say!("cuts off the rest of its branch in the next step"),
+        Action::Push => say!("starts a branch"),
+        Action::Pop => say!("ends the branch"),
+        Action::SetColour(index) => say!("takes colour {}", index),
+        Action::AddColour(1) => say!("takes the next colour"),
+        Action::AddColour(-1) => say!("takes the previous colour"),
+        Action::AddColour(by) => say!("goes {} colours on", by),
+        Action::SetWidth(width) => say!("draws {} steps wide", figure(width)),
+        Action::ScaleWidth(factor) if factor < 1.0 => say!("draws thinner (x {})", shown(&format!("{factor:.3}"))),
+        Action::ScaleWidth(factor) => say!("draws thicker (x {})", shown(&format!("{factor:.3}"))),
+        Action::ScaleLength(factor) => say!("multiplies lengths by {}", figure(factor)),
+        Action::SwapTurns => say!("exchanges left and right turns"),
+        Action::Circle(diameter) => say!("draws a circle {} wide", steps(diameter)),
+        Action::Fill(Outline::Disc, diameter) => say!("fills a disc {} wide", steps(diameter)),
+        Action::Surface(surface, None) => say!("draws the surface {}", surface),
+        Action::Surface(surface, Some(size)) => say!("draws the surface {}, {} in size", surface, figure(size)),
+        Action::Fill(outline, length) => say!(leaf_words(outline), steps(length)),
     }
 }
 
@@ -230,35 +221,37 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
         return None;
     }
     if system.rules.axiom.letters.is_empty() {
-        return Some("The axiom is empty: type a symbol to start from, for example F.".to_owned());
+        return Some(say!("The axiom is empty: type a symbol to start from, for example F."));
     }
     let first: String =
         system.rules.axiom.letters.iter().take(8).map(|&s| system.rules.letters[usize::from(s)].symbol).collect();
     if let Some(later) = later {
-        let subject = if n == 0 { first } else { format!("Generation {n}") };
-        return Some(format!("{subject} draws nothing yet: try n = {later}."));
+        return Some(if n == 0 {
+            say!("{} draws nothing yet: try n = {}.", first, later)
+        } else {
+            say!("Generation {} draws nothing yet: try n = {}.", n, later)
+        });
     }
     if n > 0 && at_first {
-        return Some("Every symbol that draws has been rewritten away: try fewer iterations.".to_owned());
+        return Some(say!("Every symbol that draws has been rewritten away: try fewer iterations."));
     }
     let moves = |actions: &[Action]| matches!(actions, [Action::Move(_) | Action::MoveUnmarked(_)]);
     let mut letters = system.rules.letters.iter().zip(&system.turtle.actions);
     if let Some((letter, _)) = letters.find(|(letter, actions)| letter.symbol.is_lowercase() && moves(actions)) {
         let (small, large) = (letter.symbol, letter.symbol.to_ascii_uppercase());
-        return Some(format!("{small} moves without a line: write a capital {large} to draw."));
+        return Some(say!("{} moves without a line: write a capital {} to draw.", small, large));
     }
     let mut first = system.rules.axiom.letters.iter().map(|&letter| usize::from(letter));
     let unwritten = |&letter: &usize| {
         system.rules.letters[letter].symbol.is_alphabetic() && system.rules.by_letter[letter].is_empty()
     };
     if let Some(letter) = first.find(unwritten) {
-        return Some(format!("Write a rule for {}: nothing replaces it.", system.rules.letters[letter].symbol));
+        return Some(say!("Write a rule for {}: nothing replaces it.", system.rules.letters[letter].symbol));
     }
-    Some(
+    Some(say!(
         "No symbol of this system draws: use one that does (F in most dialects), or give one a meaning such as \
          `X: draw`."
-            .to_owned(),
-    )
+    ))
 }
 
 /// A count in words: with separators up to nine digits, then as `1.23 × 10^45` (rounded down).
@@ -266,7 +259,7 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
 pub(crate) fn short_count(count: &Tally) -> String {
     let digits = count.to_string();
     if digits.len() > 9 {
-        return format!("{}.{} × 10^{}", &digits[..1], &digits[1..3], digits.len() - 1);
+        return format!("{} × 10^{}", shown(&format!("{}.{}", &digits[..1], &digits[1..3])), digits.len() - 1);
     }
     grouped(&digits)
 }
@@ -281,31 +274,38 @@ pub(crate) fn describe(
     bounds: Option<[f64; 4]>,
 ) -> String {
     let Some([min_x, min_y, max_x, max_y]) = bounds else {
-        return why_empty(system, n).unwrap_or_else(|| "Nothing is drawn.".to_owned());
+        return why_empty(system, n).unwrap_or_else(|| say!("Nothing is drawn."));
     };
-    let steps = if n == 1 { "step" } else { "steps" };
-    let lines = if *segments == Tally::from(1_u64) { "line" } else { "lines" };
     let (width, height) = (max_x - min_x, max_y - min_y);
     let form = if width > 3.0 * height {
-        "much wider than high"
+        say!("much wider than high")
     } else if height > 3.0 * width {
-        "much taller than wide"
+        say!("much taller than wide")
     } else if width > 1.25 * height {
-        "wider than high"
+        say!("wider than high")
     } else if height > 1.25 * width {
-        "taller than wide"
+        say!("taller than wide")
     } else {
-        "about as wide as high"
+        say!("about as wide as high")
     };
+    let (number, lines) = (segments.to_string().parse().unwrap_or(u64::MAX), short_count(segments));
     let branches = system.turtle.actions.iter().any(|actions| actions.contains(&Action::Push));
-    let what = if branches { "A branching figure" } else { "A line figure" };
-    let random = if !system.is_stochastic() { "" } else { ", one of many that chance can give" };
-    let made = match blocks {
-        None => "Every symbol was derived by itself.".to_owned(),
-        Some(1) => "One piece makes it up.".to_owned(),
-        Some(blocks) => format!("{blocks} shared pieces make it up."),
+    let what = if branches {
+        counted!(number, "A branching figure of {1} line", "A branching figure of {1} lines", lines)
+    } else {
+        counted!(number, "A line figure of {1} line", "A line figure of {1} lines", lines)
     };
-    format!("{what} of {} {lines} after {n} derivation {steps}, {form}{random}. {made}", short_count(segments))
+    let after = counted!(n, "after {1} derivation step", "after {1} derivation steps", n);
+    let made = match blocks {
+        None => say!("Every symbol was derived by itself."),
+        Some(1) => say!("One piece makes it up."),
+        Some(blocks) => say!("{} shared pieces make it up.", blocks),
+    };
+    if system.is_stochastic() {
+        say!("{} {}, {}, one of many that chance can give. {}", what, after, form, made)
+    } else {
+        format!("{what} {after}, {form}. {made}")
+    }
 }
 
 #[cfg(test)]

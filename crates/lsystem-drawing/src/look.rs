@@ -1,5 +1,6 @@
 //! The look of systems whose author chose none: what the turtle's actions say about the drawing decides.
 
+use lsystem_base::word;
 use lsystem_syntax::{Action, ColourBy, Style};
 
 /// The kind of a drawing, as far as its look goes.
@@ -38,11 +39,11 @@ impl Look {
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
-            Self::Plant => "Branches: a thick stem, thinner branches, colours by level.",
-            Self::Tree => "Branches in space: a thick trunk, thinner boughs, colours by level.",
-            Self::Curve => "A line: thinner than its segments are long, colours along the way.",
-            Self::Path => "A line in space: a tube, colours along the way.",
-            Self::Surface => "Surfaces without lines: colours by symbol.",
+            Self::Plant => word!("Branches: a thick stem, thinner branches, colours by level."),
+            Self::Tree => word!("Branches in space: a thick trunk, thinner boughs, colours by level."),
+            Self::Curve => word!("A line: thinner than its segments are long, colours along the way."),
+            Self::Path => word!("A line in space: a tube, colours along the way."),
+            Self::Surface => word!("Surfaces without lines: colours by symbol."),
         }
     }
 

@@ -3,7 +3,9 @@
 
 use super::packed::unpack;
 use lsystem_base::sorted::repeated;
+use lsystem_base::words::said;
 use lsystem_base::{MAX_PALETTE, decimal};
+use lsystem_base::{say, word};
 use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
 
@@ -63,13 +65,13 @@ pub fn read_link(text: &str) -> Option<Link> {
     }
     if hash.len() > LONGEST && hash.encode_utf16().count() > LONGEST {
         let mut link = Link::default();
-        link.problem(hash, format!("The link is longer than {LONGEST} characters and was not read"));
+        link.problem(hash, say!("The link is longer than {} characters and was not read", LONGEST));
         return Some(link);
     }
     let packed = fields_of(hash).filter(|(key, _)| *key == "z").last().map(|(_, value)| value);
     let inside = packed.map(|packed| {
         let bytes = unpack(packed, MOST_UNPACKED)?;
-        String::from_utf8(bytes).map_err(|_| "is damaged or cut off")
+        String::from_utf8(bytes).map_err(|_| word!("is damaged or cut off"))
     });
     let (inside, wrong) = match inside {
         Some(Ok(inside)) => (inside, None),
@@ -78,7 +80,10 @@ pub fn read_link(text: &str) -> Option<Link> {
     };
     let mut link = read_fields(fields_of(&inside).chain(fields_of(hash)));
     if let Some(wrong) = wrong {
-        link.problem(packed.unwrap_or_default(), format!("The compressed part of the link {wrong} and was not read"));
+        link.problem(
+            packed.unwrap_or_default(),
+            say!("The compressed part of the link {} and was not read", said(wrong)),
+        );
     }
     Some(link)
 }
@@ -99,12 +104,12 @@ pub fn read_fields<'a>(fields: impl Iterator<Item = (&'a str, &'a str)>) -> Link
             continue;
         }
         let Some(text) = decoded(value) else {
-            link.problem(value, format!("The value of `{}` is damaged", excerpt(key)));
+            link.problem(value, say!("The value of `{}` is damaged", excerpt(key)));
             continue;
         };
         if key == "v" {
             if number(&text) != Some(1.0) {
-                link.problem(&text, "The link has another version; parts of the drawing may be missing".to_owned());
+                link.problem(&text, say!("The link has another version; parts of the drawing may be missing"));
             }
             continue;
         }
@@ -122,8 +127,13 @@ fn set(link: &mut Link, spec: &FieldSpec, text: &str) {
     let taken = given.as_ref().and_then(|given| nearest(spec.expected, given));
     let is_set = taken.as_ref().is_some_and(|taken| spec.admits(taken) && spec.set(&mut link.definition, taken));
     if !is_set || taken != given {
-        let what = if is_set { "the nearest value was taken" } else { "it was left out" };
-        link.problem(text, format!("The value of `{}` must be {}; {what}", spec.link, spec.expected_words()));
+        let expected = spec.expected_words();
+        let words = if is_set {
+            say!("The value of `{}` must be {}; the nearest value was taken", spec.link, expected)
+        } else {
+            say!("The value of `{}` must be {}; it was left out", spec.link, expected)
+        };
+        link.problem(text, words);
     }
 }
 

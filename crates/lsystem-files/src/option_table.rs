@@ -4,6 +4,7 @@
 
 use crate::FileOptions;
 use lsystem_base::number::number;
+use lsystem_base::say;
 use lsystem_base::{MAX_PICTURE_SIDE, decimal};
 use lsystem_plot::{Corner, SHEETS, Sheet};
 use lsystem_sound::{MAX_NOTES, Pitch, Scale, Time};
@@ -344,18 +345,18 @@ impl FileOption {
     #[must_use]
     pub fn expected_words(&self) -> String {
         match self.kind {
-            OptionKind::Flag => "true or false".to_owned(),
-            OptionKind::Number { low, high, .. } => format!("a number from {} to {}", number(low), number(high)),
+            OptionKind::Flag => say!("true or false"),
+            OptionKind::Number { low, high, .. } => say!("a number from {} to {}", number(low), number(high)),
             OptionKind::Word { words, .. } => {
-                format!("one of {}", words.iter().map(|(word, _)| format!("`{word}`")).collect::<Vec<_>>().join(", "))
+                say!("one of {}", words.iter().map(|(word, _)| format!("`{word}`")).collect::<Vec<_>>().join(", "))
             }
-            OptionKind::Sheet { words, low, high, .. } => format!(
+            OptionKind::Sheet { words, low, high, .. } => say!(
                 "{}, or a width and a height such as 300x400, with {} to {} mm each way",
                 words.iter().map(|(word, _)| format!("`{word}`")).collect::<Vec<_>>().join(", "),
                 number(low),
                 grouped(&number(high))
             ),
-            OptionKind::Size => format!(
+            OptionKind::Size => say!(
                 "a width and a height such as 1600x1200, with 1 to {} pixels each way",
                 grouped(&MAX_PICTURE_SIDE.to_string())
             ),
@@ -375,7 +376,7 @@ impl FileOption {
             }
         };
         let valid = value.filter(|value| self.admits(value));
-        valid.ok_or_else(|| format!("expected {}", self.expected_words()))
+        valid.ok_or_else(|| say!("expected {}", self.expected_words()))
     }
 
     /// Whether a value is possible.
@@ -430,13 +431,13 @@ impl FileOptions {
     /// The first name that does not exist, or the first value that is not possible, in words.
     pub fn from_values(values: &BTreeMap<String, OptionValue>) -> Result<Self, String> {
         if let Some(name) = values.keys().find(|name| FileOption::named(name).is_none()) {
-            return Err(format!("there is no option `{name}`"));
+            return Err(say!("there is no option `{}`", name));
         }
         let mut options = Self::default();
         for option in &FILE_OPTIONS {
             let Some(value) = values.get(option.name) else { continue };
             if !option.admits(value) {
-                return Err(format!("{}: expected {}", option.name, option.expected_words()));
+                return Err(say!("{}: expected {}", option.name, option.expected_words()));
             }
             (option.set)(&mut options, value);
         }

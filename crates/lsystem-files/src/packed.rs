@@ -3,6 +3,7 @@
 
 use base64::engine::general_purpose::{self, GeneralPurpose};
 use base64::{Engine as _, alphabet};
+use lsystem_base::word;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 
@@ -24,10 +25,10 @@ pub fn pack(bytes: &[u8]) -> String {
 /// # Errors
 /// A sentence's end that says what is wrong with the text.
 pub fn unpack(text: &str, most: usize) -> Result<Vec<u8>, &'static str> {
-    let bytes = BASE64URL.decode(text).map_err(|_| "is damaged or cut off")?;
+    let bytes = BASE64URL.decode(text).map_err(|_| word!("is damaged or cut off"))?;
     decompress_to_vec_zlib_with_limit(&bytes, most).map_err(|error| match error.status {
-        TINFLStatus::HasMoreOutput => "is larger than anything that is needed",
-        _ => "is damaged or cut off",
+        TINFLStatus::HasMoreOutput => word!("is larger than anything that is needed"),
+        _ => word!("is damaged or cut off"),
     })
 }
 

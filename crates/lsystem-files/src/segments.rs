@@ -4,6 +4,7 @@ mod svg;
 mod table;
 
 use lsystem_base::decimal;
+use lsystem_base::say;
 
 /// The segments of a file, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +63,7 @@ pub struct SegmentError {
 
 impl core::fmt::Display for SegmentError {
     fn fmt(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(out, "line {}: {}", self.line, self.message)
+        out.write_str(&say!("line {}: {}", self.line, self.message))
     }
 }
 

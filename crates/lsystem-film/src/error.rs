@@ -4,6 +4,7 @@ use crate::script::{MAX_FRAME_PIXELS, MAX_KEYS, MAX_RATE, MAX_SCRIPT, MAX_SECOND
 use crate::{Easing, Ending};
 use core::fmt;
 use core::ops::Range;
+use lsystem_base::say;
 
 /// A mistake in a script.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,36 +48,37 @@ pub enum ScriptProblem {
 impl fmt::Display for ScriptProblem {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Long => write!(out, "a film's text has at most {MAX_SCRIPT} bytes"),
-            Self::Version => out.write_str("a film's text begins with its version, 1, such as `1;10s;n=0:0,8:6`"),
-            Self::Part => write!(
-                out,
+            Self::Long => out.write_str(&say!("a film's text has at most {} bytes", MAX_SCRIPT)),
+            Self::Version => out.write_str(&say!("a film's text begins with its version, 1, such as `1;10s;n=0:0,8:6`")),
+            Self::Part => out.write_str(&say!(
                 "expected seconds (`10s`), a rate (`25fps`), a size (`1280x720`), one of {}, `ease=` or a track such as \
                  `angle=0:20,5:30`",
                 Ending::NAMES.map(|name| format!("`{name}`")).join(", ")
-            ),
-            Self::Twice(name) => write!(out, "{name} stands twice"),
-            Self::Seconds => write!(out, "a film has 0.04 to {MAX_SECONDS} seconds"),
-            Self::Rate => write!(out, "a film has 1 to {MAX_RATE} frames a second, a whole number"),
-            Self::Size => write!(
-                out,
-                "a frame has {MIN_SIDE} to {MAX_SIDE} pixels each way and at most {MAX_FRAME_PIXELS} in all"
-            ),
-            Self::Segment => out.write_str("expected `@` and the number of a segment, from 1"),
+            )),
+            Self::Twice(name) => out.write_str(&say!("{} stands twice", name)),
+            Self::Seconds => out.write_str(&say!("a film has 0.04 to {} seconds", MAX_SECONDS)),
+            Self::Rate => out.write_str(&say!("a film has 1 to {} frames a second, a whole number", MAX_RATE)),
+            Self::Size => out.write_str(&say!(
+                "a frame has {} to {} pixels each way and at most {} in all",
+                MIN_SIDE,
+                MAX_SIDE,
+                MAX_FRAME_PIXELS
+            )),
+            Self::Segment => out.write_str(&say!("expected `@` and the number of a segment, from 1")),
             Self::Easing => {
-                write!(out, "an easing is one of {}", Easing::NAMES.map(|name| format!("`{name}`")).join(", "))
+                out.write_str(&say!("an easing is one of {}", Easing::NAMES.map(|name| format!("`{name}`")).join(", ")))
             }
-            Self::Subject => out.write_str(
+            Self::Subject => out.write_str(&say!(
                 "a track is `n`, `drawn`, `view`, `camera`, a number of the system by its key in links such as `angle`, \
-                 or a constant such as `rules.r`",
-            ),
-            Self::Tracks => write!(out, "a film has at most {MAX_TRACKS} tracks"),
-            Self::Keys => write!(out, "a film has at most {MAX_KEYS} keys"),
-            Self::Key => out.write_str("a key is a time and a value, such as `5:30` or `5:30~smooth`"),
-            Self::Time => write!(out, "the time of a key is from 0 to {MAX_SECONDS} seconds"),
-            Self::Order => out.write_str("each key is later than the one before"),
-            Self::Count(words) => write!(out, "expected {words}"),
-            Self::Value(words) => write!(out, "expected {words}"),
+                 or a constant such as `rules.r`"
+            )),
+            Self::Tracks => out.write_str(&say!("a film has at most {} tracks", MAX_TRACKS)),
+            Self::Keys => out.write_str(&say!("a film has at most {} keys", MAX_KEYS)),
+            Self::Key => out.write_str(&say!("a key is a time and a value, such as `5:30` or `5:30~smooth`")),
+            Self::Time => out.write_str(&say!("the time of a key is from 0 to {} seconds", MAX_SECONDS)),
+            Self::Order => out.write_str(&say!("each key is later than the one before")),
+            Self::Count(words) => out.write_str(&say!("expected {}", words)),
+            Self::Value(words) => out.write_str(&say!("expected {}", words)),
         }
     }
 }
@@ -95,8 +97,8 @@ pub struct ScriptError {
 impl fmt::Display for ScriptError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.text.as_str() {
-            "" => write!(out, "film: {}", self.problem),
-            text => write!(out, "film, `{text}`: {}", self.problem),
+            "" => out.write_str(&say!("film: {}", self.problem)),
+            text => out.write_str(&say!("film, `{}`: {}", text, self.problem)),
         }
     }
 }
@@ -115,9 +117,9 @@ pub enum FilmError {
 impl fmt::Display for FilmError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoConstant(name) => write!(out, "the rules have no constant `{name}`"),
+            Self::NoConstant(name) => out.write_str(&say!("the rules have no constant `{}`", name)),
             Self::Computed(name) => {
-                write!(out, "the constant `{name}` is computed; only a constant that is a number can change")
+                out.write_str(&say!("the constant `{}` is computed; only a constant that is a number can change", name))
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use core::fmt;
 use lsystem_base::MAX_ITERATIONS;
+use lsystem_base::say;
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
 
@@ -114,10 +115,10 @@ impl Subject {
     /// The number of values of a key, in words.
     pub(crate) fn count_words(&self) -> String {
         match self {
-            Self::View => "3 or 5 numbers: x/y/zoom or x/y/zoom/fx/fy".to_owned(),
-            Self::Camera => "1 to 7 numbers: azimuth/elevation/zoom/x/y/z/fade".to_owned(),
-            Self::Field(FieldSpec { expected: Expected::Each(count, _), .. }) => format!("{count} numbers"),
-            _ => "one number".to_owned(),
+            Self::View => say!("3 or 5 numbers: x/y/zoom or x/y/zoom/fx/fy"),
+            Self::Camera => say!("1 to 7 numbers: azimuth/elevation/zoom/x/y/z/fade"),
+            Self::Field(FieldSpec { expected: Expected::Each(count, _), .. }) => say!("{} numbers", count),
+            _ => say!("one number"),
         }
     }
 

@@ -13,6 +13,8 @@ use core::ops::Range;
 use core::str::FromStr;
 use lsystem_base::decimal;
 use lsystem_base::number::number as written;
+use lsystem_base::word;
+use lsystem_base::words::said;
 use lsystem_drawing::Origin;
 use lsystem_syntax::notes::excerpt;
 
@@ -99,7 +101,7 @@ impl FromStr for Script {
         for &piece in &pieces {
             let Some(kind) = read_part(piece, &mut script)? else { continue };
             if seen.contains(&kind) {
-                return Err(piece.error(ScriptProblem::Twice(kind.to_owned())));
+                return Err(piece.error(ScriptProblem::Twice(said(kind))));
             }
             seen.push(kind);
         }
@@ -130,35 +132,35 @@ fn read_part(piece: Piece<'_>, script: &mut Script) -> Result<Option<&'static st
     }
     if let Some((_, name)) = piece.split_once('=') {
         script.easing = Easing::named(name.text).ok_or_else(|| name.error(ScriptProblem::Easing))?;
-        return Ok(Some("the easing"));
+        return Ok(Some(word!("the easing")));
     }
     if let Some(ending) = Ending::named(piece.text) {
         script.ending = ending;
-        return Ok(Some("the ending"));
+        return Ok(Some(word!("the ending")));
     }
     if piece.text == FIXED {
         script.fixed = true;
-        return Ok(Some("the camera"));
+        return Ok(Some(word!("the camera")));
     }
     if let Some(number) = piece.text.strip_prefix(SEGMENT) {
         script.segment = Some(Origin::read(number).ok_or_else(|| piece.error(ScriptProblem::Segment))?);
-        return Ok(Some("the segment"));
+        return Ok(Some(word!("the segment")));
     }
     if let Some(rate) = piece.without("fps") {
         let rate = rate.whole().filter(|rate| (1..=MAX_RATE).contains(rate));
         script.rate = rate.ok_or_else(|| piece.error(ScriptProblem::Rate))?;
-        return Ok(Some("the rate"));
+        return Ok(Some(word!("the rate")));
     }
     if let Some(seconds) = piece.without("s") {
         let seconds = seconds.number().filter(|seconds| (MIN_SECONDS..=MAX_SECONDS).contains(seconds));
         script.seconds = seconds.ok_or_else(|| piece.error(ScriptProblem::Seconds))?;
-        return Ok(Some("the time"));
+        return Ok(Some(word!("the time")));
     }
     if let Some((width, height)) = piece.split_once('x') {
         let sides = (width.whole(), height.whole());
         let (Some(width), Some(height)) = sides else { return Err(piece.error(ScriptProblem::Part)) };
         script.size = checked_size([width, height]).ok_or_else(|| piece.error(ScriptProblem::Size))?;
-        return Ok(Some("the size"));
+        return Ok(Some(word!("the size")));
     }
     Err(piece.error(ScriptProblem::Part))
 }

@@ -2,6 +2,7 @@
 
 use crate::{Found, printed};
 use lsystem_base::Limits;
+use lsystem_base::word;
 use lsystem_drawing::{System, expand};
 use lsystem_syntax::Definition;
 use std::sync::Arc;
@@ -118,25 +119,25 @@ impl Search {
         let symbols = |text: &str| text.chars().filter(|c| !c.is_whitespace()).collect::<Vec<char>>();
         let (axiom, text) = (symbols(axiom), symbols(text));
         if text.is_empty() || text.len() > MAX_TEXT {
-            return Err("The string must have 1 to 65,536 symbols.");
+            return Err(word!("The string must have 1 to 65,536 symbols."));
         }
         if n == 0 || n > MAX_STEPS {
-            return Err("There must be 1 to 30 derivation steps.");
+            return Err(word!("There must be 1 to 30 derivation steps."));
         }
         let mut alphabet: Vec<char> = axiom.iter().chain(&text).copied().collect();
         alphabet.sort_unstable();
         alphabet.dedup();
         if alphabet.len() > MAX_ALPHABET {
-            return Err("The string has more than 60 different symbols.");
+            return Err(word!("The string has more than 60 different symbols."));
         }
         if !alphabet.iter().all(|&symbol| is_plain(symbol, !constants.contains(symbol))) {
-            return Err(
-                "Strings with parentheses, or with other symbols that have a meaning in rules, are not searched.",
-            );
+            return Err(word!(
+                "Strings with parentheses, or with other symbols that have a meaning in rules, are not searched."
+            ));
         }
         let letters: Vec<usize> = (0..alphabet.len()).filter(|&at| !constants.contains(alphabet[at])).collect();
         if letters.len() > MAX_LETTERS {
-            return Err("More than 8 letters could have rules.");
+            return Err(word!("More than 8 letters could have rules."));
         }
         let index = |symbol: &char| alphabet.binary_search(symbol).map_or(0, |at| at as u8);
         let (axiom, text) = (axiom.iter().map(index).collect(), text.iter().map(index).collect());

@@ -1,6 +1,7 @@
 //! Families of systems: those with the same letters, whose rules are free, fixed, or the mirror image of another one.
 
 use crate::words::{Alphabet, Symbol, Words};
+use lsystem_base::{say, word};
 
 /// The most symbols of the successors.
 pub(crate) const MAX_SYMBOLS: usize = 24;
@@ -177,6 +178,15 @@ const fn swapped(abc: Alphabet, symbol: Symbol) -> Symbol {
     }
 }
 
+/// A rule and its mirror image, in words.
+fn pair_words(letter: char, is_reversed: bool, other: char) -> String {
+    if is_reversed {
+        say!("a rule for {} and its mirror image from its end for {}", letter, other)
+    } else {
+        say!("a rule for {} and its mirror image for {}", letter, other)
+    }
+}
+
 /// The families of systems with an axiom.
 pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'static str> {
     let mut letters: Vec<char> = Vec::new();
@@ -185,7 +195,7 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
             '+' | '-' | '[' | ']' => {}
             _ if symbol.is_ascii_alphabetic() && !letters.contains(&symbol) => letters.push(symbol),
             _ if symbol.is_ascii_alphabetic() => {}
-            _ => return Err("an axiom of letters, turns + and -, and branches [ ] is expected"),
+            _ => return Err(word!("an axiom of letters, turns + and -, and branches [ ] is expected")),
         }
     }
     let depths = axiom.chars().scan(0, |depth, at| {
@@ -194,7 +204,7 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
     });
     if depths.clone().any(|depth| depth < 0) || depths.last().is_some_and(|depth| depth != 0) || axiom.len() > MAX_AXIOM
     {
-        return Err("an axiom of at most 200 symbols whose branches are closed is expected");
+        return Err(word!("an axiom of at most 200 symbols whose branches are closed is expected"));
     }
     let other = |names: [char; 2]| names.into_iter().find(|name| !letters.contains(name)).unwrap_or('Z');
     let (drawn, undrawn) = (other(DRAWN), other(UNDRAWN));
@@ -223,34 +233,38 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
         [a] => {
             if DRAWN.contains(&a) || !UNDRAWN.contains(&a) {
                 let rank = if DRAWN.contains(&a) { 1 } else { 3 };
-                add(rank, format!("one rule for {a}"), vec![(a, true, Rule::Free)], true);
+                add(rank, say!("one rule for {}", a), vec![(a, true, Rule::Free)], true);
                 // Without branches there are so few successors that much longer ones are reached.
-                add(2 * rank, format!("one rule for {a} without branches"), vec![(a, true, Rule::Free)], false);
+                add(2 * rank, say!("one rule for {} without branches", a), vec![(a, true, Rule::Free)], false);
                 for is_reversed in [false, true] {
-                    let from = if is_reversed { " from its end" } else { "" };
                     let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Mirrored { is_reversed })];
-                    add(4 * rank, format!("a rule for {a} and its mirror image{from} for {drawn}"), pair, false);
+                    add(4 * rank, pair_words(a, is_reversed, drawn), pair, false);
                 }
                 let pair = vec![(a, true, Rule::Free), (drawn, true, Rule::Free)];
-                add(4 * rank, format!("rules for {a} and {drawn}"), pair, true);
+                add(4 * rank, say!("rules for {} and {}", a, drawn), pair, true);
             }
             if !DRAWN.contains(&a) {
                 for draws in [false, true] {
-                    let (kind, rank) = if draws { (", which draws", 8) } else { ("", 2) };
+                    let rank = if draws { 8 } else { 2 };
+                    let rule = if draws { say!("a rule for {}, which draws", a) } else { say!("a rule for {}", a) };
                     let pair = vec![(a, draws, Rule::Free), (drawn, true, doubled(1))];
-                    add(rank, format!("{drawn} -> {drawn}{drawn} and a rule for {a}{kind}"), pair, true);
+                    add(rank, say!("{} and {}", format!("{drawn} -> {drawn}{drawn}"), rule), pair, true);
                     let pair = vec![(a, draws, Rule::Free), (drawn, true, constant(1))];
-                    add(2 * rank, format!("a rule for {a}{kind}, with {drawn}"), pair, true);
+                    add(2 * rank, say!("{}, with {}", rule, drawn), pair, true);
                 }
                 let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Own)];
-                add(1, format!("rules for {a} and {drawn}, {a} without drawing, {drawn} without {a}"), pair, true);
+                add(
+                    1,
+                    say!("rules for {} and {}, {} without drawing, {} without {}", a, drawn, a, drawn, a),
+                    pair,
+                    true,
+                );
                 let pair = vec![(a, false, Rule::Free), (drawn, true, Rule::Free)];
-                add(4, format!("rules for {a} and {drawn}, {a} without drawing"), pair, true);
+                add(4, say!("rules for {} and {}, {} without drawing", a, drawn, a), pair, true);
                 for is_reversed in [false, true] {
-                    let from = if is_reversed { " from its end" } else { "" };
-                    let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
-                    let three = vec![(a, false, Rule::Free), mirrored, (drawn, true, constant(2))];
-                    let name = format!("a rule for {a} and its mirror image{from} for {undrawn}, with {drawn}");
+                    let image = (undrawn, false, Rule::Mirrored { is_reversed });
+                    let three = vec![(a, false, Rule::Free), image, (drawn, true, constant(2))];
+                    let name = say!("{}, with {}", pair_words(a, is_reversed, undrawn), drawn);
                     add(8, name, three, false);
                 }
             }
@@ -259,20 +273,19 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
             let (f, x) = if DRAWN.contains(&b) { (b, a) } else { (a, b) };
             let draws = DRAWN.contains(&x);
             let pair = |rule: Rule| vec![(x, draws, Rule::Free), (f, true, rule)];
-            add(4, format!("a rule for {x}, with {f}"), pair(constant(1)), true);
-            add(2, format!("{f} -> {f}{f} and a rule for {x}"), pair(doubled(1)), true);
-            add(1, format!("rules for {f} and {x}, {f} without {x}"), pair(Rule::Own), true);
-            add(4, format!("rules for {f} and {x}"), pair(Rule::Free), true);
+            add(4, say!("{}, with {}", say!("a rule for {}", x), f), pair(constant(1)), true);
+            add(2, say!("{} and {}", format!("{f} -> {f}{f}"), say!("a rule for {}", x)), pair(doubled(1)), true);
+            add(1, say!("rules for {} and {}, {} without {}", f, x, f, x), pair(Rule::Own), true);
+            add(4, say!("rules for {} and {}", f, x), pair(Rule::Free), true);
             if !draws {
                 for is_reversed in [false, true] {
-                    let from = if is_reversed { " from its end" } else { "" };
-                    let mirrored = (undrawn, false, Rule::Mirrored { is_reversed });
-                    let three = vec![(x, false, Rule::Free), mirrored, (f, true, constant(2))];
-                    add(8, format!("a rule for {x} and its mirror image{from} for {undrawn}, with {f}"), three, false);
+                    let image = (undrawn, false, Rule::Mirrored { is_reversed });
+                    let three = vec![(x, false, Rule::Free), image, (f, true, constant(2))];
+                    add(8, say!("{}, with {}", pair_words(x, is_reversed, undrawn), f), three, false);
                 }
             }
         }
-        _ => return Err("an axiom with one or two letters is expected"),
+        _ => return Err(word!("an axiom with one or two letters is expected")),
     }
     Ok(families)
 }

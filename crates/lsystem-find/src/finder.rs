@@ -3,6 +3,8 @@
 use crate::angles::suggested;
 use crate::drawn::{Drawn, FOUND, keep};
 use crate::{Known, Named, Picture, PictureSearch, Searched, Share};
+use lsystem_base::say;
+use lsystem_base::words::shown;
 use lsystem_drawing::System;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -244,7 +246,7 @@ pub fn merged(finders: &[&Finder]) -> (Vec<Drawn>, String) {
 
 /// Up to how many symbols all searches have searched each family. An angle counts from its first search on.
 fn searched(finders: &[&Finder]) -> String {
-    let Some(first) = finders.first() else { return "nothing".to_owned() };
+    let Some(first) = finders.first() else { return say!("nothing") };
     // For each axiom its families, with the symbols that were searched with all angles that were begun.
     let mut axioms: Vec<(&str, Vec<(String, usize)>)> = Vec::new();
     let mut angles: Vec<f64> = Vec::new();
@@ -269,15 +271,11 @@ fn searched(finders: &[&Finder]) -> String {
     let list = |values: Vec<String>| values.join(", ");
     let families = |(axiom, families): &(&str, Vec<(String, usize)>)| {
         let families: Vec<String> =
-            families.iter().map(|(name, most)| format!("{name} up to {most} symbols")).collect();
-        format!("from {axiom}: {}", families.join("; "))
+            families.iter().map(|(name, most)| say!("{} up to {} symbols", name, most)).collect();
+        say!("from {}: {}", axiom, families.join("; "))
     };
     let words: Vec<String> = axioms.iter().map(families).collect();
-    let angles = list(angles.iter().map(|angle| format!("{angle}°")).collect());
+    let angles = list(angles.iter().map(|angle| format!("{}°", shown(&angle.to_string()))).collect());
     let steps = list(first.steps.iter().map(u32::to_string).collect());
-    if words.is_empty() {
-        "nothing yet".to_owned()
-    } else {
-        format!("angle {angles}; n = {steps}: {}", words.join("; "))
-    }
+    if words.is_empty() { say!("nothing yet") } else { say!("angle {}; n = {}: {}", angles, steps, words.join("; ")) }
 }

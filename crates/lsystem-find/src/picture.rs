@@ -3,6 +3,7 @@
 use crate::parts::drawing;
 use crate::sheet::{self, Sheet, half_width};
 use crate::strokes::put_stroke;
+use lsystem_base::word;
 use lsystem_render::mask::{Mask, SIDE};
 
 /// The pixels around the ink.
@@ -41,13 +42,13 @@ impl Picture {
     /// Why no lines are seen.
     pub fn new(grey: &[u8], width: usize, height: usize) -> Result<Self, &'static str> {
         if width == 0 || height == 0 || grey.len() != width * height {
-            return Err("the picture is empty");
+            return Err(word!("the picture is empty"));
         }
         let level = threshold(grey);
         let dark = grey.iter().filter(|&&at| at <= level).count();
         let is_dark = dark * 2 <= grey.len();
         let is_ink = |x: usize, y: usize| (grey[y * width + x] <= level) == is_dark;
-        let filled = "the picture is filled: no lines are seen in it";
+        let filled = word!("the picture is filled: no lines are seen in it");
         let runs = drawing(width, height, is_ink).ok_or(filled)?;
         let all = || runs.iter().flat_map(|run| (run.left..run.right).map(|x| (x as usize, run.y as usize)));
         let [mut left, mut top, mut right, mut bottom] = [usize::MAX, usize::MAX, 0, 0];
@@ -56,7 +57,7 @@ impl Picture {
             (top, bottom) = (top.min(y), bottom.max(y));
         }
         if left == usize::MAX || grey.iter().all(|&at| at == grey[0]) {
-            return Err("the picture has one shade of grey only");
+            return Err(word!("the picture has one shade of grey only"));
         }
         let longest = (right - left + 1).max(bottom - top + 1);
         let side = SIDE - 2 * MARGIN;
@@ -89,7 +90,7 @@ impl Picture {
         let (left, top) = (least(0), most(1));
         let longest = (most(0) - left).max(top - least(1));
         if !(longest > 0.0 && longest.is_finite()) {
-            return Err("the segments have no length");
+            return Err(word!("the segments have no length"));
         }
         let scale = (SIDE - 2 * MARGIN) as f64 / longest;
         let pixel = |x: f64, y: f64| [(x - left) * scale + MARGIN as f64, (top - y) * scale + MARGIN as f64];

@@ -8,6 +8,7 @@ use crate::source::Sources;
 use crate::strokes::{NEAR, Strokes};
 use crate::words::Symbol;
 use crate::{Found, Searched, Share};
+use lsystem_base::word;
 use std::sync::Arc;
 
 /// The most derivation steps.
@@ -60,19 +61,19 @@ impl PictureSearch {
     /// Why this cannot be searched.
     pub fn new(picture: Arc<Picture>, known: Known, share: Share) -> Result<Self, &'static str> {
         if !(known.angle >= 0.01 && known.angle <= 360.0 && known.headings.iter().all(|heading| heading.is_finite())) {
-            return Err("an angle from 0.01 to 360 degrees is expected");
+            return Err(word!("an angle from 0.01 to 360 degrees is expected"));
         }
         if known.steps.is_empty() || known.steps.iter().any(|&n| n == 0 || n > MAX_STEPS) {
-            return Err("1 to 12 derivation steps are expected");
+            return Err(word!("1 to 12 derivation steps are expected"));
         }
         let targets =
             known.headings.iter().map(|&heading| Target::new(&picture, known.angle, heading)).collect::<Vec<_>>();
-        let Some(first) = targets.first() else { return Err("a first heading is expected") };
+        let Some(first) = targets.first() else { return Err(word!("a first heading is expected")) };
         let mut families = families(&known.axiom, first.headings.order())?;
         if let Some(draws) = &known.draws {
             families.retain(|family| family.letters.iter().all(|(letter, drawn, _)| *drawn == draws.contains(*letter)));
             if families.is_empty() {
-                return Err("the letters that draw are expected to be in the axiom, or F or G");
+                return Err(word!("the letters that draw are expected to be in the axiom, or F or G"));
             }
         }
         let sources = Sources::new(&targets, &families, share);

@@ -1,6 +1,7 @@
 //! The search for the rules of a string, of whose system some properties are known.
 
 use crate::{Drawn, Found, Question, Search, Searched};
+use lsystem_base::{say, word};
 
 /// The numbers of derivation steps that are tried where theirs is not known.
 const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
@@ -45,10 +46,10 @@ impl StringFinder {
     /// A sentence if the search cannot begin.
     pub fn new(text: &str, question: &Question) -> Result<Self, &'static str> {
         if question.angle.is_some_and(|angle| !(-360.0..=360.0).contains(&angle)) {
-            return Err("The angle must be from -360 to 360 degrees.");
+            return Err(word!("The angle must be from -360 to 360 degrees."));
         }
         if question.heading.is_some_and(|heading| !heading.is_finite()) {
-            return Err("The first heading must be a number.");
+            return Err(word!("The first heading must be a number."));
         }
         let is_letter = |symbol: &char| symbol.is_alphanumeric();
         let axiom = question.axiom.as_deref().map(|axiom| axiom.split_whitespace().collect::<String>());
@@ -62,7 +63,7 @@ impl StringFinder {
         let letters = sorted(all().filter(is_letter).collect());
         let constants: String = sorted(all().filter(|symbol| !is_letter(symbol)).collect()).into_iter().collect();
         if letters.is_empty() {
-            return Err("The string has no letters.");
+            return Err(word!("The string has no letters."));
         }
         let axioms = match axiom {
             Some(axiom) => vec![axiom],
@@ -127,16 +128,16 @@ impl StringFinder {
             }
         }
         let rules = |(&most, letters): (&usize, usize)| {
-            let rules = if letters == 1 { "one rule".to_owned() } else { format!("{letters} rules") };
-            format!("{rules} with up to {most} symbols")
+            let rules = if letters == 1 { say!("one rule") } else { say!("{} rules", letters) };
+            say!("{} with up to {} symbols", rules, most)
         };
         let words = axioms.iter().map(|(axiom, steps, least)| {
             let steps: Vec<String> = steps.iter().map(u32::to_string).collect();
             let least: Vec<String> = least.iter().zip(1..).map(rules).collect();
-            format!("from {axiom}, n = {}: {}", steps.join(", "), least.join(", "))
+            say!("from {}, n = {}: {}", axiom, steps.join(", "), least.join(", "))
         });
         let words: Vec<String> = words.collect();
-        if words.is_empty() { "nothing yet".to_owned() } else { words.join("; ") }
+        if words.is_empty() { say!("nothing yet") } else { words.join("; ") }
     }
 }
 

@@ -1,6 +1,8 @@
 //! Estimates of a plot: lengths, pens and time.
 
 use crate::options::PlotOptions;
+use lsystem_base::words::shown;
+use lsystem_base::{counted, say};
 
 /// The size of a plot. Lengths are in millimetres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,26 +35,28 @@ impl PlotSummary {
     pub fn words(&self, options: &PlotOptions) -> String {
         let options = options.bounded();
         let [width, height] = self.sheet;
-        let plural = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
-        format!(
-            "plot of {width} x {height} mm: {}, {}, {} drawn, {} travelled ({} in drawing order), about {} at {} and {} \
+        let figure = |value: f64| shown(&value.to_string());
+        say!(
+            "plot of {} x {} mm: {}, {}, {} drawn, {} travelled ({} in drawing order), about {} at {} and {} \
              mm/s with {} s a lift",
-            plural(self.pens, "pen"),
-            plural(self.polylines, "polyline"),
+            figure(width),
+            figure(height),
+            counted!(self.pens, "{1} pen", "{1} pens", self.pens),
+            counted!(self.polylines, "{1} polyline", "{1} polylines", self.polylines),
             metres(self.down),
             metres(self.travel),
             metres(self.travel_before),
             time(self.seconds),
-            options.speed,
-            options.travel_speed,
-            options.lift,
+            figure(options.speed),
+            figure(options.travel_speed),
+            figure(options.lift)
         )
     }
 }
 
 /// A length in metres.
 fn metres(length: f64) -> String {
-    format!("{:.2} m", length / 1000.0)
+    shown(&format!("{:.2} m", length / 1000.0))
 }
 
 /// A time in hours, minutes or seconds.

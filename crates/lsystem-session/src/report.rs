@@ -1,5 +1,6 @@
 //! What the page is told of a definition.
 
+use lsystem::base::words::said;
 use lsystem::drawing::{kind, legend, why_empty};
 pub use lsystem::syntax::Problem;
 use lsystem::{Figure, Style, System, fit};
@@ -50,7 +51,7 @@ pub struct Report {
 #[serde(rename_all = "camelCase")]
 pub struct ChosenLook {
     /// The choice in words.
-    pub words: &'static str,
+    pub words: String,
     pub colour_by: &'static str,
     pub palette_holds: bool,
     pub width: f64,
@@ -62,7 +63,7 @@ pub struct ChosenLook {
 impl ChosenLook {
     fn of(system: &System) -> Option<Self> {
         let Style { colour_by, palette_holds, width, width_factor, min_width, max_width, auto, .. } = system.style;
-        let (words, colour_by) = (system.look().words(), colour_by.name());
+        let (words, colour_by) = (said(system.look().words()), colour_by.name());
         auto.then_some(Self { words, colour_by, palette_holds, width, width_factor, min_width, max_width })
     }
 }
@@ -94,7 +95,7 @@ impl Report {
         Self {
             ok: true,
             diagnostics,
-            kind: kind(system),
+            kind: kind(system).split(", ").map(said).collect::<Vec<_>>().join(", "),
             stochastic: system.is_stochastic(),
             space: system.is_solid(),
             branches: system.has_branches(),

@@ -1,5 +1,7 @@
 //! A tune: the notes of a walk.
 
+use lsystem_base::words::grouped;
+use lsystem_base::{counted, say};
 /// The notes of a walk, in drawing order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tune {
@@ -51,23 +53,17 @@ impl Tune {
     /// Facts about the tune, as a line of text. `step` is the time of a step in seconds.
     #[must_use]
     pub fn words(&self, step: f64) -> String {
-        let count = |number: usize, one: &str| {
-            format!(
-                "{} {one}{}",
-                lsystem_syntax::message::grouped(&number.to_string()),
-                if number == 1 { "" } else { "s" }
-            )
-        };
         let seconds = libm::round(self.length * step) as u64;
         let time = format!("{}:{:02} min", seconds / 60, seconds % 60);
-        let voices = count(self.voices as usize, "voice");
-        let all = format!("{} in {voices}, {time}", count(self.notes.len(), "note"));
+        let voices = counted!(self.voices, "{} voice", "{} voices");
+        let notes = counted!(self.notes.len(), "{} note", "{} notes");
+        let all = say!("{} in {}, {}", notes, voices, time);
         match self.heard {
             Heard::All => all,
             Heard::Some(lines) => {
-                format!("{all}: lines at even distances, of {}", lsystem_syntax::message::grouped(&lines.to_string()))
+                say!("{}: lines at even distances, of {}", all, grouped(&lines.to_string()))
             }
-            Heard::Earlier(n) => format!("{all}: all lines of generation {n}, as later ones have too many"),
+            Heard::Earlier(n) => say!("{}: all lines of generation {}, as later ones have too many", all, n),
         }
     }
 }

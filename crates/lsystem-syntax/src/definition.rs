@@ -2,6 +2,7 @@
 
 use crate::fields::{FIELDS, field};
 use crate::{Diagnostic, Dialect, Field, Kind, Style};
+use lsystem_base::say;
 use serde::de::{self, Deserialize, Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde::ser::{Serialize, Serializer};
 
@@ -147,7 +148,7 @@ impl<'de> Visitor<'de> for DefinitionVisitor {
                 continue;
             };
             if !spec.set(&mut definition, &map.next_value()?) {
-                return Err(de::Error::custom(format!("`{name}` must be {}", spec.expected_words())));
+                return Err(de::Error::custom(say!("`{}` must be {}", name, spec.expected_words())));
             }
         }
         Ok(definition)

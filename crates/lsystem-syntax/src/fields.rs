@@ -10,6 +10,7 @@ pub use table::FIELDS;
 
 use crate::value::Value;
 use crate::{Definition, Expected};
+use lsystem_base::say;
 
 /// One field: a row of [`FIELDS`].
 #[derive(Debug)]
@@ -143,7 +144,7 @@ impl FieldSpec {
     #[must_use]
     pub fn expected_words(&self) -> String {
         let words = crate::message::expected_words(self.expected);
-        if self.optional { words + " or nothing" } else { words }
+        if self.optional { say!("{} or nothing", words) } else { words }
     }
 }
 

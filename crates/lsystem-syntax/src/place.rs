@@ -2,6 +2,7 @@
 
 use crate::{Class, Diagnostic, Severity};
 use core::ops::Range;
+use lsystem_base::say;
 
 /// Converts a span of bytes of `text` to a span of UTF-16 units, the units of JavaScript. The span is cut to the text;
 /// a bound inside a character moves to the character's start.
@@ -52,11 +53,12 @@ pub fn utf16_letters(text: &str, classes: &[Class]) -> String {
 /// ```
 #[must_use]
 pub fn render_diagnostic(diagnostic: &Diagnostic, source: &str, text: &str) -> String {
-    let severity = match diagnostic.severity() {
-        Severity::Warning => "warning",
-        Severity::Error => "error",
+    let message = visible(&diagnostic.message());
+    let mut out = match diagnostic.severity() {
+        Severity::Warning => say!("warning: {}", message),
+        Severity::Error => say!("error: {}", message),
     };
-    let mut out = format!("{severity}: {}\n", visible(&diagnostic.message()));
+    out.push('\n');
     let mut margin = 1;
     if diagnostic.span == (0..0) {
         out.push_str(&format!(" --> {}\n", visible(source)));
@@ -70,7 +72,7 @@ pub fn render_diagnostic(diagnostic: &Diagnostic, source: &str, text: &str) -> S
         out.push_str(&format!("{blank} | {}{}\n", " ".repeat(place.indent), "^".repeat(place.carets)));
     }
     if let Some(hint) = diagnostic.hint() {
-        out.push_str(&format!("{} = help: {}\n", " ".repeat(margin), visible(&hint)));
+        out.push_str(&format!("{} = {}\n", " ".repeat(margin), say!("help: {}", visible(&hint))));
     }
     out
 }

@@ -3,6 +3,7 @@
 //! as in cpfg).
 
 use core::fmt;
+use lsystem_base::word;
 
 /// What a query module asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -69,12 +70,12 @@ impl Query {
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {
-            Self::Position => "asks for the position",
-            Self::Heading => "asks for the direction ahead",
-            Self::Left => "asks for the direction to the left",
-            Self::Up => "asks for the direction up from the turtle",
-            Self::Crowd => "asks how many of its kind are near",
-            Self::Sky => "asks for the light of the sky",
+            Self::Position => word!("asks for the position"),
+            Self::Heading => word!("asks for the direction ahead"),
+            Self::Left => word!("asks for the direction to the left"),
+            Self::Up => word!("asks for the direction up from the turtle"),
+            Self::Crowd => word!("asks how many of its kind are near"),
+            Self::Sky => word!("asks for the light of the sky"),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::Dialect;
 use crate::notes::excerpt;
+use lsystem_base::say;
 
 /// An opaque sRGB colour with 8 bits per channel. Its text form is `#rrggbb`; `#rgb` and the sixteen basic CSS colour
 /// names are read too.
@@ -312,7 +313,7 @@ impl core::str::FromStr for Colour {
         match (digits.map(str::len), value) {
             (Some(6), Some(value)) => Ok(Self { rgb: [(value >> 16) as u8, (value >> 8) as u8, value as u8] }),
             (Some(3), Some(value)) => Ok(Self { rgb: [8, 4, 0].map(|shift| ((value >> shift & 15) * 17) as u8) }),
-            _ => Err(format!("`{}` is not a colour: write it as #rrggbb", excerpt(text))),
+            _ => Err(say!("`{}` is not a colour: write it as #rrggbb", excerpt(text))),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The search for the rules of a picture or a string.
 
 use crate::{from_js, to_js};
+use lsystem_base::words::said;
 use lsystem_find::{Drawn, FOUND, Finder, Named, Photograph, Picture, Question, Searched, Share, StringFinder, Svg};
 use lsystem_syntax::Definition;
 use serde::{Deserialize, Serialize};
@@ -82,7 +83,7 @@ impl GreyPicture {
     #[wasm_bindgen(js_name = ofSvg)]
     pub fn of_svg(bytes: &[u8]) -> Result<Self, JsValue> {
         let Svg { grey, width, height, left_out, .. } = lsystem_find::draw_svg(bytes).map_err(JsValue::from)?;
-        Ok(Self { grey, width, height, left_out: left_out.join(", ") })
+        Ok(Self { grey, width, height, left_out: left_out.into_iter().map(said).collect::<Vec<_>>().join(", ") })
     }
 
     /// Straightens a photograph, as [`Photograph::straightened`]; undefined if the picture is none.
@@ -153,8 +154,9 @@ impl RuleFinder {
     ) -> Result<Self, JsValue> {
         let question = FindQuestion::read(question)?;
         let named: Vec<NamedSystem> = from_js(named)?;
-        let picture = Arc::new(Picture::new(grey, width, height)?);
-        let mut finder = Finder::new(&picture, &question, Share { index: part.into(), count: parts.max(1).into() })?;
+        let picture = Arc::new(Picture::new(grey, width, height).map_err(said)?);
+        let mut finder =
+            Finder::new(&picture, &question, Share { index: part.into(), count: parts.max(1).into() }).map_err(said)?;
         finder.try_first(named.into_iter().map(|NamedSystem { name, definition }| Named { name, definition }));
         Ok(Self { search: Search::Picture(Box::new(finder), picture) })
     }
@@ -165,7 +167,7 @@ impl RuleFinder {
     /// Throws a sentence if this cannot be searched.
     #[wasm_bindgen(js_name = ofString)]
     pub fn of_string(text: &str, question: JsValue) -> Result<Self, JsValue> {
-        let finder = StringFinder::new(text, &FindQuestion::read(question)?)?;
+        let finder = StringFinder::new(text, &FindQuestion::read(question)?).map_err(said)?;
         Ok(Self { search: Search::String(finder) })
     }
 

@@ -1,6 +1,7 @@
 //! The readers and the writers of other notations.
 
 use crate::{from_js, to_js};
+use lsystem_base::say;
 use lsystem_import::write::{Notation, Written, export};
 use lsystem_import::{Fate, Part, Remark};
 use lsystem_syntax::Definition;
@@ -103,7 +104,7 @@ pub fn write_system(definition: JsValue, notation: &str) -> Result<JsValue, JsVa
     let report = match Notation::named(notation).map(|notation| export(&definition, notation)) {
         Some(Ok(Written { text, left_out })) => WriteReport { text: Some(text), notes: left_out },
         Some(Err(refusal)) => WriteReport { text: None, notes: vec![refusal.0] },
-        None => WriteReport { text: None, notes: vec!["There is no such notation".to_owned()] },
+        None => WriteReport { text: None, notes: vec![say!("There is no such notation")] },
     };
     to_js(&report)
 }

@@ -3,6 +3,7 @@
 use super::{Check, LIMITS, MAX_SEGMENTS, Output, Verdict, candidates};
 use crate::fit::{Ends, Fit, extent, length};
 use lsystem_base::LimitName;
+use lsystem_base::say;
 use lsystem_drawing::{Figure, System, count_segments};
 use lsystem_files::{SegmentFile, SegmentForm};
 use lsystem_syntax::Diagnostic;
@@ -26,7 +27,7 @@ pub(super) fn check(system: &System, n: u32, file: &SegmentFile) -> Check {
         verdict,
     };
     if system.is_solid() && !file.is_solid {
-        let reason = "the drawing is in space, and the output has no z coordinates".to_owned();
+        let reason = say!("the drawing is in space, and the output has no z coordinates");
         return checked(None, Verdict::Unreadable(reason));
     }
     let expected = match segments_of(system, n) {

@@ -1,62 +1,92 @@
 //! Checks in words.
 
 use super::{Check, Output, SymbolDifference, Verdict};
-use lsystem_syntax::message::grouped;
+use lsystem_base::words::grouped;
+use lsystem_base::{counted, say};
 
 impl Check {
     /// The result in words: a sentence, and lines that show the difference.
     #[must_use]
     pub fn words(&self) -> String {
         let n = self.generation;
-        let things = match self.output {
-            Output::Text => "symbols",
-            Output::Svg | Output::Table => "segments",
-        };
-        let (found, expected) =
-            (grouped(&self.found.to_string()), self.expected.map(|count| grouped(&count.to_string())));
-        let counts = match &expected {
-            Some(expected) if *expected != found => {
-                format!("The output has {found} {things}; generation {n} has {expected}.")
+        let is_text = self.output == Output::Text;
+        let found = self.found;
+        let counts = match self.expected {
+            Some(expected) if expected != u128::from(found) => {
+                let expected = grouped(&expected.to_string());
+                if is_text {
+                    counted!(
+                        found,
+                        "The output has {} symbol; generation {} has {}.",
+                        "The output has {} symbols; generation {} has {}.",
+                        n,
+                        expected
+                    )
+                } else {
+                    counted!(
+                        found,
+                        "The output has {} segment; generation {} has {}.",
+                        "The output has {} segments; generation {} has {}.",
+                        n,
+                        expected
+                    )
+                }
             }
-            _ => format!("Both have {found} {things}."),
+            _ if is_text => counted!(found, "Both have {} symbol.", "Both have {} symbols."),
+            _ => counted!(found, "Both have {} segment.", "Both have {} segments."),
         };
         match &self.verdict {
-            Verdict::Same if self.output == Output::Text => {
-                format!("The string is that of generation {n}: {found} symbols.")
-            }
-            Verdict::Same => format!("The segments are those of generation {n}, in the same order: {found} segments."),
-            Verdict::Reordered => {
-                format!(
-                    "The picture is that of generation {n}. Its segments are in another order or repeated. {counts}"
-                )
-            }
+            Verdict::Same if is_text => counted!(
+                found,
+                "The string is that of generation {1}: {0} symbol.",
+                "The string is that of generation {1}: {0} symbols.",
+                n
+            ),
+            Verdict::Same => counted!(
+                found,
+                "The segments are those of generation {1}, in the same order: {0} segment.",
+                "The segments are those of generation {1}, in the same order: {0} segments.",
+                n
+            ),
+            Verdict::Reordered => say!(
+                "The picture is that of generation {}. Its segments are in another order or repeated. {}",
+                n,
+                counts
+            ),
             Verdict::Placed { degrees: 180, is_mirrored: true } => {
-                let reason = if self.output == Output::Svg { " In SVG, y points down." } else { "" };
-                format!("The picture is that of generation {n}, but upside down.{reason}")
+                let words = say!("The picture is that of generation {}, but upside down.", n);
+                if self.output == Output::Svg { format!("{words} {}", say!("In SVG, y points down.")) } else { words }
             }
-            Verdict::Placed { degrees, is_mirrored } => {
-                let mirrored = if *is_mirrored { "mirrored left to right" } else { "" };
-                let turned = if *degrees > 0 { format!("turned by {degrees} degrees") } else { String::new() };
-                let and = if *is_mirrored && *degrees > 0 { " and " } else { "" };
-                format!("The picture is that of generation {n}, but {mirrored}{and}{turned}.")
+            Verdict::Placed { degrees: 0, .. } => {
+                say!("The picture is that of generation {}, but mirrored left to right.", n)
             }
-            Verdict::Generation(other) => format!("The output is generation {other}, not generation {n}. {counts}"),
-            Verdict::OneAfterAnother => format!(
-                "In each step the rules were applied one after another. All symbols must be replaced at once. {counts}"
+            Verdict::Placed { degrees, is_mirrored: true } => say!(
+                "The picture is that of generation {}, but mirrored left to right and turned by {} degrees.",
+                n,
+                degrees
+            ),
+            Verdict::Placed { degrees, .. } => {
+                say!("The picture is that of generation {}, but turned by {} degrees.", n, degrees)
+            }
+            Verdict::Generation(other) => say!("The output is generation {}, not generation {}. {}", other, n, counts),
+            Verdict::OneAfterAnother => say!(
+                "In each step the rules were applied one after another. All symbols must be replaced at once. {}",
+                counts
             ),
             Verdict::Symbol(difference) => format!("{}\n{counts}", symbol_words(difference, n)),
             Verdict::Segment { index, expected, found } => {
                 let number = grouped(&(index + 1).to_string());
                 format!(
-                    "Segment {number} is the first that differs from generation {n}.\n  expected: {}\n  found:    {}\n{counts}",
-                    segment_words(expected.as_ref()),
-                    segment_words(found.as_ref()),
+                    "{}\n  {}\n  {}\n{counts}",
+                    say!("Segment {} is the first that differs from generation {}.", number, n),
+                    say!("expected: {}", segment_words(expected.as_ref())),
+                    say!("found:    {}", segment_words(found.as_ref())),
                 )
             }
-            Verdict::Unreadable(reason) => format!("The output cannot be read: {reason}."),
+            Verdict::Unreadable(reason) => say!("The output cannot be read: {}.", reason),
             Verdict::Failed(diagnostics) => {
                 let messages: Vec<String> = diagnostics.iter().map(lsystem_syntax::Diagnostic::message).collect();
-                format!("The system cannot be compared. {}", messages.join(" "))
+                say!("The system cannot be compared. {}", messages.join(" "))
             }
         }
     }
@@ -66,22 +96,25 @@ fn symbol_words(difference: &SymbolDifference, n: u32) -> String {
     let SymbolDifference { index, before, expected, found, made_by } = difference;
     let number = grouped(&(index + 1).to_string());
     let start = if *index as usize > before.chars().count() { "…" } else { "" };
-    let end = |text: &str| if text.is_empty() { "(end)".to_owned() } else { text.to_owned() };
-    let place = " ".repeat(start.chars().count() + before.chars().count());
+    let line = |text: &str| format!("{start}{before}{}", if text.is_empty() { say!("(end)") } else { text.to_owned() });
+    let indent = say!("expected: {}", "").chars().count() + start.chars().count() + before.chars().count();
     let made = match made_by {
-        Some((generation, production)) => format!("\nStep {generation} makes the expected symbol by {production}"),
+        Some((generation, production)) => {
+            format!("\n{}", say!("Step {} makes the expected symbol by {}", generation, production))
+        }
         None => String::new(),
     };
     format!(
-        "Symbol {number} is the first that differs from generation {n}.\n  expected: {start}{before}{}\n  found:    \
-         {start}{before}{}\n            {place}^{made}",
-        end(expected),
-        end(found),
+        "{}\n  {}\n  {}\n  {}^{made}",
+        say!("Symbol {} is the first that differs from generation {}.", number, n),
+        say!("expected: {}", line(expected)),
+        say!("found:    {}", line(found)),
+        " ".repeat(indent),
     )
 }
 
 fn segment_words(segment: Option<&[[f64; 3]; 2]>) -> String {
-    let Some(segment) = segment else { return "(no more segments)".to_owned() };
+    let Some(segment) = segment else { return say!("(no more segments)") };
     let is_flat = segment[0][2] == 0.0 && segment[1][2] == 0.0;
     let point = |[x, y, z]: [f64; 3]| {
         let values = if is_flat { vec![x, y] } else { vec![x, y, z] };
@@ -90,5 +123,5 @@ fn segment_words(segment: Option<&[[f64; 3]; 2]>) -> String {
             values.into_iter().map(|value| format!("{}", libm::round(value * 1e6) / 1e6)).collect();
         format!("({})", values.join(", "))
     };
-    format!("{} to {}", point(segment[0]), point(segment[1]))
+    say!("{} to {}", point(segment[0]), point(segment[1]))
 }

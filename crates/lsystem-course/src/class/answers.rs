@@ -1,6 +1,7 @@
 //! Answers to exercises in tables with a column of links.
 
 use crate::exercise::Exercise;
+use lsystem_base::say;
 use lsystem_files::{Link, read_link};
 use lsystem_syntax::Definition;
 
@@ -25,7 +26,7 @@ pub struct Answer {
 pub fn answers<'a>(text: &'a str, name: &'a str, exercise: &'a str) -> impl Iterator<Item = Answer> + 'a {
     let is_table = cells(text).nth(1).is_some();
     cells(text).zip(1..).filter_map(move |(cells, row)| {
-        let name = if is_table { format!("{name}, row {row}") } else { name.to_owned() };
+        let name = if is_table { say!("{}, row {}", name, row) } else { name.to_owned() };
         of_row(&cells, &name, exercise)
     })
 }
@@ -50,7 +51,7 @@ fn of_row(cells: &[String], name: &str, exercise: &str) -> Option<Answer> {
     let name = other.map_or(name, |(_, cell)| cell.trim()).to_owned();
     let by = link.other("by").unwrap_or_default().trim().to_owned();
     let student = match veiled(&link) {
-        Some(other) if other != exercise => Err("an answer to another exercise".to_owned()),
+        Some(other) if other != exercise => Err(say!("an answer to another exercise")),
         _ => match link.problems.first() {
             Some(problem) if link.definition == Definition::default() => Err(problem.message.clone()),
             _ => Ok(link.definition),

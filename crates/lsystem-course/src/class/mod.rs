@@ -7,6 +7,7 @@ pub use answers::{Answer, answers, exercise_in};
 
 use crate::exercise::Exercise;
 use crate::mark::{Grade, Marker};
+use lsystem_base::say;
 use lsystem_render::mask::SIDE;
 use lsystem_syntax::{Definition, Diagnostic};
 use std::collections::HashMap;
@@ -86,7 +87,7 @@ impl Class {
         };
         let marker = match self.marker(variant) {
             Ok(marker) => marker,
-            Err(words) => return refused(answer, format!("the exercise {words}")),
+            Err(words) => return refused(answer, say!("the exercise {}", words)),
         };
         // A whole system in a file has the given rules, too.
         let student = Definition { rules: marker.exercise().own_rules(&student.rules), ..student };
@@ -124,7 +125,7 @@ impl Class {
         if place.is_none() {
             let marker = Marker::new(self.exercise.variant(variant)).map_err(|errors| {
                 let errors: Vec<String> = errors.iter().map(Diagnostic::message).collect();
-                format!("cannot be drawn: {}", errors.join(" "))
+                say!("cannot be drawn: {}", errors.join(" "))
             })?;
             *place = Some(marker);
         }

@@ -3,6 +3,7 @@
 use crate::growth::text::{Style, closed, decimal, recurrence};
 use crate::growth::{Growth, Series};
 use core::fmt::Write as _;
+use lsystem_base::say;
 
 impl Growth {
     /// The table as CSV: n, symbols, segments, width, height, length, turning, and each listed letter.
@@ -59,7 +60,7 @@ impl Growth {
     #[must_use]
     pub fn words(&self) -> String {
         let mut text = self.sentences.join("\n");
-        text += "\n\nWhat a letter becomes in one step:\n";
+        text += &format!("\n\n{}\n", say!("What a letter becomes in one step:"));
         let cells: Vec<Vec<String>> =
             self.matrix.iter().map(|row| row.iter().map(|value| decimal(*value)).collect()).collect();
         let wide = cells.iter().flatten().chain(&self.letters).map(|cell| cell.chars().count()).max().unwrap_or(1);
@@ -69,9 +70,9 @@ impl Growth {
             let _ = writeln!(text, "{letter:>wide$} {}", line(row));
         }
         if self.letter_count > self.letters.len() {
-            let _ = writeln!(text, "and {} more letters", self.letter_count - self.letters.len());
+            let _ = writeln!(text, "{}", say!("and {} more letters", self.letter_count - self.letters.len()));
         }
-        text += "\n    n  symbols  segments\n";
+        text += &format!("\n    n  {}  {}\n", say!("symbols"), say!("segments"));
         for row in &self.table {
             let _ = writeln!(text, "{:>5}  {}  {}", row.n, row.symbols.digits, row.segments.digits);
         }

@@ -1,5 +1,6 @@
 //! A system as a matrix: how many of each letter a letter becomes in one step.
 
+use lsystem_base::word;
 use lsystem_derive::{Rewrite, Tally};
 use lsystem_drawing::{System, drawn_by_letter};
 
@@ -31,12 +32,13 @@ impl Process {
     pub(crate) fn new(system: &System) -> Result<Self, &'static str> {
         let rules = &system.rules;
         if rules.is_parametric() {
-            return Err("The letters have parameters, so their numbers follow no fixed matrix.");
+            return Err(word!("The letters have parameters, so their numbers follow no fixed matrix."));
         }
         if !rules.is_plain() {
-            return Err("The rules depend on neighbours or conditions, so the numbers follow no fixed matrix.");
+            return Err(word!("The rules depend on neighbours or conditions, so the numbers follow no fixed matrix."));
         }
-        let drawn = drawn_by_letter(system).ok_or("Branches are cut off, so the numbers follow no fixed matrix.")?;
+        let drawn =
+            drawn_by_letter(system).ok_or(word!("Branches are cut off, so the numbers follow no fixed matrix."))?;
         // Letters in the order in which the axiom reaches them.
         let mut place = vec![usize::MAX; rules.letters.len()];
         let mut order: Vec<usize> = Vec::new();
@@ -79,7 +81,7 @@ impl Process {
             outcomes.push(counted.collect());
             at += 1;
             if order.len() > MAX_LETTERS {
-                return Err("There are more letters than a table can show.");
+                return Err(word!("There are more letters than a table can show."));
             }
         }
         let mut axiom = vec![0; order.len()];

@@ -1,6 +1,7 @@
 //! Rewriting one symbol at a time, as in a grammar of Chomsky, beside the rewriting of all symbols at once.
 
 use crate::steps::Why;
+use lsystem_base::word;
 use lsystem_derive::Rewrite;
 use lsystem_drawing::System;
 use serde::Serialize;
@@ -41,7 +42,7 @@ pub enum Order {
 pub fn one_by_one(system: &System, steps: u32, order: Order) -> Result<Vec<Single>, Why> {
     let rules = &system.rules;
     if !rules.is_plain() || rules.is_cutting() {
-        return Err("Rules with neighbours, conditions, parameters or cut branches need all symbols at once.");
+        return Err(word!("Rules with neighbours, conditions, parameters or cut branches need all symbols at once."));
     }
     let listed = |word: &[u16], made| Single {
         text: word.iter().take(MAX_LISTED).map(|&letter| rules.symbol(letter)).collect(),

@@ -2,6 +2,7 @@
 
 use crate::steps::Why;
 use core::ops::Range;
+use lsystem_base::word;
 use lsystem_base::{Limits, MAX_ITERATIONS, Progress};
 use lsystem_derive::{History, Word};
 use lsystem_drawing::System;
@@ -53,10 +54,10 @@ pub(crate) enum Reader<'a> {
 impl<'a> Reader<'a> {
     /// Generations `n` and `n + 1`.
     pub(crate) fn new(system: &'a System, n: u32) -> Result<Self, Why> {
-        const LONG: Why = "This generation is too long to be read symbol by symbol.";
+        const LONG: Why = word!("This generation is too long to be read symbol by symbol.");
         let next = n + 1;
         if next > MAX_ITERATIONS {
-            return Err("There are no further generations.");
+            return Err(word!("There are no further generations."));
         }
         if let (Some(word), Some(later)) = (system.word(n), system.word(next)) {
             return Ok(Self::Counted(n, Box::new([word, later])));

@@ -2,6 +2,7 @@
 
 use crate::steps::Why;
 use crate::steps::rows::{Reader, text};
+use lsystem_base::word;
 use lsystem_drawing::rotation::Axis;
 use lsystem_drawing::{Geometry, Solid, System, legend};
 use lsystem_syntax::{Action, Heading};
@@ -66,7 +67,7 @@ pub fn trace(system: &System, n: u32, count: usize) -> Result<Trace, Why> {
     let settings = &system.turtle;
     let is_varied = settings.angle_variation != 0.0 || settings.length_variation != 0.0 || settings.growth != 1.0;
     if settings.tropism.is_some() || settings.sway.is_some() || is_varied {
-        return Err("The turtle bends or varies its way here, which is not shown symbol by symbol.");
+        return Err(word!("The turtle bends or varies its way here, which is not shown symbol by symbol."));
     }
     let reader = Reader::new(system, n)?;
     let mut turtle = Turtle {

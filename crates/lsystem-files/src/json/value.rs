@@ -3,6 +3,7 @@
 use super::*;
 use lsystem_base::MAX_PALETTE;
 use lsystem_base::decimal;
+use lsystem_base::word;
 use lsystem_syntax::Value as Held;
 use lsystem_syntax::look_alike;
 
@@ -127,12 +128,12 @@ impl JsonFile {
 
     pub(super) fn wrong_type(&mut self, key: &str, expected: Expected, value: &Value<'_>) {
         let found = match value {
-            Value::StringLit(_) => "a string",
-            Value::NumberLit(_) => "a number",
+            Value::StringLit(_) => word!("a string"),
+            Value::NumberLit(_) => word!("a number"),
             Value::BooleanLit(b) if b.value => "true",
             Value::BooleanLit(_) => "false",
-            Value::Object(_) => "an object",
-            Value::Array(_) => "a list",
+            Value::Object(_) => word!("an object"),
+            Value::Array(_) => word!("a list"),
             Value::NullKeyword(_) => "null",
         };
         self.notes.add(Kind::WrongType { key: excerpt(key), expected, found }, self.span(value));

@@ -1,6 +1,7 @@
 //! The straight lines of an SVG picture.
 
 use super::{SegmentError, number};
+use lsystem_base::say;
 use lsystem_syntax::line_of;
 use lsystem_syntax::notes::excerpt;
 
@@ -21,7 +22,7 @@ pub(super) fn read(text: &str, most: usize) -> Result<Vec<[[f64; 3]; 2]>, Segmen
         let wrong = |message: String| SegmentError { line: line_of(text, start), message };
         let rest = &text[start..];
         let ended = |end: &str| {
-            rest.find(end).map(|offset| start + offset + end.len()).ok_or_else(|| wrong("a tag has no end".to_owned()))
+            rest.find(end).map(|offset| start + offset + end.len()).ok_or_else(|| wrong(say!("a tag has no end")))
         };
         if rest.starts_with("<!--") {
             at = ended("-->")?;
@@ -35,13 +36,13 @@ pub(super) fn read(text: &str, most: usize) -> Result<Vec<[[f64; 3]; 2]>, Segmen
                 open.pop();
             }
         } else {
-            let end = tag_end(rest).ok_or_else(|| wrong("a tag has no end".to_owned()))?;
+            let end = tag_end(rest).ok_or_else(|| wrong(say!("a tag has no end")))?;
             at = start + end + 1;
             let tag = Tag::new(&rest[1..end]);
             let around = open.last().copied().unwrap_or(IDENTITY);
             let own = match tag.attribute("transform") {
                 Some(text) => {
-                    transform(text).ok_or_else(|| wrong(format!("this transform is not read: `{}`", excerpt(text))))?
+                    transform(text).ok_or_else(|| wrong(say!("this transform is not read: `{}`", excerpt(text))))?
                 }
                 None => IDENTITY,
             };
@@ -51,7 +52,7 @@ pub(super) fn read(text: &str, most: usize) -> Result<Vec<[[f64; 3]; 2]>, Segmen
                 open.push(affine);
             }
             if open.len() > DEEPEST {
-                return Err(wrong("the elements are nested too deeply".to_owned()));
+                return Err(wrong(say!("the elements are nested too deeply")));
             }
         }
     }
@@ -80,7 +81,7 @@ struct Segments {
 impl Segments {
     fn add(&mut self, affine: Affine, from: [f64; 2], to: [f64; 2]) -> Result<(), String> {
         if self.found.len() == self.most {
-            return Err(format!("there are more than {} segments", self.most));
+            return Err(say!("there are more than {} segments", self.most));
         }
         let place = |[x, y]: [f64; 2]| {
             let [a, b, c, d, e, f] = affine;
@@ -88,7 +89,7 @@ impl Segments {
         };
         let segment = [place(from), place(to)];
         if segment.iter().flatten().any(|value| !value.is_finite()) {
-            return Err("a coordinate is too large".to_owned());
+            return Err(say!("a coordinate is too large"));
         }
         self.found.push(segment);
         Ok(())
@@ -132,14 +133,14 @@ impl<'a> Tag<'a> {
                 let value = |name: &str| {
                     let text = self.attribute(name).unwrap_or("0");
                     number(text.trim().trim_end_matches("px"))
-                        .ok_or_else(|| format!("`{name}` of a line must be a number and is `{}`", excerpt(text)))
+                        .ok_or_else(|| say!("`{}` of a line must be a number and is `{}`", name, excerpt(text)))
                 };
                 out.add(affine, [value("x1")?, value("y1")?], [value("x2")?, value("y2")?])
             }
             "polyline" | "polygon" => {
                 let text = self.attribute("points").unwrap_or("");
                 let numbers = numbers(text).filter(|numbers| numbers.len().is_multiple_of(2));
-                let numbers = numbers.ok_or_else(|| format!("the points are damaged: `{}`", excerpt(text)))?;
+                let numbers = numbers.ok_or_else(|| say!("the points are damaged: `{}`", excerpt(text)))?;
                 let (points, _) = numbers.as_chunks::<2>();
                 points.windows(2).try_for_each(|pair| out.add(affine, pair[0], pair[1]))?;
                 match (self.name, points) {
@@ -148,7 +149,7 @@ impl<'a> Tag<'a> {
                 }
             }
             "path" => path(self.attribute("d").unwrap_or(""), affine, out),
-            "use" => Err("copies (`use`) are not read; write every line".to_owned()),
+            "use" => Err(say!("copies (`use`) are not read; write every line")),
             _ => Ok(()),
         }
     }
@@ -156,7 +157,7 @@ impl<'a> Tag<'a> {
 
 /// Reads the data of a path.
 fn path(text: &str, affine: Affine, out: &mut Segments) -> Result<(), String> {
-    let damaged = || format!("the path is damaged: `{}`", excerpt(text));
+    let damaged = || say!("the path is damaged: `{}`", excerpt(text));
     let (mut start, mut here) = ([0.0; 2], [0.0; 2]);
     let mut rest = text.trim_start();
     let mut is_first = true;
@@ -164,7 +165,7 @@ fn path(text: &str, affine: Affine, out: &mut Segments) -> Result<(), String> {
         let (upper, is_relative) = (command.to_ascii_uppercase(), command.is_ascii_lowercase());
         match upper {
             'M' | 'L' | 'H' | 'V' | 'Z' => {}
-            'C' | 'S' | 'Q' | 'T' | 'A' => return Err(format!("curves (`{command}` in a path) are not read")),
+            'C' | 'S' | 'Q' | 'T' | 'A' => return Err(say!("curves (`{}` in a path) are not read", command)),
             _ => return Err(damaged()),
         }
         rest = &rest[1..];

@@ -1,6 +1,7 @@
 //! Tables of segments: four or six coordinates on each line, separated by commas, semicolons, tabs or spaces.
 
 use super::{SegmentError, number};
+use lsystem_base::say;
 use lsystem_syntax::notes::excerpt;
 
 /// Headers of columns: the ends of a segment in the plane and in space.
@@ -44,7 +45,7 @@ fn rows<'a>(
     let mut segments = Vec::new();
     for (line, text) in lines {
         if segments.len() == most {
-            return Err(SegmentError { line, message: format!("there are more than {most} segments") });
+            return Err(SegmentError { line, message: say!("there are more than {} segments", most) });
         }
         let cells = cells(text, separator);
         let values = columns.iter().map(|&column| value(cells.get(column)?, separator)).collect::<Option<Vec<f64>>>();
@@ -52,7 +53,7 @@ fn rows<'a>(
             Some(&[a, b, c, d]) => [[a, b, 0.0], [c, d, 0.0]],
             Some(&[a, b, c, d, e, f]) => [[a, b, c], [d, e, f]],
             _ => {
-                let message = format!("expected {} numbers and found `{}`", columns.len(), excerpt(text));
+                let message = say!("expected {} numbers and found `{}`", columns.len(), excerpt(text));
                 return Err(SegmentError { line, message });
             }
         });

@@ -3,6 +3,8 @@
 use super::walk::Filled;
 use super::work::{Kind, Work};
 use lsystem_base::number::number;
+use lsystem_base::say;
+use lsystem_base::words::said;
 use lsystem_syntax::MOST_SIDES;
 
 /// The longer side of the shape, in model units.
@@ -25,18 +27,22 @@ type Point = [f64; 2];
 /// # Errors
 /// Why they are no shape.
 pub(super) fn shape(filled: Option<Filled>, work: &mut Work) -> Result<String, String> {
-    let (polygons, left_out) = filled.ok_or("this SVG has lines that are not filled, so it is no outline")?;
+    let (polygons, left_out) =
+        filled.ok_or_else(|| say!("this SVG has lines that are not filled, so it is no outline"))?;
     if !left_out.is_empty() {
-        return Err(format!("this SVG is more than an outline: it has {}", left_out.join(", ")));
+        return Err(say!(
+            "this SVG is more than an outline: it has {}",
+            left_out.into_iter().map(said).collect::<Vec<_>>().join(", ")
+        ));
     }
     let mut outlines: Vec<(f64, Vec<Point>)> = polygons.into_iter().map(|points| (area(&points), points)).collect();
     let largest = outlines.iter().map(|(area, _)| *area).fold(0.0, f64::max);
     outlines.retain(|(area, points)| points.len() >= 3 && *area > DUST * largest && largest < f64::INFINITY);
     if outlines.is_empty() {
-        return Err("this SVG has nothing that is filled".to_owned());
+        return Err(say!("this SVG has nothing that is filled"));
     }
     if outlines.len() > MOST_OUTLINES {
-        return Err(format!("this SVG has {} outlines, and a shape has at most {MOST_OUTLINES}", outlines.len()));
+        return Err(say!("this SVG has {} outlines, and a shape has at most {}", outlines.len(), MOST_OUTLINES));
     }
     outlines.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     let placed = place(&outlines.into_iter().map(|(_, points)| points).collect::<Vec<_>>());
@@ -44,7 +50,7 @@ pub(super) fn shape(filled: Option<Filled>, work: &mut Work) -> Result<String, S
     for (at, points) in placed.iter().enumerate() {
         let corners = simplified(points, work)?;
         if corners.len() > MOST_SIDES {
-            return Err(format!("this outline has {} corners, and an outline has at most {MOST_SIDES}", corners.len()));
+            return Err(say!("this outline has {} corners, and an outline has at most {}", corners.len(), MOST_SIDES));
         }
         if corners.len() < 3 {
             continue;

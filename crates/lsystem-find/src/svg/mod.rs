@@ -20,6 +20,8 @@ mod work;
 mod xml;
 
 use canvas::Canvas;
+use lsystem_base::say;
+use lsystem_base::words::said;
 use work::Work;
 
 /// The most bytes of a file.
@@ -57,7 +59,7 @@ pub fn is_svg(bytes: &[u8]) -> bool {
 /// A sentence: why the file is no outline.
 pub fn outline_of_svg(bytes: &[u8]) -> Result<String, String> {
     if bytes.len() > MAX_BYTES {
-        return Err("this SVG has more than 16 MB".to_owned());
+        return Err(say!("this SVG has more than 16 MB"));
     }
     let mut work = Work::default();
     let text = text_of(bytes);
@@ -72,7 +74,7 @@ pub fn outline_of_svg(bytes: &[u8]) -> Result<String, String> {
 /// Why it is not drawn.
 pub fn draw_svg(bytes: &[u8]) -> Result<Svg, String> {
     if bytes.len() > MAX_BYTES {
-        return Err("this SVG has more than 16 MB".to_owned());
+        return Err(say!("this SVG has more than 16 MB"));
     }
     let mut work = Work::default();
     let text = text_of(bytes);
@@ -83,8 +85,11 @@ pub fn draw_svg(bytes: &[u8]) -> Result<Svg, String> {
     let papers = [255.0, 0.0].map(|paper| canvas.on(paper));
     let shown = papers.into_iter().find(|grey| grey.iter().any(|level| *level != grey[0]));
     let grey = shown.ok_or_else(|| match left_out.is_empty() {
-        true => "this picture has one shade of grey only".to_owned(),
-        false => format!("this SVG has nothing that is read. Left out: {}", left_out.join(", ")),
+        true => say!("this picture has one shade of grey only"),
+        false => say!(
+            "this SVG has nothing that is read. Left out: {}",
+            left_out.iter().map(|name| said(name)).collect::<Vec<_>>().join(", ")
+        ),
     })?;
     Ok(Svg { grey, width, height, left_out, work: work.done() })
 }

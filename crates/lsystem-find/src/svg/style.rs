@@ -4,6 +4,7 @@ use super::css::{Sheet, declarations};
 use super::walk::length;
 use super::work::{Kind, Work};
 use super::xml::{Document, Element};
+use lsystem_base::word;
 use std::rc::Rc;
 use std::str::FromStr;
 use svgtypes::{Color, LengthListParser, Paint, PaintFallback};
@@ -106,9 +107,9 @@ impl Style {
                 "opacity" => own_opacity = part(value).unwrap_or(own_opacity),
                 "clip-path" | "mask" | "filter" | "marker" | "marker-start" | "marker-mid" | "marker-end" => {
                     if value != "none" {
-                        let names = ["clip paths", "masks", "filters", "markers"];
+                        let names = [word!("clip paths"), word!("masks"), word!("filters"), word!("markers")];
                         let known = names.into_iter().find(|known| known.starts_with(&name[..4]));
-                        note(left_out, known.unwrap_or("effects"));
+                        note(left_out, known.unwrap_or(word!("effects")));
                     }
                 }
                 _ => style.set(name, value, files, left_out, work)?,
@@ -197,7 +198,7 @@ impl Style {
             Paint::FuncIRI(name, fallback) => {
                 let target = document.named(&format!("#{name}"));
                 if target.is_some_and(|at| document.element(at).name == "pattern") {
-                    note(left_out, "patterns");
+                    note(left_out, word!("patterns"));
                 }
                 let first = target.map_or(Ok(None), |at| first_stop(at, document, sheet, work))?;
                 match (first, fallback) {

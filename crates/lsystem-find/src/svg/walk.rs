@@ -9,6 +9,7 @@ use super::style::{Style, note};
 use super::transform::Transform;
 use super::work::{Kind, Work};
 use super::xml::{Document, Element, MAX_DEPTH, too_deep};
+use lsystem_base::word;
 use std::rc::Rc;
 use std::str::FromStr;
 use svgtypes::{Align, AspectRatio, Length, LengthUnit, ViewBox};
@@ -99,7 +100,7 @@ fn walk(
                 let name = element.get("href").unwrap_or_default().trim();
                 let Some(target) = document.named(name) else {
                     if !name.is_empty() && !name.starts_with('#') {
-                        note(&mut left_out, "other files");
+                        note(&mut left_out, word!("other files"));
                     }
                     continue;
                 };
@@ -110,7 +111,11 @@ fn walk(
                 waiting.push((target, Rc::new(inside)));
             }
             "text" | "image" | "foreignObject" => {
-                let names = [("text", "text"), ("image", "images"), ("foreignObject", "texts of web pages")];
+                let names = [
+                    ("text", word!("text")),
+                    ("image", word!("images")),
+                    ("foreignObject", word!("texts of web pages")),
+                ];
                 names.iter().filter(|(name, _)| *name == element.name).for_each(|(_, name)| note(&mut left_out, name));
             }
             "svg" | "symbol" | "g" | "a" | "switch" => {

@@ -1,5 +1,7 @@
 //! The counted work of a picture.
 
+use lsystem_base::word;
+use lsystem_base::words::said;
 /// The most units of a picture.
 pub(super) const MAX_WORK: u64 = 500_000_000;
 
@@ -30,8 +32,15 @@ impl Work {
             return Ok(());
         }
         let most = (0..self.0.len()).max_by_key(|&at| self.0[at]).unwrap_or(0);
-        let what = ["entities", "elements", "styles", "path segments", "dashes", "pixels"][most];
-        Err(format!("this SVG takes too long to draw: it has too many {what}. Save it as a PNG first"))
+        let what = [
+            word!("this SVG takes too long to draw: it has too many entities. Save it as a PNG first"),
+            word!("this SVG takes too long to draw: it has too many elements. Save it as a PNG first"),
+            word!("this SVG takes too long to draw: it has too many styles. Save it as a PNG first"),
+            word!("this SVG takes too long to draw: it has too many path segments. Save it as a PNG first"),
+            word!("this SVG takes too long to draw: it has too many dashes. Save it as a PNG first"),
+            word!("this SVG takes too long to draw: it has too many pixels. Save it as a PNG first"),
+        ][most];
+        Err(said(what))
     }
 
     pub(super) fn done(&self) -> u64 {

@@ -1,6 +1,7 @@
 //! The elements of an SVG file, of which only what is drawn is kept.
 
 use super::work::{Kind, Work};
+use lsystem_base::say;
 use quick_xml::Reader;
 use quick_xml::escape::{resolve_xml_entity, unescape_with};
 use quick_xml::events::{BytesStart, Event};
@@ -226,11 +227,11 @@ impl Element {
 }
 
 fn damaged() -> String {
-    "this SVG is damaged".to_owned()
+    say!("this SVG is damaged")
 }
 
 pub(super) fn too_deep() -> String {
-    format!("this SVG has more than {MAX_DEPTH} levels of elements, or draws itself. Save it as a PNG first")
+    say!("this SVG has more than {} levels of elements, or draws itself. Save it as a PNG first", MAX_DEPTH)
 }
 
 /// The value of an attribute, with its entities. Entities inside entities stay as they are.

@@ -3,7 +3,7 @@
 use super::{Access, Affects, FieldSpec, Section, Slider};
 use crate::value::FieldType;
 use crate::{ColourBy, Dialect, Expected, Ink};
-use lsystem_base::{MAX_ITERATIONS, MAX_SEGMENT_DIGITS, MAX_SURFACES_TEXT, MAX_TEXT};
+use lsystem_base::{MAX_ITERATIONS, MAX_SEGMENT_DIGITS, MAX_SURFACES_TEXT, MAX_TEXT, word};
 
 /// Access to a member of a definition.
 macro_rules! at {
@@ -25,7 +25,7 @@ const FIELD: FieldSpec = FieldSpec {
     slider: None,
     unit: "",
     affects: Affects::Drawing,
-    label: "",
+    label: word!(""),
     help: "",
     access: None,
 };
@@ -78,7 +78,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::File, "title")),
         expected: text(200),
         affects: Affects::Caption,
-        label: "Title",
+        label: word!("Title"),
         help: "a title for people",
         access: Some(at!(title)),
         ..FIELD
@@ -88,7 +88,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "axiom",
         file: Some((Section::File, "initial")),
         expected: text(MAX_TEXT),
-        label: "Axiom",
+        label: word!("Axiom"),
         help: "the axiom",
         access: Some(at!(axiom)),
         ..FIELD
@@ -98,7 +98,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "rules",
         file: Some((Section::File, "rules")),
         expected: text(50_000),
-        label: "Rules",
+        label: word!("Rules"),
         help: "productions and constants, one on each line",
         access: Some(at!(rules)),
         ..FIELD
@@ -124,7 +124,7 @@ pub static FIELDS: [FieldSpec; 45] = [
             arrow: 1.0,
         }),
         unit: "iterations",
-        label: "Iterations",
+        label: word!("Iterations"),
         help: "derivation steps",
         access: Some(at!(iterations)),
         ..FIELD
@@ -136,7 +136,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: Expected::Number,
         slider: Some(HALF_TURN),
         unit: "degrees",
-        label: "Angle",
+        label: word!("Angle"),
         help: "degrees of a left turn, and of a right one unless it has an angle of its own",
         access: Some(at!(angle)),
         ..FIELD
@@ -149,7 +149,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         optional: true,
         slider: Some(HALF_TURN),
         unit: "degrees",
-        label: "Right turns",
+        label: word!("Right turns"),
         help: "degrees of a right turn; as `angle` where it is missing",
         access: Some(at!(right_angle)),
         ..FIELD
@@ -159,7 +159,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "seed",
         file: Some((Section::File, "seed")),
         expected: Expected::Whole(0, u32::MAX as i64),
-        label: "Seed",
+        label: word!("Seed"),
         help: "the number that selects among random choices",
         access: Some(at!(seed)),
         ..FIELD
@@ -169,7 +169,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "turtle",
         file: Some((Section::Turtle, "dialect")),
         expected: Expected::Word(&Dialect::NAMES),
-        label: "Dialect",
+        label: word!("Dialect"),
         help: "the table of what symbols do",
         access: Some(at!(dialect)),
         ..FIELD
@@ -181,7 +181,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: Expected::Number,
         optional: true,
         unit: "degrees",
-        label: "Pitch down",
+        label: word!("Pitch down"),
         help: "degrees of pitching down; as `angle` where it is missing",
         access: Some(at!(pitch_down)),
         ..FIELD
@@ -193,7 +193,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: Expected::Number,
         optional: true,
         unit: "degrees",
-        label: "Pitch up",
+        label: word!("Pitch up"),
         help: "degrees of pitching up; as pitching down where it is missing",
         access: Some(at!(pitch_up)),
         ..FIELD
@@ -205,7 +205,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: Expected::Number,
         optional: true,
         unit: "degrees",
-        label: "Roll left",
+        label: word!("Roll left"),
         help: "degrees of rolling left; as `angle` where it is missing",
         access: Some(at!(roll_left)),
         ..FIELD
@@ -217,7 +217,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: Expected::Number,
         optional: true,
         unit: "degrees",
-        label: "Roll right",
+        label: word!("Roll right"),
         help: "degrees of rolling right; as rolling left where it is missing",
         access: Some(at!(roll_right)),
         ..FIELD
@@ -228,7 +228,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Turtle, "heading_deg")),
         expected: Expected::Number,
         unit: "degrees",
-        label: "Heading",
+        label: word!("Heading"),
         help: "the heading at the start, in degrees counter-clockwise from +x",
         access: Some(at!(heading)),
         ..FIELD
@@ -238,7 +238,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "step",
         file: Some((Section::Turtle, "step")),
         expected: Expected::Between(1e-9, 1e9),
-        label: "Step",
+        label: word!("Step"),
         help: "the step length, in model units",
         access: Some(at!(step)),
         ..FIELD
@@ -248,7 +248,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "start",
         file: Some((Section::Turtle, "start")),
         expected: Expected::Each(2, &Expected::Between(-1e9, 1e9)),
-        label: "Start of the turtle",
+        label: word!("Start of the turtle"),
         help: "where the turtle starts, in model units, x right and y up",
         access: Some(at!(start)),
         ..FIELD
@@ -258,7 +258,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "tropism",
         file: Some((Section::Turtle, "tropism")),
         expected: Expected::Each(3, &PULL),
-        label: "Tropism",
+        label: word!("Tropism"),
         help: "the direction that branches bend towards: x, y, and z towards the viewer",
         access: Some(at!(tropism)),
         ..FIELD
@@ -268,7 +268,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "elasticity",
         file: Some((Section::Turtle, "elasticity")),
         expected: PULL,
-        label: "Elasticity",
+        label: word!("Elasticity"),
         help: "how easily branches bend, 0 for not at all",
         access: Some(at!(elasticity)),
         ..FIELD
@@ -278,7 +278,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "sway",
         file: Some((Section::Turtle, "sway_deg")),
         expected: Expected::Each(2, &SWAY),
-        label: "Sway",
+        label: word!("Sway"),
         help: "the sway of branches in the wind: its strength, and its phase from 0 to 360, in degrees",
         access: Some(at!(sway)),
         ..FIELD
@@ -290,7 +290,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: FACTOR,
         slider: Some(TIMES),
         unit: "times",
-        label: "Branch length\u{a0}×",
+        label: word!("Branch length\u{a0}×"),
         help: "what every branch multiplies lengths by",
         access: Some(at!(length_factor)),
         ..FIELD
@@ -302,7 +302,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: PERCENT,
         slider: Some(PERCENTS),
         unit: "percent",
-        label: "Angle variation",
+        label: word!("Angle variation"),
         help: "how much angles differ at random, at most, in percent",
         access: Some(at!(angle_variation)),
         ..FIELD
@@ -314,7 +314,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: PERCENT,
         slider: Some(PERCENTS),
         unit: "percent",
-        label: "Length variation",
+        label: word!("Length variation"),
         help: "how much lengths differ at random, at most, in percent",
         access: Some(at!(length_variation)),
         ..FIELD
@@ -324,7 +324,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "growth",
         file: Some((Section::Turtle, "growth")),
         expected: Expected::Between(0.0, 1.0),
-        label: "Growth",
+        label: word!("Growth"),
         help: "how far the last derivation step has grown",
         access: Some(at!(growth)),
         ..FIELD
@@ -334,7 +334,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "do",
         file: Some((Section::Turtle, "overrides")),
         expected: text(20_000),
-        label: "Custom symbols",
+        label: word!("Custom symbols"),
         help: "symbols that do something else than in the dialect, one on each line",
         access: Some(at!(overrides)),
         ..FIELD
@@ -344,7 +344,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "surfaces",
         file: Some((Section::Turtle, "surfaces")),
         expected: text(MAX_SURFACES_TEXT),
-        label: "Surfaces",
+        label: word!("Surfaces"),
         help: "surfaces that symbols draw, one on each line: a letter, a colon, and the 16 control points of each Bezier patch, each point as its distances ahead, left and up",
         access: Some(at!(surfaces)),
         ..FIELD
@@ -355,7 +355,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "palette")),
         expected: Expected::Palette,
         affects: Affects::Look,
-        label: "Colours",
+        label: word!("Colours"),
         help: "the stroke colours",
         access: Some(at!(style.palette)),
         ..FIELD
@@ -366,7 +366,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "colour_by")),
         expected: Expected::Word(&ColourBy::NAMES),
         affects: Affects::Look,
-        label: "Colour by",
+        label: word!("Colour by"),
         help: "what the colour follows",
         access: Some(at!(style.colour_by)),
         ..FIELD
@@ -377,7 +377,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "palette_holds")),
         expected: Expected::Boolean,
         affects: Affects::Look,
-        label: "Stay at the last colour",
+        label: word!("Stay at the last colour"),
         help: "whether by level and by generation the last colour stays where the palette ends",
         access: Some(at!(style.palette_holds)),
         ..FIELD
@@ -388,7 +388,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "turn_colours")),
         expected: Expected::Each(2, &Expected::Whole(i32::MIN as i64, i32::MAX as i64)),
         affects: Affects::Look,
-        label: "Colour number after a turn",
+        label: word!("Colour number after a turn"),
         help: "by turn: the index in the palette, from 0, after a left and after a right turn",
         access: Some(at!(style.turn_colours)),
         ..FIELD
@@ -399,7 +399,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "background")),
         expected: Expected::Colour,
         affects: Affects::Look,
-        label: "Background",
+        label: word!("Background"),
         help: "the colour behind the drawing",
         access: Some(at!(style.background)),
         ..FIELD
@@ -412,7 +412,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         slider: Some(Slider { from: 0.0, parts: &[(1.0, 0.05), (3.0, 0.1), (10.0, 0.25), (20.0, 0.5)], arrow: 0.1 }),
         unit: "steps",
         affects: Affects::Look,
-        label: "Stroke width (steps)",
+        label: word!("Stroke width (steps)"),
         help: "the stroke width, in steps",
         access: Some(at!(style.width)),
         ..FIELD
@@ -425,7 +425,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         slider: Some(TIMES),
         unit: "times",
         affects: Affects::Look,
-        label: "Width per branch level\u{a0}×",
+        label: word!("Width per branch level\u{a0}×"),
         help: "what every branch multiplies the width by",
         access: Some(at!(style.width_factor)),
         ..FIELD
@@ -436,7 +436,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "tapers")),
         expected: Expected::Boolean,
         affects: Affects::Look,
-        label: "Tapered lines",
+        label: word!("Tapered lines"),
         help: "whether each line runs from its own width to the width with which its branch goes on",
         access: Some(at!(style.tapers)),
         ..FIELD
@@ -449,7 +449,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         slider: Some(Slider { from: 0.0, parts: &[(8.0, 0.25)], arrow: 0.5 }),
         unit: "pixels",
         affects: Affects::Look,
-        label: "Thinnest line",
+        label: word!("Thinnest line"),
         help: "the width of the thinnest line, in pixels",
         access: Some(at!(style.min_width)),
         ..FIELD
@@ -462,7 +462,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         slider: Some(Slider { from: 0.0, parts: &[(4.0, 0.25), (20.0, 1.0)], arrow: 0.5 }),
         unit: "percent",
         affects: Affects::Look,
-        label: "Thickest line (%)",
+        label: word!("Thickest line (%)"),
         help: "the width of the thickest line, in percent of the picture's longer side; 0 for no limit",
         access: Some(at!(style.max_width)),
         ..FIELD
@@ -473,7 +473,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "ink")),
         expected: Expected::Word(&Ink::NAMES),
         affects: Affects::Look,
-        label: "Blending",
+        label: word!("Blending"),
         help: "blending of overlapping strokes: opaque (`solid`), additive (`density`), or opaque but additive where strokes are finer than pixels (`auto`)",
         access: Some(at!(style.ink)),
         ..FIELD
@@ -486,7 +486,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         slider: Some(Slider { from: 0.0, parts: &[(360.0, 5.0)], arrow: 5.0 }),
         unit: "degrees",
         affects: Affects::Look,
-        label: "Hue",
+        label: word!("Hue"),
         help: "by how many degrees the palette's hues are turned",
         access: Some(at!(style.hue)),
         ..FIELD
@@ -499,7 +499,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         slider: Some(Slider { from: -4.0, parts: &[(4.0, 0.25)], arrow: 0.25 }),
         unit: "stops",
         affects: Affects::Look,
-        label: "Exposure (stops)",
+        label: word!("Exposure (stops)"),
         help: "brightness of additive blending, in stops: each doubles it",
         access: Some(at!(style.exposure)),
         ..FIELD
@@ -510,7 +510,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "shadows")),
         expected: Expected::Boolean,
         affects: Affects::Look,
-        label: "Shadows",
+        label: word!("Shadows"),
         help: "whether a drawing in space has soft shadows",
         access: Some(at!(style.shadows)),
         ..FIELD
@@ -520,7 +520,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         link: "shapes",
         file: Some((Section::Style, "shapes")),
         expected: Expected::Boolean,
-        label: "Shapes",
+        label: word!("Shapes"),
         help: "whether the drawing has the outlines of the shapes in the rules, in a faint colour",
         access: Some(at!(style.shapes)),
         ..FIELD
@@ -531,7 +531,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::Style, "auto")),
         expected: Expected::Boolean,
         affects: Affects::Look,
-        label: "Automatic look",
+        label: word!("Automatic look"),
         help: "whether widths, and what the colour follows, are chosen after the system in place of the values given",
         access: Some(at!(style.auto)),
         ..FIELD
@@ -542,7 +542,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::File, "name")),
         expected: text(200),
         affects: Affects::Caption,
-        label: "Name",
+        label: word!("Name"),
         help: "a short name, unique within its folder",
         access: Some(at!(name)),
         ..FIELD
@@ -553,7 +553,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::File, "source")),
         expected: text(1_000),
         affects: Affects::Caption,
-        label: "Source",
+        label: word!("Source"),
         help: "where the system was published",
         access: Some(at!(source)),
         ..FIELD
@@ -564,7 +564,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         file: Some((Section::File, "notes")),
         expected: text(10_000),
         affects: Affects::Caption,
-        label: "Notes",
+        label: word!("Notes"),
         help: "what a reader should know",
         access: Some(at!(notes)),
         ..FIELD
@@ -575,7 +575,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: Expected::Record(VIEW),
         optional: true,
         affects: Affects::Look,
-        label: "View",
+        label: word!("View"),
         help: "the part of the plane that is shown",
         ..FIELD
     },
@@ -585,7 +585,7 @@ pub static FIELDS: [FieldSpec; 45] = [
         expected: Expected::Record(CAMERA),
         optional: true,
         affects: Affects::Look,
-        label: "Camera",
+        label: word!("Camera"),
         help: "from where a drawing in space is looked at",
         ..FIELD
     },

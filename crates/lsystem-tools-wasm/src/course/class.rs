@@ -2,6 +2,8 @@
 
 use super::exercise::undrawable;
 use crate::{from_js, to_js};
+use lsystem_base::say;
+use lsystem_base::words::shown;
 use lsystem_course::{Answer, Class, Exercise, Marked, Marker, Varied, answers, exercise_in, mistakes};
 use serde::Serialize;
 use std::collections::VecDeque;
@@ -68,11 +70,13 @@ impl ClassMarking {
         let wanted = if exercise.trim().is_empty() { text } else { exercise };
         let veiled = exercise_in(wanted)
             .or_else(|| is_bare(exercise).then(|| exercise.trim().to_owned()))
-            .ok_or("There is no link of an exercise (with x=…).")?;
-        let class = Class::new(veiled).map_err(|wrong| format!("The exercise {wrong}."))?;
-        let left: VecDeque<Answer> = answers(text, "Answer", class.veiled()).take(MOST).collect();
+            .ok_or_else(|| say!("There is no link of an exercise (with x=…)."))?;
+        let class = Class::new(veiled).map_err(|wrong| say!("The exercise {}.", wrong))?;
+        let left: VecDeque<Answer> = answers(text, &say!("Answer"), class.veiled()).take(MOST).collect();
         if left.is_empty() {
-            return Err("There is no answer: paste links, one on each line, or a table with a column of links.".into());
+            return Err(
+                say!("There is no answer: paste links, one on each line, or a table with a column of links.").into()
+            );
         }
         Ok(Self { class, left, marked: Vec::new() })
     }
@@ -104,7 +108,7 @@ impl ClassMarking {
             link: one.answer.link.clone(),
             is_solved: one.is_solved(),
             agreement: one.grade.as_ref().map_or(0.0, |grade| grade.agreement),
-            percent: one.percent(),
+            percent: shown(&one.percent()),
             symbols: one.grade.as_ref().map(|grade| grade.symbols),
             rules,
             words: one.words(),

@@ -1,6 +1,8 @@
 //! Exercises: what a student sees, and marks.
 
 use crate::{from_js, to_js};
+use lsystem_base::say;
+use lsystem_base::words::shown;
 use lsystem_course::{Asks, Exercise, Given, Grade, Marker, Marking};
 use lsystem_syntax::{Definition, Diagnostic};
 use serde::Serialize;
@@ -79,7 +81,7 @@ impl OpenExercise {
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str) -> Result<Self, JsValue> {
         let (text, variant) = text.split_once('.').unwrap_or((text, ""));
-        let mut exercise = Exercise::read(text).map_err(|wrong| JsValue::from(format!("The exercise {wrong}.")))?;
+        let mut exercise = Exercise::read(text).map_err(|wrong| JsValue::from(say!("The exercise {}.", wrong)))?;
         if let Ok(number) = variant.parse() {
             exercise = exercise.variant(number);
         }
@@ -134,7 +136,7 @@ impl OpenExercise {
         let Some(mark) = self.marker.step(marking, WORK) else { return Ok(JsValue::NULL) };
         self.marking = None;
         self.is_solved |= mark.is_solved;
-        let percent = mark.percent();
+        let percent = shown(&mark.percent());
         let Grade { is_solved, agreement, is_same, symbols, words, errors, .. } = mark;
         let errors = errors.iter().map(Diagnostic::message).collect();
         let exercise = self.marker.exercise();
@@ -189,12 +191,12 @@ pub(crate) struct VariantReport {
 /// Throws a sentence if the exercise is damaged.
 #[wasm_bindgen(js_name = variantOf)]
 pub fn variant_of(text: &str, student: &str) -> Result<JsValue, JsValue> {
-    let exercise = Exercise::read(text).map_err(|wrong| JsValue::from(format!("The exercise {wrong}.")))?;
+    let exercise = Exercise::read(text).map_err(|wrong| JsValue::from(say!("The exercise {}.", wrong)))?;
     let number = exercise.variant_of(student);
     to_js(&VariantReport { text: format!("{text}.{number}"), variant: number + 1 })
 }
 
 pub(super) fn undrawable(errors: &[Diagnostic]) -> JsValue {
     let words: Vec<String> = errors.iter().map(|error| format!("{}.", error.message())).collect();
-    JsValue::from(format!("The exercise cannot be drawn: {}", words.join(" ")))
+    JsValue::from(say!("The exercise cannot be drawn: {}", words.join(" ")))
 }

@@ -1,6 +1,7 @@
 //! How the generations of a system grow.
 
 use crate::{from_js, to_js};
+use lsystem_base::words::said;
 use lsystem_course::growth::{Growth, growth as growth_of};
 use lsystem_drawing::System;
 use lsystem_syntax::{Definition, Diagnostic};
@@ -31,7 +32,7 @@ pub fn growth(definition: JsValue) -> Result<JsValue, JsValue> {
     let definition: Definition = from_js(definition)?;
     let (system, diagnostics) = System::new(&definition);
     let made = match &system {
-        Some(system) => growth_of(system, definition.iterations).map_err(str::to_owned),
+        Some(system) => growth_of(system, definition.iterations).map_err(said),
         None => {
             Err(diagnostics.iter().filter(|one| one.is_error()).map(Diagnostic::message).collect::<Vec<_>>().join(" "))
         }

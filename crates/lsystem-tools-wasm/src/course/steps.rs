@@ -1,6 +1,7 @@
 //! Derivations and turtles step by step.
 
 use crate::{from_js, to_js};
+use lsystem_base::words::said;
 use lsystem_course::steps::{Order, Why, one_by_one as singles, rows, trace};
 use lsystem_drawing::System;
 use lsystem_syntax::Diagnostic;
@@ -47,5 +48,5 @@ fn with_system<T: Serialize>(
         let errors = diagnostics.iter().filter(|one| one.is_error()).map(Diagnostic::message);
         return Err(JsValue::from(errors.collect::<Vec<_>>().join(" ")));
     };
-    to_js(&read(&system).map_err(JsValue::from)?)
+    to_js(&read(&system).map_err(said)?)
 }

@@ -10,6 +10,7 @@ pub use scorm::make_package;
 
 use crate::{from_js, to_js};
 use js_sys::{Function, Uint8Array};
+use lsystem_base::say;
 use lsystem_files::{FileOptions, FileView, Format, OptionValue, Owner};
 use lsystem_render::{PageCamera, PageView};
 use lsystem_syntax::{Definition, Halt, Problem};
@@ -94,7 +95,7 @@ impl Owner for Page<'_> {
 #[wasm_bindgen]
 pub fn make_file(asked: JsValue, tell: &Function) -> Result<JsValue, JsValue> {
     let Asked { definition, format, options, view, camera, ratio, upto } = from_js(asked)?;
-    let format = Format::named(&format).ok_or_else(|| format!("there is no format `{format}`"))?;
+    let format = Format::named(&format).ok_or_else(|| say!("there is no format `{}`", format))?;
     let options = FileOptions::from_values(&options)?;
     let segment = view.as_ref().and_then(PageView::origin);
     let (view, camera) = (view.map(Into::into).unwrap_or_default(), camera.map(Into::into));

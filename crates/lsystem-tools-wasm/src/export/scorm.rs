@@ -1,5 +1,6 @@
 //! Packages for learning systems.
 
+use lsystem_base::say;
 use lsystem_course::{Scorm, ScormPages, ScormStandard, scorm_package};
 use wasm_bindgen::prelude::*;
 
@@ -18,7 +19,7 @@ pub fn make_package(
     steps: &str,
     exercise: &[u8],
 ) -> Result<Vec<u8>, JsValue> {
-    let standard = ScormStandard::named(standard).ok_or_else(|| format!("There is no SCORM {standard}."))?;
+    let standard = ScormStandard::named(standard).ok_or_else(|| say!("There is no SCORM {}.", standard))?;
     let scorm = Scorm { title, exercises: &exercises, standard };
     scorm_package(&scorm, &ScormPages { steps, exercise }).map_err(JsValue::from)
 }

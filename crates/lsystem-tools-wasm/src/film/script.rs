@@ -3,6 +3,8 @@
 use super::words;
 use crate::{from_js, to_js};
 use lsystem_base::MAX_ITERATIONS;
+use lsystem_base::say;
+use lsystem_base::words::said;
 use lsystem_drawing::Origin;
 use lsystem_film::{Script, Subject};
 use lsystem_syntax::message::expected_words;
@@ -90,7 +92,7 @@ pub fn subjects(definition: JsValue) -> Result<JsValue, JsValue> {
     let definition: &Definition = &from_js(definition)?;
     let mut list = vec![SubjectObject {
         name: "n".to_owned(),
-        label: "Iterations".to_owned(),
+        label: say!("Iterations"),
         value: Some(vec![f64::from(definition.iterations)]),
         expected: expected_words(Expected::Between(0.0, f64::from(MAX_ITERATIONS))),
     }];
@@ -98,7 +100,7 @@ pub fn subjects(definition: JsValue) -> Result<JsValue, JsValue> {
         let Subject::Field(FieldSpec { label, expected, .. }) = subject else { continue };
         list.push(SubjectObject {
             name: subject.name(),
-            label: (*label).to_owned(),
+            label: said(label),
             value: subject.of(definition),
             expected: expected_words(*expected),
         });
