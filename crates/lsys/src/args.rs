@@ -2,9 +2,10 @@
 
 use crate::cli::{Changes, Cli, ExhibitOptions, FilmOptions, GrowthFormat, Look, ScormOptions, TileOptions, Verb};
 use crate::find::Known;
+use crate::help;
 use crate::view::ViewOptions;
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser};
+use clap::FromArgMatches;
 use lsystem::files::Format;
 use lsystem::import::write::{NOTATIONS, Notation};
 use std::ffi::{OsStr, OsString};
@@ -82,12 +83,14 @@ pub(crate) enum Destination {
 /// # Errors
 /// A message about wrong usage.
 pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
-    let mut cli = Cli::command();
-    cli.build();
+    let mut cli = help::command();
     let words = command_first(arguments.into_iter().collect(), &cli);
     let program = OsString::from("lsys");
-    let verb = match Cli::try_parse_from([program].into_iter().chain(words)) {
-        Ok(Cli { verb }) => verb,
+    let verb = match cli
+        .try_get_matches_from_mut([program].into_iter().chain(words))
+        .and_then(|matches| Cli::from_arg_matches(&matches))
+    {
+        Ok(Cli { verb, .. }) => verb,
         Err(error) => match error.kind() {
             ErrorKind::DisplayHelp => return Ok(Command::Print(error.to_string())),
             ErrorKind::DisplayVersion => return Ok(Command::Print(cli.render_version())),

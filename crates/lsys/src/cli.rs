@@ -1,7 +1,7 @@
 //! The command line: commands, options and help texts.
 
 use crate::file_flags::FileFlags;
-use crate::memory;
+use crate::{language, memory};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
@@ -46,6 +46,9 @@ Examples:
 #[command(name = "lsys", version, propagate_version = true, after_help = NOTES)]
 #[command(subcommand_required = true, arg_required_else_help = true, args_override_self = true)]
 pub(crate) struct Cli {
+    /// Language of messages and help: en, or a language that the program has [default: as LANG says]
+    #[arg(long, global = true, value_name = "LANG", value_parser = PossibleValuesParser::new(language::known()))]
+    pub(crate) language: Option<String>,
     #[command(subcommand)]
     pub(crate) verb: Verb,
 }

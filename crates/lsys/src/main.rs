@@ -14,10 +14,12 @@ mod export;
 mod file_flags;
 mod find;
 mod growth;
+mod help;
 mod import;
 mod info;
 mod input;
 mod invent;
+mod language;
 mod link;
 mod mark;
 mod memory;
@@ -82,7 +84,9 @@ impl CommandFailure {
 
 fn main() -> ExitCode {
     pending::fail_on_large_files();
-    let command = match args::parse(std::env::args_os().skip(1)) {
+    let arguments: Vec<_> = std::env::args_os().skip(1).collect();
+    language::choose(&arguments);
+    let command = match args::parse(arguments) {
         Ok(command) => command,
         Err(words) => {
             say(&visible_lines(&words));
