@@ -32,6 +32,7 @@ fn languages(catalogues: &Path) -> io::Result<String> {
     let mut files = fs::read_dir(catalogues)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
     files.retain(|file| file.extension().is_some_and(|ending| ending == "json"));
     files.sort();
-    let row = |file: &PathBuf| Some(format!("({:?}, include_str!({:?})),", file.file_stem()?.to_str()?, file.to_str()?));
+    let row =
+        |file: &PathBuf| Some(format!("({:?}, include_str!({:?})),", file.file_stem()?.to_str()?, file.to_str()?));
     Ok(format!("[{}]", files.iter().filter_map(row).collect::<String>()))
 }

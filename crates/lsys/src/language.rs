@@ -10,6 +10,7 @@ use serde::Deserialize;
 use std::collections::HashMap;
 use std::ffi::OsString;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The codes of the languages beside English, and their catalogues.
 const CATALOGUES: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/languages.rs"));
@@ -23,9 +24,13 @@ enum Translation {
 }
 
 struct Catalogue {
+    code: &'static str,
     words: HashMap<String, Translation>,
     locale: Option<Locale>,
 }
+
+/// Whether texts stay English, as in outputs for programs.
+static STAYS_ENGLISH: AtomicBool = AtomicBool::new(false);
 
 static CATALOGUE: OnceLock<Catalogue> = OnceLock::new();
 
@@ -34,14 +39,26 @@ pub(crate) fn known() -> impl Iterator<Item = &'static str> {
     std::iter::once("en").chain(CATALOGUES.iter().map(|(code, _)| *code))
 }
 
+/// Leaves all texts of this run English, because another program reads its output.
+pub(crate) fn stay_english() {
+    STAYS_ENGLISH.store(true, Ordering::Relaxed);
+}
+
+/// The code of the language that texts have.
+pub(crate) fn code() -> &'static str {
+    CATALOGUE.get().filter(|_| !STAYS_ENGLISH.load(Ordering::Relaxed)).map_or("en", |own| own.code)
+}
+
 /// Sets the language for all messages, by the arguments and the environment. An unknown language in the arguments is
 /// left to the reader of the arguments.
 pub(crate) fn choose(arguments: &[OsString]) {
     let asked = asked(arguments).unwrap_or_else(|| of_environment(|name| std::env::var(name).ok()));
     let Some((code, text)) = CATALOGUES.iter().find(|(code, _)| *code == asked) else { return };
     let Ok(words) = serde_json::from_str(text) else { return };
-    if CATALOGUE.set(Catalogue { words, locale: code.parse().ok() }).is_ok() {
-        set_reader(|text, number| CATALOGUE.get()?.find(text, number));
+    if CATALOGUE.set(Catalogue { code, words, locale: code.parse().ok() }).is_ok() {
+        set_reader(|text, number| {
+            CATALOGUE.get().filter(|_| !STAYS_ENGLISH.load(Ordering::Relaxed))?.find(text, number)
+        });
     }
 }
 
@@ -51,7 +68,8 @@ impl Catalogue {
             Translation::Text(text) => Some(text.clone()),
             Translation::Forms(forms) => {
                 let rules = self.locale.as_ref().and_then(|own| PluralRules::try_new_cardinal(own.into()).ok());
-                let category = rules.zip(number).map_or(PluralCategory::Other, |(own, number)| own.category_for(number));
+                let category =
+                    rules.zip(number).map_or(PluralCategory::Other, |(own, number)| own.category_for(number));
                 forms.get(name_of(category)).or_else(|| forms.get("other")).cloned()
             }
         }
@@ -112,8 +130,9 @@ mod tests {
 
     #[test]
     fn the_number_chooses_the_form() {
-        let words = serde_json::from_str(r#"{"{} points": {"one": "{} punkt", "few": "{} punkty", "other": "{} punktów"}}"#);
-        let catalogue = Catalogue { words: words.unwrap(), locale: "pl".parse().ok() };
+        let words =
+            serde_json::from_str(r#"{"{} points": {"one": "{} punkt", "few": "{} punkty", "other": "{} punktów"}}"#);
+        let catalogue = Catalogue { code: "pl", words: words.unwrap(), locale: "pl".parse().ok() };
         for (number, form) in [(1, "{} punkt"), (3, "{} punkty"), (5, "{} punktów"), (22, "{} punkty")] {
             assert_eq!(catalogue.find("{} points", Some(number)).as_deref(), Some(form), "{number}");
         }
