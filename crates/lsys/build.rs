@@ -2,8 +2,10 @@
 //!
 //! Only release builds carry pages, so that builds for tests do not depend on whether the page has been built. A page
 //! that is not there becomes an empty file, and the program says so when the page is asked for.
+//!
+//! The translations in `lang/`, copies of those of the page, become a table of the program.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
@@ -14,10 +16,23 @@ fn main() -> io::Result<()> {
         let page = Some(from.join(name)).filter(|page| is_release && page.is_file());
         fs::write(Path::new(&to).join(name), page.map(fs::read).transpose()?.unwrap_or_default())?;
     }
+    let catalogues = Path::new(&env::var("CARGO_MANIFEST_DIR").map_err(io::Error::other)?).join("lang");
+    fs::write(Path::new(&to).join("languages.rs"), languages(&catalogues)?)?;
+    println!("cargo::rerun-if-changed=lang");
     println!("cargo::rerun-if-changed=build.rs");
     // A path that does not exist would run this at every build.
     if from.is_dir() {
         println!("cargo::rerun-if-changed=pages");
     }
     Ok(())
+}
+
+/// The table of the codes of languages and their catalogues, as Rust.
+fn languages(catalogues: &Path) -> io::Result<String> {
+    let mut files = fs::read_dir(catalogues)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
+    files.retain(|file| file.extension().is_some_and(|ending| ending == "json"));
+    files.sort();
+    let row =
+        |file: &PathBuf| Some(format!("({:?}, include_str!({:?})),", file.file_stem()?.to_str()?, file.to_str()?));
+    Ok(format!("[{}]", files.iter().filter_map(row).collect::<String>()))
 }

@@ -3,6 +3,8 @@
 use crate::input::bytes_of;
 use crate::{CommandFailure, print, say};
 use lsystem::base::MAX_TEXT;
+use lsystem::base::word;
+use lsystem::base::words::said;
 use lsystem::import::{Fate, import};
 use lsystem::syntax::{line_of, visible};
 use std::path::PathBuf;
@@ -19,30 +21,31 @@ pub(crate) fn account(files: &[PathBuf]) -> Result<(), CommandFailure> {
         let text = String::from_utf8_lossy(&text);
         let Some(imported) = import(&text) else {
             let why = if text.len() > MAX_TEXT {
-                "longer than 1 MiB, which is not read"
+                say!("longer than 1 MiB, which is not read")
             } else {
-                "no L-system in a known notation"
+                say!("no L-system in a known notation")
             };
-            say(&format!("{}\n", visible(&format!("error: {name}: {why}"))));
+            say(&format!("{}\n", visible(&say!("error: {}", format!("{name}: {why}")))));
             failed = true;
             continue;
         };
         print(|out| {
-            writeln!(out, "{}", visible(&format!("{name}: {}", imported.notation)))?;
+            writeln!(out, "{}", visible(&format!("{name}: {}", said(imported.notation))))?;
             let (mut line, mut from) = (1, 0);
             for part in &imported.account {
                 line += line_of(&text[from..part.span.start], part.span.start - from) - 1;
                 from = part.span.start;
                 let fate = match part.fate {
                     Fate::Passed => continue,
-                    Fate::Read => "read",
-                    Fate::Noted => "noted",
-                    Fate::Refused => "refused",
+                    Fate::Read => word!("read"),
+                    Fate::Noted => word!("noted"),
+                    Fate::Refused => word!("refused"),
                 };
                 let system = part
                     .entry
                     .filter(|_| imported.entries.len() > 1)
                     .map_or(String::new(), |at| format!(" {}", at + 1));
+                let fate = said(fate);
                 let found = text[part.span.clone()].trim().replace('\n', " ");
                 writeln!(out, "{}", visible(&format!("{line}: {fate}{system}: `{found}`: {}", part.words)))?;
             }

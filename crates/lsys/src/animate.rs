@@ -6,8 +6,8 @@ mod sink;
 use crate::CommandFailure;
 use crate::cli::{Changes, Dive, FilmFormat, FilmOptions};
 use crate::input::{self, InputSystem};
-use lsystem::base::MAX_SEGMENT_DIGITS;
 use lsystem::base::fixed::Fixed;
+use lsystem::base::{MAX_SEGMENT_DIGITS, say};
 use lsystem::film::{Film, LIMITS, Script, dive_to, grow, sway, sway_strength, turntable, turtle};
 use lsystem::render::opening_camera;
 use lsystem::{Camera, Figure, Limits, Vantage};
@@ -36,7 +36,7 @@ pub(crate) fn animate(file: &Path, to: &Path, options: &FilmOptions, changes: &C
         (_, true) => sink::frames_to_stdout(&pool, format),
         (FilmFormat::Gif, false) => sink::gif_to_file(&pool, to),
         (FilmFormat::Png, false) => sink::pngs_to_folder(&pool, to),
-        (_, false) => Err(words("y4m and rgba are for standard output: give --to -")),
+        (_, false) => Err(words(say!("y4m and rgba are for standard output: give --to -"))),
     }
 }
 
@@ -72,13 +72,13 @@ fn film(input: &InputSystem, options: &FilmOptions, limits: Limits) -> Result<Fi
     }
     if options.turntable {
         if !is_solid {
-            return Err(words("--turntable is for drawings in space, and this drawing is in the plane"));
+            return Err(words(say!("--turntable is for drawings in space, and this drawing is in the plane")));
         }
         tracks.push(turntable(&script, &vantage.camera));
     }
     if options.sway {
         if !input.system.has_branches() {
-            return Err(words("--sway is for drawings with branches, and this drawing has none"));
+            return Err(words(say!("--sway is for drawings with branches, and this drawing has none")));
         }
         tracks.push(sway(&script, sway_strength(&input.definition)));
     }

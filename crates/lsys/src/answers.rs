@@ -1,6 +1,7 @@
 //! Answers to exercises: links, systems in files, and tables with a column of links.
 
 use crate::{CommandFailure, input};
+use lsystem::base::say;
 use lsystem::course::{Answer, Class, MAX_OUTPUT, answers as in_text, exercise_in};
 use lsystem::read_file;
 use lsystem::syntax::message::grouped;
@@ -16,9 +17,9 @@ const MOST: usize = 100_000;
 pub(crate) fn class(word: &str) -> Result<Class, CommandFailure> {
     let text = if is_link(word) { word.to_owned() } else { input::text_of(Path::new(word))? };
     let Some(veiled) = exercise_in(&text) else {
-        return Err(CommandFailure::Words(format!("{word}: there is no link of an exercise (with x=...)")));
+        return Err(CommandFailure::Words(say!("{}: there is no link of an exercise (with x=...)", word)));
     };
-    Class::new(veiled).map_err(|wrong| CommandFailure::Words(format!("the exercise {wrong}")))
+    Class::new(veiled).map_err(|wrong| CommandFailure::Words(say!("the exercise {}", wrong)))
 }
 
 /// The answers that one word of the command line names.
@@ -35,17 +36,17 @@ pub(crate) fn answers(word: &str, exercise: &str) -> Result<Vec<Answer>, Command
     let name = path.file_stem().map_or(word.into(), |name| name.to_string_lossy()).into_owned();
     if let Ok(text) = core::str::from_utf8(&bytes) {
         if text.len() > MAX_OUTPUT {
-            return refused(format!("longer than {} MiB, which is not read", MAX_OUTPUT >> 20));
+            return refused(say!("longer than {} MiB, which is not read", MAX_OUTPUT >> 20));
         }
         let found: Vec<Answer> = in_text(text, &name, exercise).take(MOST + 1).collect();
         if found.len() > MOST {
-            return refused(format!("more than {} answers", grouped(&MOST.to_string())));
+            return refused(say!("more than {} answers", grouped(&MOST.to_string())));
         }
         if !found.is_empty() {
             return Ok(found);
         }
     }
-    let student = read_file(&bytes).definition.ok_or_else(|| "this is no system and no link".to_owned());
+    let student = read_file(&bytes).definition.ok_or_else(|| say!("this is no system and no link"));
     Ok(vec![Answer { name, by: String::new(), link: None, student }])
 }
 

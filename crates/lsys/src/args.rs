@@ -2,9 +2,12 @@
 
 use crate::cli::{Changes, Cli, ExhibitOptions, FilmOptions, GrowthFormat, Look, ScormOptions, TileOptions, Verb};
 use crate::find::Known;
+use crate::help;
 use crate::view::ViewOptions;
+use clap::FromArgMatches;
 use clap::error::ErrorKind;
-use clap::{CommandFactory, Parser};
+use lsystem::base::say;
+use lsystem::base::words::said;
 use lsystem::files::Format;
 use lsystem::import::write::{NOTATIONS, Notation};
 use std::ffi::{OsStr, OsString};
@@ -82,12 +85,14 @@ pub(crate) enum Destination {
 /// # Errors
 /// A message about wrong usage.
 pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
-    let mut cli = Cli::command();
-    cli.build();
+    let mut cli = help::command();
     let words = command_first(arguments.into_iter().collect(), &cli);
     let program = OsString::from("lsys");
-    let verb = match Cli::try_parse_from([program].into_iter().chain(words)) {
-        Ok(Cli { verb }) => verb,
+    let verb = match cli
+        .try_get_matches_from_mut([program].into_iter().chain(words))
+        .and_then(|matches| Cli::from_arg_matches(&matches))
+    {
+        Ok(Cli { verb, .. }) => verb,
         Err(error) => match error.kind() {
             ErrorKind::DisplayHelp => return Ok(Command::Print(error.to_string())),
             ErrorKind::DisplayVersion => return Ok(Command::Print(cli.render_version())),
@@ -114,7 +119,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         Verb::Info { files, json, growth, changes } => {
             match files.iter().filter(|file| file.as_os_str() == "-").count() {
                 0 | 1 => Ok(Command::Info { files, json, growth, changes }),
-                _ => Err(explain("info", "standard input (-) can be read only once".to_owned())),
+                _ => Err(explain("info", say!("standard input (-) can be read only once"))),
             }
         }
         Verb::Tiles { file, dir, options, changes } => Ok(Command::Tiles { file, dir, options, changes }),
@@ -126,12 +131,12 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         }
         Verb::Export { .. } => {
             let width = NOTATIONS.iter().map(|notation| notation.name.len()).max().unwrap_or_default();
-            let line = |notation: &Notation| format!("{:width$}  {}\n", notation.name, notation.help);
+            let line = |notation: &Notation| format!("{:width$}  {}\n", notation.name, said(notation.help));
             Ok(Command::Print(NOTATIONS.iter().map(line).collect()))
         }
         Verb::Check { file, output, changes } => match file == output && file.as_os_str() == "-" {
             false => Ok(Command::Check { file, output, changes }),
-            true => Err(explain("check", "standard input (-) can be read only once".to_owned())),
+            true => Err(explain("check", say!("standard input (-) can be read only once"))),
         },
         Verb::Find { text, axiom, iterations: n, constants, angle, heading, draws, seconds, json } => {
             Ok(Command::Find { text, known: Known { axiom, n, constants, angle, heading, draws, seconds }, json })
@@ -139,7 +144,7 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         Verb::Surprise { seed } => Ok(Command::Surprise { seed }),
         Verb::Breed { files, to, seed, count } => match files.iter().filter(|file| file.as_os_str() == "-").count() {
             0 | 1 => Ok(Command::Breed { files, to, seed, count }),
-            _ => Err(explain("breed", "standard input (-) can be read only once".to_owned())),
+            _ => Err(explain("breed", say!("standard input (-) can be read only once"))),
         },
         Verb::Mark { exercise, answers, csv, html } => Ok(Command::Mark { exercise, answers, csv, html }),
         Verb::Exhibit { files, to, options } => Ok(Command::Exhibit { files, to, options }),
@@ -148,6 +153,19 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut cli, "lsys", &mut script);
             Ok(Command::Print(String::from_utf8_lossy(&script).into_owned()))
+        }
+    }
+}
+
+impl Command {
+    /// Whether the output is for programs: JSON or a table.
+    pub(crate) fn is_for_programs(&self) -> bool {
+        match self {
+            Self::Info { json: true, .. }
+            | Self::Find { json: true, .. }
+            | Self::Mark { csv: true, html: None, .. } => true,
+            Self::Info { growth: Some(format), .. } => !matches!(format, GrowthFormat::Text),
+            _ => false,
         }
     }
 }
@@ -200,10 +218,10 @@ fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: &Look) -> Result<Vec<
     let &Look { format, compact, zoom, ref segment, ref flags } = look;
     let is = |name| format.is_some_and(|format: &Format| format.name == name);
     if compact && format.is_some() && !is("svg") {
-        return Err("--compact needs --format svg or no --format".to_owned());
+        return Err(say!("--compact needs --format svg or no --format"));
     }
     if (zoom.is_some() || segment.is_some()) && !is("png") {
-        return Err("--zoom and --segment need --format png".to_owned());
+        return Err(say!("--zoom and --segment need --format png"));
     }
     let picture = if compact { "svg-compact" } else { "svg" };
     let names = match format {
@@ -219,16 +237,16 @@ fn jobs(files: Vec<PathBuf>, out_dir: Option<&Path>, look: &Look) -> Result<Vec<
     let (file, base) = match <[PathBuf; 2]>::try_from(files) {
         Ok([file, base]) => (file, Some(base)),
         Err(files) if files.len() > 2 => {
-            return Err("draw takes one FILE and one OUT_BASE; use --out-dir for many files".to_owned());
+            return Err(say!("draw takes one FILE and one OUT_BASE; use --out-dir for many files"));
         }
         Err(mut files) => (files.pop().unwrap_or_default(), None),
     };
     let target = match (base, format) {
         (Some(base), _) if base.extension().is_some_and(|e| e == "json") => {
-            return Err(format!("OUT_BASE {} looks like a system; use --out-dir for many files", base.display()));
+            return Err(say!("OUT_BASE {} looks like a system; use --out-dir for many files", base.display()));
         }
         (Some(base), _) if !names_a_file(&base) => {
-            return Err(format!("OUT_BASE `{}` must end in a file name", base.display()));
+            return Err(say!("OUT_BASE `{}` must end in a file name", base.display()));
         }
         (Some(base), _) => Destination::Write(base, formats),
         (None, Some(_)) => Destination::Print(formats[0]),
@@ -260,7 +278,7 @@ fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[&'static Format]) 
         }
         if let Some(other) = bases.iter().position(|other| *other == base) {
             let [one, two] = [&files[other], file].map(|path| path.display());
-            return Err(format!("{one} and {two} would both be written to {}", folder.join(&base).display()));
+            return Err(say!("{} and {} would both be written to {}", one, two, folder.join(&base).display()));
         }
         bases.push(base);
     }
@@ -270,7 +288,7 @@ fn into_folder(files: Vec<PathBuf>, folder: &Path, formats: &[&'static Format]) 
 
 /// The base name of the output for `file`, in the working folder.
 fn stem(file: &Path) -> Result<PathBuf, String> {
-    let name = file.file_name().filter(|name| *name != "-").ok_or("give an OUT_BASE or a --format")?;
+    let name = file.file_name().filter(|name| *name != "-").ok_or_else(|| say!("give an OUT_BASE or a --format"))?;
     let text = Path::new(name);
     // Other endings are part of the name, such as in `1.24d`.
     let known = text.extension().is_some_and(|e| ["json", "svg", "png", "pdf"].iter().any(|known| e == *known));

@@ -14,7 +14,7 @@ pub(crate) fn check(file: &Path, output: &Path, changes: &Changes) -> Result<(),
     let input = input::read(file, changes, &mut say)?;
     let name = input::name_of(output);
     let bytes = input::output_of(output).map_err(|error| CommandFailure::io(&name, &error))?;
-    let text = String::from_utf8(bytes).map_err(|_| CommandFailure::Words(format!("{name}: this is no text")))?;
+    let text = String::from_utf8(bytes).map_err(|_| CommandFailure::Words(say!("{}: this is no text", name)))?;
     let check = compare(&input.definition, &text);
     match &check.verdict {
         Verdict::Unreadable(reason) => Err(CommandFailure::Words(format!("{name}: {reason}"))),

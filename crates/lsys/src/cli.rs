@@ -1,12 +1,13 @@
 //! The command line: commands, options and help texts.
 
 use crate::file_flags::FileFlags;
-use crate::memory;
+use crate::{language, memory};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint};
 use clap_complete::Shell;
 use lsystem::base::fixed::Fixed;
-use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, decimal};
+use lsystem::base::words::said;
+use lsystem::base::{MAX_ITERATIONS, MAX_PICTURE_SIDE, decimal, say};
 use lsystem::course::ScormStandard;
 use lsystem::drawing::Origin;
 use lsystem::files::{FORMATS, FileView, Format};
@@ -46,6 +47,9 @@ Examples:
 #[command(name = "lsys", version, propagate_version = true, after_help = NOTES)]
 #[command(subcommand_required = true, arg_required_else_help = true, args_override_self = true)]
 pub(crate) struct Cli {
+    /// Language of messages and help: en, or a language that the program has [default: as LANG says]
+    #[arg(long, global = true, value_name = "LANG", value_parser = PossibleValuesParser::new(language::known()))]
+    pub(crate) language: Option<String>,
     #[command(subcommand)]
     pub(crate) verb: Verb,
 }
@@ -387,12 +391,12 @@ impl Look {
 /// A magnification as `--zoom` reads it.
 fn magnification(text: &str) -> Result<f64, String> {
     let zoom = decimal::read(text).filter(|zoom| (1e-2..=MAX_ZOOM).contains(zoom));
-    zoom.ok_or_else(|| "a number from 0.01 to 1e301 is expected".to_owned())
+    zoom.ok_or_else(|| say!("a number from 0.01 to 1e301 is expected"))
 }
 
 /// A place on a segment, from the segment's number from 1.
 fn segment(text: &str) -> Result<Origin, String> {
-    Origin::read(text).ok_or_else(|| "expected a number of a segment, from 1".to_owned())
+    Origin::read(text).ok_or_else(|| say!("expected a number of a segment, from 1"))
 }
 
 /// The options of an exhibition.
@@ -468,9 +472,7 @@ impl FromStr for Levels {
     fn from_str(text: &str) -> Result<Self, String> {
         let levels = text.split_once("..").and_then(|(from, to)| Some(Self(from.parse().ok()?, to.parse().ok()?)));
         let is_possible = |levels: &Self| levels.0 <= levels.1 && levels.1 <= TilePlace::MAX_LEVEL;
-        levels
-            .filter(is_possible)
-            .ok_or_else(|| format!("expected levels such as 0..8, at most {}", TilePlace::MAX_LEVEL))
+        levels.filter(is_possible).ok_or_else(|| say!("expected levels such as 0..8, at most {}", TilePlace::MAX_LEVEL))
     }
 }
 
@@ -499,7 +501,7 @@ impl FromStr for Part {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let share = text.split_once('/').and_then(|(part, of)| Share::new(part.parse().ok()?, of.parse().ok()?));
-        share.map(Self).ok_or_else(|| "expected a part such as 0/4, the first of four".to_owned())
+        share.map(Self).ok_or_else(|| say!("expected a part such as 0/4, the first of four"))
     }
 }
 
@@ -515,17 +517,14 @@ impl FromStr for Under {
         let mut next = || parts.next()?.ok();
         let tile = (|| TilePlace::new(next()?.try_into().ok()?, next()?, next()?))();
         tile.filter(|_| parts.next().is_none()).map(Self).ok_or_else(|| {
-            format!(
-                "expected a tile such as 3/0/7: the level, at most {}, the column and the row",
-                TilePlace::MAX_LEVEL
-            )
+            say!("expected a tile such as 3/0/7: the level, at most {}, the column and the row", TilePlace::MAX_LEVEL)
         })
     }
 }
 
 fn tile_size(text: &str) -> Result<u32, String> {
     let size = text.parse().ok().filter(|size| matches!(size, 256 | 512));
-    size.ok_or_else(|| "expected 256 or 512".to_owned())
+    size.ok_or_else(|| say!("expected 256 or 512"))
 }
 
 /// The options of a film.
@@ -614,7 +613,7 @@ impl FromStr for EndingName {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Ending::named(text).map(Self).ok_or_else(|| format!("expected one of {}", Ending::NAMES.join(", ")))
+        Ending::named(text).map(Self).ok_or_else(|| say!("expected one of {}", Ending::NAMES.join(", ")))
     }
 }
 
@@ -626,13 +625,13 @@ impl FromStr for EasingName {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Easing::named(text).map(Self).ok_or_else(|| format!("expected one of {}", Easing::NAMES.join(", ")))
+        Easing::named(text).map(Self).ok_or_else(|| say!("expected one of {}", Easing::NAMES.join(", ")))
     }
 }
 
 /// A parser for the names of [`FORMATS`].
 fn formats() -> impl TypedValueParser<Value = &'static Format> {
-    let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.help));
+    let values = FORMATS.iter().map(|format| PossibleValue::new(format.name).help(said(format.help)));
     PossibleValuesParser::new(values).try_map(|name| Format::named(&name).ok_or("there is no such format"))
 }
 
@@ -643,7 +642,7 @@ fn standards() -> impl TypedValueParser<Value = ScormStandard> {
 }
 
 fn notations() -> impl TypedValueParser<Value = &'static Notation> {
-    let values = NOTATIONS.iter().map(|notation| PossibleValue::new(notation.name).help(notation.help));
+    let values = NOTATIONS.iter().map(|notation| PossibleValue::new(notation.name).help(said(notation.help)));
     PossibleValuesParser::new(values).try_map(|name| Notation::named(&name).ok_or("there is no such notation"))
 }
 
@@ -659,10 +658,10 @@ impl FromStr for PictureSize {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let sides = text.split_once('x').and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)));
-        let (width, height) = sides.ok_or("expected a width and a height such as 1600x1200")?;
+        let (width, height) = sides.ok_or_else(|| say!("expected a width and a height such as 1600x1200"))?;
         let sides = 1..=MAX_PICTURE_SIDE;
         if !sides.contains(&width) || !sides.contains(&height) {
-            return Err(format!("expected 1 to {MAX_PICTURE_SIDE} pixels each way"));
+            return Err(say!("expected 1 to {} pixels each way", MAX_PICTURE_SIDE));
         }
         Ok(Self { width, height })
     }
@@ -670,10 +669,10 @@ impl FromStr for PictureSize {
 
 fn whole(text: &str, most: u32) -> Result<u32, String> {
     let number = text.parse().ok().filter(|&number| number <= most);
-    number.ok_or_else(|| format!("expected a whole number from 0 to {most}"))
+    number.ok_or_else(|| say!("expected a whole number from 0 to {}", most))
 }
 
 fn setting(text: &str) -> Result<(String, String), String> {
-    let (name, value) = text.split_once('=').ok_or("expected a name and a value such as angle_deg=30")?;
+    let (name, value) = text.split_once('=').ok_or_else(|| say!("expected a name and a value such as angle_deg=30"))?;
     Ok((name.to_owned(), value.to_owned()))
 }

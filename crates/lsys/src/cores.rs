@@ -2,6 +2,7 @@
 
 use crate::progress::DelayedBar;
 use crate::{CommandFailure, say};
+use lsystem::base::word;
 use std::collections::BTreeMap;
 use std::num::NonZero;
 use std::sync::{Mutex, PoisonError, RwLock, mpsc};
@@ -107,7 +108,7 @@ fn with_workers<J: Sync, R: Send>(
             move || worker(sender)
         })?;
         drop(sender);
-        let mut progress = DelayedBar::new("files", Some(jobs.len() as u64));
+        let mut progress = DelayedBar::new(word!("files"), Some(jobs.len() as u64));
         // Results that wait for earlier jobs, and the number of jobs whose messages are printed.
         let (mut waiting, mut printed) = (BTreeMap::new(), 0);
         for (at, messages, result) in receiver {

@@ -8,6 +8,7 @@ use crate::output::within;
 use crate::pending::{Pending, with_extension};
 use crate::progress::DelayedBar;
 use crate::{CommandFailure, cores, memory, print};
+use lsystem::base::{say, word};
 use lsystem::drawing::why_empty;
 use lsystem::files::{FileLimits, FileOptions, FileTask, FileView, Format, Owner, PngOptions, Sink, make};
 use lsystem::render::BAND_PIXEL;
@@ -44,14 +45,15 @@ fn draw_one(
     if formats.iter().any(|format| format.shows_drawing())
         && let Some(reason) = why_empty(&input.system, input.iterations)
     {
-        say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
+        let warning = say!("warning: {}", reason);
+        say(&format!("{warning}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     match &job.target {
         Destination::Print(format) if format.is_binary && io::stdout().is_terminal() => {
-            Err(CommandFailure::Words("a terminal cannot show this format: give an OUT_BASE".to_owned()))
+            Err(CommandFailure::Words(say!("a terminal cannot show this format: give an OUT_BASE")))
         }
         Destination::Print(format) => {
-            let wrong = |error: io::Error| CommandFailure::io("standard output", &error);
+            let wrong = |error: io::Error| CommandFailure::io(say!("standard output"), &error);
             limits.make(|shares| {
                 let write = |out: &mut dyn Write| {
                     write_file(&input, format, (&look.flags.options(), look.view()), shares, say, out, &wrong)
@@ -122,7 +124,7 @@ impl Owner for Stream<'_> {
     }
 
     fn rows(&mut self, done: u32, all: u32) {
-        self.bar.get_or_insert_with(|| DelayedBar::new("picture", Some(all.into()))).at(done.into());
+        self.bar.get_or_insert_with(|| DelayedBar::new(word!("picture"), Some(all.into()))).at(done.into());
     }
 }
 

@@ -1,10 +1,12 @@
 //! `lsys exhibit`: drawings as one page of HTML that needs no other file.
 
 use crate::cli::{Changes, ExhibitOptions};
+use crate::language;
 use crate::mark::escaped;
 use crate::pending::Pending;
 use crate::{CommandFailure, cores, draw, input, print};
 use base64::prelude::*;
+use lsystem::base::{counted, say};
 use lsystem::files::write_link;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -56,7 +58,7 @@ pub(crate) fn exhibit(files: &[PathBuf], to: &Path, options: &ExhibitOptions) ->
     let page = page(&exhibits, options, votes.as_ref());
     let file = Pending::write(to, |out| out.write_all(page.as_bytes())).and_then(Pending::commit);
     file.map_err(|error| CommandFailure::io(to.display(), &error))?;
-    print(|out| writeln!(out, "{}: {} of {} drawings", to.display(), exhibits.len(), files.len()))?;
+    print(|out| writeln!(out, "{}: {}", to.display(), say!("{} of {} drawings", exhibits.len(), files.len())))?;
     if is_whole { Ok(()) } else { Err(CommandFailure::Said) }
 }
 
@@ -76,7 +78,7 @@ fn all_files(words: &[PathBuf]) -> Result<Vec<PathBuf>, CommandFailure> {
         all.extend(inside);
     }
     match all.is_empty() {
-        true => Err(CommandFailure::Words("there is no file to exhibit".to_owned())),
+        true => Err(CommandFailure::Words(say!("there is no file to exhibit"))),
         false => Ok(all),
     }
 }
@@ -91,7 +93,7 @@ fn votes_in(file: &Path) -> Result<HashMap<String, u64>, CommandFailure> {
     };
     let votes: HashMap<String, u64> = text.lines().filter_map(vote).collect();
     if votes.is_empty() {
-        let words = format!("{}: no votes: write lines such as koch,12", file.display());
+        let words = say!("{}: no votes: write lines such as koch,12", file.display());
         return Err(CommandFailure::Words(words));
     }
     Ok(votes)
@@ -105,13 +107,14 @@ fn shuffled(seed: u32, name: &str) -> u64 {
 }
 
 fn page(exhibits: &[Exhibit], options: &ExhibitOptions, votes: Option<&HashMap<String, u64>>) -> String {
-    let title = escaped(if options.title.is_empty() { "Exhibition" } else { &options.title });
+    let exhibition = say!("Exhibition");
+    let title = escaped(if options.title.is_empty() { &exhibition } else { &options.title });
     let figures: String = (1..)
         .zip(exhibits)
         .map(|(number, exhibit)| {
             let name = if options.names { exhibit.title.clone() } else { format!("{number}") };
             let count = votes.and_then(|votes| votes.get(&exhibit.stem)).map_or_else(String::new, |count| {
-                format!(", {count} vote{}", if *count == 1 { "" } else { "s" })
+                format!(", {}", counted!(*count, "{} vote", "{} votes"))
             });
             let name = escaped(&name);
             let caption = match &options.page {
@@ -125,9 +128,10 @@ fn page(exhibits: &[Exhibit], options: &ExhibitOptions, votes: Option<&HashMap<S
         })
         .collect();
     format!(
-        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
+        "<!doctype html>\n<html lang=\"{}\">\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
-         <h1>{title}</h1>\n<main>\n{figures}</main>\n</html>\n"
+         <h1>{title}</h1>\n<main>\n{figures}</main>\n</html>\n",
+        language::code()
     )
 }

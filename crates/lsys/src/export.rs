@@ -16,7 +16,7 @@ pub(crate) fn export(file: &Path, notation: &Notation, changes: &Changes) -> Res
     let written = written(&input.definition, notation);
     let written = written.map_err(|refusal| CommandFailure::Words(format!("{name}: {refusal}")))?;
     for sentence in &written.left_out {
-        say(&format!("{}\n", visible(&format!("warning: {name}: {sentence}"))));
+        say(&format!("{}\n", visible(&say!("warning: {}", format!("{name}: {sentence}")))));
     }
     print(|out| out.write_all(written.text.as_bytes()))
 }

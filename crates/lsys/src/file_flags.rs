@@ -1,6 +1,8 @@
 //! The flags of the choices for files, made from the table that the page's dialog is made from.
 
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches};
+use lsystem::base::say;
+use lsystem::base::words::said;
 use lsystem::files::{FILE_OPTIONS, FORMATS, FileOption, FileOptions, Format, OptionKind, OptionValue};
 use std::collections::BTreeMap;
 
@@ -26,8 +28,8 @@ impl FileFlags {
         };
         let names: Vec<_> = FORMATS.iter().filter(|format| reads(format, name)).map(|format| format.name).collect();
         Err(match names[..] {
-            [] => format!("no format reads --{name}"),
-            _ => format!("--{name} needs --format {}", names.join(" or ")),
+            [] => say!("no format reads --{}", name),
+            _ => say!("--{} needs --format {}", name, names.join(" or ")),
         })
     }
 }
@@ -35,20 +37,20 @@ impl FileFlags {
 fn flag(option: &'static FileOption) -> Arg {
     let arg = Arg::new(option.name).long(option.name);
     let (value, default) = match option.kind {
-        OptionKind::Flag => return arg.help(option.help).action(ArgAction::SetTrue),
+        OptionKind::Flag => return arg.help(said(option.help)).action(ArgAction::SetTrue),
         OptionKind::Number { low, high, default, .. } => {
-            (format!("{low} to {high}"), format!("{default} {}", option.unit).trim_end().to_owned())
+            (say!("{} to {}", low, high), format!("{default} {}", said(option.unit)).trim_end().to_owned())
         }
         OptionKind::Word { words, default } => {
             (words.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", "), default.to_owned())
         }
         OptionKind::Sheet { default, .. } => (option.expected_words().replace('`', ""), default.to_owned()),
-        OptionKind::Size => ("such as 4000x3000".to_owned(), "as suits the drawing".to_owned()),
+        OptionKind::Size => (say!("such as 4000x3000"), say!("as suits the drawing")),
     };
     let unit = if option.unit.is_empty() || matches!(option.kind, OptionKind::Sheet { .. }) {
         String::new()
     } else {
-        format!(" in {}", option.unit)
+        say!(" in {}", said(option.unit))
     };
     let name = match option.kind {
         OptionKind::Size => "WxH",
@@ -56,7 +58,7 @@ fn flag(option: &'static FileOption) -> Arg {
         OptionKind::Sheet { .. } => "SIZE",
         _ => "NUMBER",
     };
-    arg.help(format!("{}{unit}: {value} [default: {default}]", option.help))
+    arg.help(say!("{}{}: {} [default: {}]", said(option.help), unit, value, default))
         .value_name(name)
         .allow_hyphen_values(true)
         .value_parser(|text: &str| option.parse(text))

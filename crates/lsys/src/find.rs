@@ -5,6 +5,9 @@ mod picture;
 mod pixels;
 
 use crate::{CommandFailure, input, print};
+use lsystem::base::counted;
+use lsystem::base::say;
+use lsystem::base::words::said;
 use lsystem::course::MAX_OUTPUT;
 use lsystem::find::{Found, Search, Searched, is_svg};
 use serde::Serialize;
@@ -69,16 +72,17 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
                 return picture::find(wanted, &bytes, known, json);
             }
             if let Some(kind) = pixels::other_kind(&bytes) {
-                let words = format!("{wanted}: {kind} pictures are not read: save this one as a PNG, a JPEG or an SVG");
+                let words =
+                    say!("{}: {} pictures are not read: save this one as a PNG, a JPEG or an SVG", wanted, kind);
                 return Err(CommandFailure::Words(words));
             }
             if is_svg(&bytes) {
                 return picture::find_svg(wanted, &bytes, known, json);
             }
             let text = String::from_utf8(bytes);
-            let text = text.map_err(|_| CommandFailure::Words(format!("{wanted}: this is no text")))?;
+            let text = text.map_err(|_| CommandFailure::Words(say!("{}: this is no text", wanted)))?;
             if text.len() > MAX_OUTPUT {
-                let words = format!("{wanted}: longer than {} MiB, which is not read", MAX_OUTPUT >> 20);
+                let words = say!("{}: longer than {} MiB, which is not read", wanted, MAX_OUTPUT >> 20);
                 return Err(CommandFailure::Words(words));
             }
             if let Some(segments) = picture::segments(wanted, &text)? {
@@ -91,7 +95,7 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
     let text = text.trim();
     let axioms = known.axiom.clone().map_or_else(|| axioms(text, &known.constants), |axiom| vec![axiom]);
     if axioms.is_empty() {
-        return Err(CommandFailure::Words("a string with letters is expected, or --axiom".to_owned()));
+        return Err(CommandFailure::Words(say!("a string with letters is expected, or --axiom")));
     }
     let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
     let (begin, limit) = (Instant::now(), Duration::from_secs(known.seconds.into()));
@@ -99,7 +103,7 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
     let (mut found, mut searched): (Vec<(&str, Found)>, Vec<String>) = (Vec::new(), Vec::new());
     for (axiom, &n) in axioms.iter().flat_map(|axiom| steps.iter().map(move |n| (axiom, n))) {
         let search = Search::new(axiom, text, n, &known.constants, MOST);
-        let mut search = search.map_err(|why| CommandFailure::Words(why.to_owned()))?;
+        let mut search = search.map_err(|why| CommandFailure::Words(said(why)))?;
         // All searches that are left share the time that is left.
         let end = begin.elapsed() + limit.saturating_sub(begin.elapsed()) / searches;
         searches -= 1;
@@ -128,10 +132,17 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
         }
         false => {
             for (axiom, one) in &found {
-                writeln!(out, "{}\n  after {} steps from {axiom}; {} symbols\n", one.text(), one.n, one.symbols())?;
+                let told = counted!(
+                    one.n,
+                    "after {} step from {}; {} symbols",
+                    "after {} steps from {}; {} symbols",
+                    axiom,
+                    one.symbols()
+                );
+                writeln!(out, "{}\n  {told}\n", one.text())?;
             }
-            let none = if found.is_empty() { "Nothing found. " } else { "" };
-            writeln!(out, "{none}Searched: {searched}.")
+            let none = if found.is_empty() { format!("{} ", say!("Nothing found.")) } else { String::new() };
+            writeln!(out, "{none}{}", say!("Searched: {}.", searched))
         }
     })?;
     if found.is_empty() { Err(CommandFailure::Said) } else { Ok(()) }
@@ -148,10 +159,10 @@ fn axioms(text: &str, constants: &str) -> Vec<String> {
 
 /// Up to how many symbols everything was searched.
 fn searched_words(n: u32, searched: &[usize]) -> String {
-    let parts = searched.iter().zip(1..).map(|(most, letters)| {
-        let rules = if letters == 1 { "one rule".to_owned() } else { format!("{letters} rules") };
-        format!("{rules} with up to {most} symbols")
+    let parts = searched.iter().zip(1..).map(|(most, letters)| match letters {
+        1 => say!("one rule with up to {} symbols", most),
+        _ => say!("{} rules with up to {} symbols", letters, most),
     });
     let parts: Vec<String> = parts.collect();
-    format!("n = {n}: {}", if parts.is_empty() { "nothing".to_owned() } else { parts.join(", ") })
+    format!("n = {n}: {}", if parts.is_empty() { say!("nothing") } else { parts.join(", ") })
 }

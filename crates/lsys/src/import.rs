@@ -4,6 +4,7 @@ use crate::input::{self, bytes_of, remark_line};
 use crate::pending::Pending;
 use crate::{CommandFailure, print, say};
 use lsystem::base::MAX_TEXT;
+use lsystem::base::counted;
 use lsystem::files::FileContent;
 use lsystem::import::{Entry, Imported, OWN_JSON, Remark, import_file};
 use lsystem::syntax::visible;
@@ -37,8 +38,9 @@ pub(crate) fn import(files: &[PathBuf], to: &Path) -> Result<(), CommandFailure>
     }
     let Totals { files, failed_files, converted, refused } = totals;
     print(|out| {
-        let files = format!("{files} {} read", if files == 1 { "file" } else { "files" });
-        writeln!(out, "{files}, {failed_files} without a system; {converted} converted, {refused} refused")
+        let files = counted!(files, "{} file read", "{} files read");
+        let rest = say!("{} without a system; {} converted, {} refused", failed_files, converted, refused);
+        writeln!(out, "{files}, {rest}")
     })?;
     if failed_files + refused == 0 { Ok(()) } else { Err(CommandFailure::Said) }
 }
@@ -91,7 +93,7 @@ fn import_one(file: &Path, files: &[PathBuf], to: &Path, taken: &mut BTreeSet<St
     let entries = match bytes.map_err(|error| error.to_string()).and_then(|bytes| entries_of(&bytes)) {
         Ok(entries) => entries,
         Err(words) => {
-            say(&format!("{}\n", visible(&format!("error: {name}: {words}"))));
+            say(&format!("{}\n", visible(&say!("error: {}", format!("{name}: {words}")))));
             totals.failed_files += 1;
             return;
         }
@@ -113,7 +115,7 @@ fn import_one(file: &Path, files: &[PathBuf], to: &Path, taken: &mut BTreeSet<St
         match write(&definition, &to.join(format!("{base}.json"))) {
             Ok(()) => totals.converted += 1,
             Err(words) => {
-                say(&format!("{}\n", visible(&format!("error: {words}"))));
+                say(&format!("{}\n", visible(&say!("error: {}", words))));
                 totals.refused += 1;
             }
         }
@@ -138,8 +140,8 @@ fn entries_of(bytes: &[u8]) -> Result<Vec<Entry>, String> {
             remarks: Vec::<Remark>::new(),
         }]),
         (_, Some(error)) if is_json => Err(error.message()),
-        _ if bytes.len() > MAX_TEXT => Err(format!("longer than {} KiB, which is not read", MAX_TEXT >> 10)),
-        _ => Err("no L-system in a known notation".to_owned()),
+        _ if bytes.len() > MAX_TEXT => Err(say!("longer than {} KiB, which is not read", MAX_TEXT >> 10)),
+        _ => Err(say!("no L-system in a known notation")),
     }
 }
 

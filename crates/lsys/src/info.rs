@@ -4,6 +4,8 @@ use crate::cli::Changes;
 use crate::input::{self, InputSystem};
 use crate::output::escape_json;
 use crate::{CommandFailure, cores, print};
+use lsystem::base::words::{said, shown};
+use lsystem::base::{say, word};
 use lsystem::derive::Tally;
 use lsystem::drawing::why_empty;
 use lsystem::syntax::visible;
@@ -20,6 +22,8 @@ struct FileFacts {
     title: String,
     /// As [`lsystem::drawing::kind`].
     kind: String,
+    #[serde(skip)]
+    is_random: bool,
     iterations: u32,
     seed: u32,
     /// The number of symbols, exact, in decimal digits; `None` if a limit is exceeded first.
@@ -50,7 +54,8 @@ pub(crate) fn info(files: &[PathBuf], json: bool, changes: &Changes) -> Result<(
     let (all, is_good) = cores::in_order(files, |file, limits, say| {
         let input = input::read(file, changes, say)?;
         if let Some(reason) = why_empty(&input.system, input.iterations) {
-            say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
+            let warning = say!("warning: {}", reason);
+            say(&format!("{warning}\n --> {}\n", visible(&input.file.display().to_string())));
         }
         limits.make(|shares| {
             let facts = facts(&input, shares);
@@ -83,6 +88,7 @@ fn facts(input: &InputSystem, shares: u64) -> FileFacts {
         name: input.definition.name.clone(),
         title: input.definition.title.clone(),
         kind: lsystem::drawing::kind(system),
+        is_random: system.has_choices(),
         iterations: n,
         seed: system.seed,
         growth: GrowthFactors { symbols: ratio(|c| &c.symbols), segments: ratio(|c| &c.segments) },
@@ -135,11 +141,24 @@ impl GenerationCounts {
     }
 }
 
+/// The labels of the rows.
+const LABELS: [&str; 9] = [
+    word!("file"),
+    word!("kind"),
+    word!("iterations"),
+    word!("seed"),
+    word!("symbols"),
+    word!("segments"),
+    word!("bounds"),
+    word!("growth"),
+    word!("limit"),
+];
+
 /// A number in decimal digits, with an exponent if it is very small or very large.
 fn readable(number: f64) -> String {
     match number.abs() {
-        0.0 | 1e-4..1e15 => number.to_string(),
-        _ => format!("{number:e}"),
+        0.0 | 1e-4..1e15 => shown(&number.to_string()),
+        _ => shown(&format!("{number:e}")),
     }
 }
 
@@ -147,28 +166,34 @@ impl Display for FileFacts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let title = [&self.title, &self.name, &self.file].into_iter().find(|text| !text.is_empty());
         writeln!(f, "{}", visible(title.map_or("", String::as_str)))?;
-        let unknown = || "unknown".to_owned();
-        writeln!(f, "  file        {}", visible(&self.file))?;
+        let labels = LABELS.map(said);
+        let width = labels.iter().map(|label| label.chars().count()).max().unwrap_or_default();
+        let [file, kind, iterations, seed, symbols, segments, bounds, growth, limit] = labels;
+        let mut row = |label: &str, value: &str| writeln!(f, "  {label:width$}  {value}");
+        let unknown = || say!("unknown");
+        row(&file, &visible(&self.file))?;
+        let kinds = self.kind.split(", ").map(said).collect::<Vec<_>>().join(", ");
         let blocks = self.blocks.map_or_else(String::new, |blocks| match self.memoised {
-            Some(true) => format!(", memoised, blocks: {blocks}"),
-            _ => format!(", not memoised, blocks: {blocks}"),
+            Some(true) => say!(", memoised, blocks: {}", blocks),
+            _ => say!(", not memoised, blocks: {}", blocks),
         });
-        writeln!(f, "  kind        {}{blocks}", self.kind)?;
-        writeln!(f, "  iterations  {}", self.iterations)?;
-        if self.kind.contains("stochastic") {
-            writeln!(f, "  seed        {}", self.seed)?;
+        row(&kind, &format!("{kinds}{blocks}"))?;
+        row(&iterations, &self.iterations.to_string())?;
+        if self.is_random {
+            row(&seed, &self.seed.to_string())?;
         }
-        writeln!(f, "  symbols     {}", self.symbols.clone().unwrap_or_else(unknown))?;
-        writeln!(f, "  segments    {}", self.segments.clone().unwrap_or_else(unknown))?;
+        row(&symbols, &self.symbols.clone().unwrap_or_else(unknown))?;
+        row(&segments, &self.segments.clone().unwrap_or_else(unknown))?;
         if let Some((least, most)) = self.bounds.as_ref().and_then(|bounds| bounds.split_at_checked(bounds.len() / 2)) {
             let sides = ["x", "y", "z"].into_iter().zip(least.iter().zip(most));
-            let sides = sides.map(|(axis, (&from, &to))| format!("{axis} {} to {}", readable(from), readable(to)));
-            writeln!(f, "  bounds      {}", sides.collect::<Vec<_>>().join(", "))?;
+            let sides = sides.map(|(axis, (&from, &to))| say!("{} {} to {}", axis, readable(from), readable(to)));
+            row(&bounds, &sides.collect::<Vec<_>>().join(", "))?;
         }
         if let GrowthFactors { symbols: Some(symbols), segments } = self.growth {
-            let segments = segments.map_or_else(unknown, |growth| format!("x {growth:.6}"));
-            writeln!(f, "  growth      symbols x {symbols:.6}, segments {segments} in the last step")?;
+            let factor = |factor: f64| format!("x {}", shown(&format!("{factor:.6}")));
+            let segments = segments.map_or_else(unknown, factor);
+            row(&growth, &say!("symbols {}, segments {} in the last step", factor(symbols), segments))?;
         }
-        self.limit.as_ref().map_or(Ok(()), |limit| writeln!(f, "  limit       {}", visible(limit)))
+        self.limit.as_ref().map_or(Ok(()), |words| row(&limit, &visible(words)))
     }
 }

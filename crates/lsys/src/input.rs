@@ -3,7 +3,8 @@
 use crate::cli::Changes;
 use crate::cores::Say;
 use crate::{CommandFailure, memory, settings};
-use lsystem::base::{LimitName, MAX_FILE};
+use lsystem::base::words::said;
+use lsystem::base::{LimitName, MAX_FILE, say};
 use lsystem::course::MAX_OUTPUT;
 use lsystem::drawing::FigureDrawer;
 use lsystem::files::FileContent;
@@ -91,7 +92,7 @@ fn content(bytes: &[u8], name: &str, entry: Option<&str>, say: Say<'_>) -> Resul
     let foreign = import_file(bytes).filter(|imported| imported.notation != OWN_JSON);
     let Some(Imported { notation, entries, .. }) = foreign else {
         return match entry {
-            Some(_) => Err(CommandFailure::Words(format!("{name}: --entry is for files with several systems"))),
+            Some(_) => Err(CommandFailure::Words(say!("{}: --entry is for files with several systems", name))),
             None => Ok(read_file(bytes)),
         };
     };
@@ -103,8 +104,8 @@ fn content(bytes: &[u8], name: &str, entry: Option<&str>, say: Say<'_>) -> Resul
     };
     let Some(found) = found else {
         let problem = match entry {
-            Some(wanted) => format!("there is no system `{wanted}`"),
-            None => format!("this {notation} file has {} systems; choose one with --entry NAME", entries.len()),
+            Some(wanted) => say!("there is no system `{}`", wanted),
+            None => say!("this {} file has {} systems; choose one with --entry NAME", said(notation), entries.len()),
         };
         return Err(CommandFailure::Words(format!("{name}: {problem}\n{}", names(&entries))));
     };
@@ -133,9 +134,10 @@ fn names(entries: &[Entry]) -> String {
 /// A remark as a line of text.
 pub(crate) fn remark_line(name: &str, remark: &Remark) -> String {
     let Remark { line, text, message, refused, .. } = remark;
-    let severity = if *refused { "error" } else { "warning" };
     let text = if text.is_empty() { String::new() } else { format!(": `{text}`") };
-    format!("{}\n", visible(&format!("{severity}: {name}:{line}: {message}{text}")))
+    let words = format!("{name}:{line}: {message}{text}");
+    let words = if *refused { say!("error: {}", words) } else { say!("warning: {}", words) };
+    format!("{}\n", visible(&words))
 }
 
 impl InputSystem {
@@ -210,7 +212,7 @@ pub(crate) fn bytes_of(file: &Path) -> io::Result<Vec<u8>> {
 pub(crate) fn bytes_to_follow(file: &Path) -> io::Result<Vec<u8>> {
     match file.metadata()?.is_file() {
         true => beginning(File::open(file)?, TEXT),
-        false => Err(io::Error::other("this is not a file")),
+        false => Err(io::Error::other(say!("this is not a file"))),
     }
 }
 
@@ -222,9 +224,9 @@ pub(crate) fn text_of(file: &Path) -> Result<String, CommandFailure> {
     let name = name_of(file);
     let bytes = bytes_of(file).map_err(|error| CommandFailure::io(&name, &error))?;
     let words = |words: String| CommandFailure::Words(format!("{name}: {words}"));
-    let text = String::from_utf8(bytes).map_err(|_| words("this is no text".to_owned()))?;
+    let text = String::from_utf8(bytes).map_err(|_| words(say!("this is no text")))?;
     let is_short = text.len() <= MAX_FILE;
-    is_short.then_some(text).ok_or_else(|| words(format!("longer than {} KiB, which is not read", MAX_FILE >> 10)))
+    is_short.then_some(text).ok_or_else(|| words(say!("longer than {} KiB, which is not read", MAX_FILE >> 10)))
 }
 
 /// The bytes of a picture, as [`bytes_of`]; or those of a longer text, such as the output of a program or a table, and
@@ -274,7 +276,7 @@ pub(crate) fn is_input(file: &Path) -> bool {
 
 /// The file's path, or `standard input`.
 pub(crate) fn name_of(file: &Path) -> String {
-    if is_standard_input(file) { "standard input".into() } else { file.display().to_string() }
+    if is_standard_input(file) { say!("standard input") } else { file.display().to_string() }
 }
 
 fn open(file: &Path) -> io::Result<Box<dyn Read>> {

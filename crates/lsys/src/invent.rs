@@ -3,6 +3,7 @@
 use crate::cli::Changes;
 use crate::import::write;
 use crate::{CommandFailure, input, print, say};
+use lsystem::base::counted;
 use lsystem::invent::{breed, surprise};
 use lsystem::write_json;
 use std::path::{Path, PathBuf};
@@ -33,12 +34,16 @@ pub(crate) fn breed_into(files: &[PathBuf], seed: Option<u32>, count: u32, to: &
     let seed = seed.unwrap_or_else(any_seed);
     let children = breed(&parents, seed, count as usize);
     if children.is_empty() {
-        return Err(CommandFailure::Words("no child of these systems has anything to show".to_owned()));
+        return Err(CommandFailure::Words(say!("no child of these systems has anything to show")));
     }
     for (number, child) in (1..).zip(&children) {
         let mut child = child.clone();
         child.name = format!("{}-{seed}-{number}", child.name);
         write(&child, &to.join(format!("child-{number}.json"))).map_err(CommandFailure::Words)?;
     }
-    print(|out| writeln!(out, "{} children in {}, seed {seed}", children.len(), to.display()))
+    print(|out| {
+        let told =
+            counted!(children.len(), "{} child in {}, seed {}", "{} children in {}, seed {}", to.display(), seed);
+        writeln!(out, "{told}")
+    })
 }

@@ -14,10 +14,12 @@ mod export;
 mod file_flags;
 mod find;
 mod growth;
+mod help;
 mod import;
 mod info;
 mod input;
 mod invent;
+mod language;
 mod link;
 mod mark;
 mod memory;
@@ -33,6 +35,7 @@ mod view;
 
 use args::Command;
 use cli::Changes;
+use lsystem::base::{say, word};
 use lsystem::derive::Word;
 use lsystem::syntax::visible;
 use output::visible_lines;
@@ -67,7 +70,7 @@ impl CommandFailure {
     fn tell(self) -> Result<(), Self> {
         match self {
             Self::Words(words) => {
-                say(&format!("error: {}\n", visible(&words)));
+                say(&format!("{}\n", say!("error: {}", visible(&words))));
                 Ok(())
             }
             Self::Limit(message) => {
@@ -82,13 +85,18 @@ impl CommandFailure {
 
 fn main() -> ExitCode {
     pending::fail_on_large_files();
-    let command = match args::parse(std::env::args_os().skip(1)) {
+    let arguments: Vec<_> = std::env::args_os().skip(1).collect();
+    language::choose(&arguments);
+    let command = match args::parse(arguments) {
         Ok(command) => command,
         Err(words) => {
             say(&visible_lines(&words));
             return ExitCode::from(2);
         }
     };
+    if command.is_for_programs() {
+        language::stay_english();
+    }
     let done = run(command);
     pending::remove_all();
     match done.map_err(CommandFailure::tell) {
@@ -143,7 +151,7 @@ fn expand(file: &Path, changes: &Changes) -> Result<(), CommandFailure> {
 fn write_pieces(out: &mut dyn Write, word: &Word<'_>) -> io::Result<()> {
     // On a terminal the string itself shows the progress.
     let mut progress =
-        (!io::stdout().is_terminal()).then(|| DelayedBar::new("symbols", word.symbols().try_into().ok()));
+        (!io::stdout().is_terminal()).then(|| DelayedBar::new(word!("symbols"), word.symbols().try_into().ok()));
     let mut start = 0_u128;
     loop {
         let piece = word.slice(start, PIECE);
@@ -164,7 +172,7 @@ fn write_line(out: &mut dyn Write, text: &str) -> io::Result<()> {
 
 /// Writes to standard output.
 fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandFailure> {
-    output::print(write).map_err(|error| CommandFailure::io("standard output", &error))
+    output::print(write).map_err(|error| CommandFailure::io(say!("standard output"), &error))
 }
 
 /// Writes to standard error. A failure to write is ignored, because no other stream is left for messages.

@@ -8,6 +8,8 @@ use crate::answers::{answers, class};
 use crate::pending::Pending;
 use crate::progress::DelayedBar;
 use crate::{CommandFailure, print};
+use lsystem::base::words::said;
+use lsystem::base::{say, word};
 use lsystem::course::{Answer, Exercise, Marked};
 use lsystem::syntax::visible;
 use std::io::{self, Write};
@@ -23,7 +25,7 @@ pub(crate) fn mark(wanted: &str, words: &[String], csv: bool, html: Option<&Path
     for word in words {
         all.extend(answers(word, class.veiled())?);
     }
-    let mut bar = DelayedBar::new("answers", Some(all.len() as u64));
+    let mut bar = DelayedBar::new(word!("answers"), Some(all.len() as u64));
     let (mut marked, mut pictures) = (Vec::new(), Vec::new());
     for answer in all {
         let one = class.mark(answer);
@@ -45,26 +47,33 @@ pub(crate) fn mark(wanted: &str, words: &[String], csv: bool, html: Option<&Path
 fn write_table(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
     let widest = |of: fn(&Answer) -> &String, head: &str| {
         let widest = marked.iter().map(|one| visible(of(&one.answer)).chars().count()).max().unwrap_or(0);
-        widest.clamp(head.len(), 40)
+        widest.max(head.chars().count()).min(40.max(head.chars().count()))
     };
-    let (widest, signed) = (widest(|answer| &answer.name, "name"), widest(|answer| &answer.by, "by"));
-    writeln!(out, "{:widest$}  {:signed$}  solved  agrees  symbols  remark", "name", "by")?;
+    let heads = [word!("name"), word!("by"), word!("solved"), word!("agrees"), word!("symbols"), word!("remark")];
+    let [name, by, solved_head, agrees, symbols, remark] = heads.map(said);
+    let (widest, signed) = (widest(|answer| &answer.name, &name), widest(|answer| &answer.by, &by));
+    let columns = [(&solved_head, 6), (&agrees, 6), (&symbols, 7)].map(|(head, least)| head.chars().count().max(least));
+    let [wide, percents, counts] = columns;
+    writeln!(
+        out,
+        "{name:widest$}  {by:signed$}  {solved_head:wide$}  {agrees:percents$}  {symbols:counts$}  {remark}"
+    )?;
     for one in marked {
-        let solved = if one.is_solved() { "yes" } else { "no" };
+        let solved = if one.is_solved() { say!("yes") } else { say!("no") };
         let percent = one.percent();
         let (name, by) = (visible(&one.answer.name), visible(&one.answer.by));
         writeln!(
             out,
-            "{name:widest$}  {by:signed$}  {solved:6} {percent:>7} {:>8}  {}",
+            "{name:widest$}  {by:signed$}  {solved:wide$}  {percent:>percents$}  {:>counts$}  {}",
             one.symbols(),
             visible(&one.words())
         )?;
     }
     let solved = marked.iter().filter(|one| one.is_solved()).count();
-    writeln!(out, "{solved} of {} solved.", marked.len())
+    writeln!(out, "{}", say!("{} of {} solved.", solved, marked.len()))
 }
 
 /// The parts of an exercise's head for a page.
-fn title_of(exercise: &Exercise) -> &str {
-    if exercise.title.is_empty() { "Exercise" } else { &exercise.title }
+fn title_of(exercise: &Exercise) -> String {
+    if exercise.title.is_empty() { say!("Exercise") } else { exercise.title.clone() }
 }

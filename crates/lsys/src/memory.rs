@@ -1,6 +1,7 @@
 //! Memory sizes for `--memory`, and whether there is as much memory.
 
 use crate::CommandFailure;
+use lsystem::base::say;
 
 /// The least memory limit, in bytes.
 const LEAST: u64 = 1 << 20;
@@ -17,14 +18,14 @@ pub(crate) fn parse(text: &str) -> Result<u64, String> {
         "m" | "mb" | "mib" => 1 << 20,
         "g" | "gb" | "gib" => 1 << 30,
         "t" | "tb" | "tib" => 1 << 40,
-        _ => return Err("expected a whole number with K, M, G or T, such as 512M or 2G".to_owned()),
+        _ => return Err(say!("expected a whole number with K, M, G or T, such as 512M or 2G")),
     };
     let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(unit));
     match bytes {
         Some(bytes) if bytes >= LEAST => Ok(bytes),
-        Some(_) => Err("expected 1M or more".to_owned()),
-        None if number.is_empty() => Err("expected a number before the unit, such as 512M".to_owned()),
-        None => Err("the size is too large".to_owned()),
+        Some(_) => Err(say!("expected 1M or more")),
+        None if number.is_empty() => Err(say!("expected a number before the unit, such as 512M")),
+        None => Err(say!("the size is too large")),
     }
 }
 
@@ -37,7 +38,8 @@ pub(crate) fn check(bytes: u64) -> Result<(), CommandFailure> {
     match is_free(bytes) {
         true => Ok(()),
         false => {
-            let words = format!("error: not enough memory: this takes about {} MiB\n", bytes.div_ceil(1 << 20));
+            let words =
+                format!("{}\n", say!("error: not enough memory: this takes about {} MiB", bytes.div_ceil(1 << 20)));
             Err(CommandFailure::Limit(words))
         }
     }

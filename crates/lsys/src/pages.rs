@@ -6,6 +6,7 @@
 
 use crate::{CommandFailure, input};
 use flate2::read::GzDecoder;
+use lsystem::base::say;
 use std::io::Read;
 use std::path::Path;
 
@@ -48,14 +49,15 @@ impl Page {
             None => (self.name.to_owned(), unpack(self.carried)?),
         };
         let text = String::from_utf8(bytes).ok().filter(|text| text.trim_start().starts_with("<!doctype html"));
-        text.ok_or_else(|| CommandFailure::Words(format!("{name}: this is not {}", self.name)))
+        text.ok_or_else(|| CommandFailure::Words(say!("{}: this is not {}", name, self.name)))
     }
 
     fn missing(&self) -> String {
         let name = self.name;
-        format!(
+        say!(
             "this program was built without its pages: build it by `cargo xtask program`, or give the file with \
-             --page {name} (for `lsys scorm`, its folder with --pages), which `cargo xtask build` writes into dist"
+             --page {} (for `lsys scorm`, its folder with --pages), which `cargo xtask build` writes into dist",
+            name
         )
     }
 }
@@ -63,7 +65,7 @@ impl Page {
 fn unpack(packed: &[u8]) -> Result<Vec<u8>, CommandFailure> {
     let mut bytes = Vec::new();
     let done = GzDecoder::new(packed).read_to_end(&mut bytes);
-    done.map(|_| bytes).map_err(|error| CommandFailure::io("the page in this program", &error))
+    done.map(|_| bytes).map_err(|error| CommandFailure::io(say!("the page in this program"), &error))
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! mark, whose lock ends with its program. Without the mark, or with files of others inside, a folder is not touched.
 
 use crate::input;
+use lsystem::base::say;
 use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -123,12 +124,12 @@ fn replaceable(path: &Path) -> io::Result<Option<Permissions>> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
         former => former?,
     };
-    let refused = |why: &str| Err(io::Error::other(why));
+    let refused = |why: String| Err(io::Error::other(why));
     match former.permissions() {
-        _ if former.is_symlink() => refused("this is a symbolic link: give the file to which it leads"),
-        _ if !former.is_file() => refused("this is not a file"),
-        _ if input::is_input(path) => refused("this file is read by the same command: give another name"),
-        permissions if permissions.readonly() => refused("this file is read-only"),
+        _ if former.is_symlink() => refused(say!("this is a symbolic link: give the file to which it leads")),
+        _ if !former.is_file() => refused(say!("this is not a file")),
+        _ if input::is_input(path) => refused(say!("this file is read by the same command: give another name")),
+        permissions if permissions.readonly() => refused(say!("this file is read-only")),
         permissions => Ok(Some(permissions)),
     }
 }

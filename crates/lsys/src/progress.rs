@@ -1,6 +1,7 @@
 //! Progress bars on standard error for long work. There are none if standard error is not a terminal.
 
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
+use lsystem::base::words::said;
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
@@ -21,7 +22,7 @@ impl DelayedBar {
     /// A bar for work named `label`, of `total` parts. Without a total, the bar shows the time.
     pub(crate) fn new(label: &'static str, total: Option<u64>) -> Self {
         let bar = ProgressBar::with_draw_target(total, ProgressDrawTarget::hidden());
-        let bar = bar.with_message(label).with_style(style(total.is_some()));
+        let bar = bar.with_message(said(label)).with_style(style(total.is_some()));
         Self { bar, start: Instant::now(), is_shown: false }
     }
 

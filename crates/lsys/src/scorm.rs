@@ -5,6 +5,7 @@ use crate::cli::ScormOptions;
 use crate::pages::{EXERCISE, Page, STEPS};
 use crate::pending::Pending;
 use crate::{CommandFailure, print};
+use lsystem::base::say;
 use lsystem::course::{Scorm, ScormPages, scorm_package};
 use std::path::Path;
 
@@ -25,6 +26,8 @@ pub(crate) fn package(exercises: &[String], to: &Path, options: &ScormOptions) -
     let file = Pending::write(to, |out| out.write_all(&package)).and_then(Pending::commit);
     file.map_err(|error| CommandFailure::io(to.display(), &error))?;
     print(|out| {
-        writeln!(out, "{}, {} bytes. Marks in it can be forged; mark again by: lsys mark", to.display(), package.len())
+        let size = package.len();
+        let told = say!("{}, {} bytes. Marks in it can be forged; mark again by: lsys mark", to.display(), size);
+        writeln!(out, "{told}")
     })
 }

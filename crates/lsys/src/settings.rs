@@ -1,6 +1,7 @@
 //! The changes of `--set` to a file's system.
 
 use lsystem::Definition;
+use lsystem::base::say;
 use lsystem::syntax::{FIELDS, FieldSpec, Value};
 
 /// The definition with fields set by name. A name is any of [`FieldSpec::called`]. A value is JSON, or else
@@ -12,7 +13,7 @@ pub(crate) fn apply(definition: &Definition, settings: &[(String, String)]) -> R
     let mut changed = definition.clone();
     for (name, text) in settings {
         let Some(spec) = FieldSpec::called(name) else {
-            return Err(format!("--set: there is no field `{name}`; the fields are {}", known().join(", ")));
+            return Err(say!("--set: there is no field `{}`; the fields are {}", name, known().join(", ")));
         };
         let value = match serde_json::from_str(text) {
             // A text field takes a number as a text, for example in a name.
@@ -20,7 +21,7 @@ pub(crate) fn apply(definition: &Definition, settings: &[(String, String)]) -> R
             _ => Value::Text(text.clone()),
         };
         if !spec.admits(&value) || !spec.set(&mut changed, &value) {
-            return Err(format!("--set {name}={text}: {} must be {}", spec.label, spec.expected_words()));
+            return Err(say!("--set {}={}: {} must be {}", name, text, spec.label, spec.expected_words()));
         }
     }
     Ok(changed)

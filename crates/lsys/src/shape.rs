@@ -5,6 +5,7 @@ mod glb;
 mod obj;
 
 use crate::{CommandFailure, input, print};
+use lsystem::base::say;
 use lsystem::find::{is_svg, outline_of_svg};
 use lsystem::syntax::MOST_SIDES;
 use std::path::Path;
@@ -39,5 +40,5 @@ fn name_of(file: &Path) -> String {
 
 /// The reason why a mesh is too large.
 fn too_many() -> String {
-    format!("this mesh has more than {MOST_SIDES} triangles; make it simpler first")
+    say!("this mesh has more than {} triangles; make it simpler first", MOST_SIDES)
 }

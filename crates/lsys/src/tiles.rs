@@ -11,6 +11,7 @@ use crate::progress::DelayedBar;
 use crate::{CommandFailure, cores, input, memory, print, say};
 use folder::Folder;
 use layout::Layout;
+use lsystem::base::word;
 use lsystem::drawing::{Outlook, why_empty};
 use lsystem::render::{BAND_PIXEL, Pyramid, TilePlace, TileRenderer};
 use lsystem::syntax::visible;
@@ -29,7 +30,8 @@ const RENDERER_BYTES: u64 = 20 << 20;
 pub(crate) fn tiles(file: &Path, to: &Path, options: &TileOptions, changes: &Changes) -> Result<(), CommandFailure> {
     let input = input::read(file, changes, &mut say)?;
     if let Some(reason) = why_empty(&input.system, input.iterations) {
-        say(&format!("warning: {reason}\n --> {}\n", visible(&input.file.display().to_string())));
+        let warning = say!("warning: {}", reason);
+        say(&format!("{warning}\n --> {}\n", visible(&input.file.display().to_string())));
     }
     let wrong = |limit| input.limit(&limit);
     // The direction of view is the page's first one.
@@ -64,8 +66,8 @@ struct Tally {
 impl std::fmt::Display for Tally {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { made, bytes, kept, blank, rough } = self;
-        write!(out, "{made} tiles made ({bytes} bytes), {kept} kept, {blank} without ink")?;
-        if *rough > 0 { write!(out, ", {rough} without their finest detail") } else { Ok(()) }
+        out.write_str(&say!("{} tiles made ({} bytes), {} kept, {} without ink", made, bytes, kept, blank))?;
+        if *rough > 0 { write!(out, ", {}", say!("{} without their finest detail", rough)) } else { Ok(()) }
     }
 }
 
@@ -93,7 +95,7 @@ impl Maker<'_> {
         let level = |level| self.pyramid.tiles(level, options.under.0, |tile| share.leads_on(tile));
         let tiles = (options.levels.0..=options.levels.1).flat_map(level).filter(|tile| share.has(*tile));
         let queue = Mutex::new(small.chain(tiles.map(Work::Tile)));
-        let progress = Mutex::new((Tally::default(), DelayedBar::new("tiles", None)));
+        let progress = Mutex::new((Tally::default(), DelayedBar::new(word!("tiles"), None)));
         let failure = Mutex::new(None);
         let lock_failure = || failure.lock().unwrap_or_else(PoisonError::into_inner);
         let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();

@@ -36,7 +36,7 @@ pub(crate) struct ViewOptions {
 pub(crate) fn view(file: &Path, options: &ViewOptions, changes: &Changes) -> Result<(), CommandFailure> {
     let words = |words: String| CommandFailure::Words(words);
     if file.as_os_str() == "-" {
-        return Err(words("standard input cannot be followed: give a file".to_owned()));
+        return Err(words(say!("standard input cannot be followed: give a file")));
     }
     // The file to which a link leads is followed and written.
     let path = file.canonicalize().map_err(|error| CommandFailure::io(file.display(), &error))?;
@@ -44,17 +44,17 @@ pub(crate) fn view(file: &Path, options: &ViewOptions, changes: &Changes) -> Res
     let page = pages::PLAYGROUND.html(options.page.as_deref())?;
     let wanted = options.port.unwrap_or(0);
     let listener = server::bind(wanted)
-        .map_err(|error| words(format!("port {wanted}: {error}; leave out --port for a free one")))?;
-    let port = listener.local_addr().map_err(|error| CommandFailure::io("the server", &error))?.port();
+        .map_err(|error| words(say!("port {}: {}; leave out --port for a free one", wanted, error)))?;
+    let port = listener.local_addr().map_err(|error| CommandFailure::io(say!("the server"), &error))?.port();
     let site = Site::new(&page, token()?, port, followed).map_err(words)?;
     let site = Arc::new(site);
-    let server = Server::from_listener(listener, None).map_err(|error| words(format!("the server: {error}")))?;
+    let server = Server::from_listener(listener, None).map_err(|error| words(say!("the server: {}", error)))?;
     let _watch = watch(&site)?;
     let address = site.address();
     print(|out| writeln!(out, "{address}"))?;
-    say(&format!("{} is shown at this address. Ctrl+C ends the program.\n", file.display()));
+    say(&format!("{}\n", say!("{} is shown at this address. Ctrl+C ends the program.", file.display())));
     if options.opens && open::that_detached(&address).is_err() {
-        say("note: no browser was found: open the address yourself\n");
+        say(&format!("{}\n", say!("note: no browser was found: open the address yourself")));
     }
     site.run(&server);
     Ok(())
@@ -63,7 +63,7 @@ pub(crate) fn view(file: &Path, options: &ViewOptions, changes: &Changes) -> Res
 /// Reads the file again after each change, as long as the returned value lives. The folder is watched, since editors put
 /// a new file in place of the old one.
 fn watch(site: &Arc<Site>) -> Result<impl Sized + use<>, CommandFailure> {
-    let failed = |error| CommandFailure::Words(format!("the folder cannot be watched: {error}"));
+    let failed = |error| CommandFailure::Words(say!("the folder cannot be watched: {}", error));
     let own = site.clone();
     let mut debouncer = new_debouncer(PAUSE, move |events: notify_debouncer_mini::DebounceEventResult| {
         let name = own.file().path().file_name();
@@ -80,6 +80,6 @@ fn watch(site: &Arc<Site>) -> Result<impl Sized + use<>, CommandFailure> {
 /// 128 random bits, so that no other page or program guesses the address.
 fn token() -> Result<String, CommandFailure> {
     let mut bytes = [0; 16];
-    getrandom::fill(&mut bytes).map_err(|error| CommandFailure::Words(format!("no random number: {error}")))?;
+    getrandom::fill(&mut bytes).map_err(|error| CommandFailure::Words(say!("no random number: {}", error)))?;
     Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
 }

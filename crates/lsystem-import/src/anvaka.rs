@@ -23,8 +23,8 @@ use crate::draft::{Draft, production};
 use crate::rules::split_rule;
 use crate::source::{Lines, Source};
 use core::ops::Range;
-use lsystem_base::decimal;
 use lsystem_base::number::number;
+use lsystem_base::{decimal, say};
 use lsystem_syntax::{Grammar, Module, Production, look_alike};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -105,11 +105,11 @@ fn link<'a>(source: Source<'a>, span: Range<usize>, code: &str) -> Draft<'a> {
     draft.covers(span.clone());
     match decoded(code) {
         Some(text) => {
-            draft.read(span.clone(), "the system in the link");
+            draft.read(span.clone(), say!("the system in the link"));
             let lines = Lines::new(&text);
             draft.adopt(system(Source::new(&text, &lines)), &span);
         }
-        None => draft.refuse_at(span, "The link is damaged or cut off"),
+        None => draft.refuse_at(span, say!("The link is damaged or cut off")),
     }
     draft
 }
@@ -206,14 +206,14 @@ fn system<'a>(source: Source<'a>) -> Draft<'a> {
         if let Some(comment) = line.strip_prefix("//") {
             if draft.definition.name.is_empty() {
                 draft.definition.name = comment.trim().chars().take(200).collect();
-                draft.read(draft.place(line), "the name");
+                draft.read(draft.place(line), say!("the name"));
             } else {
                 draft.pass(draft.place(line));
             }
         } else if let Some((key, value)) = key(line) {
             section = setting(&key, value, line, &mut parts, &mut draft);
             if !value.is_empty() && section != Section::None {
-                draft.refuse_at(draft.place(line), "A rule or an action must stand on a line of its own");
+                draft.refuse_at(draft.place(line), say!("A rule or an action must stand on a line of its own"));
             }
         } else {
             section = one_of(section, line, &mut parts, &mut draft);
@@ -229,7 +229,7 @@ fn setting<'a>(key: &str, value: &'a str, line: &'a str, parts: &mut Parts<'a>, 
     match key {
         "axiom" | "start" => {
             parts.axiom = word(value, draft);
-            draft.read(place, format!("axiom {}", parts.axiom.iter().collect::<String>()));
+            draft.read(place, say!("axiom {}", parts.axiom.iter().collect::<String>()));
         }
         "depth" => {
             // That page takes the number at the start, and goes on while the depth is not reached.
@@ -240,26 +240,26 @@ fn setting<'a>(key: &str, value: &'a str, line: &'a str, parts: &mut Parts<'a>, 
         "angle" => match leading_number(value) {
             Some((angle, rest)) => {
                 parts.angle = angle;
-                draft.read(place.clone(), format!("angle {}", number(angle)));
+                draft.read(place.clone(), say!("angle {}", number(angle)));
                 if !matches!(rest.trim(), "" | "°" | "deg" | "degrees") {
-                    draft.note_at(place, "That page reads only the number at the start");
+                    draft.note_at(place, say!("That page reads only the number at the start"));
                 }
             }
-            None => draft.refuse_at(place, "The angle is not a number"),
+            None => draft.refuse_at(place, say!("The angle is not a number")),
         },
         "direction" | "position" => match vector(value) {
             Some([x, y, z]) if key == "position" => {
                 draft.definition.start = [x, y];
-                draft.read(place, format!("start {}, {}", number(x), number(y)));
+                draft.read(place, say!("start {}, {}", number(x), number(y)));
                 if z != 0.0 {
-                    draft.note_at(draft.place(value), "The drawing is not moved along z");
+                    draft.note_at(draft.place(value), say!("The drawing is not moved along z"));
                 }
             }
             Some(direction) => {
                 (parts.direction, parts.direction_text) = (direction, value);
-                draft.read(place, "the heading");
+                draft.read(place, say!("the heading"));
             }
-            None => draft.refuse_at(draft.place(line), format!("The {key} must be two or three numbers")),
+            None => draft.refuse_at(draft.place(line), say!("The {} must be two or three numbers", key)),
         },
         "rules" | "production rules" => {
             draft.pass(place);
@@ -269,7 +269,7 @@ fn setting<'a>(key: &str, value: &'a str, line: &'a str, parts: &mut Parts<'a>, 
             draft.pass(place);
             return Section::Actions;
         }
-        _ => draft.note_at(place, "This is not carried over"),
+        _ => draft.note_at(place, say!("This is not carried over")),
     }
     Section::None
 }
@@ -278,43 +278,43 @@ fn setting<'a>(key: &str, value: &'a str, line: &'a str, parts: &mut Parts<'a>, 
 fn one_of<'a>(section: Section, line: &'a str, parts: &mut Parts<'a>, draft: &mut Draft<'a>) -> Section {
     let place = draft.place(line);
     let Some((from, to)) = split_rule(line) else {
-        draft.refuse_at(place, "This line cannot be read");
+        draft.refuse_at(place, say!("This line cannot be read"));
         return section;
     };
     let mut letters = from.chars();
     let symbol = letters.next().filter(|_| letters.next().is_none());
     let symbol = symbol.map(|symbol| look_alike(symbol).unwrap_or(symbol));
     match (section, symbol) {
-        (Section::None, _) => draft.note_at(place, "This key has no effect on that page"),
+        (Section::None, _) => draft.note_at(place, say!("This key has no effect on that page")),
         (_, None) if line.split_once(':').is_some_and(|(key, _)| key.chars().all(char::is_alphanumeric)) => {
-            draft.note_at(place, "This key has no effect on that page");
+            draft.note_at(place, say!("This key has no effect on that page"));
             return Section::None;
         }
-        (_, None) => draft.refuse_at(place, "The left side must be one symbol"),
+        (_, None) => draft.refuse_at(place, say!("The left side must be one symbol")),
         (Section::Rules, Some(symbol)) => {
             let successor = word(to, draft);
             draft.read(place.clone(), format!("{symbol} -> {}", successor.iter().collect::<String>()));
             if let Some(old) = parts.by_symbol.insert(symbol, parts.rules.len())
                 && let Some((_, old)) = parts.rules.get(old)
             {
-                draft.note_at(draft.place(old), "A later rule for the same symbol replaces this one");
+                draft.note_at(draft.place(old), say!("A later rule for the same symbol replaces this one"));
             }
             parts.rules.push((production(symbol, successor), line));
         }
         (Section::Actions, Some(symbol)) => match action(to) {
             Some(Act::Nothing) => {
-                draft.note_at(place, "The colour is not carried over");
+                draft.note_at(place, say!("The colour is not carried over"));
                 parts.acts.insert(symbol, (Act::Nothing, line));
             }
             Some(act) => {
-                draft.read(place, format!("what {symbol} does"));
+                draft.read(place, say!("what {} does", symbol));
                 let rest = to.split_once(')').map_or("", |(_, rest)| rest.trim().trim_end_matches(';'));
                 if !rest.is_empty() {
-                    draft.note_at(draft.place(rest), "That page reads only the first call of an action");
+                    draft.note_at(draft.place(rest), say!("That page reads only the first call of an action"));
                 }
                 parts.acts.insert(symbol, (act, line));
             }
-            None => draft.refuse_at(place, "This action cannot be read"),
+            None => draft.refuse_at(place, say!("This action cannot be read")),
         },
     }
     section
@@ -327,7 +327,7 @@ fn word(text: &str, draft: &mut Draft<'_>) -> Vec<char> {
     while let Some(ch) = rest.chars().next() {
         if let Some(separator) = SEPARATORS.iter().find(|separator| rest.starts_with(**separator)) {
             let place = draft.place(&rest[..separator.len()]);
-            draft.note_at(place, "That page leaves this out of words");
+            draft.note_at(place, say!("That page leaves this out of words"));
             rest = &rest[separator.len()..];
             continue;
         }
@@ -390,7 +390,7 @@ fn finish<'a>(parts: Parts<'a>, draft: &mut Draft<'a>) {
     let mut axiom: Vec<Module> = axiom.into_iter().map(Module::from).collect();
     if let Some((first, line)) = rules.first().filter(|_| axiom.is_empty()) {
         axiom.push(Module::from(first.predecessor.symbol));
-        let why = "There is no axiom; as on that page, the symbol of the first rule is taken";
+        let why = say!("There is no axiom; as on that page, the symbol of the first rule is taken");
         draft.note_at(draft.place(line), why);
     }
     let mut grammar = Grammar { axiom, ..Grammar::default() };
@@ -408,8 +408,10 @@ fn finish<'a>(parts: Parts<'a>, draft: &mut Draft<'a>) {
     let axis = turns.first().map_or(Axis::Z, |turn| turn.0);
     let in_space = turns.iter().find(|turn| turn.0 != Axis::Z).map_or(direction_text, |turn| turn.1);
     if turns.iter().any(|turn| turn.0 != axis) {
-        let why = "This turns about a fixed axis of space, and other symbols about another one; our turtle turns about \
-                   its own axes";
+        let why = say!(
+            "This turns about a fixed axis of space, and other symbols about another one; our turtle turns about \
+                   its own axes"
+        );
         return draft.refuse_at(draft.place(in_space), why);
     }
     let [x, y, z] = direction;
@@ -419,12 +421,12 @@ fn finish<'a>(parts: Parts<'a>, draft: &mut Draft<'a>) {
     let mut pitch = 0.0;
     match axis {
         Axis::Z if flat == 0.0 => {
-            let why = "The turtle goes along z, where all turns about z leave it; nothing is drawn in the plane";
+            let why = say!("The turtle goes along z, where all turns about z leave it; nothing is drawn in the plane");
             return draft.refuse_at(draft.place(direction_text), why);
         }
         Axis::Z if z != 0.0 => {
             seen = flat / whole;
-            let why = "The drawing also rises along z; it is drawn as it looks against z";
+            let why = say!("The drawing also rises along z; it is drawn as it looks against z");
             draft.note_at(draft.place(direction_text), why);
         }
         Axis::Z => {}
@@ -435,8 +437,10 @@ fn finish<'a>(parts: Parts<'a>, draft: &mut Draft<'a>) {
         Axis::X if y == 0.0 && z == 0.0 && x != 0.0 => {}
         Axis::Y if x == 0.0 && z == 0.0 && y != 0.0 => {}
         Axis::X | Axis::Y => {
-            let why = "This turns about a fixed axis of space, to which the direction is oblique; our turtle turns about \
-                       its own axes";
+            let why = say!(
+                "This turns about a fixed axis of space, to which the direction is oblique; our turtle turns about \
+                       its own axes"
+            );
             return draft.refuse_at(draft.place(in_space), why);
         }
     }

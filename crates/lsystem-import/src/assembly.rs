@@ -4,8 +4,8 @@ use crate::angle::{NoAngle, by_value, tidy};
 use crate::draft::Draft;
 use crate::source::Source;
 use core::ops::Range;
-use lsystem_base::decimal;
 use lsystem_base::number::number;
+use lsystem_base::{counted, decimal, say, word};
 use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern, Production, look_alike, parse};
 use std::collections::HashMap;
 
@@ -106,12 +106,12 @@ impl Statements {
         }
     }
 
-    pub(super) fn note(&mut self, span: Range<usize>, why: impl Into<String>) {
-        self.remarks.push((span, why.into(), false));
+    pub(super) fn note(&mut self, span: Range<usize>, why: String) {
+        self.remarks.push((span, why, false));
     }
 
-    pub(super) fn refuse(&mut self, span: Range<usize>, why: impl Into<String>) {
-        self.remarks.push((span, why.into(), true));
+    pub(super) fn refuse(&mut self, span: Range<usize>, why: String) {
+        self.remarks.push((span, why, true));
     }
 
     /// The actions of a symbol; a later statement counts.
@@ -152,11 +152,11 @@ impl<'a> Assembly<'a> {
             if refused { self.draft.refuse_at(span, why) } else { self.draft.note_at(span, why) }
         }
         for name in core::mem::take(&mut self.said.names) {
-            self.draft.read(name.span, format!("name {}", name.value));
+            self.draft.read(name.span, say!("name {}", name.value));
         }
         shared_angle(&mut self.said);
         let Some(axiom) = self.said.axiom.take() else {
-            self.draft.refuse(self.draft.line, "", "There is no axiom");
+            self.draft.refuse(self.draft.line, "", say!("There is no axiom"));
             return self.draft;
         };
         self.weights();
@@ -187,7 +187,7 @@ impl<'a> Assembly<'a> {
                 let symbol = &rule.from;
                 self.draft.note_at(
                     rule.span.clone(),
-                    format!("`{symbol}` has several rules; each is as likely as the others"),
+                    say!("`{}` has several rules; each is as likely as the others", symbol),
                 );
             }
         }
@@ -212,7 +212,7 @@ impl<'a> Assembly<'a> {
         }
         self.draft.definition.axiom.clone_from(&axiom.value);
         self.draft.definition.rules = text;
-        self.draft.read(axiom.span.clone(), format!("axiom {}", axiom.value));
+        self.draft.read(axiom.span.clone(), say!("axiom {}", axiom.value));
         for rule in &self.said.rules {
             self.draft.read(rule.span.clone(), format!("{} -> {}", rule.from.trim(), rule.to.trim()));
         }
@@ -226,9 +226,9 @@ impl<'a> Assembly<'a> {
     /// Reads the words as plain symbols.
     fn plain(&mut self, axiom: &Said<String>) {
         self.grammar = Grammar { axiom: word(&axiom.value), ..Grammar::default() };
-        self.draft.read(axiom.span.clone(), format!("axiom {}", shown(&axiom.value)));
+        self.draft.read(axiom.span.clone(), say!("axiom {}", shown(&axiom.value)));
         for line in core::mem::take(&mut self.said.lines) {
-            self.draft.refuse_at(line.span, "This cannot be read together with the rules");
+            self.draft.refuse_at(line.span, say!("This cannot be read together with the rules"));
         }
         for rule in core::mem::take(&mut self.said.rules) {
             self.production(&rule);
@@ -238,7 +238,7 @@ impl<'a> Assembly<'a> {
     fn production(&mut self, rule: &Rule) {
         let from: String = rule.from.chars().filter(|c| !c.is_whitespace()).collect();
         if rule.from.contains('(') || rule.to.contains('(') {
-            let why = "This has parentheses, and cannot be read as a word with parameters";
+            let why = say!("This has parentheses, and cannot be read as a word with parameters");
             return self.draft.refuse_at(rule.span.clone(), why);
         }
         // `*` stands for no context.
@@ -252,7 +252,7 @@ impl<'a> Assembly<'a> {
         };
         let mut letters = strict.chars();
         let (Some(letter), None) = (letters.next(), letters.next()) else {
-            return self.draft.refuse_at(rule.span.clone(), "The left side of a rule must be one symbol");
+            return self.draft.refuse_at(rule.span.clone(), say!("The left side of a rule must be one symbol"));
         };
         let mut made = Production::new(look_alike(letter).unwrap_or(letter), word(&rule.to));
         let patterns =
@@ -262,7 +262,7 @@ impl<'a> Assembly<'a> {
             Some(0.0) => return,
             Some(p) if p.is_finite() && p > 0.0 => made.weight = Some(Expr::Number(p)),
             Some(_) => {
-                return self.draft.refuse_at(rule.span.clone(), "The weight of a random choice must be positive");
+                return self.draft.refuse_at(rule.span.clone(), say!("The weight of a random choice must be positive"));
             }
             None => {}
         }
@@ -277,20 +277,20 @@ impl<'a> Assembly<'a> {
         let turns = |symbol: char| symbols.contains(&symbol);
         match (angle.or(left.clone()), right) {
             (Some(angle), right) => {
-                if let Some(degrees) = self.degrees(&angle, "angle") {
+                if let Some(degrees) = self.degrees(&angle, word!("angle {}")) {
                     self.draft.definition.angle = degrees;
                 }
-                if let Some(left) = left.and_then(|left| self.degrees(&left, "left angle")) {
+                if let Some(left) = left.and_then(|left| self.degrees(&left, word!("left angle {}"))) {
                     self.draft.definition.angle = left;
                 }
-                if let Some(right) = right.and_then(|right| self.degrees(&right, "right angle"))
+                if let Some(right) = right.and_then(|right| self.degrees(&right, word!("right angle {}")))
                     && right != self.draft.definition.angle
                 {
                     self.draft.definition.right_angle = Some(right);
                 }
             }
             (None, Some(right)) => {
-                if let Some(degrees) = self.degrees(&right, "angle") {
+                if let Some(degrees) = self.degrees(&right, word!("angle {}")) {
                     self.draft.definition.angle = degrees;
                 }
             }
@@ -301,20 +301,20 @@ impl<'a> Assembly<'a> {
                     self.said.meanings.iter().any(|(known, words)| *known == symbol && !needs_angle(&words.value))
                 };
                 if ['+', '-', '&', '^', '/', '\\'].into_iter().any(|symbol| turns(symbol) && !own(symbol)) {
-                    self.draft.note(self.draft.line, "", "The text gives no angle; 90 degrees is chosen");
+                    self.draft.note(self.draft.line, "", say!("The text gives no angle; 90 degrees is chosen"));
                 }
             }
         }
         if let Some(heading) = self.said.heading.take() {
             self.draft.definition.heading = heading.value;
-            self.draft.read(heading.span, format!("heading {}", number(heading.value)));
+            self.draft.read(heading.span, say!("heading {}", number(heading.value)));
         }
         if let Some(iterations) = self.said.iterations.take() {
             let line = self.draft.source.line_of(iterations.span.start);
             self.draft.iterations(line, &iterations.value);
             if self.draft.has_iterations {
                 let n = self.draft.definition.iterations;
-                self.draft.read(iterations.span, format!("{n} iterations"));
+                self.draft.read(iterations.span, counted!(n, "{} iteration", "{} iterations"));
             }
         }
     }
@@ -325,18 +325,18 @@ impl<'a> Assembly<'a> {
             Angle::Radians(radians) => tidy(radians.to_degrees()),
             Angle::Unknown(value) => match by_value(value) {
                 Ok((degrees, true)) => {
-                    self.draft.note_at(angle.span.clone(), "This angle is read as radians");
+                    self.draft.note_at(angle.span.clone(), say!("This angle is read as radians"));
                     degrees
                 }
                 Ok((degrees, false)) => degrees,
                 Err(NoAngle::Unclear | NoAngle::NoNumber) => {
-                    let why = "This angle may be meant in degrees or in radians; the text does not say which";
+                    let why = say!("This angle may be meant in degrees or in radians; the text does not say which");
                     self.draft.refuse_at(angle.span.clone(), why);
                     return None;
                 }
             },
         };
-        self.draft.read(angle.span.clone(), format!("{what} {}", number(degrees)));
+        self.draft.read(angle.span.clone(), say!(what, number(degrees)));
         Some(degrees)
     }
 
@@ -359,7 +359,7 @@ impl<'a> Assembly<'a> {
                 if !draws && !symbols.iter().any(|c| matches!(c, 'F' | 'G')) {
                     let free: Vec<char> = symbols.iter().copied().filter(|c| letters(c) && !is_said(*c)).collect();
                     if !free.is_empty() {
-                        self.draft.note(line, "", "No symbol is said to draw, so every letter draws");
+                        self.draft.note(line, "", say!("No symbol is said to draw, so every letter draws"));
                     }
                     free.into_iter().for_each(|letter| self.draft.meaning(letter, "draw"));
                 } else if draws {
@@ -378,11 +378,11 @@ impl<'a> Assembly<'a> {
         if let Some(factor) = self.said.factor.take() {
             let inverse = number(1.0 / factor.value);
             if factor.value > 0.0 && factor.value.is_finite() {
-                self.draft.read(factor.span, format!("length times {}", number(factor.value)));
+                self.draft.read(factor.span, say!("length times {}", number(factor.value)));
                 self.draft.meaning('>', format!("length times {}", number(factor.value)));
                 self.draft.meaning('<', format!("length times {inverse}"));
             } else {
-                self.draft.refuse_at(factor.span, "The length factor must be positive");
+                self.draft.refuse_at(factor.span, say!("The length factor must be positive"));
             }
         }
         for (symbol, words) in said {
@@ -422,7 +422,7 @@ impl<'a> Assembly<'a> {
         let usual = symbols.iter().any(|c| matches!(c, 'F' | 'G'));
         if usual || draws {
             if symbols.iter().any(|c| "FGf+-|".contains(*c) && free(c)) {
-                let why = "The text does not say what symbols do; here F and G draw, f moves, + turns left";
+                let why = say!("The text does not say what symbols do; here F and G draw, f moves, + turns left");
                 self.draft.note(line, "", why);
             }
             self.draft.others = Some("");
@@ -447,7 +447,11 @@ impl<'a> Assembly<'a> {
                 }
             }
         } else {
-            self.draft.note(line, "", "The text does not say what symbols do; here every letter draws, + turns left");
+            self.draft.note(
+                line,
+                "",
+                say!("The text does not say what symbols do; here every letter draws, + turns left"),
+            );
             self.draft.definition.dialect = Dialect::EveryLetter;
             let marks = symbols.iter().filter(|c| !c.is_alphanumeric() && !"+-[]".contains(**c));
             marks.for_each(|symbol| self.draft.meaning(*symbol, if *symbol == '|' { "turn round" } else { "" }));
@@ -456,10 +460,10 @@ impl<'a> Assembly<'a> {
         let in_space: Vec<char> = IN_SPACE.into_iter().filter(|symbol| has(*symbol)).collect();
         let exchanged = in_space == ['&'] && said.is_empty() && self.turns_behind('&');
         if exchanged {
-            let why = "The text does not say whether `&` pitches the turtle or exchanges left and right";
+            let why = say!("The text does not say whether `&` pitches the turtle or exchanges left and right");
             self.draft.refuse(line, "&", why);
         } else if !in_space.is_empty() {
-            self.draft.note(line, "", "The symbols `& ^ \\ /` are read as turns in space, as in ABOP");
+            self.draft.note(line, "", say!("The symbols `& ^ \\ /` are read as turns in space, as in ABOP"));
             let turns = [('&', "pitch down"), ('^', "pitch up"), ('\\', "roll left"), ('/', "roll right")];
             turns
                 .into_iter()
@@ -469,9 +473,9 @@ impl<'a> Assembly<'a> {
         for symbol in symbols.iter().copied().filter(|c| !c.is_alphanumeric() && !"+-|[]&^\\/".contains(*c) && has(*c))
         {
             if matches!(symbol, '<' | '>' | '(' | ')' | '@') && self.said.factor.is_none() {
-                self.draft.refuse(line, &symbol.to_string(), format!("The text does not say what `{symbol}` does"));
+                self.draft.refuse(line, &symbol.to_string(), say!("The text does not say what `{}` does", symbol));
             } else if !matches!(symbol, '<' | '>') {
-                self.draft.note(line, "", format!("The text does not say what `{symbol}` does; here it does nothing"));
+                self.draft.note(line, "", say!("The text does not say what `{}` does; here it does nothing", symbol));
             }
         }
     }

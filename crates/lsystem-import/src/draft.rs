@@ -7,7 +7,7 @@ use core::array::IntoIter;
 use core::iter::Flatten;
 use core::ops::{Range, RangeInclusive};
 use lsystem_base::sorted::set;
-use lsystem_base::{MAX_ITERATIONS, decimal};
+use lsystem_base::{MAX_ITERATIONS, decimal, say};
 use lsystem_drawing::System;
 use lsystem_syntax::notes::excerpt;
 use lsystem_syntax::{
@@ -83,8 +83,8 @@ impl<'a> Draft<'a> {
 
     /// This part is read; `became` says what it is in the definition, such as `angle 60`. Long words are shortened,
     /// because marks inside divide the part, and each division has the words.
-    pub(super) fn read(&mut self, span: Range<usize>, became: impl Into<String>) {
-        let mut words = became.into();
+    pub(super) fn read(&mut self, span: Range<usize>, became: String) {
+        let mut words = became;
         if let Some((end, _)) = words.char_indices().nth(MOST_WORDS) {
             words.truncate(end);
             words.push('…');
@@ -98,25 +98,25 @@ impl<'a> Draft<'a> {
     }
 
     /// Adds a remark on a part of a line: the system is read without it, or with a part that the text does not give.
-    pub(super) fn note(&mut self, line: usize, text: &str, message: impl Into<String>) {
+    pub(super) fn note(&mut self, line: usize, text: &str, message: String) {
         let span = self.source.place_in_line(line, text);
-        self.remark(line, span, text, message.into(), false);
+        self.remark(line, span, text, message, false);
     }
 
     /// Refuses the system for this reason.
-    pub(super) fn refuse(&mut self, line: usize, text: &str, message: impl Into<String>) {
+    pub(super) fn refuse(&mut self, line: usize, text: &str, message: String) {
         let span = self.source.place_in_line(line, text);
-        self.remark(line, span, text, message.into(), true);
+        self.remark(line, span, text, message, true);
     }
 
     /// As [`Draft::note`], on any bytes of the text.
-    pub(super) fn note_at(&mut self, span: Range<usize>, message: impl Into<String>) {
-        self.remark_at(span, message.into(), false);
+    pub(super) fn note_at(&mut self, span: Range<usize>, message: String) {
+        self.remark_at(span, message, false);
     }
 
     /// As [`Draft::refuse`], for any bytes of the text.
-    pub(super) fn refuse_at(&mut self, span: Range<usize>, message: impl Into<String>) {
-        self.remark_at(span, message.into(), true);
+    pub(super) fn refuse_at(&mut self, span: Range<usize>, message: String) {
+        self.remark_at(span, message, true);
     }
 
     fn remark_at(&mut self, span: Range<usize>, message: String, refused: bool) {
@@ -170,8 +170,8 @@ impl<'a> Draft<'a> {
             let read = look_alike(ch);
             let span = start + at..start + at + ch.len_utf8();
             match read {
-                Some(' ') => self.note_at(span, "This invisible character is left out"),
-                Some(read) => self.note_at(span, format!("Read as `{read}`")),
+                Some(' ') => self.note_at(span, say!("This invisible character is left out")),
+                Some(read) => self.note_at(span, say!("Read as `{}`", read)),
                 None => {}
             }
             symbols.extend(Some(read.unwrap_or(ch)).filter(|ch| *ch != ' '));
@@ -196,9 +196,9 @@ impl<'a> Draft<'a> {
             Some(n) if n.fract() == 0.0 => {
                 self.definition.iterations = MAX_ITERATIONS;
                 self.has_iterations = true;
-                self.note(line, text, format!("At most {MAX_ITERATIONS} iterations are possible"));
+                self.note(line, text, say!("At most {} iterations are possible", MAX_ITERATIONS));
             }
-            _ => self.note(line, text, "The number of iterations cannot be read"),
+            _ => self.note(line, text, say!("The number of iterations cannot be read")),
         }
     }
 
@@ -237,7 +237,7 @@ impl<'a> Draft<'a> {
             for line in self.source.text.get(gap).unwrap_or_default().lines() {
                 let words = line.split(|c: char| c.is_whitespace() || SEPARATORS.contains(c));
                 if words.filter(|word| !word.is_empty()).any(|word| !CONNECTIVES.contains(&&*word.to_lowercase())) {
-                    self.note_at(self.place(line.trim()), "This is not understood");
+                    self.note_at(self.place(line.trim()), say!("This is not understood"));
                 }
             }
         }
@@ -255,7 +255,7 @@ impl<'a> Draft<'a> {
         if !self.has_iterations {
             self.definition.iterations = fitting_iterations(&grammar);
             let n = self.definition.iterations;
-            self.note(self.line, "", format!("The text gives no number of iterations; {n} is chosen by the size"));
+            self.note(self.line, "", say!("The text gives no number of iterations; {} is chosen by the size", n));
         }
         let mut problems = self.definition.out_of_range();
         if problems.is_empty() {
@@ -264,7 +264,7 @@ impl<'a> Draft<'a> {
         if let Some(error) = problems.iter().find(|problem| problem.is_error()) {
             let found = self.definition.text(error.field).and_then(|text| text.get(error.span.clone()));
             let (found, message) = (found.unwrap_or_default().to_owned(), error.message());
-            self.refuse(self.line, &found, format!("In our notation: {message}"));
+            self.refuse(self.line, &found, say!("In our notation: {}", message));
         }
     }
 

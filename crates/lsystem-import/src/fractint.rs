@@ -17,8 +17,8 @@ use crate::MAX_ENTRIES;
 use crate::draft::{Draft, FreeSymbols, production};
 use crate::source::Source;
 use core::ops::Range;
-use lsystem_base::decimal;
 use lsystem_base::number::number;
+use lsystem_base::{decimal, say};
 use lsystem_syntax::{Colour, Grammar, Module, look_alike};
 use std::collections::{HashMap, HashSet};
 
@@ -303,7 +303,7 @@ fn entry<'a>(source: Source<'a>, block: &Block<'a>) -> Draft<'a> {
     draft.covers(block.span.clone());
     block.comments.iter().for_each(|comment| draft.pass(draft.place(comment)));
     if !block.name.is_empty() {
-        draft.read(draft.place(block.name), format!("name {}", block.name));
+        draft.read(draft.place(block.name), say!("name {}", block.name));
     }
     let mut parts = statements(block, &mut draft);
     if !draft.is_refused() {
@@ -323,51 +323,51 @@ fn statements<'a>(block: &Block<'a>, draft: &mut Draft<'a>) -> Parts<'a> {
         if word.eq_ignore_ascii_case("axiom") {
             let axiom = word_of(None, line, first, draft);
             if let Some(old) = parts.axiom.replace(axiom) {
-                draft.note_at(draft.place(old.line), "A later Axiom replaces this one");
+                draft.note_at(draft.place(old.line), say!("A later Axiom replaces this one"));
             }
         } else if word.eq_ignore_ascii_case("angle") {
             let (number, more) = digits(first);
             parts.angle = number.parse().unwrap_or(0);
             if let Some(old) = angle.replace(line) {
-                draft.note_at(draft.place(old), "A later Angle replaces this one");
+                draft.note_at(draft.place(old), say!("A later Angle replaces this one"));
             }
             let n = parts.angle;
-            draft.read(draft.place(line), format!("angle {}", number_of(360.0 / f64::from(n.max(1)))));
+            draft.read(draft.place(line), say!("angle {}", number_of(360.0 / f64::from(n.max(1)))));
             if !(3..=50).contains(&n) && n > 0 {
-                let why = "Fractint accepts angles from 3 to 50 only; 360 is divided by this number";
+                let why = say!("Fractint accepts angles from 3 to 50 only; 360 is divided by this number");
                 draft.note_at(draft.place(line), why);
             } else if block.is_bare && n > 12 {
                 let degrees = number_of(360.0 / f64::from(n));
-                draft.note_at(draft.place(line), format!("As in Fractint, this is 360/{n} = {degrees} degrees"));
+                draft.note_at(draft.place(line), say!("As in Fractint, this is 360/{} = {} degrees", n, degrees));
             }
             if !more.is_empty() {
-                draft.note_at(draft.place(line), "Fractint reads only the digits at the start of the number");
+                draft.note_at(draft.place(line), say!("Fractint reads only the digits at the start of the number"));
             }
         } else if let Some(letter) = only(word).map(|letter| plain(letter).to_ascii_lowercase()) {
             if "+-/\\@|c<>][".contains(letter) {
-                draft.refuse_at(draft.place(line), "Fractint does not allow a rule for this symbol");
+                draft.refuse_at(draft.place(line), say!("Fractint does not allow a rule for this symbol"));
                 continue;
             }
             // `F==FF` is read as `F=FF`.
             let (successor, second) = first.split_at(first.find(is_end).unwrap_or(first.len()));
             if second.len() > 1 {
-                draft.refuse_at(draft.place(line), "Fractint does not allow a second `=` in a rule");
+                draft.refuse_at(draft.place(line), say!("Fractint does not allow a second `=` in a rule"));
             }
             let rule = word_of(Some(letter), line, successor, draft);
             parts.rules.push(rule);
         } else {
-            draft.refuse_at(draft.place(line), "Fractint cannot read this line");
+            draft.refuse_at(draft.place(line), say!("Fractint cannot read this line"));
             continue;
         }
         if !extra.is_empty() {
-            draft.refuse_at(draft.place(extra), "Fractint does not allow more text after a blank");
+            draft.refuse_at(draft.place(extra), say!("Fractint does not allow more text after a blank"));
         }
     }
     if parts.axiom.is_none() {
-        draft.refuse(block.line, "", "There is no Axiom");
+        draft.refuse(block.line, "", say!("There is no Axiom"));
     }
     if angle.is_none() || parts.angle == 0 {
-        draft.refuse(block.line, "", "There is no Angle from 3 to 50");
+        draft.refuse(block.line, "", say!("There is no Angle from 3 to 50"));
     }
     look_alikes(&parts, draft);
     parts
@@ -392,7 +392,7 @@ fn look_alikes(parts: &Parts<'_>, draft: &mut Draft<'_>) {
     }
     for (place, read) in places {
         let message =
-            if read == ' ' { "This invisible character is left out".into() } else { format!("Read as `{read}`") };
+            if read == ' ' { say!("This invisible character is left out") } else { say!("Read as `{}`", read) };
         draft.note_at(place, message);
     }
 }
@@ -415,7 +415,10 @@ fn word_of<'a>(letter: Option<char>, line: &'a str, text: &'a str, draft: &mut D
     let (text, rest) = text.split_at(end);
     // A comment seems to begin at the end of `&minus;`.
     if let Some(at) = text.rfind('&').filter(|at| is_entity(&text[at + 1..])) {
-        draft.refuse_at(draft.place(&text[at..]), "This is a character’s name in HTML; write the character itself");
+        draft.refuse_at(
+            draft.place(&text[at..]),
+            say!("This is a character’s name in HTML; write the character itself"),
+        );
     }
     let became = match letter {
         None => format!("axiom {}", text.to_ascii_uppercase()),
@@ -423,9 +426,9 @@ fn word_of<'a>(letter: Option<char>, line: &'a str, text: &'a str, draft: &mut D
     };
     draft.read(draft.place(line), became);
     if !rest.is_empty() {
-        draft.note_at(draft.place(rest), "Fractint ignores the rest of a word after a `]` that closes nothing");
+        draft.note_at(draft.place(rest), say!("Fractint ignores the rest of a word after a `]` that closes nothing"));
     } else if depth > 0 {
-        draft.refuse_at(draft.place(text), "Fractint needs the `]` of a branch in the same word as its `[`");
+        draft.refuse_at(draft.place(text), say!("Fractint needs the `]` of a branch in the same word as its `[`"));
     }
     Word { letter, line, text, tokens: tokens(text) }
 }
@@ -442,7 +445,7 @@ fn translate<'a>(parts: &mut Parts<'a>, draft: &mut Draft<'a>) {
     let symbols = parts.reachable();
     let is_used = |letter: Option<char>| letter.is_none_or(|letter| symbols.contains(&letter));
     for rule in parts.rules.iter().filter(|rule| !is_used(rule.letter)) {
-        draft.note_at(draft.place(rule.line), "The axiom never becomes this letter, so its rule is left out");
+        draft.note_at(draft.place(rule.line), say!("The axiom never becomes this letter, so its rule is left out"));
     }
     parts.rules.retain(|rule| is_used(rule.letter));
     let has = |list: &str| list.chars().any(|c| symbols.contains(&c));
@@ -454,8 +457,10 @@ fn translate<'a>(parts: &mut Parts<'a>, draft: &mut Draft<'a>) {
         (true, true) if !has("+-|\\/") => Turns::Fixed,
         (true, true) => {
             if let Some(text) = unequal_turns(parts, has("!")) {
-                let why = "F and G go along one heading, turned by + - |, and D and M along another, turned by \\ and /. \
-                           Our turtle has one heading, and here the two differ";
+                let why = say!(
+                    "F and G go along one heading, turned by + - |, and D and M along another, turned by \\ and /. \
+                           Our turtle has one heading, and here the two differ"
+                );
                 return draft.refuse_at(draft.place(text), why);
             }
             Turns::Fixed
@@ -541,8 +546,9 @@ fn turn_round<'a>(parts: &Parts<'a>, turns: Turns, swaps: bool, draft: &mut Draf
     }
     draft.meaning('|', format!("turn right {}", number(half)));
     if turns == Turns::Fixed && swaps && parts.words().any(|word| word.tokens.contains(&Token::Plain('|'))) {
-        let why =
-            "`|` is less than half a circle for an odd Angle, and `!` does not swap it: our turtle cannot do both";
+        let why = say!(
+            "`|` is less than half a circle for an odd Angle, and `!` does not swap it: our turtle cannot do both"
+        );
         draft.refuse_at(draft.place(parts.place(&['|'])), why);
     }
 }
@@ -653,8 +659,14 @@ fn colours<'a>(parts: &Parts<'a>, grammar: &mut Grammar, free: &mut FreeSymbols,
     let first = free.get("colour 15");
     draft.meaning(first, "colour 15");
     grammar.axiom.insert(0, Module::from(first));
-    let skips = if steps { "; there `<` and `>` leave out colour 0" } else { "" };
-    let message = format!("The text gives no palette; colours are those of Fractint’s default palette{skips}");
+    let message = if steps {
+        say!(
+            "The text gives no palette; colours are those of Fractint’s default palette; there `<` and `>` leave out \
+             colour 0"
+        )
+    } else {
+        say!("The text gives no palette; colours are those of Fractint’s default palette")
+    };
     draft.note_at(draft.place(parts.place(&['c', '<', '>'])), message);
 }
 

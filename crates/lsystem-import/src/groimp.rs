@@ -3,6 +3,7 @@
 
 use crate::draft::Draft;
 use crate::source::Source;
+use lsystem_base::say;
 
 /// Commands of its turtle that no other notation has.
 const COMMANDS: [&str; 12] =
@@ -21,7 +22,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let mut draft = Draft::new(source, "", source.line_of(start));
     let all = draft.place(text.trim());
     draft.covers(all.clone());
-    let why = "This is XL, the language of GroIMP; its rules rewrite graphs with code, which is not run";
+    let why = say!("This is XL, the language of GroIMP; its rules rewrite graphs with code, which is not run");
     draft.pass(all);
     let line = text[start..].lines().next().unwrap_or_default().trim_end();
     draft.refuse_at(draft.place(line), why);

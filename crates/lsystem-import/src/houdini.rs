@@ -14,8 +14,9 @@
 
 use crate::draft::Draft;
 use crate::source::Source;
-use lsystem_base::decimal;
 use lsystem_base::number::number;
+use lsystem_base::words::said;
+use lsystem_base::{decimal, say, word};
 use lsystem_syntax::{Module, parse};
 
 /// The actions of Houdini's symbols.
@@ -76,11 +77,11 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         let place = draft.place(line);
         draft.covers(place.clone());
         let Some((label, value)) = found else {
-            draft.note_at(place, "This line is not read");
+            draft.note_at(place, say!("This line is not read"));
             continue;
         };
         if let Some(old) = last.iter_mut().find(|(known, _)| *known == label && label != "rule") {
-            draft.note_at(draft.place(old.1), "A later line with the same label replaces this one");
+            draft.note_at(draft.place(old.1), say!("A later line with the same label replaces this one"));
             old.1 = line;
         } else if label != "rule" {
             last.push((label, line));
@@ -88,7 +89,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         match label {
             "premise" => {
                 draft.definition.axiom = value.to_owned();
-                draft.read(place, format!("axiom {value}"));
+                draft.read(place, say!("axiom {}", value));
             }
             "rule" => {
                 let rule = rule(value, &mut draft);
@@ -98,9 +99,9 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
             "angle" => match decimal::read(value.trim_end_matches('°').trim()).filter(|angle| angle.is_finite()) {
                 Some(angle) => {
                     draft.definition.angle = angle;
-                    draft.read(place, format!("angle {}", number(angle)));
+                    draft.read(place, say!("angle {}", number(angle)));
                 }
-                None => draft.refuse_at(draft.place(value), "The angle is not a number"),
+                None => draft.refuse_at(draft.place(value), say!("The angle is not a number")),
             },
             "generations" => {
                 draft.iterations(source.line_of(place.start), value);
@@ -113,9 +114,9 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
             "seed" => match value.parse() {
                 Ok(seed) => {
                     draft.definition.seed = seed;
-                    draft.read(place, format!("seed {seed}"));
+                    draft.read(place, say!("seed {}", seed));
                 }
-                Err(_) => draft.note_at(place, "The seed is not a whole number"),
+                Err(_) => draft.note_at(place, say!("The seed is not a whole number")),
             },
             // The size of the whole drawing.
             _ => draft.pass(place),
@@ -141,16 +142,21 @@ fn symbols(draft: &mut Draft<'_>) {
         for symbol in symbols.chars() {
             if grammar.made().any(|module| module.symbol == symbol && is(module)) {
                 let text = symbol.to_string();
-                if refused { draft.refuse(line, &text, message) } else { draft.note(line, &text, message) }
+                if refused { draft.refuse(line, &text, said(message)) } else { draft.note(line, &text, said(message)) }
             }
         }
     };
-    with("~T;?${}.#", |_| true, "This symbol of Houdini has no equal here", true);
-    with("JKM", |_| true, "The geometry of this symbol is not carried over", false);
-    let scales = "The number of this symbol is a factor in Houdini; here it would be a width or another factor";
+    with("~T;?${}.#", |_| true, word!("This symbol of Houdini has no equal here"), true);
+    with("JKM", |_| true, word!("The geometry of this symbol is not carried over"), false);
+    let scales = word!("The number of this symbol is a factor in Houdini; here it would be a width or another factor");
     with("!_", |module| !module.arguments.is_empty(), scales, true);
-    with("\'%*|", |module| !module.arguments.is_empty(), "The number of this symbol has no equal here", true);
-    with("FfHhG", |module| module.arguments.len() > 1, "Only the first number, the length, is carried over", false);
+    with("\'%*|", |module| !module.arguments.is_empty(), word!("The number of this symbol has no equal here"), true);
+    with(
+        "FfHhG",
+        |module| module.arguments.len() > 1,
+        word!("Only the first number, the length, is carried over"),
+        false,
+    );
 }
 
 /// A rule in our notation: the first `=` that is no comparison is the arrow.
@@ -164,7 +170,7 @@ fn rule(text: &str, draft: &mut Draft<'_>) -> Option<String> {
         depth == 0 && chars[at] == '=' && !compared
     });
     let Some(arrow) = arrow else {
-        draft.refuse_at(draft.place(text), "This rule has no `=`");
+        draft.refuse_at(draft.place(text), say!("This rule has no `=`"));
         return None;
     };
     let (head, body): (String, String) = (chars[..arrow].iter().collect(), chars[arrow + 1..].iter().collect());
@@ -176,7 +182,10 @@ fn rule(text: &str, draft: &mut Draft<'_>) -> Option<String> {
         let own = head.split_once('(').and_then(|(_, rest)| rest.split(')').next()).unwrap_or_default();
         let named = |name: &str| own.split(',').any(|own| own.trim() == name);
         if !["t", "g", "x", "y", "z"].iter().any(|name| named(name)) {
-            draft.refuse_at(draft.place(text), "The time, the age and the place of the turtle are not known in rules");
+            draft.refuse_at(
+                draft.place(text),
+                say!("The time, the age and the place of the turtle are not known in rules"),
+            );
             return None;
         }
     }

@@ -33,7 +33,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         let field = field(line).filter(|_| rules.is_empty());
         let rule = field.map_or(line, |(key, value)| if key == "rules" { value } else { "" });
         if !rule.is_empty() {
-            draft.read(draft.place(rule), rule);
+            draft.read(draft.place(rule), rule.to_owned());
             rules.push(rule);
         }
         let Some((key, value)) = field.filter(|(key, _)| *key != "rules") else { continue };

@@ -52,7 +52,7 @@ pub use account::{Fate, Part};
 use account::account;
 use core::ops::Range;
 use draft::Draft;
-use lsystem_base::MAX_TEXT;
+use lsystem_base::{MAX_TEXT, say, word};
 use lsystem_files::text_of;
 use lsystem_syntax::Definition;
 use source::{Lines, Source};
@@ -99,7 +99,7 @@ pub struct Remark {
 pub(crate) const MAX_ENTRIES: usize = 4096;
 
 /// The name of our own notation in JSON, which `lsystem_files::read_file` reads with places in the file.
-pub const OWN_JSON: &str = "our own JSON";
+pub const OWN_JSON: &str = word!("our own JSON");
 
 /// A reader: the drafts of all systems in a text, or `None` if the text is in another notation.
 type Reader = for<'a> fn(Source<'a>) -> Option<Vec<Draft<'a>>>;
@@ -107,19 +107,19 @@ type Reader = for<'a> fn(Source<'a>) -> Option<Vec<Draft<'a>>>;
 /// All readers by the name of the notation. The first reader that recognises a text reads it.
 const READERS: &[(&str, Reader)] = &[
     (OWN_JSON, own::read),
-    ("a link", link::read),
-    ("our own notation", labelled::read),
+    (word!("a link"), link::read),
+    (word!("our own notation"), labelled::read),
     ("TikZ", tikz::read),
     ("cpfg", cpfg::read_cpfg),
     ("L-Py", cpfg::read_lpy),
     ("Houdini", houdini::read),
     ("Fractint", fractint::read),
     ("Racket", racket::read),
-    ("GroIMP’s XL", groimp::read),
-    ("a program", objects::read),
-    ("anvaka’s page", anvaka::read),
-    ("a description", statements::read),
-    ("a link", link::read_within),
+    (word!("GroIMP’s XL"), groimp::read),
+    (word!("a program"), objects::read),
+    (word!("anvaka’s page"), anvaka::read),
+    (word!("a description"), statements::read),
+    (word!("a link"), link::read_within),
 ];
 
 /// Reads all systems of a text that another program or a person wrote in another notation. Returns `None` if no
@@ -143,7 +143,7 @@ pub fn import(text: &str) -> Option<Imported> {
             marks.extend(own.into_iter().map(|mark| (at, mark)));
         }
         if has_more && let Some(last) = entries.last_mut() {
-            let message = format!("Only the first {MAX_ENTRIES} systems are read");
+            let message = say!("Only the first {} systems are read", MAX_ENTRIES);
             last.remarks.push(Remark { line: 1, text: String::new(), message, refused: false, span: 0..0 });
         }
         Some(Imported { notation, entries, account: account(text.len(), marks) })

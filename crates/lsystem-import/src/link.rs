@@ -4,6 +4,7 @@
 use crate::MAX_ENTRIES;
 use crate::draft::Draft;
 use crate::source::Source;
+use lsystem_base::say;
 use lsystem_files::link::{fields_of, read_fields};
 use lsystem_files::read_link;
 use lsystem_syntax::FIELDS;
@@ -70,13 +71,13 @@ fn link<'a>(source: Source<'a>, word: &'a str, compressed: &mut usize) -> Option
     draft.covers(place.clone());
     *compressed += usize::from(has("z"));
     if has("z") && *compressed > MOST_PACKED {
-        draft.refuse_at(place, format!("A text may have {MOST_PACKED} compressed links"));
+        draft.refuse_at(place, say!("A text may have {} compressed links", MOST_PACKED));
         return Some(draft);
     }
     let link = read_link(word)?;
     draft.pass(place.clone());
     for part in hash.split('&').filter(|part| part.find('=').is_none_or(|at| at == 0) && !part.is_empty()) {
-        draft.note_at(draft.place(part), "This is no field of a link");
+        draft.note_at(draft.place(part), say!("This is no field of a link"));
     }
     let mut problems = link.problems;
     let mut last: HashMap<&str, &str> = HashMap::new();
@@ -84,7 +85,7 @@ fn link<'a>(source: Source<'a>, word: &'a str, compressed: &mut usize) -> Option
         let place = draft.place(key).start..draft.place(value).end;
         let is_known = FIELDS.iter().any(|spec| spec.link == key && spec.is_defined());
         if is_known && let Some(old) = last.insert(key, value) {
-            draft.note_at(draft.place(old), format!("A later `{key}` replaces this one"));
+            draft.note_at(draft.place(old), say!("A later `{}` replaces this one", key));
         }
         // The problems of this field alone, to know their place.
         let mut own = if key == "z" { Vec::new() } else { read_fields([(key, value)].into_iter()).problems };
@@ -94,7 +95,7 @@ fn link<'a>(source: Source<'a>, word: &'a str, compressed: &mut usize) -> Option
         } else if OTHERS.contains(&key) || FIELDS.iter().any(|spec| spec.link == key) {
             draft.pass(place);
         } else {
-            draft.note_at(draft.place(key), format!("The key `{}` is unknown", excerpt(key)));
+            draft.note_at(draft.place(key), say!("The key `{}` is unknown", excerpt(key)));
             draft.pass(draft.place(value));
         }
         own.into_iter().for_each(|own| draft.note_at(draft.place(value), own.message));
@@ -107,10 +108,10 @@ fn link<'a>(source: Source<'a>, word: &'a str, compressed: &mut usize) -> Option
         draft.note_at(draft.place(packed.unwrap_or(hash)), problem.message);
     }
     if let Some(packed) = packed {
-        draft.read(draft.place(packed), "a compressed system");
+        draft.read(draft.place(packed), say!("a compressed system"));
     }
     if draft.definition.axiom.is_empty() {
-        draft.refuse_at(place, "The link gives no axiom");
+        draft.refuse_at(place, say!("The link gives no axiom"));
     }
     Some(draft)
 }

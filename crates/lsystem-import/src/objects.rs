@@ -22,7 +22,8 @@ use crate::tokens::{Kind, Node, tree};
 use crate::value::{Member, Unit, Value, What, elements, members};
 use crate::words::{is_prose, weighted};
 use core::ops::Range;
-use lsystem_base::decimal;
+use lsystem_base::words;
+use lsystem_base::{decimal, say, word};
 use lsystem_syntax::{Diagnostic, parse};
 
 /// Words of which a text without an axiom by that name has one.
@@ -372,7 +373,7 @@ impl Reader<'_> {
         }
         for value in &own {
             if value.number().is_some() && said.angle.as_ref().is_none_or(|angle| angle.span.end != value.span.end) {
-                said.note(value.span.clone(), "The text does not say what this number is");
+                said.note(value.span.clone(), say!("The text does not say what this number is"));
             }
         }
         self.systems.push(said);
@@ -540,14 +541,14 @@ impl Reader<'_> {
             }
             Some(Key::Angle | Key::LeftAngle | Key::RightAngle) => {
                 let angle = angle_of(&member.key, value);
-                let Some(angle) = angle else { return said.refuse(span, "The angle is code, which is not read") };
+                let Some(angle) = angle else { return said.refuse(span, say!("The angle is code, which is not read")) };
                 let said_angle = Some(Said::new(angle, span.clone()));
                 match key {
                     Some(Key::LeftAngle) => said.left = said_angle,
                     Some(Key::RightAngle) => said.right = said_angle,
                     // `alpha` beside `theta` is another angle.
                     _ if member.key == "alpha" && said.angle.is_some() => {
-                        said.note(span, "`alpha` is not carried over");
+                        said.note(span, say!("`alpha` is not carried over"));
                     }
                     _ => said.angle = said_angle,
                 }
@@ -555,26 +556,26 @@ impl Reader<'_> {
             Some(Key::Iterations) => match (value.number(), value.text()) {
                 (Some(n), _) => said.iterations = Some(Said::new(n.to_string(), span)),
                 (None, Some(text)) => said.iterations = Some(Said::new(text.to_owned(), span)),
-                _ => said.note(span, "The number of iterations is code, which is not read"),
+                _ => said.note(span, say!("The number of iterations is code, which is not read")),
             },
             Some(Key::LengthFactor) if value.number().is_some() => {
                 said.factor = value.number().map(|factor| Said::new(factor, span));
             }
             Some(Key::Name) if value.text().is_some() => said.note_name(span),
             Some(Key::Step) if value.number().is_some() => {
-                said.note(span, "The length of a step changes only the size, which is fitted");
+                said.note(span, say!("The length of a step changes only the size, which is fitted"));
             }
             Some(Key::Meanings) => {
                 let known: Vec<&(char, String, Range<usize>)> =
                     self.branches.meanings.iter().filter(|(_, _, own)| span.contains(&own.start)).collect();
                 if known.is_empty() {
-                    said.note(span, format!("`{}` is not carried over", member.key));
+                    said.note(span, say!("`{}` is not carried over", member.key));
                 }
                 for (symbol, actions, span) in known {
                     said.mean(*symbol, actions.clone(), span.clone());
                 }
             }
-            _ => said.note(value_span(member), format!("`{}` is not carried over", member.key)),
+            _ => said.note(value_span(member), say!("`{}` is not carried over", member.key)),
         }
     }
 }
@@ -605,8 +606,8 @@ fn is_sure(key: &str) -> bool {
 
 /// Refuses a system in which two statements contradict each other.
 fn contradict(said: &mut Statements, first: &Range<usize>, second: &Range<usize>) {
-    let why = "Two statements contradict each other";
-    said.refuse(first.clone(), why);
+    let why = say!("Two statements contradict each other");
+    said.refuse(first.clone(), why.clone());
     said.refuse(second.clone(), why);
 }
 
@@ -664,16 +665,16 @@ fn lindsvg(said: &mut Statements, own: &[Member<'_>]) {
     };
     match of("alpha").map(|member| (degrees(member), member.span.clone())) {
         Some((Some(alpha), span)) => said.heading = Some(Said::new(0.0 - alpha, span)),
-        Some((None, span)) => said.refuse(span, "The angle alpha is code, which is not read"),
+        Some((None, span)) => said.refuse(span, say!("The angle alpha is code, which is not read")),
         None => said.heading = Some(Said::new(0.0, 0..0)),
     }
     match of("theta").map(|member| (degrees(member), member.span.clone())) {
         Some((Some(theta), span)) => said.angle = Some(Said::new(Angle::Degrees(theta), span)),
-        Some((None, span)) => said.refuse(span, "The angle theta is code, which is not read"),
+        Some((None, span)) => said.refuse(span, say!("The angle theta is code, which is not read")),
         None => {}
     }
     if let Some(step) = of("step") {
-        said.note(step.span.clone(), "The length of a step changes only the size, which is fitted");
+        said.note(step.span.clone(), say!("The length of a step changes only the size, which is fitted"));
     }
     if said.iterations.is_none() {
         said.iterations = Some(Said::new("3".to_owned(), 0..0));
@@ -710,15 +711,15 @@ struct Rules {
     lines: Vec<Said<String>>,
 }
 
-const CODE: &str = "This rule is code, which is not read";
-const UNREAD: &str = "This rule cannot be read";
+const CODE: &str = word!("This rule is code, which is not read");
+const UNREAD: &str = word!("This rule cannot be read");
 
 impl Rules {
     fn into(self, said: &mut Statements) {
         said.rules.extend(self.found);
         said.comments.extend(self.keys);
         said.lines.extend(self.lines);
-        self.remarks.into_iter().for_each(|(span, why)| said.refuse(span, why));
+        self.remarks.into_iter().for_each(|(span, why)| said.refuse(span, words::said(why)));
     }
 
     fn refuse(&mut self, span: &Range<usize>, why: &'static str) {
@@ -763,7 +764,7 @@ impl Rules {
                 }
                 list.iter().for_each(|one| self.listed(one));
             }
-            _ => self.refuse(&value.span, "The rules are code, which is not read"),
+            _ => self.refuse(&value.span, word!("The rules are code, which is not read")),
         }
     }
 
@@ -832,7 +833,7 @@ impl Rules {
                     let (to, weight) = weighted(to);
                     self.rule(from, to, weight, span);
                 }
-                None => self.refuse(span, "This rule has no arrow"),
+                None => self.refuse(span, word!("This rule has no arrow")),
             }
         }
     }
@@ -861,7 +862,7 @@ impl Rules {
         let of = |keys: &[&str]| keys.iter().find_map(|key| own.iter().find(|member| is_key(member, key)));
         if let Some(code) = of(&["condition"]) {
             self.keys.push(value.span.start..code.value.span.start);
-            return self.refuse(&code.value.span, "Conditions are code, which is not read");
+            return self.refuse(&code.value.span, word!("Conditions are code, which is not read"));
         }
         if let Some(successors) = of(&["successors", "productions", "options"]) {
             self.keys.push(value.span.start..successors.value.span.start);
@@ -914,7 +915,7 @@ impl Rules {
                 [p, to] | [to, p] if p.number().is_some() && to.text().is_some() => {
                     self.rule(key, to.text().unwrap_or_default(), p.number(), &one.span);
                 }
-                _ => self.refuse(&one.span, "This successor cannot be read: it has parameters or is code"),
+                _ => self.refuse(&one.span, word!("This successor cannot be read: it has parameters or is code")),
             }
         }
     }

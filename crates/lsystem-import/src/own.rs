@@ -5,6 +5,7 @@
 use crate::draft::Draft;
 use crate::source::Source;
 use core::ops::Range;
+use lsystem_base::say;
 use lsystem_drawing::System;
 use lsystem_files::read_json;
 use lsystem_syntax::{Definition, Diagnostic};
@@ -22,7 +23,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     }
     let mut draft = Draft::new(source, "", source.line_of(from));
     draft.covers(draft.place(all));
-    draft.read(draft.place(all), "the system");
+    draft.read(draft.place(all), say!("the system"));
     (draft.has_iterations, draft.is_ours) = (true, true);
     for diagnostic in diagnostics {
         let hint = diagnostic.hint().map_or(String::new(), |hint| format!(". {hint}"));

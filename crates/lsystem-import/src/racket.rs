@@ -21,7 +21,7 @@ use crate::MAX_ENTRIES;
 use crate::draft::Draft;
 use crate::rules::split_rule;
 use crate::source::Source;
-use lsystem_base::decimal;
+use lsystem_base::{decimal, say};
 use std::collections::{BTreeSet, HashMap};
 
 /// The actions of the symbols of `lindenmayer/turtle`. Its lines are 1 wide where the steps are 2 long.
@@ -137,10 +137,12 @@ impl<'a> Code<'a> {
         for form in &self.forms {
             let place = draft.place(form);
             match definition(form) {
-                Some((symbol, Defined::Same(other))) => draft.read(place, format!("{symbol} does the same as {other}")),
-                Some((symbol, Defined::Nothing)) => draft.read(place, format!("{symbol} does nothing")),
+                Some((symbol, Defined::Same(other))) => {
+                    draft.read(place, say!("{} does the same as {}", symbol, other))
+                }
+                Some((symbol, Defined::Nothing)) => draft.read(place, say!("{} does nothing", symbol)),
                 _ if ["(require", "(provide"].iter().any(|word| form.starts_with(word)) => draft.pass(place),
-                _ => draft.note_at(place, "This Racket code is not run"),
+                _ => draft.note_at(place, say!("This Racket code is not run")),
             }
         }
     }
@@ -230,22 +232,22 @@ fn system<'a>(source: Source<'a>, line: usize, lines: &[&'a str], code: &Code<'a
             continue;
         }
         match section {
-            _ if line.starts_with('#') => draft.note_at(place, "Racket cannot read this line"),
+            _ if line.starts_with('#') => draft.note_at(place, say!("Racket cannot read this line")),
             "axiom" => {
                 axiom.push_str(line);
-                draft.read(place, format!("axiom {line}"));
+                draft.read(place, say!("axiom {}", line));
             }
             "rules" => match (split_rule(line).filter(|_| line.contains(['→', '>'])), rules.last_mut()) {
                 (Some(_), _) if is_rule(line) => {
                     rules.push((*line).to_owned());
-                    draft.read(place, *line);
+                    draft.read(place, (*line).to_owned());
                 }
                 (_, Some(last)) => {
                     last.push(' ');
                     last.push_str(line);
-                    draft.read(place, "the rule above");
+                    draft.read(place, say!("the rule above"));
                 }
-                _ => draft.refuse_at(place, "This rule has no arrow"),
+                _ => draft.refuse_at(place, say!("This rule has no arrow")),
             },
             "variables" => match line.split_once('=') {
                 Some((name, value)) if name.trim() == "n" => {
@@ -253,9 +255,9 @@ fn system<'a>(source: Source<'a>, line: usize, lines: &[&'a str], code: &Code<'a
                     draft.read(place, format!("n {}", draft.definition.iterations));
                 }
                 Some((name, value)) => variables.push((name.trim(), value.trim(), line)),
-                None => draft.refuse_at(place, "This variable has no value"),
+                None => draft.refuse_at(place, say!("This variable has no value")),
             },
-            _ => draft.refuse_at(place, "This section cannot be read"),
+            _ => draft.refuse_at(place, say!("This section cannot be read")),
         }
     }
     let clean = |text: &str| text.replace(['∧', '⌃'], "^");
@@ -276,18 +278,22 @@ fn system<'a>(source: Source<'a>, line: usize, lines: &[&'a str], code: &Code<'a
         LIBRARY.into_iter().for_each(|(symbol, actions)| draft.meaning(symbol, actions));
         for symbol in body.chars().filter(|ch| code.definitions.contains_key(ch)).collect::<BTreeSet<char>>() {
             let (actions, unknown) = code.actions(symbol);
+            let is_nothing = actions.is_empty();
             draft.meaning(symbol, actions);
             if unknown {
-                let instead = if actions.is_empty() { "nothing" } else { "what it does in the library" };
-                draft.note(
-                    line,
-                    "",
-                    format!("The Racket code decides what `{symbol}` does and is not run; here it does {instead}"),
-                );
+                let why = if is_nothing {
+                    say!("The Racket code decides what `{}` does and is not run; here it does nothing", symbol)
+                } else {
+                    say!(
+                        "The Racket code decides what `{}` does and is not run; here it does what it does in the library",
+                        symbol
+                    )
+                };
+                draft.note(line, "", why);
             }
         }
     } else {
-        let why = "The Racket code decides what symbols do and is not run; here symbols do the same as in ABOP";
+        let why = say!("The Racket code decides what symbols do and is not run; here symbols do the same as in ABOP");
         draft.note_at(draft.place(code.text), why);
     }
     draft
@@ -305,7 +311,7 @@ fn constants(variables: &[(&str, &str, &str)], used: &BTreeSet<String>, draft: &
             // The size of that program's picture, and the angle, which has its own mark.
             draft.pass(place);
         } else if !line.is_empty() {
-            draft.note_at(place, "The rules do not use this variable");
+            draft.note_at(place, say!("The rules do not use this variable"));
         }
     }
     lines
@@ -344,18 +350,18 @@ fn angle(draft: &mut Draft<'_>, variables: &[(&str, &str, &str)], code: &Code<'_
             let angle = decimal::read(value).or_else(|| value.split_once('/').and_then(ratio));
             let place = draft.place(line);
             match angle.filter(|angle| angle.is_finite()) {
-                Some(angle) => draft.read(place, format!("angle {angle}")),
-                None => draft.refuse_at(place, "The angle is not a number"),
+                Some(angle) => draft.read(place, say!("angle {}", angle)),
+                None => draft.refuse_at(place, say!("The angle is not a number")),
             }
             angle.unwrap_or_default()
         }
         _ if library => 90.0,
         (None, Some(angle)) => {
-            draft.note(draft.line, "", "The angle is read from the Racket code");
+            draft.note(draft.line, "", say!("The angle is read from the Racket code"));
             angle
         }
         (None, None) => {
-            draft.note(draft.line, "", "The text gives no angle; 90 degrees is chosen");
+            draft.note(draft.line, "", say!("The text gives no angle; 90 degrees is chosen"));
             90.0
         }
     };

@@ -17,7 +17,7 @@ use crate::phrases::{actions, symbols};
 use crate::source::Source;
 use crate::words::{is_language, is_prose, weight, weighted};
 use core::ops::Range;
-use lsystem_base::decimal;
+use lsystem_base::{decimal, say};
 use std::collections::HashSet;
 
 /// Longer predecessors and sentences are none, in bytes.
@@ -54,7 +54,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         reader.line(at..at + line.len());
         at += line.len() + 1;
         if reader.arrows > MOST_RULES {
-            let why = format!("A text with more than {MOST_RULES} rules is not read");
+            let why = say!("A text with more than {} rules is not read", MOST_RULES);
             let end = source.text.len();
             reader.said.refuse(end..end, why);
             break;
@@ -211,7 +211,7 @@ impl Reader<'_> {
             let behind = digits[end..].trim_start();
             if end > 0 && (behind.starts_with(':') || behind.starts_with('→')) && behind.len() > 1 {
                 let span = self.span(&line);
-                return self.said.note(span, "This lists a generation");
+                return self.said.note(span, say!("This lists a generation"));
             }
         }
         // The first title since the last system; behind rules the title of the next one.
@@ -386,7 +386,7 @@ impl Reader<'_> {
                     self.extent(&span);
                     let said = Said::new(Angle::Degrees(degrees), span.clone());
                     if radians && !text[..end].contains(['π', 'p', 'P', 'r']) {
-                        self.said.note(span.clone(), "This angle is read as radians");
+                        self.said.note(span.clone(), say!("This angle is read as radians"));
                     }
                     let known = match label.key {
                         Key::LeftAngle => &mut self.said.left,
@@ -396,8 +396,8 @@ impl Reader<'_> {
                     match known {
                         Some(known) if known.value != said.value => {
                             let first = known.span.clone();
-                            let why = "Two statements contradict each other";
-                            self.said.refuse(first, why);
+                            let why = say!("Two statements contradict each other");
+                            self.said.refuse(first, why.clone());
                             self.said.refuse(span, why);
                         }
                         _ => *known = Some(said),
@@ -410,9 +410,9 @@ impl Reader<'_> {
                     self.extent(&span);
                     let why = match why {
                         crate::angle::NoAngle::Unclear => {
-                            "This angle may be meant in degrees or in radians; the text does not say which"
+                            say!("This angle may be meant in degrees or in radians; the text does not say which")
                         }
-                        crate::angle::NoAngle::NoNumber => "This angle cannot be read",
+                        crate::angle::NoAngle::NoNumber => say!("This angle cannot be read"),
                     };
                     self.said.refuse(span, why);
                 }
@@ -445,7 +445,7 @@ impl Reader<'_> {
                 match (label.key, plain, number) {
                     (Key::LengthFactor, Some(factor), _) => self.said.factor = Some(Said::new(factor, span.clone())),
                     (Key::Heading, _, Some(degrees)) => self.said.heading = Some(Said::new(degrees, span.clone())),
-                    _ => self.said.note(span.clone(), "This cannot be read"),
+                    _ => self.said.note(span.clone(), say!("This cannot be read")),
                 }
                 self.extent(&span);
             }
@@ -457,7 +457,7 @@ impl Reader<'_> {
             Key::Step => {
                 if text.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
                     let span = self.span(&whole);
-                    self.said.note(span, "The length of a step changes only the size, which is fitted");
+                    self.said.note(span, say!("The length of a step changes only the size, which is fitted"));
                 }
             }
         }

@@ -14,8 +14,9 @@ use crate::draft::{Draft, production};
 use crate::rules::split_rule;
 use crate::source::Source;
 use core::ops::Range;
-use lsystem_base::decimal;
 use lsystem_base::number::number;
+use lsystem_base::words::said;
+use lsystem_base::{decimal, say, word};
 use lsystem_syntax::{Grammar, Module, look_alike};
 use std::collections::{HashMap, HashSet};
 
@@ -79,7 +80,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         let mut draft = Draft::new(source, one.name, source.line_of(at));
         draft.covers(one.span.clone());
         draft.pass(one.span.clone());
-        draft.refuse_at(draft.place(one.name), "The text gives no axiom for this system");
+        draft.refuse_at(draft.place(one.name), say!("The text gives no axiom for this system"));
         drafts.push((at, draft));
     }
     drafts.sort_by_key(|(at, _)| *at);
@@ -87,7 +88,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     for command in ["\\pgftransform", "\\rotatebox", "\\reflectbox", "\\scalebox", "\\tikzset"] {
         for (at, mark) in tex.matches(text, command).take(1) {
             let place = at..at + mark.len();
-            drafts.iter_mut().take(1).for_each(|draft| draft.note_at(place.clone(), "This is not carried over"));
+            drafts.iter_mut().take(1).for_each(|draft| draft.note_at(place.clone(), say!("This is not carried over")));
         }
     }
     (!drafts.is_empty()).then_some(drafts)
@@ -261,7 +262,7 @@ impl<'a> Tex<'a> {
                     Some(turned) => turn(turned, place, draft),
                     // A system, whose options have marks of their own.
                     None if place.contains(&at) || KEYS.iter().any(|key| option.starts_with(key)) => draft.pass(place),
-                    None => draft.note_at(place, "How the path is drawn is not carried over"),
+                    None => draft.note_at(place, say!("How the path is drawn is not carried over")),
                 }
             }
             rest = behind;
@@ -300,11 +301,11 @@ fn transform(option: &str) -> Option<Turned> {
         "scale" => amount(value).filter(|factor| *factor != 0.0).map(|factor| if factor < 0.0 { 180.0 } else { 0.0 }),
         "shift" | "xshift" | "yshift" => Some(0.0),
         "xscale" | "yscale" | "xslant" | "yslant" | "cm" => {
-            return Some(Err("This stretches or mirrors the drawing, which has no equal here"));
+            return Some(Err(word!("This stretches or mirrors the drawing, which has no equal here")));
         }
         _ => return None,
     };
-    Some(turned.ok_or("The rotation or the factor is not a number"))
+    Some(turned.ok_or(word!("The rotation or the factor is not a number")))
 }
 
 /// Turns the heading, as the options at this place say.
@@ -314,9 +315,9 @@ fn turn(turned: Turned, place: Range<usize>, draft: &mut Draft<'_>) {
         Ok(turned) => {
             let heading = draft.definition.heading + turned;
             draft.definition.heading = heading - 360.0 * libm::floor(heading / 360.0);
-            draft.read(place, format!("heading {}", number(draft.definition.heading)));
+            draft.read(place, say!("heading {}", number(draft.definition.heading)));
         }
-        Err(message) => draft.refuse_at(place, message),
+        Err(message) => draft.refuse_at(place, said(message)),
     }
 }
 
@@ -356,13 +357,13 @@ fn system<'a>(
             let found = amount(value);
             match found {
                 Some(found) => draft.read(place.clone(), format!("{key} {}", number(found))),
-                None => draft.refuse_at(place.clone(), "This is not a number"),
+                None => draft.refuse_at(place.clone(), say!("This is not a number")),
             }
             found.unwrap_or_default()
         };
         match key {
             "axiom" => {
-                draft.read(place, format!("axiom {value}"));
+                draft.read(place, say!("axiom {}", value));
                 grammar.axiom = draft.symbols(value).into_iter().map(Module::from).collect();
             }
             "order" => {
@@ -389,24 +390,24 @@ fn system<'a>(
             "step" | "anchor" => draft.pass(place),
             _ if value.is_empty() => match declared.get(key) {
                 Some(_) if !draft.definition.name.is_empty() => {
-                    draft.refuse_at(place, "A second system is named here");
+                    draft.refuse_at(place, say!("A second system is named here"));
                 }
                 Some(one) => {
                     draft.definition.name = key.chars().take(200).collect();
-                    draft.read(place, format!("name {key}"));
+                    draft.read(place, say!("name {}", key));
                     if used.insert(one.name) {
                         draft.covers(draft.place(one.body));
                         draft.pass(one.span.start..draft.place(one.body).start);
                     }
                     body(tex, one.body, &mut grammar, draft);
                 }
-                None => draft.refuse_at(place, "The text does not declare this system"),
+                None => draft.refuse_at(place, say!("The text does not declare this system")),
             },
-            _ => draft.note_at(place, "This option is not carried over"),
+            _ => draft.note_at(place, say!("This option is not carried over")),
         }
     }
     if grammar.axiom.is_empty() {
-        draft.refuse(line, "", "The text gives no axiom for this system");
+        draft.refuse(line, "", say!("The text gives no axiom for this system"));
     }
     draft.grammar(&grammar);
 }
@@ -419,19 +420,19 @@ fn body<'a>(tex: &Tex<'a>, text: &'a str, grammar: &mut Grammar, draft: &mut Dra
         draft.pass(from + at..from + at + mark.len());
         match tex.group(&text[at + mark.len()..]) {
             Some((rule, _)) => add_rule(rule, grammar, draft),
-            None => draft.refuse_at(from + at..from + at + mark.len(), "This rule has no braces"),
+            None => draft.refuse_at(from + at..from + at + mark.len(), say!("This rule has no braces")),
         }
     }
     for (at, mark) in tex.matches(text, "\\symbol") {
         let rest = &text[at + mark.len()..];
         let parts = tex.group(rest).and_then(|(symbol, rest)| Some((symbol.trim(), tex.group(rest)?)));
         let Some((symbol, (code, behind))) = parts else {
-            draft.refuse_at(from + at..from + at + mark.len(), "This symbol has no two groups of braces");
+            draft.refuse_at(from + at..from + at + mark.len(), say!("This symbol has no two groups of braces"));
             continue;
         };
         let place = from + at..from + text.len() - behind.len();
         let Some(actions) = actions(tex, code) else {
-            draft.refuse_at(draft.place(code.trim()), "The code of this symbol is not run");
+            draft.refuse_at(draft.place(code.trim()), say!("The code of this symbol is not run"));
             draft.pass(place.start..draft.place(code.trim()).start);
             continue;
         };
@@ -441,7 +442,7 @@ fn body<'a>(tex: &Tex<'a>, text: &'a str, grammar: &mut Grammar, draft: &mut Dra
                 draft.read(place, format!("{symbol}: {}", if actions.is_empty() { "nothing" } else { &actions }));
                 draft.meaning(symbol, actions);
             }
-            None => draft.refuse_at(place, "This symbol has no character"),
+            None => draft.refuse_at(place, say!("This symbol has no character")),
         }
     }
 }
@@ -474,7 +475,7 @@ fn add_rule(text: &str, grammar: &mut Grammar, draft: &mut Draft<'_>) {
             draft.read(place, format!("{letter} -> {to}"));
             grammar.productions.push(production(look_alike(letter).unwrap_or(letter), draft.symbols(to)));
         }
-        _ => draft.refuse_at(place, "This rule cannot be read"),
+        _ => draft.refuse_at(place, say!("This rule cannot be read")),
     }
 }
 

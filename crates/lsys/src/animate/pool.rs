@@ -3,7 +3,7 @@
 use super::WORK;
 use crate::progress::DelayedBar;
 use crate::{CommandFailure, cores, memory};
-use lsystem::base::LimitName;
+use lsystem::base::{LimitName, say};
 use lsystem::film::{Film, LIMITS, Painter};
 use lsystem::render::Detail;
 use lsystem::{Diagnostic, Limits, Progress, render_diagnostic};
@@ -114,8 +114,7 @@ impl<'a> Pool<'a> {
 
     /// Paints a frame.
     fn paint(&self, painter: &mut Painter, number: u32, size: [u32; 2]) -> Result<(), CommandFailure> {
-        let wrong =
-            |error| CommandFailure::Limit(render_diagnostic(&error, &format!("frame {number} of the film"), ""));
+        let wrong = |error| CommandFailure::Limit(render_diagnostic(&error, &say!("frame {} of the film", number), ""));
         painter.begin(&self.film.frame(number), size, Detail::Fine).map_err(wrong)?;
         while painter.step(WORK).map_err(wrong)? == Progress::More {
             if painter.drawing_bytes() > self.free {

@@ -6,6 +6,7 @@ use crate::cli::FilmFormat;
 use crate::output::within;
 use crate::pending::{self, Pending};
 use crate::{CommandFailure, print};
+use lsystem::base::{say, word};
 use lsystem::film::{GifWriter, Palette, PaletteMaker, palette_samples};
 use std::fs;
 use std::io::{self, IsTerminal, Write};
@@ -29,12 +30,12 @@ pub(super) fn gif_to_stdout(pool: &Pool<'_>) -> Result<(), CommandFailure> {
 }
 
 fn stdout_failure(error: &io::Error) -> CommandFailure {
-    CommandFailure::io("standard output", error)
+    CommandFailure::io(say!("standard output"), error)
 }
 
 fn refuse_terminal() -> Result<(), CommandFailure> {
     match io::stdout().is_terminal() {
-        true => Err(words("a terminal cannot show a film: give a file, a folder, or a pipe to another program")),
+        true => Err(words(say!("a terminal cannot show a film: give a file, a folder, or a pipe to another program"))),
         false => Ok(()),
     }
 }
@@ -46,7 +47,7 @@ fn palette(pool: &Pool<'_>) -> Result<Palette, CommandFailure> {
     pool.run(
         &numbers,
         size,
-        "colours",
+        word!("colours"),
         |_, pixels| Ok(pixels.to_vec()),
         |_, pixels| {
             maker.add(&pixels);
@@ -72,7 +73,7 @@ fn gif(
     pool.run(
         &all_frames(pool),
         script.size,
-        "frames",
+        word!("frames"),
         |_, pixels| Ok(palette.index(pixels)),
         |number, sheet| {
             writer.add(&sheet, script.delay_of(number)).map_err(gif_wrong)?;
@@ -89,7 +90,7 @@ pub(super) fn pngs_to_folder(pool: &Pool<'_>, folder: &Path) -> Result<(), Comma
     pending::remove_dead(folder);
     // Frames of another film between those of this one would be taken for its frames.
     if fs::read_dir(folder).map_err(wrong)?.next().is_some() {
-        return Err(words(format!("{}: the folder is not empty", folder.display())));
+        return Err(words(say!("{}: the folder is not empty", folder.display())));
     }
     let size = pool.film.script().size;
     let digits = (pool.film.frames() - 1).to_string().len().max(4);
@@ -98,7 +99,7 @@ pub(super) fn pngs_to_folder(pool: &Pool<'_>, folder: &Path) -> Result<(), Comma
         let path = folder.join(format!("{number:0digits$}.png"));
         Pending::write(&path, |out| out.write_all(&bytes)).and_then(Pending::commit).map_err(wrong)
     };
-    pool.run(&all_frames(pool), size, "frames", make, |_, ()| Ok(()))
+    pool.run(&all_frames(pool), size, word!("frames"), make, |_, ()| Ok(()))
 }
 
 /// Writes all frames to standard output, one after the other.
@@ -119,7 +120,7 @@ pub(super) fn frames_to_stdout(pool: &Pool<'_>, format: FilmFormat) -> Result<()
                 let head = format!("YUV4MPEG2 W{width} H{height} F{rate}:1 Ip A1:1 C444 XCOLORRANGE=LIMITED\n");
                 out.write_all(head.as_bytes()).map_err(|error| stdout_failure(&error))?;
             }
-            pool.run(&all_frames(pool), script.size, "frames", make, |_, bytes| {
+            pool.run(&all_frames(pool), script.size, word!("frames"), make, |_, bytes| {
                 out.write_all(&bytes).map_err(|error| stdout_failure(&error))
             })
         },

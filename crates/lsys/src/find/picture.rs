@@ -3,6 +3,8 @@
 use super::pixels::grey;
 use super::{Known, MAX_LISTED, gallery};
 use crate::{CommandFailure, cores, print, say};
+use lsystem::base::counted;
+use lsystem::base::words;
 use lsystem::files::{SegmentForm, read_segments};
 use lsystem::find::{Drawn, FOUND, Finder, Photograph, Picture, Question, Searched, Share, draw_svg, merged};
 use serde::Serialize;
@@ -89,7 +91,7 @@ pub(super) fn find_svg(name: &str, bytes: &[u8], known: &Known, json: bool) -> R
     let said = |why: &str| CommandFailure::Words(format!("{name}: {why}"));
     let drawn = draw_svg(bytes).map_err(|why| said(&why))?;
     if !drawn.left_out.is_empty() {
-        say(&format!("note: {name}: left out: {}\n", drawn.left_out.join(", ")));
+        say(&format!("{}\n", say!("note: {}: left out: {}", name, drawn.left_out.join(", "))));
     }
     let picture = Picture::new(&drawn.grey, drawn.width, drawn.height).map_err(said)?;
     find_rules(name, picture, known, json)
@@ -101,8 +103,9 @@ pub(super) fn find_svg(name: &str, bytes: &[u8], known: &Known, json: bool) -> R
 /// [`CommandFailure::Words`] if a segment cannot be read.
 pub(super) fn segments(name: &str, text: &str) -> Result<Option<Vec<[f64; 4]>>, CommandFailure> {
     let Some(read) = read_segments(text, MAX_SEGMENTS) else { return Ok(None) };
-    let read =
-        read.map_err(|error| CommandFailure::Words(format!("{name}: line {}: {}", error.line, error.message)))?;
+    let read = read.map_err(|error| {
+        CommandFailure::Words(format!("{name}: {}", say!("line {}: {}", error.line, error.message)))
+    })?;
     let up = if read.form == SegmentForm::Svg { -1.0 } else { 1.0 };
     Ok(Some(read.segments.iter().map(|[from, to]| [from[0], up * from[1], to[0], up * to[1]]).collect()))
 }
@@ -154,26 +157,35 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
         false => {
             match kept.iter().map(|one| one.agreement).reduce(f64::max) {
                 None => {}
-                Some(1.0..) => writeln!(out, "The same picture:\n")?,
-                Some(_) if is_found => writeln!(out, "Nearly the same picture:\n")?,
-                Some(_) => writeln!(out, "None draws this picture. The closest:\n")?,
+                Some(1.0..) => writeln!(out, "{}\n", say!("The same picture:"))?,
+                Some(_) if is_found => writeln!(out, "{}\n", say!("Nearly the same picture:"))?,
+                Some(_) => writeln!(out, "{}\n", say!("None draws this picture. The closest:"))?,
             }
             for one in &kept {
                 if let Some(named) = &one.named {
-                    writeln!(out, "{}, in the gallery:", named.name)?;
+                    writeln!(out, "{}", say!("{}, in the gallery:", named.name))?;
                 }
                 let Drawn { axiom, found, draws, angle, heading, .. } = one;
-                let nearly = if one.is_same() { "" } else { "nearly the same: " };
                 let (text, n, symbols) = (one.rules(), found.n, one.symbols());
-                let steps = if n == 1 { "step" } else { "steps" };
-                writeln!(
-                    out,
-                    "{text}\n  after {n} {steps} from {axiom} with {angle}°, heading {heading}°; {draws} draws; {symbols} symbols; {nearly}{:.1} % of the ink agrees\n",
-                    one.percent()
-                )?;
+                let how = counted!(
+                    n,
+                    "after {} step from {} with {}°, heading {}°; {} draws; {} symbols",
+                    "after {} steps from {} with {}°, heading {}°; {} draws; {} symbols",
+                    axiom,
+                    angle,
+                    heading,
+                    draws,
+                    symbols
+                );
+                let ink = words::shown(&format!("{:.1}", one.percent()));
+                let ink = match one.is_same() {
+                    true => say!("{} % of the ink agrees", ink),
+                    false => say!("nearly the same: {} % of the ink agrees", ink),
+                };
+                writeln!(out, "{text}\n  {how}; {ink}\n")?;
             }
-            let none = if kept.is_empty() { "Nothing found. " } else { "" };
-            writeln!(out, "{none}Searched: {searched}.")
+            let none = if kept.is_empty() { format!("{} ", say!("Nothing found.")) } else { String::new() };
+            writeln!(out, "{none}{}", say!("Searched: {}.", searched))
         }
     })?;
     if is_found { Ok(()) } else { Err(CommandFailure::Said) }

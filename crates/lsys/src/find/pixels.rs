@@ -1,6 +1,7 @@
 //! Pictures of pixels as levels of grey: PNG, JPEG, GIF and WebP, as the page reads them.
 
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, guess_format};
+use lsystem::base::say;
 use std::io::Cursor;
 
 /// The most pixels of a picture.
@@ -30,12 +31,12 @@ pub(super) fn grey(bytes: &[u8]) -> Result<(Vec<u8>, usize, usize), String> {
     let mut decoder = reader.into_decoder().map_err(words)?;
     let (width, height) = decoder.dimensions();
     if u64::from(width) * u64::from(height) > MAX_PIXELS {
-        return Err("the picture has more than 64,000,000 pixels".to_owned());
+        return Err(say!("the picture has more than 64,000,000 pixels"));
     }
     let orientation = decoder.orientation().map_err(words)?;
     // Decoders reserve memory without checking that there is enough. A turned copy and the levels of grey take as much again.
     let size = usize::try_from(decoder.total_bytes()).unwrap_or(usize::MAX).saturating_mul(2);
-    Vec::<u8>::new().try_reserve_exact(size).map_err(|_| "not enough memory for the picture")?;
+    Vec::<u8>::new().try_reserve_exact(size).map_err(|_| say!("not enough memory for the picture"))?;
     let mut image = DynamicImage::from_decoder(decoder).map_err(words)?;
     image.apply_orientation(orientation);
     let (width, height) = (image.width() as usize, image.height() as usize);

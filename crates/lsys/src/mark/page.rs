@@ -1,7 +1,10 @@
 //! Marks as a page of HTML that needs no other file.
 
 use super::title_of;
+use crate::language;
 use base64::prelude::*;
+use lsystem::base::words::said;
+use lsystem::base::{say, word};
 use lsystem::course::{Exercise, Marked, SMALL, mistakes};
 
 /// The mistakes that are listed.
@@ -17,18 +20,34 @@ i.missing{background:#005ab5}i.much{background:#dc5000}";
 
 /// A page with all marks.
 pub(super) fn page(exercise: &Exercise, marked: &[Marked], pictures: &[Vec<u8>]) -> String {
-    let title = escaped(title_of(exercise));
+    let title = escaped(&title_of(exercise));
     let solved = marked.iter().filter(|one| one.is_solved()).count();
     let rows: String = marked.iter().zip(pictures).map(|(one, picture)| row(one, picture)).collect();
+    let heads = [
+        word!("Name"),
+        word!("By"),
+        word!("Solved"),
+        word!("Agrees"),
+        word!("Symbols"),
+        word!("Picture"),
+        word!("Rules"),
+        word!("Remark"),
+    ];
+    let heads: String = heads.iter().map(|head| format!("<th>{}", escaped(&said(head)))).collect();
     format!(
-        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
+        "<!doctype html>\n<html lang=\"{}\">\n<meta charset=\"utf-8\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
-         <h1>{title}</h1>\n<p>{}</p>\n<p>{solved} of {} solved. In the pictures:\
-         <i class=\"both\"></i>agrees<i class=\"missing\"></i>is missing<i class=\"much\"></i>is too much</p>\n\
-         {}<table>\n<tr><th>Name<th>By<th>Solved<th>Agrees<th>Symbols<th>Picture<th>Rules<th>Remark</tr>\n{rows}</table>\n</html>\n",
+         <h1>{title}</h1>\n<p>{}</p>\n<p>{} {}\
+         <i class=\"both\"></i>{}<i class=\"missing\"></i>{}<i class=\"much\"></i>{}</p>\n\
+         {}<table>\n<tr>{heads}</tr>\n{rows}</table>\n</html>\n",
+        language::code(),
         escaped(&exercise.task),
-        marked.len(),
+        escaped(&say!("{} of {} solved.", solved, marked.len())),
+        escaped(&say!("In the pictures:")),
+        escaped(&say!("agrees")),
+        escaped(&say!("is missing")),
+        escaped(&say!("is too much")),
         frequent(marked),
     )
 }
@@ -39,10 +58,15 @@ fn frequent(marked: &[Marked]) -> String {
     let row = |mistake: lsystem::course::Mistake| {
         let example = mistake.answers.first().and_then(|number| marked.get(*number)).map_or("", |one| &one.answer.name);
         let (count, words) = (mistake.answers.len(), escaped(&mistake.words));
-        format!("<li>{count} of {}: {words} <small>({}, …)</small>\n", marked.len(), escaped(example))
+        let count = escaped(&say!("{} of {}", count, marked.len()));
+        format!("<li>{count}: {words} <small>({}, …)</small>\n", escaped(example))
     };
     let rows: String = frequent.map(row).collect();
-    if rows.is_empty() { rows } else { format!("<h2>Frequent mistakes</h2>\n<ul>\n{rows}</ul>\n") }
+    if rows.is_empty() {
+        rows
+    } else {
+        format!("<h2>{}</h2>\n<ul>\n{rows}</ul>\n", escaped(&say!("Frequent mistakes")))
+    }
 }
 
 fn row(one: &Marked, picture: &[u8]) -> String {
@@ -52,7 +76,10 @@ fn row(one: &Marked, picture: &[u8]) -> String {
         Some(link) => format!("<a href=\"{}\" rel=\"noreferrer\">{name}</a>", escaped(link)),
         None => name,
     };
-    let solved = if one.is_solved() { "<td class=\"yes\">yes" } else { "<td>no" };
+    let solved = match one.is_solved() {
+        true => format!("<td class=\"yes\">{}", escaped(&say!("yes"))),
+        false => format!("<td>{}", escaped(&say!("no"))),
+    };
     let percent = one.percent();
     let picture = match picture.is_empty() {
         true => String::new(),

@@ -2,6 +2,7 @@
 
 use super::Triangle;
 use lsystem::base::number::number;
+use lsystem::base::{counted, say};
 use std::collections::HashMap;
 
 /// The longest side of a mesh, in model units.
@@ -20,7 +21,7 @@ pub(super) fn mesh(triangles: &[Triangle]) -> Result<String, String> {
     let longest = (0..3).map(|axis| most[axis] - least[axis]).fold(0.0, f64::max);
     let scale = SIZE / longest;
     if !(longest > 0.0 && scale.is_finite() && scale > 0.0) {
-        return Err("this file has no triangles".to_owned());
+        return Err(say!("this file has no triangles"));
     }
     let origin = [0.5 * (least[0] + most[0]), least[1], 0.5 * (least[2] + most[2])];
     let placed = |at: &[f64; 3]| [0, 1, 2].map(|axis| ((at[axis] - origin[axis]) * scale * GRID).round() as i64);
@@ -37,9 +38,10 @@ pub(super) fn mesh(triangles: &[Triangle]) -> Result<String, String> {
     match sides.values().filter(|&&count| count != 0).count() {
         0 => {}
         open => {
-            let edges = if open == 1 { "1 edge has" } else { &format!("{open} edges have") };
-            return Err(format!(
-                "this mesh is not closed: {edges} a triangle on one side only, or two that face apart"
+            return Err(counted!(
+                open,
+                "this mesh is not closed: {} edge has a triangle on one side only, or two that face apart",
+                "this mesh is not closed: {} edges have a triangle on one side only, or two that face apart"
             ));
         }
     }

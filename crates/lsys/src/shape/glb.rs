@@ -1,6 +1,7 @@
 //! The triangles of binary glTF 2.0 files (GLB): all meshes of the nodes, in the places of the nodes.
 
 use super::{Triangle, too_many};
+use lsystem::base::say;
 use lsystem::syntax::MOST_SIDES;
 use serde_json::Value;
 
@@ -15,8 +16,8 @@ type Matrix = [[f64; 4]; 4];
 /// # Errors
 /// Why there are none.
 pub(super) fn triangles(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
-    let (json, binary) = chunks(bytes).ok_or("this GLB is damaged")?;
-    let file: Value = serde_json::from_slice(json).map_err(|error| format!("this GLB is damaged: {error}"))?;
+    let (json, binary) = chunks(bytes).ok_or_else(|| say!("this GLB is damaged"))?;
+    let file: Value = serde_json::from_slice(json).map_err(|error| say!("this GLB is damaged: {}", error))?;
     let nodes = list(&file["nodes"]);
     let is_child =
         |at: usize| nodes.iter().any(|node| list(&node["children"]).iter().any(|child| index(child) == Some(at)));
@@ -26,7 +27,7 @@ pub(super) fn triangles(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
     while let Some((at, outer)) = open.pop() {
         visits += 1;
         if visits > MOST_NODES {
-            return Err(format!("this GLB has more than {MOST_NODES} nodes"));
+            return Err(say!("this GLB has more than {} nodes", MOST_NODES));
         }
         let Some(node) = nodes.get(at) else { continue };
         let matrix = times(&outer, &matrix_of(node));
@@ -40,7 +41,7 @@ pub(super) fn triangles(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
             add(part, &file, binary, &matrix, &mut triangles)?;
         }
     }
-    if triangles.is_empty() { Err("this GLB has no triangles".to_owned()) } else { Ok(triangles) }
+    if triangles.is_empty() { Err(say!("this GLB has no triangles")) } else { Ok(triangles) }
 }
 
 /// The JSON and the binary chunk.
@@ -61,7 +62,7 @@ fn add(
     matrix: &Matrix,
     triangles: &mut Vec<Triangle>,
 ) -> Result<(), String> {
-    let wrong = || "this GLB is damaged, or its mesh is compressed".to_owned();
+    let wrong = || say!("this GLB is damaged, or its mesh is compressed");
     let float = |bytes: &[u8]| Some(f64::from(f32::from_le_bytes(*bytes.first_chunk()?)));
     let read = |at: usize, size: usize| Elements::new(file, binary, at, size).ok_or_else(wrong);
     let positions = read(index(&part["attributes"]["POSITION"]).ok_or_else(wrong)?, 3)?;

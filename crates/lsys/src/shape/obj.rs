@@ -1,6 +1,7 @@
 //! The triangles of Wavefront OBJ files: lines `v x y z` and `f a b c …`. Faces with more corners become fans.
 
 use super::{Triangle, too_many};
+use lsystem::base::say;
 use lsystem::syntax::MOST_SIDES;
 
 /// The triangles of a file.
@@ -8,18 +9,18 @@ use lsystem::syntax::MOST_SIDES;
 /// # Errors
 /// The first wrong line, or a mesh that is too large.
 pub(super) fn triangles(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
-    let text = str::from_utf8(bytes).map_err(|_| "this is no SVG, OBJ or GLB".to_owned())?;
+    let text = str::from_utf8(bytes).map_err(|_| say!("this is no SVG, OBJ or GLB"))?;
     let (mut vertices, mut triangles): (Vec<[f64; 3]>, Vec<Triangle>) = (vec![], vec![]);
     for (line, written) in text.lines().enumerate() {
-        let wrong = |what: &str| format!("line {}: {what}", line + 1);
+        let wrong = |what: String| say!("line {}: {}", line + 1, what);
         let mut words = written.split_whitespace();
         match words.next() {
             Some("v") => {
                 let numbers: Vec<f64> = words.by_ref().take(3).map_while(|word| word.parse().ok()).collect();
                 let vertex: [f64; 3] =
-                    numbers.try_into().map_err(|_| wrong("a vertex has three numbers: v 0 1 0.5"))?;
+                    numbers.try_into().map_err(|_| wrong(say!("a vertex has three numbers: v 0 1 0.5")))?;
                 if vertex.iter().any(|value| !value.is_finite()) {
-                    return Err(wrong("this number is not finite"));
+                    return Err(wrong(say!("this number is not finite")));
                 }
                 vertices.push(vertex);
             }
@@ -34,7 +35,7 @@ pub(super) fn triangles(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
                 let corners: Option<Vec<_>> = words.map(corner).collect();
                 let corners = corners.filter(|corners| corners.len() >= 3);
                 let corners =
-                    corners.ok_or_else(|| wrong("a face has the numbers of three vertices or more: f 1 2 3"))?;
+                    corners.ok_or_else(|| wrong(say!("a face has the numbers of three vertices or more: f 1 2 3")))?;
                 triangles.extend((2..corners.len()).map(|at| [corners[0], corners[at - 1], corners[at]]));
                 if triangles.len() > MOST_SIDES {
                     return Err(too_many());
@@ -43,5 +44,5 @@ pub(super) fn triangles(bytes: &[u8]) -> Result<Vec<Triangle>, String> {
             _ => {}
         }
     }
-    if triangles.is_empty() { Err("this is no SVG, OBJ or GLB with a mesh".to_owned()) } else { Ok(triangles) }
+    if triangles.is_empty() { Err(say!("this is no SVG, OBJ or GLB with a mesh")) } else { Ok(triangles) }
 }

@@ -1,6 +1,7 @@
 //! The folder of a pyramid, in which several processes write at the same time.
 
 use crate::pending::Pending;
+use lsystem::base::say;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -28,7 +29,7 @@ impl Folder {
         if let Some(taken) = taken
             && !folder.has_index(index)?
         {
-            return Err(io::Error::other(format!("there is {taken}, but no pyramid: choose another folder")));
+            return Err(io::Error::other(say!("there is {}, but no pyramid: choose another folder", taken)));
         }
         let pending = Pending::write(&root.join(INDEX), |out| out.write_all(index.as_bytes()))?;
         match pending.commit_new() {
@@ -54,7 +55,7 @@ impl Folder {
         }
         match known == index.as_bytes() {
             true => Ok(true),
-            false => Err(io::Error::other(format!("{INDEX} tells of another pyramid: choose another folder"))),
+            false => Err(io::Error::other(say!("{} tells of another pyramid: choose another folder", INDEX))),
         }
     }
 

@@ -5,6 +5,7 @@ use crate::CommandFailure;
 use crate::cli::Changes;
 use crate::input::{self, InputSystem};
 use crate::pending::{self, Pending};
+use lsystem::base::say;
 use lsystem::files::{read_link, write_link};
 use lsystem::import::{OWN_JSON, import_file};
 use serde::Serialize;
@@ -95,7 +96,7 @@ impl Followed {
 
     /// Writes the system of a link into the file, if the file is still the `known` one.
     pub(super) fn save(&self, link: &str, known: &str) -> Result<FileState, NotSaved> {
-        let link = read_link(link).ok_or_else(|| NotSaved::Wrong("this is no link of the page".to_owned()))?;
+        let link = read_link(link).ok_or_else(|| NotSaved::Wrong(say!("this is no link of the page")))?;
         if let Some(problem) = link.problems.first() {
             return Err(NotSaved::Wrong(problem.message.clone()));
         }
@@ -141,7 +142,7 @@ impl Followed {
         let bytes = match input::bytes_to_follow(&self.path) {
             Ok(bytes) => bytes,
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                let problems = format!("{} is not there any more.", self.name());
+                let problems = say!("{} is not there any more.", self.name());
                 return FileState { version: MISSING.to_owned(), link: None, problems, ..former.clone() };
             }
             Err(error) => {
@@ -171,15 +172,15 @@ impl FileState {
         let is_picture =
             bytes.starts_with(b"\x89PNG") || bytes.starts_with(b"%PDF") || bytes.trim_ascii_start().starts_with(b"<");
         let refusal = match (foreign, is_picture) {
-            (_, true) => "A picture is not written again: save a JSON file.",
-            (true, _) => "A file of another program is not written again: save a JSON file.",
-            _ => "",
+            (_, true) => say!("A picture is not written again: save a JSON file."),
+            (true, _) => say!("A file of another program is not written again: save a JSON file."),
+            _ => String::new(),
         };
         let (link, problems) = match system {
             Ok(system) => (Some(write_link(&system.definition)), String::new()),
             Err(problems) => (None, problems),
         };
-        Self { version: version_of(bytes), link, problems, refusal: refusal.to_owned() }
+        Self { version: version_of(bytes), link, problems, refusal }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The server of the page: it answers programs of this machine that know its token, and gives and takes one file.
 
 use super::followed::{FileState, Followed, NotSaved};
+use lsystem::base::say;
 use std::io::{self, Read};
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
@@ -31,14 +32,14 @@ pub(super) struct Site {
 struct Answer(u16, &'static str, String);
 
 impl Answer {
-    fn words(status: u16, words: &str) -> Self {
-        Self(status, "text/plain; charset=utf-8", words.to_owned())
+    fn words(status: u16, words: String) -> Self {
+        Self(status, "text/plain; charset=utf-8", words)
     }
 
     fn state(status: u16, state: &FileState) -> Self {
         match serde_json::to_string(state) {
             Ok(json) => Self(status, "application/json", json),
-            Err(error) => Self::words(500, &error.to_string()),
+            Err(error) => Self::words(500, error.to_string()),
         }
     }
 }
@@ -60,7 +61,7 @@ impl Site {
         // The page forbids itself all requests, as it needs none elsewhere.
         const POLICY: &str = "content=\"default-src 'none'; ";
         if page.matches(POLICY).count() != 1 || !page.contains("</head>") {
-            return Err("the page is not the playground in a single file".to_owned());
+            return Err(say!("the page is not the playground in a single file"));
         }
         let page = page.replacen(POLICY, &format!("{POLICY}connect-src 'self'; "), 1);
         Ok(Self { page, token, port, file, requests: AtomicUsize::new(0) })
@@ -79,7 +80,7 @@ impl Site {
         for request in server.incoming_requests() {
             if self.requests.fetch_add(1, Ordering::Relaxed) >= MAX_REQUESTS {
                 self.requests.fetch_sub(1, Ordering::Relaxed);
-                respond(request, Answer::words(503, "too many requests at once"));
+                respond(request, Answer::words(503, say!("too many requests at once")));
                 continue;
             }
             let site = self.clone();
@@ -102,7 +103,7 @@ impl Site {
         // Another name for this machine is a page elsewhere whose name was redirected here (DNS rebinding).
         let hosts = [format!("127.0.0.1:{}", self.port), format!("localhost:{}", self.port)];
         let host = only(request, "Host").filter(|host| hosts.contains(host));
-        let Some(host) = host else { return Answer::words(403, "this server answers only on its own address") };
+        let Some(host) = host else { return Answer::words(403, say!("this server answers only on its own address")) };
         let path = request.url().split('?').next().unwrap_or_default();
         let place = path.strip_prefix('/').and_then(|path| path.strip_prefix(&self.token));
         match (request.method(), place) {
@@ -110,10 +111,10 @@ impl Site {
             (Method::Get, Some("/file")) => self.state(request),
             (Method::Put, Some("/file")) => match only(request, "Origin") {
                 Some(origin) if origin == format!("http://{host}") => self.save(request),
-                _ => Answer::words(403, "only the page itself may save"),
+                _ => Answer::words(403, say!("only the page itself may save")),
             },
-            (_, Some("/" | "/file")) => Answer::words(405, "this method is not known here"),
-            _ => Answer::words(404, "there is nothing here: open the whole address that lsys printed"),
+            (_, Some("/" | "/file")) => Answer::words(405, say!("this method is not known here")),
+            _ => Answer::words(404, say!("there is nothing here: open the whole address that lsys printed")),
         }
     }
 
@@ -139,24 +140,24 @@ impl Site {
 
     fn save(&self, request: &mut Request) -> Answer {
         let Some(known) = only(request, "If-Match") else {
-            return Answer::words(428, "the version of the file is missing: If-Match");
+            return Answer::words(428, say!("the version of the file is missing: If-Match"));
         };
         if request.body_length().is_some_and(|length| length > MAX_BODY) {
-            return Answer::words(413, "this is too long");
+            return Answer::words(413, say!("this is too long"));
         }
         let mut body = Vec::new();
         if let Err(error) = request.as_reader().take(MAX_BODY as u64 + 1).read_to_end(&mut body) {
-            return Answer::words(400, &error.to_string());
+            return Answer::words(400, error.to_string());
         }
         if body.len() > MAX_BODY {
-            return Answer::words(413, "this is too long");
+            return Answer::words(413, say!("this is too long"));
         }
-        let Ok(link) = String::from_utf8(body) else { return Answer::words(400, "this is no text") };
+        let Ok(link) = String::from_utf8(body) else { return Answer::words(400, say!("this is no text")) };
         match self.file.save(&link, &unquoted(&known)) {
             Ok(state) => Answer::state(200, &state),
             Err(NotSaved::Changed(state)) => Answer::state(412, &state),
-            Err(NotSaved::Wrong(words)) => Answer::words(400, &words),
-            Err(NotSaved::Refused(words)) => Answer::words(500, &words),
+            Err(NotSaved::Wrong(words)) => Answer::words(400, words),
+            Err(NotSaved::Refused(words)) => Answer::words(500, words),
         }
     }
 }

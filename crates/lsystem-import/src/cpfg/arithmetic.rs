@@ -4,6 +4,7 @@ use super::Kind;
 use super::choices::without_choices;
 use super::macros::{Macros, Replaced, is_part, token};
 use lsystem_base::number::number;
+use lsystem_base::say;
 use lsystem_syntax::parse;
 use std::collections::BTreeMap;
 
@@ -118,7 +119,7 @@ impl Arithmetic {
                     valued = !matches!(token, "and" | "or" | "not");
                     let curve = self.curves.iter().find(|(name, _)| name == token).filter(|_| opened.starts_with('('));
                     if let Some((_, own)) = curve {
-                        let wrong = || format!("The curve `{token}` is no clamped cubic with weights of 1");
+                        let wrong = || say!("The curve `{}` is no clamped cubic with weights of 1", token);
                         out.push_str(own.as_ref().ok_or_else(wrong)?);
                         continue;
                     }
@@ -143,9 +144,9 @@ impl Arithmetic {
                 continue;
             }
             match (first, self.kind) {
-                ('"' | '\'', _) => return Err("Texts in arithmetic are not read".into()),
-                ('?', Kind::Cpfg) => return Err("The choice `? :` is not read".into()),
-                ('[' | '{' | ']' | '}', _) => return Err("Lists in arithmetic are not read".into()),
+                ('"' | '\'', _) => return Err(say!("Texts in arithmetic are not read")),
+                ('?', Kind::Cpfg) => return Err(say!("The choice `? :` is not read")),
+                ('[' | '{' | ']' | '}', _) => return Err(say!("Lists in arithmetic are not read")),
                 ('<', Kind::Cpfg) if opened.starts_with('>') && rest.starts_with('>') => {
                     out.push_str("!=");
                     rest = &rest[1..];
@@ -155,17 +156,17 @@ impl Arithmetic {
                     rest = &rest[1..];
                 }
                 ('/', Kind::LPy) if rest.starts_with('/') => {
-                    return Err("The whole division `//` of Python has no equal here".into());
+                    return Err(say!("The whole division `//` of Python has no equal here"));
                 }
-                ('^' | '~', Kind::LPy) => return Err(format!("`{first}` of Python works on bits")),
+                ('^' | '~', Kind::LPy) => return Err(say!("`{}` of Python works on bits", first)),
                 ('&' | '|', _) if rest.starts_with(first) => {
                     out.extend([first, first]);
                     rest = &rest[1..];
                 }
-                ('&', Kind::Cpfg) if !valued => return Err("The address `&` of a number is not read".into()),
+                ('&', Kind::Cpfg) if !valued => return Err(say!("The address `&` of a number is not read")),
                 // In cpfg a sign binds tighter than `^`.
                 ('-', Kind::Cpfg) if !valued && self.is_power(opened) => {
-                    return Err("`-` in front of a power needs parentheses here".into());
+                    return Err(say!("`-` in front of a power needs parentheses here"));
                 }
                 _ => out.push(first),
             }
@@ -194,20 +195,20 @@ impl Arithmetic {
             return Ok(());
         }
         Err(match (name, self.kind) {
-            (_, Kind::Cpfg) => format!("The function `{name}` of cpfg has no equal here"),
-            (_, Kind::LPy) => format!("Python code is not run: `{name}(...)`"),
+            (_, Kind::Cpfg) => say!("The function `{}` of cpfg has no equal here", name),
+            (_, Kind::LPy) => say!("Python code is not run: `{}(...)`", name),
         })
     }
 
     /// Writes the beginning of a curve's value, up to its argument, for `func(1, x)` or `func(taper, x)`; `inside` begins
     /// behind the parenthesis. Returns the text of the argument and behind.
     fn curve<'t>(&self, inside: &'t str, out: &mut String) -> Result<&'t str, Wrong> {
-        let Some((which, rest)) = inside.split_once(',') else { return Err("`func` needs two arguments".into()) };
+        let Some((which, rest)) = inside.split_once(',') else { return Err(say!("`func` needs two arguments")) };
         let which = which.trim();
         let named = self.curves.iter().find(|(name, _)| name == which);
         let found = named.or_else(|| self.curves.get((self.value(which)? as usize).checked_sub(1)?));
         let Some((_, Some(name))) = found else {
-            return Err("`func` reads a curve of another file, which is not given or cannot be read".into());
+            return Err(say!("`func` reads a curve of another file, which is not given or cannot be read"));
         };
         out.extend([name, "("]);
         Ok(rest)
@@ -216,21 +217,22 @@ impl Arithmetic {
     /// Writes an element of an array as arithmetic; `inside` begins behind the bracket. Returns the text behind.
     fn element<'t>(&self, name: &str, inside: &'t str, out: &mut String) -> Result<&'t str, Wrong> {
         let Some(elements) = self.arrays.get(name) else {
-            return Err(format!("The array `{name}` is not known, or it changes while the system grows"));
+            return Err(say!("The array `{}` is not known, or it changes while the system grows", name));
         };
         let end = inside.find([']', '[']).filter(|end| inside[*end..].starts_with(']'));
-        let Some(end) = end else { return Err("The index of an array is not read".into()) };
+        let Some(end) = end else { return Err(say!("The index of an array is not read")) };
         let (index, behind) = (&inside[..end], &inside[end + 1..]);
         if behind.trim_start().starts_with('[') {
-            return Err("Arrays of several dimensions are not read".into());
+            return Err(say!("Arrays of several dimensions are not read"));
         }
         if let Some(value) = self.value(index) {
-            let value = elements.get(value as usize).ok_or("The index of an array is out of its range")?;
+            let value =
+                elements.get(value as usize).ok_or_else(|| say!("The index of an array is out of its range"))?;
             out.push_str(&number(*value));
             return Ok(behind);
         }
         if elements.len() > 64 {
-            return Err("An array of so many numbers is not read".into());
+            return Err(say!("An array of so many numbers is not read"));
         }
         let index = self.translate(index)?;
         let parts: Vec<String> = elements
@@ -255,9 +257,9 @@ fn python_word<'t>(word: &'t str, rest: &mut &str) -> Result<&'t str, Wrong> {
         "True" => Ok("1"),
         "False" => Ok("0"),
         "if" | "else" | "lambda" | "for" | "in" | "is" | "None" => {
-            Err(format!("Python code is not run: `{word}` in arithmetic"))
+            Err(say!("Python code is not run: `{}` in arithmetic", word))
         }
-        _ if rest.starts_with('.') => Err(format!("Python code is not run: `{word}.`")),
+        _ if rest.starts_with('.') => Err(say!("Python code is not run: `{}.`", word)),
         _ => Ok(word),
     }
 }

@@ -3,6 +3,7 @@
 
 use super::macros::{is_part, token};
 use core::cell::Cell;
+use lsystem_base::word;
 
 /// The most characters of a production with its values in place.
 const LONGEST: usize = 4000;
@@ -11,7 +12,7 @@ const LONGEST: usize = 4000;
 const MOST_VALUES: usize = 100;
 
 /// The reason for other code.
-const OTHER: &str = "Of the code in a production, only assignments are read";
+const OTHER: &str = word!("Of the code in a production, only assignments are read");
 
 /// A condition and a successor without the blocks of assignments of the condition. `is_global` names numbers of the
 /// whole system.
@@ -37,13 +38,13 @@ pub(super) fn inlined(
 }
 
 /// The reason for values that become too long in their places.
-pub(super) const TOO_LONG: &str = "This rule becomes too long with values in place of names";
+pub(super) const TOO_LONG: &str = word!("This rule becomes too long with values in place of names");
 
 /// The functions whose values are random, in cpfg and in Python.
 const RANDOM: [&str; 6] = ["ran(", "random(", "uniform(", "gauss(", "normalvariate(", "randint("];
 
 /// The reason for one random number in several places.
-pub(super) const SEVERAL: &str = "A random number that is used several times has no equal here";
+pub(super) const SEVERAL: &str = word!("A random number that is used several times has no equal here");
 
 /// Whether arithmetic has random numbers.
 pub(super) fn is_random(text: &str) -> bool {
@@ -71,7 +72,9 @@ impl Values {
             }
             let (name, value) = assignment(statement).ok_or(OTHER)?;
             if is_global(name) {
-                return Err("This code changes a number of the whole system while it grows, which has no equal here");
+                return Err(word!(
+                    "This code changes a number of the whole system while it grows, which has no equal here"
+                ));
             }
             self.assign(name, value)?;
         }

@@ -2,6 +2,7 @@
 
 use super::assignments::is_random;
 use super::macros::{Macros, arguments};
+use lsystem_base::word;
 
 /// The most choices and parentheses inside one another, which are read recursively.
 const DEEPEST: usize = 50;
@@ -14,12 +15,12 @@ pub(super) fn without_choices(text: &str, macros: &Macros) -> Result<String, &'s
 /// Arithmetic whose parts are separated by commas.
 fn whole(text: &str, macros: &Macros, depth: usize) -> Result<String, &'static str> {
     if depth > DEEPEST {
-        return Err("These choices `? :` are too deep inside one another");
+        return Err(word!("These choices `? :` are too deep inside one another"));
     }
     macros.spend(text.len())?;
     let closed = format!("{text})");
     let parts = arguments(&closed).filter(|(_, behind)| behind.is_empty()).map(|(parts, _)| parts);
-    let parts = parts.ok_or("The parentheses of a choice `? :` do not match")?;
+    let parts = parts.ok_or(word!("The parentheses of a choice `? :` do not match"))?;
     let read: Result<Vec<String>, _> = parts.into_iter().map(|part| one(part, macros, depth)).collect();
     Ok(read?.join(","))
 }
@@ -32,16 +33,16 @@ fn one(text: &str, macros: &Macros, depth: usize) -> Result<String, &'static str
         let behind = &rest[at + 1..];
         if rest[at..].starts_with('?') {
             out.push_str(&rest[..at]);
-            let end = other(behind).ok_or("The choice `?` has no `:`")?;
+            let end = other(behind).ok_or(word!("The choice `?` has no `:`"))?;
             let (first, second) =
                 (one(&behind[..end], macros, depth + 1)?, one(&behind[end + 1..], macros, depth + 1)?);
             if is_random(&out) {
-                return Err("A choice `? :` by chance is not read");
+                return Err(word!("A choice `? :` by chance is not read"));
             }
             macros.spend(2 * out.len() + first.len() + second.len())?;
             return Ok(format!("((({out}) != 0)*({first}) + (({out}) == 0)*({second}))"));
         }
-        let (_, after) = arguments(behind).ok_or("The parentheses of a choice `? :` do not match")?;
+        let (_, after) = arguments(behind).ok_or(word!("The parentheses of a choice `? :` do not match"))?;
         let inside = &behind[..behind.len() - after.len() - 1];
         out.push_str(&rest[..=at]);
         out.push_str(&whole(inside, macros, depth + 1)?);

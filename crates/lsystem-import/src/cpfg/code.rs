@@ -6,6 +6,7 @@ use super::parts::Parts;
 use crate::draft::Draft;
 use core::ops::Range;
 use lsystem_base::number::number;
+use lsystem_base::say;
 
 /// The statements between the braces of a block.
 fn inside(block: &str) -> Option<&str> {
@@ -15,21 +16,21 @@ fn inside(block: &str) -> Option<&str> {
 /// Reads the code that runs before the first step: assignments of arithmetic become constants.
 pub(super) fn start(block: &str, parts: &mut Parts<'_>, places: &Places<'_>, draft: &mut Draft<'_>) {
     let Some(inside) = inside(block) else {
-        return draft.refuse_at(places.of(block), "The braces around this code are missing");
+        return draft.refuse_at(places.of(block), say!("The braces around this code are missing"));
     };
     for statement in inside.split(';').map(str::trim).filter(|statement| !statement.is_empty()) {
         let place = places.of(statement);
         if prints(statement) {
-            draft.note_at(place, "This code only writes texts");
+            draft.note_at(place, say!("This code only writes texts"));
             continue;
         }
         if let Some(seed) = statement.strip_prefix("srand").and_then(|seed| parts.arithmetic.value(seed)) {
             draft.definition.seed = seed as _;
-            draft.read(place, format!("seed {}", draft.definition.seed));
+            draft.read(place, say!("seed {}", draft.definition.seed));
             continue;
         }
         let Some((name, value)) = assignment(statement) else {
-            draft.refuse_at(place, "Of the code before the first step, only assignments are read");
+            draft.refuse_at(place, say!("Of the code before the first step, only assignments are read"));
             continue;
         };
         match parts.arithmetic.value(value) {
@@ -37,7 +38,7 @@ pub(super) fn start(block: &str, parts: &mut Parts<'_>, places: &Places<'_>, dra
                 draft.read(place, format!("{name} = {}", number(value)));
                 parts.set_constant(name, value);
             }
-            None => draft.refuse_at(place, "The value of this code cannot be computed before the first step"),
+            None => draft.refuse_at(place, say!("The value of this code cannot be computed before the first step")),
         }
     }
 }
@@ -52,21 +53,21 @@ pub(super) fn every_step(
     draft: &mut Draft<'_>,
 ) {
     let Some(inside) = inside(block) else {
-        return draft.refuse_at(places.of(block), "The braces around this code are missing");
+        return draft.refuse_at(places.of(block), say!("The braces around this code are missing"));
     };
     for statement in inside.split(';').map(str::trim).filter(|statement| !statement.is_empty()) {
         let own = places.of(statement);
         if prints(statement) {
-            draft.note_at(own, "This code only writes texts");
+            draft.note_at(own, say!("This code only writes texts"));
             continue;
         }
         let Some((name, value)) = assignment(statement).filter(|(_, value)| !is_random(value)) else {
-            draft.refuse_at(own, "Of the code that runs at every step, only assignments without chance are read");
+            draft.refuse_at(own, say!("Of the code that runs at every step, only assignments without chance are read"));
             continue;
         };
         match parts.arithmetic.read(value) {
             Ok(value) => {
-                draft.read(own, format!("{name} = {value} at every step"));
+                draft.read(own, say!("{} = {} at every step", name, value));
                 // The number is no constant any more.
                 parts.arithmetic.macros.forget(name);
                 if !parts.constants.iter().any(|(known, _)| known == name) {
@@ -85,16 +86,16 @@ pub(super) fn every_step(
 /// Reads definitions of arrays with their numbers.
 pub(super) fn define(block: &str, parts: &mut Parts<'_>, places: &Places<'_>, draft: &mut Draft<'_>) {
     let Some(inside) = inside(block) else {
-        return draft.refuse_at(places.of(block), "The braces around this code are missing");
+        return draft.refuse_at(places.of(block), say!("The braces around this code are missing"));
     };
     for statement in inside.split(';').map(str::trim).filter(|statement| !statement.is_empty()) {
         let place = places.of(statement);
         match array(statement, parts) {
             Some((name, elements)) => {
-                draft.read(place, format!("{name}, an array of {} numbers", elements.len()));
+                draft.read(place, say!("{}, an array of {} numbers", name, elements.len()));
                 parts.arithmetic.arrays.insert(name.to_owned(), elements);
             }
-            None => draft.note_at(place, "Only arrays of one dimension whose numbers are given are read"),
+            None => draft.note_at(place, say!("Only arrays of one dimension whose numbers are given are read")),
         }
     }
 }

@@ -12,7 +12,7 @@ use super::Places;
 use super::function_file::read_functions;
 use super::surface_file::read_surface;
 use crate::draft::Draft;
-use lsystem_base::{MAX_SURFACES, MAX_SURFACES_TEXT};
+use lsystem_base::{MAX_SURFACES, MAX_SURFACES_TEXT, say};
 use lsystem_syntax::{Curve, Surface, print_surfaces};
 
 /// The most functions of a text.
@@ -53,25 +53,25 @@ pub(super) fn read_surfaces(text: &str, places: &Places<'_>, draft: &mut Draft<'
         let place = places.of(line);
         draft.covers(place.clone());
         if tried >= MAX_SURFACES {
-            draft.note_at(place, format!("At most {MAX_SURFACES} surfaces are read"));
+            draft.note_at(place, say!("At most {} surfaces are read", MAX_SURFACES));
             break;
         }
         let mut words = words.split_whitespace();
         let (symbol, file, scale) = (words.next().unwrap_or_default(), words.next(), words.next().unwrap_or("1"));
         let (Some(symbol), Some(file), Ok(scale)) = (symbol.chars().next(), file, scale.parse::<f64>()) else {
-            draft.note_at(place, "This surface is not read: a symbol, a file and a scale are expected");
+            draft.note_at(place, say!("This surface is not read: a symbol, a file and a scale are expected"));
             continue;
         };
         let Some(part) = parts.iter().find(|part| is_same_file(part.name, file)) else {
-            draft.note_at(place, format!("The file `{file}` is missing; give it together with this one"));
+            draft.note_at(place, say!("The file `{}` is missing; give it together with this one", file));
             continue;
         };
         let Some(patches) = read_surface(part.text, scale) else {
-            draft.note_at(place, format!("The file `{file}` is no surface that can be read"));
+            draft.note_at(place, say!("The file `{}` is no surface that can be read", file));
             continue;
         };
         if names.iter().any(|(known, _)| *known == symbol) {
-            draft.note_at(place, "The symbol of this surface stands twice; the first is taken");
+            draft.note_at(place, say!("The symbol of this surface stands twice; the first is taken"));
             continue;
         }
         let is_free = |c: &char| surfaces.iter().all(|surface| surface.name != *c);
@@ -80,14 +80,14 @@ pub(super) fn read_surfaces(text: &str, places: &Places<'_>, draft: &mut Draft<'
         surfaces.push(Surface { name, patches });
         if print_surfaces(&surfaces).len() > MAX_SURFACES_TEXT {
             surfaces.pop();
-            draft.note_at(place, "The surfaces have too many patches; this one is left out");
+            draft.note_at(place, say!("The surfaces have too many patches; this one is left out"));
             continue;
         }
         names.push((symbol, name));
-        draft.read(place, format!("the surface {name}"));
+        draft.read(place, say!("the surface {}", name));
         let place = places.of(part.text);
         draft.covers(place.clone());
-        draft.read(place, format!("the surface {name}"));
+        draft.read(place, say!("the surface {}", name));
     }
     draft.definition.surfaces = print_surfaces(&surfaces);
     names
@@ -113,12 +113,12 @@ pub(super) fn read_curves<'c>(text: &'c str, places: &Places<'c>, draft: &mut Dr
         let part = parts.iter().find(|part| is_same_file(part.name, file)).filter(|_| functions.len() < MOST_FUNCTIONS);
         let curve = part.and_then(|part| read_functions(part.text).into_iter().next()?.1);
         match (part, &curve) {
-            (None, _) => draft.note_at(place, format!("The file `{file}` is missing; give it together with this one")),
-            (_, None) => draft.note_at(place, format!("The file `{file}` is no function that can be read")),
+            (None, _) => draft.note_at(place, say!("The file `{}` is missing; give it together with this one", file)),
+            (_, None) => draft.note_at(place, say!("The file `{}` is no function that can be read", file)),
             (Some(part), Some(_)) => {
                 for place in [place, places.of(part.text)] {
                     draft.covers(place.clone());
-                    draft.read(place, format!("the curve {name}"));
+                    draft.read(place, say!("the curve {}", name));
                 }
             }
         }
@@ -128,7 +128,7 @@ pub(super) fn read_curves<'c>(text: &'c str, places: &Places<'c>, draft: &mut Dr
     if let Some(set) = set.filter(|_| functions.is_empty()) {
         let place = places.of(set.text);
         draft.covers(place.clone());
-        draft.read(place, "a set of curves");
+        draft.read(place, say!("a set of curves"));
         let read = read_functions(set.text).into_iter().take(MOST_FUNCTIONS);
         functions.extend(read.map(|(name, curve)| NamedFunction { name, curve }));
     }
@@ -142,7 +142,7 @@ pub(super) fn read_angle(text: &str, places: &Places<'_>, draft: &mut Draft<'_>)
     let factor = factor.trim().parse::<f64>().ok().filter(|factor| factor.is_finite() && *factor > 0.0)?;
     let place = places.of(line);
     draft.covers(place.clone());
-    draft.read(place, format!("angle {}", 360.0 / factor));
+    draft.read(place, say!("angle {}", 360.0 / factor));
     Some(360.0 / factor)
 }
 

@@ -11,13 +11,16 @@
 
 use super::expressions::{is_random, size};
 use core::cell::Cell;
+use lsystem_base::say;
+use lsystem_base::words::said;
 use lsystem_syntax::grammar::Values;
 use lsystem_syntax::{Expr, Grammar, Module, Operator, Production};
 
 /// Decompositions, with the constants of the system.
 pub(super) struct Decomposition<'a> {
     /// What the productions are called.
-    name: &'static str,
+    /// As in `A decomposition` and `this decomposition`.
+    name: [&'static str; 2],
     rules: &'a [Production],
     constants: Values<'a>,
     /// The most replacements inside one another.
@@ -47,10 +50,10 @@ const LONGEST: usize = 1000;
 
 impl<'a> Decomposition<'a> {
     /// The productions of `grammar` as decompositions.
-    pub(super) fn new(name: &'static str, grammar: &'a Grammar, depth: usize) -> Result<Self, String> {
+    pub(super) fn new(name: [&'static str; 2], grammar: &'a Grammar, depth: usize) -> Result<Self, String> {
         let rules = &*grammar.productions;
         if rules.iter().any(|rule| !rule.left.is_empty() || !rule.right.is_empty() || rule.weight.is_some()) {
-            return Err(format!("A {name} with a context or a probability is not possible"));
+            return Err(say!("{} with a context or a probability is not possible", said(name[0])));
         }
         let (work, stopped) = (Cell::new(MOST_WORK), Cell::new(false));
         Ok(Self { name, rules, constants: grammar.values(), depth, work, stopped })
@@ -111,7 +114,7 @@ impl<'a> Decomposition<'a> {
         let word = self.decomposed(word, &mut decided)?;
         match decided.is_empty() {
             true => Ok(word),
-            false => Err(format!("Whether this {} applies depends on parameters, which is not possible", self.name)),
+            false => Err(say!("Whether {} applies depends on parameters, which is not possible", said(self.name[1]))),
         }
     }
 
@@ -127,8 +130,10 @@ impl<'a> Decomposition<'a> {
             let Some((_, is_true)) = decided.last_mut() else { return Ok(found) };
             *is_true = false;
             if found.len() >= MOST_CASES {
-                let why = "depends on parameters in too many cases, which is not possible";
-                return Err(format!("Whether this {} applies {why}", self.name));
+                return Err(say!(
+                    "Whether {} applies depends on parameters in too many cases, which is not possible",
+                    said(self.name[1])
+                ));
             }
         }
     }
@@ -154,7 +159,7 @@ impl<'a> Decomposition<'a> {
             };
             // Used several times, an argument would be a different random number each time.
             if module.arguments.iter().any(is_random) {
-                return Err(format!("A {} of random arguments is not possible", self.name));
+                return Err(say!("{} of random arguments is not possible", said(self.name[0])));
             }
             for next in rule.successor.iter().rev() {
                 let arguments =
@@ -178,7 +183,10 @@ impl<'a> Decomposition<'a> {
                 (Some(value), _) => value != 0.0 && !value.is_nan(),
                 (None, Some((_, is_true))) => *is_true,
                 (None, None) if is_random(&condition) => {
-                    return Err(format!("Whether this {} applies depends on chance, which is not possible", self.name));
+                    return Err(say!(
+                        "Whether {} applies depends on chance, which is not possible",
+                        said(self.name[1])
+                    ));
                 }
                 (None, None) => {
                     decided.push((condition, true));
@@ -230,7 +238,7 @@ impl<'a> Decomposition<'a> {
     fn put(&self, expr: &Expr, rule: &Production, module: &Module) -> Result<Expr, String> {
         let put = self.replaced(expr, rule, module)?;
         match size(&put) > LONGEST {
-            true => Err(format!("A {} with so long arguments is not possible", self.name)),
+            true => Err(say!("{} with so long arguments is not possible", said(self.name[0]))),
             false => Ok(put),
         }
     }
@@ -242,7 +250,7 @@ impl<'a> Decomposition<'a> {
     }
 
     fn too_long(&self) -> String {
-        format!("A {} into so many modules is not possible", self.name)
+        say!("{} into so many modules is not possible", said(self.name[0]))
     }
 }
 

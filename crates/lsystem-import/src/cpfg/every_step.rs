@@ -12,6 +12,7 @@
 use super::expressions::{each_part, size};
 use core::ops::Range;
 use lsystem_base::number::number;
+use lsystem_base::word;
 use lsystem_syntax::{Expr, Grammar, Module, Operator, Pattern, Production, Seen, parse};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,7 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const LONGEST: usize = 300;
 
 /// The reason for decompositions with numbers of every step.
-const DECOMPOSED: &str = "Numbers that code of every step changes are not read in decompositions";
+const DECOMPOSED: &str = word!("Numbers that code of every step changes are not read in decompositions");
 
 /// The code that runs at every step, in our notation.
 #[derive(Debug, Default)]
@@ -206,7 +207,9 @@ impl Carry {
         // Among productions with probabilities, it is chosen only if no other can be.
         if others.iter().filter(same).any(|rule| rule.weight.is_some()) {
             if others.iter().filter(same).any(has_context) {
-                return Err("Numbers that code of every step changes are not possible with contexts and probabilities");
+                return Err(word!(
+                    "Numbers that code of every step changes are not possible with contexts and probabilities"
+                ));
             }
             let denied = others.iter().filter(same).filter_map(|rule| {
                 let names = rule.predecessor.parameters.iter().cloned();
@@ -285,9 +288,9 @@ fn run(
         let (grammar, wrong) = parse("", &format!("{constants}A({}) -> B({value})", known.join(",")));
         let argument = grammar.productions.first().and_then(|rule| rule.successor.first()?.arguments.first());
         let argument = argument.filter(|_| !wrong.iter().any(lsystem_syntax::Diagnostic::is_error));
-        let value = put(argument.ok_or("The code of every step is not read")?, &numbers);
+        let value = put(argument.ok_or(word!("The code of every step is not read"))?, &numbers);
         if size(&value) > LONGEST {
-            return Err("The code of every step is too long");
+            return Err(word!("The code of every step is too long"));
         }
         numbers.insert(name.clone(), value);
     }

@@ -9,6 +9,8 @@ use super::{Kind, Places, code, companions, translate};
 use crate::draft::Draft;
 use crate::source::{Lines, Source};
 use core::ops::Range;
+use lsystem_base::words::said;
+use lsystem_base::{say, word};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -48,7 +50,7 @@ fn system(source: Source<'_>) -> Draft<'_> {
             State::Before if is_header => {
                 file.place = place.clone();
                 file.state = State::Inside;
-                draft.read(place, "the beginning of the system");
+                draft.read(place, say!("the beginning of the system"));
             }
             State::Before if statement.class == Class::Directive => {
                 draft.covers(place);
@@ -69,8 +71,9 @@ fn system(source: Source<'_>) -> Draft<'_> {
     draft.covers(file.place.clone());
     comments.into_iter().filter(|comment| file.place.contains(&comment.start)).for_each(|comment| draft.pass(comment));
     if let Some(rest) = rest {
-        let why =
-            "This second L-system is a sub-L-system of cpfg, which the first does not enter; only the first is read";
+        let why = say!(
+            "This second L-system is a sub-L-system of cpfg, which the first does not enter; only the first is read"
+        );
         draft.covers(rest.clone());
         draft.note_at(rest, why);
     }
@@ -111,16 +114,18 @@ impl<'c> File<'c> {
             }
             Class::Other => match arrow(text) {
                 Some((at, length)) => self.rule(text, at, length, places, draft),
-                None => draft.refuse_at(places.of(text), "This line is no statement of cpfg: it has no arrow `-->`"),
+                None => {
+                    draft.refuse_at(places.of(text), say!("This line is no statement of cpfg: it has no arrow `-->`"))
+                }
             },
         }
     }
 
     fn keyword(&mut self, word: &str, text: &'c str, rest: &'c str, places: &Places<'c>, draft: &mut Draft<'_>) {
         let place = places.of(text);
-        draft.read(place.start..place.end - rest.len(), word);
+        draft.read(place.start..place.end - rest.len(), word.to_owned());
         if is_alone(word) && !matches!(rest, "" | "warnings" | "no warnings") {
-            return draft.refuse_at(places.of(rest), format!("Nothing can stand behind `{word}`"));
+            return draft.refuse_at(places.of(rest), say!("Nothing can stand behind `{}`", word));
         }
         match word {
             "axiom" => self.parts.axiom = Some(rest),
@@ -130,27 +135,27 @@ impl<'c> File<'c> {
             // A seed of the homomorphism counts only there.
             "seed" => match self.parts.arithmetic.value(rest) {
                 Some(_) if self.section == Section::Images => {
-                    draft.note_at(place, "The homomorphism has no seed of its own here");
+                    draft.note_at(place, say!("The homomorphism has no seed of its own here"));
                 }
                 Some(seed) => {
                     draft.definition.seed = seed as _;
                     self.parts.is_stochastic = true;
-                    draft.read(place, format!("seed {}", draft.definition.seed));
+                    draft.read(place, say!("seed {}", draft.definition.seed));
                 }
-                None => draft.note_at(place, "The seed is not read"),
+                None => draft.note_at(place, say!("The seed is not read")),
             },
             "homomorphism" | "interpretation" => self.begin(Section::Images, place, "draw:", draft),
-            "production" => self.begin(Section::Productions, place, "productions", draft),
+            "production" => self.begin(Section::Productions, place, word!("productions"), draft),
             "decomposition" => {
                 self.parts.decomposed = Some(place.clone());
-                self.begin(Section::Decompositions, place, "decompositions", draft);
+                self.begin(Section::Decompositions, place, word!("decompositions"), draft);
             }
             "maximum depth" if self.section == Section::Decompositions => {
-                draft.read(place, "the depth of decompositions");
+                draft.read(place, say!("the depth of decompositions"));
                 self.parts.decomposition_depth = Some(rest);
             }
             "maximum depth" => {
-                draft.read(place, "the depth of the homomorphism");
+                draft.read(place, say!("the depth of the homomorphism"));
                 self.parts.depth = Some(rest);
             }
             "start" => {
@@ -160,24 +165,26 @@ impl<'c> File<'c> {
                 code::start(rest, &mut self.parts, places, draft);
             }
             "define" => code::define(rest, &mut self.parts, places, draft),
-            "end" => draft.note_at(place, "This code runs behind the last step and changes nothing that is drawn"),
+            "end" => {
+                draft.note_at(place, say!("This code runs behind the last step and changes nothing that is drawn"))
+            }
             "starteach" | "endeach" | "start each" | "end each" => {
                 let is_before = word.starts_with("start");
                 code::every_step(rest, is_before, &place, &mut self.parts, places, draft);
                 self.globals.extend(self.parts.every_step.names().into_iter().map(str::to_owned));
             }
-            "ring lsystem" => draft.refuse_at(place, "Rings, whose ends are neighbours, have no equal here"),
+            "ring lsystem" => draft.refuse_at(place, say!("Rings, whose ends are neighbours, have no equal here")),
             "endlsystem" => {
-                draft.read(place, "the end of the system");
+                draft.read(place, say!("the end of the system"));
                 self.state = State::Behind;
                 self.place.end = places.of(text).end;
             }
-            _ => draft.refuse_at(place, "Groups of productions are not possible"),
+            _ => draft.refuse_at(place, say!("Groups of productions are not possible")),
         }
     }
 
     fn begin(&mut self, section: Section, place: Range<usize>, became: &str, draft: &mut Draft<'_>) {
-        draft.read(place, became);
+        draft.read(place, said(became));
         self.section = section;
     }
 
@@ -191,28 +198,28 @@ impl<'c> File<'c> {
         let Some(rest) = rest.strip_prefix("define").filter(|rest| rest.starts_with([' ', '\t'])) else {
             let word = rest.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
             let why = match word {
-                "include" => "`#include` reads another file".to_owned(),
-                _ => format!("Of the preprocessor, only #define is read: not `#{word}`"),
+                "include" => say!("`#include` reads another file"),
+                _ => say!("Of the preprocessor, only #define is read: not `#{}`", word),
             };
             return draft.refuse_at(place, why);
         };
         if self.parts.arithmetic.macros.len() > MOST_DEFINITIONS {
-            return draft.refuse_at(place, format!("At most {MOST_DEFINITIONS} definitions are read"));
+            return draft.refuse_at(place, say!("At most {} definitions are read", MOST_DEFINITIONS));
         }
         let rest = rest.trim();
         let (name, value) = rest.split_at(rest.find(|c: char| !is_part(c)).unwrap_or(rest.len()));
         if !is_name(name) {
-            return draft.refuse_at(place, "This definition has no name");
+            return draft.refuse_at(place, say!("This definition has no name"));
         }
         if let Some(inside) = value.strip_prefix('(') {
             let Some((parameters, body)) = arguments(inside) else {
-                return draft.refuse_at(place, "The parenthesis of this macro is not closed");
+                return draft.refuse_at(place, say!("The parenthesis of this macro is not closed"));
             };
             let parameters: Vec<String> = parameters.iter().map(|name| name.trim().to_owned()).collect();
             let parameters = if parameters == [""] { Vec::new() } else { parameters };
             let macros = &mut self.parts.arithmetic.macros;
             macros.define(name.to_owned(), Some(parameters), body.trim().to_owned(), false);
-            return draft.read(place, format!("the macro {name}"));
+            return draft.read(place, say!("the macro {}", name));
         }
         let value = value.trim();
         match self.constant(value) {
@@ -225,7 +232,7 @@ impl<'c> File<'c> {
             }
             None => {
                 self.parts.arithmetic.macros.define(name.to_owned(), None, value.to_owned(), false);
-                draft.read(place, format!("the macro {name}"));
+                draft.read(place, say!("the macro {}", name));
             }
         }
     }
@@ -268,7 +275,7 @@ impl<'c> File<'c> {
                 Ok((condition, successor)) => {
                     (rule.condition, rule.successor) = (Cow::Owned(condition), Cow::Owned(successor));
                 }
-                Err(why) => return draft.refuse_at(place, why),
+                Err(why) => return draft.refuse_at(place, said(why)),
             }
         }
         // The first production that applies is used there.
@@ -277,7 +284,7 @@ impl<'c> File<'c> {
         {
             draft.note_at(
                 places.of(weight),
-                "cpfg takes the first production of a homomorphism, whatever its probability",
+                say!("cpfg takes the first production of a homomorphism, whatever its probability"),
             );
         }
         self.parts.section(self.section).push(rule);

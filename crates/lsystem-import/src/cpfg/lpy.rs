@@ -12,9 +12,11 @@ use super::{Kind, Places, translate};
 use crate::draft::Draft;
 use crate::source::{Lines, Source};
 use core::ops::Range;
+use lsystem_base::words::said;
+use lsystem_base::{say, word};
 use std::borrow::Cow;
 
-const NOT_RUN: &str = "Python code is not run";
+const NOT_RUN: &str = word!("Python code is not run");
 
 pub(in super::super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     let text = source.text;
@@ -113,7 +115,7 @@ impl<'c> File<'c> {
             return self.python(text, block, whole, draft);
         };
         // Rules of Python.
-        draft.read(whole.clone(), "a rule");
+        draft.read(whole.clone(), say!("a rule"));
         match successors(inline, block, &self.parts.arithmetic) {
             Ok(made) => {
                 for made in made {
@@ -129,12 +131,12 @@ impl<'c> File<'c> {
 
     fn keyword(&mut self, word: &str, text: &'c str, rest: &'c str, draft: &mut Draft<'_>) {
         let place = self.places.of(text);
-        draft.read(place.start..place.end - rest.len(), word);
+        draft.read(place.start..place.end - rest.len(), word.to_owned());
         if is_alone(word) && !rest.is_empty() {
-            return draft.refuse_at(self.places.of(rest), format!("Nothing can stand behind `{word}`"));
+            return draft.refuse_at(self.places.of(rest), say!("Nothing can stand behind `{}`", word));
         }
         let mut begin = |section: Option<Section>, became: &str| {
-            draft.read(place.clone(), became);
+            draft.read(place.clone(), said(became));
             self.section = section;
         };
         match word {
@@ -142,36 +144,38 @@ impl<'c> File<'c> {
             "derivation length" => self.parts.length = Some(rest),
             "ignore" => self.parts.seen.push(("ignore", rest)),
             "consider" => self.parts.seen.push(("consider", rest)),
-            "production" => begin(Some(Section::Productions), "productions"),
+            "production" => begin(Some(Section::Productions), word!("productions")),
             "homomorphism" | "interpretation" => begin(Some(Section::Images), "draw:"),
             "decomposition" => {
                 self.parts.decomposed = Some(place.clone());
-                begin(Some(Section::Decompositions), "decompositions");
+                begin(Some(Section::Decompositions), word!("decompositions"));
             }
-            "endlsystem" => begin(None, "the end of the system"),
+            "endlsystem" => begin(None, word!("the end of the system")),
             "maximum depth" if self.section == Some(Section::Decompositions) => {
                 self.parts.decomposition_depth = Some(rest);
-                draft.read(place, "the depth of decompositions");
+                draft.read(place, say!("the depth of decompositions"));
             }
             "decomposition maximum depth" => {
                 self.parts.decomposition_depth = Some(rest);
-                draft.read(place, "the depth of decompositions");
+                draft.read(place, say!("the depth of decompositions"));
             }
             "maximum depth" | "interpretation maximum depth" => {
                 self.parts.depth = Some(rest);
-                draft.read(place, "the depth of the interpretation");
+                draft.read(place, say!("the depth of the interpretation"));
             }
-            "group" if rest.trim_end_matches(':').trim() == "0" => draft.read(place, "the group that always counts"),
-            "endgroup" => draft.read(place, "the end of a group"),
-            "group" => draft.refuse_at(place, "Groups of productions, which code chooses, are not possible"),
+            "group" if rest.trim_end_matches(':').trim() == "0" => {
+                draft.read(place, say!("the group that always counts"))
+            }
+            "endgroup" => draft.read(place, say!("the end of a group")),
+            "group" => draft.refuse_at(place, say!("Groups of productions, which code chooses, are not possible")),
             "seed" => match self.parts.arithmetic.value(rest) {
                 Some(seed) => {
                     draft.definition.seed = seed as _;
-                    draft.read(place, format!("seed {}", draft.definition.seed));
+                    draft.read(place, say!("seed {}", draft.definition.seed));
                 }
-                None => draft.note_at(place, "The seed is not read"),
+                None => draft.note_at(place, say!("The seed is not read")),
             },
-            _ => draft.refuse_at(place, NOT_RUN),
+            _ => draft.refuse_at(place, said(NOT_RUN)),
         }
     }
 
@@ -194,7 +198,7 @@ impl<'c> File<'c> {
 
     fn check_head(&self, rule: &Rule<'c>, draft: &mut Draft<'_>) {
         if rule.head.contains("<<") || rule.head.contains(">>") {
-            let why = "Contexts `<<` and `>>` in the new string have no equal here";
+            let why = say!("Contexts `<<` and `>>` in the new string have no equal here");
             draft.refuse_at(self.places.or(rule.head, &rule.place), why);
         }
     }
@@ -210,16 +214,16 @@ impl<'c> File<'c> {
                     self.parts.names.insert(name.to_owned());
                 }
             }
-            return draft.read(whole, "names of modules");
+            return draft.read(whole, say!("names of modules"));
         }
         for line in [text].into_iter().chain(block.iter().copied()) {
             if let Some((_, rest)) = line.split_once("setAngleIncrement(") {
                 match rest.split(')').next().and_then(|angle| self.parts.arithmetic.value(angle)) {
                     Some(angle) => {
                         self.parts.angle = Some(angle);
-                        draft.read(self.places.of(line.trim()), format!("angle {angle}"));
+                        draft.read(self.places.of(line.trim()), say!("angle {}", angle));
                     }
-                    None => draft.refuse_at(self.places.of(line.trim()), NOT_RUN),
+                    None => draft.refuse_at(self.places.of(line.trim()), said(NOT_RUN)),
                 }
             }
         }
@@ -230,7 +234,7 @@ impl<'c> File<'c> {
         if let Some(seed) = text.split_once("seed(").filter(|(name, _)| matches!(*name, "" | "rd." | "random.")) {
             let seed = seed.1.strip_suffix(')').and_then(|seed| self.parts.arithmetic.value(seed));
             draft.definition.seed = seed.unwrap_or_default() as _;
-            return draft.read(whole, format!("seed {}", draft.definition.seed));
+            return draft.read(whole, say!("seed {}", draft.definition.seed));
         }
         if let Some(rest) = text.strip_prefix("extern(") {
             for part in rest.trim_end_matches(')').split(',') {
@@ -243,22 +247,27 @@ impl<'c> File<'c> {
             let hooks = matches!(name, "Start" | "End" | "StartEach" | "EndEach" | "PostDraw" | "StartInterpretation");
             let quiet = head_and_rest(text).is_some_and(|(_, rest)| rest.is_empty() || is_quiet(rest));
             if hooks && name != "End" && name != "PostDraw" && !(quiet && inner.clone().all(is_quiet)) {
-                return draft.refuse_at(whole, format!("{NOT_RUN}: `{name}` may change what the rules use"));
+                return draft
+                    .refuse_at(whole, say!("Python code is not run: `{}` may change what the rules use", name));
             }
             self.code.push((name, whole.clone()));
-            return draft.note_at(whole, NOT_RUN);
+            return draft.note_at(whole, said(NOT_RUN));
         }
         if is_quiet(text) {
-            return if text.contains("setAngleIncrement(") { draft.pass(whole) } else { draft.note_at(whole, NOT_RUN) };
+            return if text.contains("setAngleIncrement(") {
+                draft.pass(whole)
+            } else {
+                draft.note_at(whole, said(NOT_RUN))
+            };
         }
         if ["from ", "import ", "__", "context()", "@"].iter().any(|start| text.starts_with(start)) {
-            return draft.note_at(whole, NOT_RUN);
+            return draft.note_at(whole, said(NOT_RUN));
         }
         if self.assign(text, draft) {
             // A list over several lines.
-            return inner.for_each(|line| draft.note_at(self.places.of(line), NOT_RUN));
+            return inner.for_each(|line| draft.note_at(self.places.of(line), said(NOT_RUN)));
         }
-        draft.refuse_at(whole, NOT_RUN);
+        draft.refuse_at(whole, said(NOT_RUN));
     }
 
     /// Reads `name = value`; whether the text is that. A value that only code can compute is remembered.
@@ -272,7 +281,7 @@ impl<'c> File<'c> {
             return false;
         }
         if value.contains("Curve2D(") {
-            draft.read(place, "a curve");
+            draft.read(place, say!("a curve"));
             return true;
         }
         match (names.as_slice(), self.parts.arithmetic.value(value)) {
@@ -281,7 +290,7 @@ impl<'c> File<'c> {
                 draft.read(place, format!("{name} = {value}"));
             }
             _ => {
-                draft.note_at(place.clone(), NOT_RUN);
+                draft.note_at(place.clone(), said(NOT_RUN));
                 self.code.extend(names.into_iter().map(|name| (name, place.clone())));
             }
         }
@@ -298,7 +307,7 @@ impl<'c> File<'c> {
         let used: std::collections::BTreeSet<String> = used.into_iter().map(str::to_owned).collect();
         for (name, place) in &self.code {
             if used.contains(*name) && name.len() > 1 {
-                draft.refuse_at(place.clone(), format!("{NOT_RUN}, and the rules use `{name}`"));
+                draft.refuse_at(place.clone(), say!("Python code is not run, and the rules use `{}`", name));
             }
         }
     }

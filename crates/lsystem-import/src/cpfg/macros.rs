@@ -1,5 +1,6 @@
 //! The macros of the preprocessor, and functions that are written in place of others.
 
+use lsystem_base::word;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
@@ -35,7 +36,7 @@ const MOST_WORK: usize = 4_000_000;
 /// The most macros inside one another: they are replaced recursively.
 const DEEPEST: usize = 50;
 /// The reason for a text that is too long.
-pub(super) const TOO_LONG: &str = "Macros or loops make this too long";
+pub(super) const TOO_LONG: &str = word!("Macros or loops make this too long");
 
 impl Macros {
     /// Functions of another program in words of ours: the name, its parameters, and what stands in its place.

@@ -12,6 +12,7 @@ use super::arithmetic::Arithmetic;
 use super::assignments::{SEVERAL, TOO_LONG, Values, is_name, is_random, prints};
 use super::macros::arguments;
 use core::ops::Range;
+use lsystem_base::say;
 use std::borrow::Cow;
 
 /// A successor, and when it is made. The order decides between successors whose conditions hold.
@@ -86,7 +87,7 @@ pub(super) fn successors<'c>(
 }
 
 fn not_run() -> String {
-    "Python code is not run".to_owned()
+    say!("Python code is not run")
 }
 
 /// The statements of the lines that are as far in as the first.
@@ -303,7 +304,7 @@ impl<'c> Ways<'_, 'c> {
 
     /// The numbers of `range(...)`.
     fn range(&self, text: &str) -> Result<Range<i64>, String> {
-        let wrong = || format!("Python code is not run: a loop over `{text}`");
+        let wrong = || say!("Python code is not run: a loop over `{}`", text);
         let inside = text.strip_prefix("range").or_else(|| text.strip_prefix("xrange")).ok_or_else(wrong)?;
         let (given, behind) = inside.trim_start().strip_prefix('(').and_then(arguments).ok_or_else(wrong)?;
         let values: Option<Vec<f64>> = given.iter().map(|value| self.arithmetic.value(value)).collect();

@@ -6,22 +6,26 @@ use super::parts::Parts;
 use super::symbols::Symbols;
 use crate::draft::Draft;
 use core::ops::Range;
+use lsystem_base::words::said;
+use lsystem_base::{say, word};
 use lsystem_syntax::{Diagnostic, Grammar, Production, parse};
 use std::collections::BTreeSet;
+
+const HOMOMORPHISM: [&str; 2] = [word!("A homomorphism"), word!("this homomorphism")];
 
 /// Writes the numbers that code changes at every step into the modules that use them.
 pub(super) fn every_step(parts: &Parts<'_>, decompositions: &str, symbols: &mut Symbols<'_>, draft: &mut Draft<'_>) {
     let Some(place) = &parts.every_step.place else { return };
     let (mut grammar, wrong) = parse(&draft.definition.axiom, &draft.definition.rules);
     if let Some(error) = wrong.iter().find(|problem| problem.is_error()) {
-        return draft.refuse_at(place.clone(), format!("In our notation: {}", error.message()));
+        return draft.refuse_at(place.clone(), say!("In our notation: {}", error.message()));
     }
     let initial = |name: &str| before_steps(parts, name);
     let mut free = |symbol: char| symbols.free.get(&format!("{symbol} at every step"));
     let (own, _) = parse("", decompositions);
     match parts.every_step.write(&mut grammar, &own.productions, &initial, &mut free) {
         Ok(()) => draft.grammar(&grammar),
-        Err(why) => draft.refuse_at(place.clone(), why),
+        Err(why) => draft.refuse_at(place.clone(), said(why)),
     }
 }
 
@@ -37,15 +41,17 @@ pub(super) fn decompose(parts: &Parts<'_>, place: &Range<usize>, decompositions:
     let (own, own_wrong) = parse("", decompositions);
     let error = wrong.iter().chain(&own_wrong).find(|problem| problem.is_error());
     if let Some(error) = error {
-        return draft.refuse_at(place.clone(), format!("In our notation: {}", error.message()));
+        return draft.refuse_at(place.clone(), say!("In our notation: {}", error.message()));
     }
     let depth = parts.decomposition_depth.map_or(Some(1.0), |text| parts.arithmetic.value(text));
-    let Some(depth) = depth else { return draft.refuse_at(place.clone(), "The maximum depth cannot be read") };
-    match Decomposition::new("decomposition", &own, depth as usize).and_then(|own| own.apply(&mut grammar)) {
+    let Some(depth) = depth else { return draft.refuse_at(place.clone(), say!("The maximum depth cannot be read")) };
+    match Decomposition::new([word!("A decomposition"), word!("this decomposition")], &own, depth as usize)
+        .and_then(|own| own.apply(&mut grammar))
+    {
         Ok(stopped) => {
             draft.grammar(&grammar);
             if stopped {
-                let why = "The maximum depth ends these decompositions; they go on in the next step, as in cpfg";
+                let why = say!("The maximum depth ends these decompositions; they go on in the next step, as in cpfg");
                 draft.note_at(place.clone(), why);
             }
         }
@@ -58,7 +64,7 @@ pub(super) fn homomorphism(parts: &Parts<'_>, draft: &mut Draft<'_>) {
     let depth = parts.depth.map_or(Some(1.0), |text| parts.arithmetic.value(text));
     let Some(first) = parts.images.first() else { return };
     let Some(depth) = depth else {
-        return draft.refuse_at(first.place.clone(), "The maximum depth cannot be read");
+        return draft.refuse_at(first.place.clone(), say!("The maximum depth cannot be read"));
     };
     let (mut grammar, wrong) = parse(&draft.definition.axiom, &draft.definition.rules);
     let imaged: BTreeSet<char> = grammar.images.iter().map(|image| image.predecessor.symbol).collect();
@@ -77,7 +83,7 @@ pub(super) fn homomorphism(parts: &Parts<'_>, draft: &mut Draft<'_>) {
     let first_ones: Vec<Production> =
         own.productions.iter().filter(|image| drawn.contains(&image.predecessor.symbol)).cloned().collect();
     let written =
-        Decomposition::new("homomorphism", &own, depth as usize - 1).and_then(|inner| inner.applied(&first_ones));
+        Decomposition::new(HOMOMORPHISM, &own, depth as usize - 1).and_then(|inner| inner.applied(&first_ones));
     match written {
         Ok(images) => {
             grammar.images = images;
@@ -86,7 +92,7 @@ pub(super) fn homomorphism(parts: &Parts<'_>, draft: &mut Draft<'_>) {
         // Where nothing is derived, the axiom is all that the homomorphism applies to.
         Err(_) if grammar.productions.is_empty() || (draft.has_iterations && draft.definition.iterations == 0) => {
             let axiom =
-                Decomposition::new("homomorphism", &own, depth as usize).and_then(|inner| inner.word(&grammar.axiom));
+                Decomposition::new(HOMOMORPHISM, &own, depth as usize).and_then(|inner| inner.word(&grammar.axiom));
             match axiom {
                 Ok(axiom) => {
                     grammar = Grammar { axiom, productions: Vec::new(), images: Vec::new(), ..grammar };

@@ -6,6 +6,8 @@ use super::{Kind, Places};
 use crate::draft::{Draft, FreeSymbols};
 use core::ops::Range;
 use lsystem_base::number::number;
+use lsystem_base::words::said;
+use lsystem_base::{say, word};
 use lsystem_syntax::Query;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,21 +33,21 @@ enum Meaning {
 }
 use Meaning::{Disc, LeftOut, Plain, Refused, Surface, Switch, Symbol, Tube};
 
-const CYLINDER: &str = "How the width of generalized cylinders changes between two places has no equal here";
-const TANGENTS: &str = "How far generalized cylinders swing out between two places is left out: they are smooth";
-const WIDTHS: &str = "The width of generalized cylinders changes evenly between two places here";
-const SIDES: &str = "The number of sides of round shapes is not used";
-const ROUND: &str = "The number of strips of a generalized cylinder is not used: every part has 8";
-const SMOOTH: &str = "In a text with generalized cylinders, all lines are drawn as smooth tubes";
-const BENDS: &str = "How branches bend stands in cpfg's view file; this is left out";
-const SCALE: &str = "This changes the scale of the turtle, which has no equal here";
-const PLACE: &str = "This moves the turtle to a place of its own, which has no equal here";
-const FRAME: &str = "This sets the turtle's heading in space, which has no equal here";
-const ASKS: &str = "This asks for the state of the turtle, which rules do not know here";
-const SHAPE: &str = "This shape is not drawn";
-const GUIDE: &str = "Curves that guide the turtle have no equal here";
-const LOOK: &str = "This changes only how surfaces look; it is left out";
-const TROPISM: &str = "Tropisms that begin inside the word have no equal here";
+const CYLINDER: &str = word!("How the width of generalized cylinders changes between two places has no equal here");
+const TANGENTS: &str = word!("How far generalized cylinders swing out between two places is left out: they are smooth");
+const WIDTHS: &str = word!("The width of generalized cylinders changes evenly between two places here");
+const SIDES: &str = word!("The number of sides of round shapes is not used");
+const ROUND: &str = word!("The number of strips of a generalized cylinder is not used: every part has 8");
+const SMOOTH: &str = word!("In a text with generalized cylinders, all lines are drawn as smooth tubes");
+const BENDS: &str = word!("How branches bend stands in cpfg's view file; this is left out");
+const SCALE: &str = word!("This changes the scale of the turtle, which has no equal here");
+const PLACE: &str = word!("This moves the turtle to a place of its own, which has no equal here");
+const FRAME: &str = word!("This sets the turtle's heading in space, which has no equal here");
+const ASKS: &str = word!("This asks for the state of the turtle, which rules do not know here");
+const SHAPE: &str = word!("This shape is not drawn");
+const GUIDE: &str = word!("Curves that guide the turtle have no equal here");
+const LOOK: &str = word!("This changes only how surfaces look; it is left out");
+const TROPISM: &str = word!("Tropisms that begin inside the word have no equal here");
 
 /// The symbols of several characters of cpfg.
 const CPFG: &[(&str, Meaning)] = &[
@@ -55,8 +57,8 @@ const CPFG: &[(&str, Meaning)] = &[
     ("@O", Disc { radius: false, sphere: true }),
     ("@bo", Symbol('○')),
     ("@bc", Symbol('○')),
-    ("@L", LeftOut("The label is not drawn")),
-    ("@S", LeftOut("Commands of the system are never run")),
+    ("@L", LeftOut(word!("The label is not drawn"))),
+    ("@S", LeftOut(word!("Commands of the system are never run"))),
     ("@;", LeftOut(LOOK)),
     ("@,", LeftOut(LOOK)),
     ("@#", LeftOut(LOOK)),
@@ -65,11 +67,11 @@ const CPFG: &[(&str, Meaning)] = &[
     ("@Td", LeftOut(BENDS)),
     ("@Ts", LeftOut(BENDS)),
     ("@Tf", LeftOut(BENDS)),
-    ("@T", Refused("This turns the turtle by the twist of its way, which has no equal here")),
-    ("@P", LeftOut("This patch of a surface is not drawn")),
-    ("@PS", LeftOut("This patch of a surface is not drawn")),
-    ("@PC", LeftOut("This patch of a surface is not drawn")),
-    ("@PD", LeftOut("This patch of a surface is not drawn")),
+    ("@T", Refused(word!("This turns the turtle by the twist of its way, which has no equal here"))),
+    ("@P", LeftOut(word!("This patch of a surface is not drawn"))),
+    ("@PS", LeftOut(word!("This patch of a surface is not drawn"))),
+    ("@PC", LeftOut(word!("This patch of a surface is not drawn"))),
+    ("@PD", LeftOut(word!("This patch of a surface is not drawn"))),
     ("@mo", LeftOut(LOOK)),
     ("@Gs", Tube("open tube")),
     ("@Gc", Tube("tube point")),
@@ -85,7 +87,7 @@ const CPFG: &[(&str, Meaning)] = &[
     ("?L", Symbol('Ⓛ')),
     ("?U", Symbol('Ⓤ')),
     ("?Q", Refused(ASKS)),
-    ("?E", Refused("This asks another program for the environment, which has no equal here")),
+    ("?E", Refused(word!("This asks another program for the environment, which has no equal here"))),
 ];
 
 /// The names of L-Py's library.
@@ -123,11 +125,11 @@ const LPY: &[(&str, Meaning)] = &[
     ("@B", LeftOut(SHAPE)),
     ("Quad", LeftOut(SHAPE)),
     ("@b", LeftOut(SHAPE)),
-    ("Label", LeftOut("The label is not drawn")),
-    ("@L", LeftOut("The label is not drawn")),
+    ("Label", LeftOut(word!("The label is not drawn"))),
+    ("@L", LeftOut(word!("The label is not drawn"))),
     ("PglShape", LeftOut(SHAPE)),
     ("@g", LeftOut(SHAPE)),
-    ("Surface", LeftOut("The surface is not drawn")),
+    ("Surface", LeftOut(word!("The surface is not drawn"))),
     ("StartGC", Tube("open tube")),
     ("@Gc", Tube("open tube")),
     ("EndGC", Tube("open tube")),
@@ -161,7 +163,7 @@ const LPY: &[(&str, Meaning)] = &[
     ("EulerAngles", Refused(FRAME)),
     ("RollToHorizontal", Refused(FRAME)),
     ("@h", Refused(FRAME)),
-    ("Sweep", Refused("Sweeps along a curve have no equal here")),
+    ("Sweep", Refused(word!("Sweeps along a curve have no equal here"))),
     ("SetGuide", Refused(GUIDE)),
     ("EndGuide", Refused(GUIDE)),
     ("PositionOnGuide", Refused(GUIDE)),
@@ -255,7 +257,7 @@ impl<'p> Symbols<'p> {
             let opened = behind.trim_start();
             let behind = if self.arithmetic.kind == Kind::Cpfg && opened.starts_with('(') { opened } else { behind };
             let Some((inside, behind)) = parenthesised(behind) else {
-                draft.refuse_at(at, "A parenthesis behind this symbol is not closed");
+                draft.refuse_at(at, say!("A parenthesis behind this symbol is not closed"));
                 break;
             };
             rest = behind;
@@ -324,7 +326,7 @@ impl<'p> Symbols<'p> {
                 // The axes of L-Py's turtle are others: its z is ours upwards.
                 let turned = inside.as_deref().and_then(turned);
                 if turned.is_none() {
-                    return draft.refuse_at(place.clone(), "A query of L-Py is read with three numbers");
+                    return draft.refuse_at(place.clone(), say!("A query of L-Py is read with three numbers"));
                 }
                 inside = turned;
                 out.push_str(&Query::of_symbol(own).map_or(String::new(), |query| query.to_string()));
@@ -335,11 +337,12 @@ impl<'p> Symbols<'p> {
             },
             Some(Disc { radius, sphere }) => {
                 if radius && role == Role::Head && inside.is_some() {
-                    return draft.refuse_at(place.clone(), "A rule that replaces a disc by its radius is not read");
+                    return draft
+                        .refuse_at(place.clone(), say!("A rule that replaces a disc by its radius is not read"));
                 }
                 let note = match inside {
-                    None => Some("This disc is as large as the line is wide; here it is as large as a step"),
-                    Some(_) if sphere => Some("A sphere is drawn as a disc"),
+                    None => Some(say!("This disc is as large as the line is wide; here it is as large as a step")),
+                    Some(_) if sphere => Some(say!("A sphere is drawn as a disc")),
                     Some(_) => None,
                 };
                 if let Some(note) = note {
@@ -352,8 +355,8 @@ impl<'p> Symbols<'p> {
             }
             Some(Plain) => {
                 let own = self.free.get(symbol);
-                let note = format!("The name `{symbol}` becomes the symbol `{own}`");
-                self.tell(symbol, place, &note, draft);
+                let note = say!("The name `{}` becomes the symbol `{}`", symbol, own);
+                self.tell(symbol, place, note, draft);
                 out.push(own);
             }
             Some(Surface(name)) => {
@@ -364,19 +367,19 @@ impl<'p> Symbols<'p> {
             Some(Tube(actions)) => {
                 let own = self.free.get(symbol);
                 match self.arithmetic.kind {
-                    Kind::Cpfg if inside.is_some() => self.tell("@G", place, ROUND, draft),
+                    Kind::Cpfg if inside.is_some() => self.tell("@G", place, said(ROUND), draft),
                     Kind::Cpfg => {}
-                    Kind::LPy => self.tell("@G", place, SMOOTH, draft),
+                    Kind::LPy => self.tell("@G", place, said(SMOOTH), draft),
                 }
                 self.has_tubes = true;
                 draft.meaning(own, actions);
                 out.push(own);
             }
             Some(LeftOut(why)) => {
-                self.tell(symbol, place, why, draft);
+                self.tell(symbol, place, said(why), draft);
                 out.push(self.free.get(symbol));
             }
-            Some(Refused(why) | Switch { refused: why, .. }) => return draft.refuse_at(place.clone(), why),
+            Some(Refused(why) | Switch { refused: why, .. }) => return draft.refuse_at(place.clone(), said(why)),
             None => self.other(symbol, inside.as_deref(), place, draft, out),
         }
         if let Some(inside) = inside {
@@ -401,39 +404,42 @@ impl<'p> Symbols<'p> {
         let is_cpfg = self.arithmetic.kind == Kind::Cpfg;
         match symbol {
             _ if self.told.len() > MOST_REMARKS => {
-                return draft.refuse_at(place.clone(), "So many different symbols are not read");
+                return draft.refuse_at(place.clone(), say!("So many different symbols are not read"));
             }
             _ if symbol.starts_with('~') && symbol.len() > 1 => {
-                self.tell(symbol, place, &format!("The surface `{symbol}` is not drawn: its file is not given"), draft);
+                self.tell(symbol, place, say!("The surface `{}` is not drawn: its file is not given", symbol), draft);
                 return out.push(self.free.get(symbol));
             }
             "?" if is_cpfg => {
-                return draft.refuse_at(place.clone(), "`?` begins a sub-L-system, which has no equal here");
+                return draft.refuse_at(place.clone(), say!("`?` begins a sub-L-system, which has no equal here"));
             }
             _ if symbol.starts_with(['@', '?']) && symbol.len() > 1 => {
-                let why = format!("The function `{symbol}` of cpfg has no equal here");
+                let why = say!("The function `{}` of cpfg has no equal here", symbol);
                 return draft.refuse_at(place.clone(), why);
             }
             "$" if is_cpfg => {
-                let why =
-                    "`$` rolls upright, as in ABOP; newer versions of cpfg write `@v` and end a sub-L-system with `$`";
+                let why = say!(
+                    "`$` rolls upright, as in ABOP; newer versions of cpfg write `@v` and end a sub-L-system with `$`"
+                );
                 self.tell(symbol, place, why, draft);
             }
             "$" => return out.push(self.free.get(symbol)),
-            "_" if is_cpfg => self.tell(symbol, place, BENDS, draft),
+            "_" if is_cpfg => self.tell(symbol, place, said(BENDS), draft),
             "!" | "#" | "_" if inside.is_none() => {
                 let why = match is_cpfg {
-                    true => "By how much this changes the width stands in cpfg's view file; here it is a factor of √2",
-                    false => "By how much this changes the width is a setting of L-Py; here it is a factor of √2",
+                    true => {
+                        say!("By how much this changes the width stands in cpfg's view file; here it is a factor of √2")
+                    }
+                    false => say!("By how much this changes the width is a setting of L-Py; here it is a factor of √2"),
                 };
                 self.tell(symbol, place, why, draft);
             }
             "{" | "}" if is_cpfg && inside.is_some_and(|inside| inside != "0") => {
                 return draft
-                    .refuse_at(place.clone(), "Curves through points, with numbers at `{`, have no equal here");
+                    .refuse_at(place.clone(), say!("Curves through points, with numbers at `{{`, have no equal here"));
             }
             "F" if !is_cpfg && inside.is_some_and(|inside| inside.contains(',')) => {
-                self.tell(symbol, place, "The width at the end of `F` is not carried over", draft);
+                self.tell(symbol, place, say!("The width at the end of `F` is not carried over"), draft);
             }
             "`" => return out.push_str("```"),
             _ => {}
@@ -445,7 +451,7 @@ impl<'p> Symbols<'p> {
     pub(super) fn check_bare(&self, draft: &mut Draft<'_>) {
         let wrong = self.bare.iter().filter(|(symbol, _)| self.replaced.contains(*symbol));
         wrong.for_each(|(symbol, place)| {
-            draft.refuse_at(place.clone(), format!("The arguments of `{symbol}`, which a rule replaces, are not read"));
+            draft.refuse_at(place.clone(), say!("The arguments of `{}`, which a rule replaces, are not read", symbol));
         });
     }
 
@@ -462,7 +468,7 @@ impl<'p> Symbols<'p> {
     }
 
     /// Adds a remark at the first place of a symbol.
-    fn tell(&mut self, symbol: &str, place: &Range<usize>, message: &str, draft: &mut Draft<'_>) {
+    fn tell(&mut self, symbol: &str, place: &Range<usize>, message: String, draft: &mut Draft<'_>) {
         if self.told.insert(format!("{symbol} {message}")) {
             draft.note_at(place.clone(), message);
         }

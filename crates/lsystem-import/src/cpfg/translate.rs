@@ -8,6 +8,8 @@ use super::symbols::{Role, Symbols, parenthesised};
 use super::{Kind, Places};
 use crate::draft::Draft;
 use core::ops::Range;
+use lsystem_base::words::said;
+use lsystem_base::{counted, say};
 use lsystem_syntax::parse;
 use std::collections::BTreeSet;
 
@@ -21,20 +23,20 @@ const LONGEST: usize = 200_000;
 pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draft<'_>) {
     let axiom = parts.axiom.unwrap_or_default();
     if axiom.is_empty() {
-        draft.refuse(1, "", "There is no axiom");
+        draft.refuse(1, "", say!("There is no axiom"));
     }
     let size = parts.all_rules().map(|rule| rule.head.len() + rule.successor.len()).sum::<usize>() + axiom.len();
     if size > LONGEST {
-        draft.refuse(1, "", "The rules are too long");
+        draft.refuse(1, "", say!("The rules are too long"));
     }
     if parts.constants.len() > MOST_CONSTANTS {
-        draft.refuse(1, "", format!("At most {MOST_CONSTANTS} numbers with names are read"));
+        draft.refuse(1, "", say!("At most {} numbers with names are read", MOST_CONSTANTS));
     }
     if draft.is_refused() {
         // What is understood is told all the same.
-        parts.all_rules().for_each(|rule| draft.read(rule.place.clone(), "a rule"));
+        parts.all_rules().for_each(|rule| draft.read(rule.place.clone(), say!("a rule")));
         let others = [parts.axiom, parts.length].into_iter().flatten().chain(parts.seen.iter().map(|seen| seen.1));
-        return others.for_each(|text| draft.read(places.of(text), text));
+        return others.for_each(|text| draft.read(places.of(text), text.to_owned()));
     }
     let mut names = parts.names.clone();
     for rule in parts.all_rules() {
@@ -52,7 +54,7 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     let mut words = Translation { parts, places: *places, symbols, chosen };
     let axiom_place = places.of(axiom);
     draft.definition.axiom = protected(words.word(words.turned(axiom, draft), &axiom_place, draft));
-    draft.read(axiom_place, format!("axiom {}", draft.definition.axiom));
+    draft.read(axiom_place, say!("axiom {}", draft.definition.axiom));
     let mut lines = |rules: &[Rule<'_>], draft: &mut Draft<'_>| -> Vec<String> {
         rules.iter().filter_map(|rule| words.rule(rule, draft)).collect()
     };
@@ -111,7 +113,7 @@ impl Translation<'_> {
             Ok(None) => self.symbols.read(text, Role::Word, place, draft),
             Ok(Some(expanded)) => self.symbols.read(&expanded, Role::Word, place, draft),
             Err(why) => {
-                draft.refuse_at(place.clone(), why);
+                draft.refuse_at(place.clone(), said(why));
                 String::new()
             }
         }
@@ -163,12 +165,12 @@ impl Translation<'_> {
                 match values.as_deref() {
                     Some(&[x, y] | &[x, y, 0.0]) => {
                         draft.definition.start = [x, y];
-                        draft.read(place, format!("start {x}, {y}"));
+                        draft.read(place, say!("start {}, {}", x, y));
                     }
-                    _ if asks => draft.refuse_at(place, "Queries of positions need a start in the plane z = 0"),
+                    _ if asks => draft.refuse_at(place, say!("Queries of positions need a start in the plane z = 0")),
                     _ => draft.note_at(
                         place,
-                        "The place where the turtle starts is not carried over; it only moves the picture",
+                        say!("The place where the turtle starts is not carried over; it only moves the picture"),
                     ),
                 }
             } else {
@@ -179,7 +181,7 @@ impl Translation<'_> {
                     _ => break,
                 };
                 draft.definition.heading = libm::atan2(y, x).to_degrees();
-                draft.read(place, format!("heading {}", draft.definition.heading));
+                draft.read(place, say!("heading {}", draft.definition.heading));
             }
             rest = behind.trim_start();
         }
@@ -203,12 +205,15 @@ impl Translation<'_> {
     /// A rule in our notation; `None` if it is refused.
     fn rule(&mut self, rule: &Rule<'_>, draft: &mut Draft<'_>) -> Option<String> {
         if self.never_applies(rule) {
-            draft.note_at(rule.place.clone(), "This rule never applies: nothing makes a symbol of its predecessor");
+            draft.note_at(
+                rule.place.clone(),
+                say!("This rule never applies: nothing makes a symbol of its predecessor"),
+            );
             return None;
         }
         let read = self.read(rule, draft);
         let line = read.map_err(|(part, why)| draft.refuse_at(self.places.or(part, &rule.place), why)).ok();
-        draft.read(rule.place.clone(), line.clone().unwrap_or_else(|| "a rule".to_owned()));
+        draft.read(rule.place.clone(), line.clone().unwrap_or_else(|| say!("a rule")));
         line
     }
 
@@ -231,12 +236,12 @@ impl Translation<'_> {
         }
         let strict = strict(&head);
         let wrong = match () {
-            () if strict.is_empty() => "This rule has no predecessor",
-            () if modules(strict) != 1 => "Several symbols as predecessor have no equal here",
+            () if strict.is_empty() => say!("This rule has no predecessor"),
+            () if modules(strict) != 1 => say!("Several symbols as predecessor have no equal here"),
             () if contexts(&head).any(|context| context.contains('=')) => {
-                "`=` in a context is read only in front of `]`"
+                say!("`=` in a context is read only in front of `]`")
             }
-            () => "",
+            () => String::new(),
         };
         if !wrong.is_empty() {
             return Err((rule.head, wrong.to_owned()));
@@ -357,9 +362,9 @@ fn length(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draft<'_>) {
         Some(value) => {
             let line = draft.source.line_of(place.start);
             draft.iterations(line, &value.to_string());
-            draft.read(place, format!("{} iterations", draft.definition.iterations));
+            draft.read(place, counted!(draft.definition.iterations, "{} iteration", "{} iterations"));
         }
-        None => draft.note_at(place, "The derivation length cannot be read"),
+        None => draft.note_at(place, say!("The derivation length cannot be read")),
     }
 }
 
@@ -374,13 +379,13 @@ fn angle(parts: &Parts<'_>, draft: &mut Draft<'_>) {
         (None, Kind::Cpfg) => {
             draft.definition.angle = 90.0;
             if turns {
-                draft.note(1, "", "The angle stands in cpfg's view file; 90 degrees is chosen");
+                draft.note(1, "", say!("The angle stands in cpfg's view file; 90 degrees is chosen"));
             }
         }
         (None, Kind::LPy) => {
             draft.definition.angle = 60.0;
             if turns {
-                draft.note(1, "", "The text gives no angle; 60 degrees is the default of L-Py");
+                draft.note(1, "", say!("The text gives no angle; 60 degrees is the default of L-Py"));
             }
         }
     }

@@ -3,6 +3,7 @@
 use super::Refusal;
 use super::source::{Source, plain_number};
 use core::fmt::Write;
+use lsystem_base::say;
 use lsystem_syntax::{Action, Module};
 
 /// The page's symbols.
@@ -23,7 +24,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
         let mut name = own.symbol;
         if !keeps(name, &shape) {
             let free = SYMBOLS.chars().filter(|c| !ACTING.contains(*c)).find(|c| !taken.contains(c));
-            name = free.ok_or_else(|| Refusal::new("anvaka’s page has too few symbols"))?;
+            name = free.ok_or_else(|| Refusal::new(say!("anvaka’s page has too few symbols")))?;
             taken.push(name);
         }
         names.push((own.symbol, name));
@@ -39,7 +40,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
             }
             _ => {
                 let symbol = own.symbol;
-                return Err(Refusal(format!("On anvaka’s page a symbol has one action, and `{symbol}` has several")));
+                return Err(Refusal(say!("On anvaka’s page a symbol has one action, and `{}` has several", symbol)));
             }
         };
         let _ = writeln!(actions, "  {name} => {action}");

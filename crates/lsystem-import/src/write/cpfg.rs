@@ -12,6 +12,7 @@ use crate::cpfg::{function_file, surface_file};
 use core::f64::consts::FRAC_1_SQRT_2;
 use core::fmt::Write;
 use lsystem_base::number::number;
+use lsystem_base::say;
 use lsystem_base::sorted::set;
 use lsystem_syntax::grammar::Values;
 use lsystem_syntax::{
@@ -89,10 +90,10 @@ impl<'a> File<'a> {
     pub(super) fn new(source: &'a Source<'a>, kind: Kind) -> Result<Self, Refusal> {
         let label = if kind == Kind::Cpfg { "cpfg" } else { "L-Py" };
         if kind == Kind::Cpfg && source.acts(|action| matches!(action, Action::Circle(_))) {
-            return Err(Refusal::new("cpfg cannot express circles that are not filled"));
+            return Err(Refusal::new(say!("cpfg cannot express circles that are not filled")));
         }
         if source.acts(|action| matches!(action, Action::Fill(outline, _) if outline != Outline::Disc)) {
-            return Err(Refusal::new(format!("{label} cannot express the outlines of leaves")));
+            return Err(Refusal::new(say!("{} cannot express the outlines of leaves", label)));
         }
         if kind == Kind::LPy {
             queries::check_for_lpy(source)?;
@@ -149,7 +150,7 @@ impl<'a> File<'a> {
     fn name_all(&mut self) -> Result<(), Refusal> {
         let bound: Vec<char> =
             self.source.symbols.iter().filter(|own| !own.is_constant()).map(|own| own.symbol).collect();
-        let is_full = || Refusal(format!("{} has too few symbols", self.label));
+        let is_full = || Refusal(say!("{} has too few symbols", self.label));
         if bound.len() > MOST_NAMED {
             return Err(is_full());
         }
@@ -180,7 +181,7 @@ impl<'a> File<'a> {
         self.names.sort_unstable();
         let cut = |own: &Symbol| own.actions.contains(&Action::Cut) && own.actions.len() > 1;
         match self.source.symbols.iter().find(|own| cut(own)) {
-            Some(own) => Err(Refusal(format!("{} has no symbol that does what `{}` does", self.label, own.symbol))),
+            Some(own) => Err(Refusal(say!("{} has no symbol that does what `{}` does", self.label, own.symbol))),
             None => Ok(()),
         }
     }
@@ -257,7 +258,7 @@ impl<'a> File<'a> {
         listed.sort_unstable();
         listed.dedup();
         if listed.iter().any(|name| others.contains(name)) {
-            return Err(Refusal(format!("{} cannot express which symbols contexts see", self.label)));
+            return Err(Refusal(say!("{} cannot express which symbols contexts see", self.label)));
         }
         let listed: String = listed.into_iter().map(|name| numbered(name, &[])).collect();
         Ok(if listed.is_empty() && word == "ignore" { String::new() } else { format!("{word}: {listed}\n") })
@@ -317,7 +318,7 @@ impl<'a> File<'a> {
                 Action::ScaleWidth(own) => if own == FRAC_1_SQRT_2 { "!" } else { "" }.to_owned(),
                 Action::Circle(_) | Action::ScaleLength(_) | Action::SwapTurns => {
                     let symbol = symbol.symbol;
-                    return Err(Refusal(format!("{} has no symbol that does what `{symbol}` does", self.label)));
+                    return Err(Refusal(say!("{} has no symbol that does what `{}` does", self.label, symbol)));
                 }
             });
         }
@@ -360,7 +361,7 @@ impl<'a> File<'a> {
         let start = if heading == 0.0 { String::new() } else { format!("+({})", plain_number(heading)) };
         let matched = |own: &Symbol| own.symbol == '+' && !own.is_constant();
         if heading != 0.0 && self.source.symbols.iter().any(matched) {
-            return Err(Refusal(format!("{} starts upwards, and productions look at the turns", self.label)));
+            return Err(Refusal(say!("{} starts upwards, and productions look at the turns", self.label)));
         }
         let place = match self.source.definition.start {
             [x, y] if self.kind == Kind::Cpfg && [x, y] != [0.0, 0.0] => {
@@ -447,7 +448,7 @@ impl<'a> File<'a> {
                 continue;
             }
             if same.any(|image| image.weight.is_some()) {
-                return Err(Refusal(format!("{} cannot express the random drawings of `{symbol}`", self.label)));
+                return Err(Refusal(say!("{} cannot express the random drawings of `{}`", self.label, symbol)));
             }
             let parameters: Vec<String> = (1..=arity).map(|at| format!("p{at}")).collect();
             let code = self.code(own, parameters.first().map(String::as_str))?;

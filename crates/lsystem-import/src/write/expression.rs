@@ -2,6 +2,7 @@
 
 use super::Refusal;
 use lsystem_base::number::number;
+use lsystem_base::say;
 use lsystem_syntax::{Expr, Function, Operator};
 
 /// How a notation writes arithmetic.
@@ -74,12 +75,12 @@ impl Arithmetic<'_> {
             }
             Expr::Curve(name, argument) => {
                 let value = (self.curve)(name, &self.write(argument)?);
-                out.push_str(&value.ok_or_else(|| Refusal(format!("{} cannot express curves", self.label)))?);
+                out.push_str(&value.ok_or_else(|| Refusal(say!("{} cannot express curves", self.label)))?);
             }
             Expr::Call(function, arguments) => {
                 let name = self.functions.iter().find(|(own, _)| own == function);
                 let Some((_, name)) = name else {
-                    return Err(Refusal(format!("{} cannot express the function {}", self.label, function.name())));
+                    return Err(Refusal(say!("{} cannot express the function {}", self.label, function.name())));
                 };
                 out.push_str(name);
                 for (at, argument) in arguments.iter().enumerate() {

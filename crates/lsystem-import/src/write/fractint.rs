@@ -6,6 +6,7 @@
 use super::Refusal;
 use super::source::{Need, Source, plain_number};
 use super::spelling::{Alphabet, Spelling, turns};
+use lsystem_base::say;
 use lsystem_syntax::{Action, Module};
 
 /// The parts of systems that Fractint lacks.
@@ -36,7 +37,7 @@ const LONGEST: usize = 250;
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     if source.needs(Need::SwappedTurns) && source.right_angle() != source.definition.angle {
-        return Err(Refusal::new("Fractint cannot swap turns by two angles"));
+        return Err(Refusal::new(say!("Fractint cannot swap turns by two angles")));
     }
     let parts = 360.0 / source.definition.angle;
     let is_part =
@@ -102,7 +103,7 @@ fn system(source: &Source<'_>, parts: Option<f64>) -> Result<String, Refusal> {
     };
     let spelling = Spelling::new(source, &alphabet)?;
     let start =
-        turn(source.definition.heading).ok_or_else(|| Refusal::new("Fractint cannot begin with this heading"))?;
+        turn(source.definition.heading).ok_or_else(|| Refusal::new(say!("Fractint cannot begin with this heading")))?;
     let word = |modules: &[Module]| spelling.word(modules);
     let mut lines = vec![
         format!("Angle {}", parts.map_or_else(|| "4".to_owned(), plain_number)),
@@ -115,10 +116,10 @@ fn system(source: &Source<'_>, parts: Option<f64>) -> Result<String, Refusal> {
     lines.extend(spelling.repeated.iter().map(|(name, word)| format!("{name}={word}")));
     lines.extend(spelling.vanishing.iter().map(|name| format!("{name}=")));
     if lines.len() - 2 > MOST_RULES {
-        return Err(Refusal::new(format!("Fractint reads at most {MOST_RULES} rules")));
+        return Err(Refusal::new(say!("Fractint reads at most {} rules", MOST_RULES)));
     }
     if lines.iter().any(|line| line.len() > LONGEST) {
-        return Err(Refusal::new(format!("Fractint reads at most {LONGEST} characters on a line")));
+        return Err(Refusal::new(say!("Fractint reads at most {} characters on a line", LONGEST)));
     }
     let name: String = source.definition.label().chars().filter(char::is_ascii_alphanumeric).take(20).collect();
     let name = if name.is_empty() { "System" } else { &name };

@@ -6,6 +6,7 @@ use super::source::{Need, Source, is_look, plain_number};
 use super::spelling::{Alphabet, Spelling};
 use core::fmt::Write;
 use lsystem_base::number::number;
+use lsystem_base::say;
 use lsystem_syntax::grammar::Values;
 use lsystem_syntax::{Action, Expr, Module, Pattern, Production, Seen};
 
@@ -97,7 +98,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let heading = definition.heading - 90.0;
     let start = if heading == 0.0 { String::new() } else { format!("-({})", plain_number(heading)) };
     if !spelling.stays(source, &start) {
-        return Err(Refusal::new("Houdini starts upwards, and productions look at the turns"));
+        return Err(Refusal::new(say!("Houdini starts upwards, and productions look at the turns")));
     }
     let _ = writeln!(text, "Premise: {start}{}", writer.word(&source.grammar.axiom, none)?);
     match &source.grammar.seen {
@@ -106,7 +107,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
             let list: String = list.iter().map(|symbol| spelling.word_of(*symbol)).collect();
             let _ = writeln!(text, "Context Ignore: {list}");
         }
-        Seen::Only(_) => return Err(Refusal::new("Houdini cannot list the only symbols that contexts see")),
+        Seen::Only(_) => return Err(Refusal::new(say!("Houdini cannot list the only symbols that contexts see"))),
     }
     let mut rules = Vec::new();
     for rule in &source.grammar.productions {
@@ -158,7 +159,8 @@ impl Writer<'_> {
         text.push_str(&self.word(&rule.successor, &patterns)?);
         if let Some(weight) = &rule.weight {
             let value = self.values.value(weight);
-            let value = value.ok_or_else(|| Refusal::new("Houdini cannot express probabilities with parameters"))?;
+            let value =
+                value.ok_or_else(|| Refusal::new(say!("Houdini cannot express probabilities with parameters")))?;
             text.push(':');
             text.push_str(&number(value.max(0.0)));
         }
@@ -207,7 +209,7 @@ impl Writer<'_> {
         if is_single && is_numbered && !is_length && !is_wide {
             return Ok(());
         }
-        Err(Refusal(format!("Houdini cannot express `{symbol}` with these arguments")))
+        Err(Refusal(say!("Houdini cannot express `{}` with these arguments", symbol)))
     }
 
     fn expression(&self, expr: &Expr, names: &[(String, char)]) -> Result<String, Refusal> {
@@ -229,7 +231,7 @@ fn parameters(patterns: &[Pattern]) -> Result<Vec<(String, char)>, Refusal> {
         let is_free = |c: &char| names.iter().all(|(_, taken)| taken != c);
         let found = PARAMETERS.chars().find(|c| keeps(c) && is_free(c));
         let found = found.or_else(|| PARAMETERS.chars().find(is_free));
-        let found = found.ok_or_else(|| Refusal::new("Houdini has too few names for parameters"))?;
+        let found = found.ok_or_else(|| Refusal::new(say!("Houdini has too few names for parameters")))?;
         names.push((name.clone(), found));
     }
     Ok(names)

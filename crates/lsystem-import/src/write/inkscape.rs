@@ -7,6 +7,7 @@
 use super::Refusal;
 use super::source::{Source, plain_number};
 use super::spelling::{Alphabet, Spelling, turns};
+use lsystem_base::say;
 use lsystem_syntax::{Action, Heading, Module};
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
@@ -43,7 +44,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     };
     let spelling = Spelling::new(source, &alphabet)?;
     let start = turn(source.definition.heading - 90.0).filter(|start| spelling.stays(source, start));
-    let start = start.ok_or_else(|| Refusal::new("Inkscape starts upwards, and turns by the two angles only"))?;
+    let start = start.ok_or_else(|| Refusal::new(say!("Inkscape starts upwards, and turns by the two angles only")))?;
     let word = |modules: &[Module]| spelling.word(modules);
     let rules = source.plain_rules();
     let rules = rules.iter().map(|rule| {

@@ -28,6 +28,8 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+use lsystem_base::words::said;
+use lsystem_base::{say, word};
 use lsystem_syntax::Definition;
 use source::{Need, Source};
 
@@ -102,96 +104,102 @@ const PLAIN: &[Need] = &[
 pub static NOTATIONS: [Notation; 12] = [
     Notation {
         name: "text",
-        label: "Text",
-        help: "Labelled lines, as in papers, where our reader makes the same system of them",
+        label: word!("Text"),
+        help: word!("Labelled lines, as in papers, where our reader makes the same system of them"),
         ending: "txt",
         lacks: &[Need::Surfaces],
         write: text::write,
     },
     Notation {
         name: "latex",
-        label: "LaTeX",
-        help: "Table for a paper, as in The Algorithmic Beauty of Plants",
+        label: word!("LaTeX"),
+        help: word!("Table for a paper, as in The Algorithmic Beauty of Plants"),
         ending: "tex",
         lacks: &[],
         write: paper::latex,
     },
     Notation {
         name: "tikz",
-        label: "TikZ",
-        help: "Picture by the library lindenmayersystems, in one colour, of at most 100,000 symbols",
+        label: word!("TikZ"),
+        help: word!("Picture by the library lindenmayersystems, in one colour, of at most 100,000 symbols"),
         ending: "tex",
         lacks: &[],
         write: paper::tikz,
     },
     Notation {
         name: "python",
-        label: "Python turtle",
-        help: "Program that draws with the standard module turtle",
+        label: word!("Python turtle"),
+        help: word!("Program that draws with the standard module turtle"),
         ending: "py",
         lacks: program::LACKS,
         write: python::write,
     },
     Notation {
         name: "p5",
-        label: "p5.js sketch",
-        help: "Sketch that derives and draws, for the editor of p5.js",
+        label: word!("p5.js sketch"),
+        help: word!("Sketch that derives and draws, for the editor of p5.js"),
         ending: "js",
         lacks: program::LACKS,
         write: p5::write,
     },
     Notation {
         name: "js",
-        label: "JavaScript object",
-        help: "Object for JavaScript packages: F and G draw, f moves, + and - turn by one angle, and the first heading is up",
+        label: word!("JavaScript object"),
+        help: word!(
+            "Object for JavaScript packages: F and G draw, f moves, + and - turn by one angle, and the first heading is up"
+        ),
         ending: "js",
         lacks: object::LACKS,
         write: object::write,
     },
     Notation {
         name: "fractint",
-        label: "Fractint",
-        help: "Entry of a file, of at most 25 rules and lines of 250 characters; without the number of iterations",
+        label: word!("Fractint"),
+        help: word!(
+            "Entry of a file, of at most 25 rules and lines of 250 characters; without the number of iterations"
+        ),
         ending: "l",
         lacks: fractint::LACKS,
         write: fractint::write,
     },
     Notation {
         name: "inkscape",
-        label: "Inkscape",
-        help: "Lines for the dialog Extensions > Render > L-system, with headings that its angles reach from upwards",
+        label: word!("Inkscape"),
+        help: word!(
+            "Lines for the dialog Extensions > Render > L-system, with headings that its angles reach from upwards"
+        ),
         ending: "txt",
         lacks: PLAIN,
         write: inkscape::write,
     },
     Notation {
         name: "houdini",
-        label: "Houdini",
-        help: "Lines of the L-system node, with numbers as in its own symbols",
+        label: word!("Houdini"),
+        help: word!("Lines of the L-system node, with numbers as in its own symbols"),
         ending: "txt",
         lacks: houdini::LACKS,
         write: houdini::write,
     },
     Notation {
         name: "cpfg",
-        label: "cpfg",
-        help: "File with the angles as numbers; circles only filled",
+        label: word!("cpfg"),
+        help: word!("File with the angles as numbers; circles only filled"),
         ending: "l",
         lacks: cpfg::LACKS,
         write: cpfg::write_cpfg,
     },
     Notation {
         name: "lpy",
-        label: "L-Py",
-        help: "Arrow rules, and rules of Python with conditions; arithmetic with the functions of Python",
+        label: word!("L-Py"),
+        help: word!("Arrow rules, and rules of Python with conditions; arithmetic with the functions of Python"),
         ending: "lpy",
         lacks: lpy::LACKS,
         write: lpy::write,
     },
     Notation {
         name: "anvaka",
-        label: "anvaka’s page",
-        help: "Text for anvaka’s page, with one action for each symbol",
+        label: word!("anvaka’s page"),
+        help: word!("Text for anvaka’s page, with one action for each symbol"),
         ending: "txt",
         lacks: PLAIN,
         write: anvaka::write,
@@ -224,7 +232,7 @@ impl PartialEq for Notation {
 pub fn export(definition: &Definition, notation: &Notation) -> Result<Written, Refusal> {
     let source = Source::new(definition)?;
     if let Some(need) = notation.lacks.iter().find(|need| source.needs(**need)) {
-        return Err(Refusal(format!("{}: {} cannot be expressed", notation.label, need.words())));
+        return Err(Refusal(say!("{}: {} cannot be expressed", said(notation.label), said(need.words()))));
     }
     let text = (notation.write)(&source)?;
     Ok(Written { text, left_out: source.left_out(notation.name) })

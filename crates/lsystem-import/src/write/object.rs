@@ -6,6 +6,7 @@ use super::source::{Need, PlainRule, Source};
 use super::spelling::{Alphabet, Spelling, turns};
 use core::fmt::Write;
 use lsystem_base::number::number;
+use lsystem_base::say;
 use lsystem_syntax::{Action, Module};
 
 /// The parts of systems that such objects lack.
@@ -32,7 +33,7 @@ pub(super) const LACKS: &[Need] = &[
 pub(super) fn spelling(source: &Source<'_>, label: &str) -> Result<(Spelling, String), Refusal> {
     let angle = source.definition.angle;
     if source.right_angle() != angle && source.acts(|action| action == Action::TurnRight(None)) {
-        return Err(Refusal(format!("{label} has one angle for turns to the left and to the right")));
+        return Err(Refusal(say!("{} has one angle for turns to the left and to the right", label)));
     }
     let is_step = |length: &Option<f64>| source.length(*length) == 1.0;
     let own = |actions: &[Action]| match actions {
@@ -66,18 +67,18 @@ pub(super) fn spelling(source: &Source<'_>, label: &str) -> Result<(Spelling, St
     let spelling = Spelling::new(source, &alphabet)?;
     let start = turns(source.definition.heading - 90.0, (angle, '+'), (angle, '-'));
     let start = start.filter(|start| spelling.stays(source, start));
-    let start = start.ok_or_else(|| Refusal(format!("{label} starts upwards, and turns by its angle only")))?;
+    let start = start.ok_or_else(|| Refusal(say!("{} starts upwards, and turns by its angle only", label)))?;
     Ok((spelling, start))
 }
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
-    let (spelling, start) = spelling(source, "A JavaScript object")?;
+    let (spelling, start) = spelling(source, &say!("A JavaScript object"))?;
     let axiom = format!("{start}{}", spelling.word(&source.grammar.axiom));
     let rules = rules(source, &spelling);
     if !rules.iter().flat_map(|rule| rule.1.iter()).any(|(_, word)| word.contains(['F', 'G']))
         && !axiom.contains(['F', 'G'])
     {
-        return Err(Refusal::new("Nothing is drawn, and an object has no symbol that says so"));
+        return Err(Refusal::new(say!("Nothing is drawn, and an object has no symbol that says so")));
     }
     let angle = source.definition.angle;
     // Programs take small broken numbers for radians.

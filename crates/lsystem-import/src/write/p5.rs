@@ -6,9 +6,10 @@ use super::program::{Data, lines};
 use super::source::Source;
 use core::fmt::Write;
 use lsystem_base::number::number;
+use lsystem_base::say;
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
-    let data = Data::new(source, "A sketch")?;
+    let data = Data::new(source, &say!("A sketch"))?;
     let title = source.title(&[]);
     let title = if title.is_empty() { "An L-system" } else { &title };
     let mut text = format!("// {title}: an L-system, as a sketch for https://editor.p5js.org\n\n");

@@ -4,6 +4,7 @@ use super::Refusal;
 use super::object::quoted;
 use super::source::{Need, Source};
 use lsystem_base::number::number;
+use lsystem_base::say;
 use lsystem_syntax::{Action, Module, Pattern, Seen};
 
 /// The parts of systems that the programs lack.
@@ -41,7 +42,7 @@ impl Data {
         let has_contexts = source.needs(Need::Contexts);
         let is_random = source.needs(Need::Chance);
         if has_contexts && is_random {
-            return Err(Refusal(format!("{label} cannot express random productions with contexts")));
+            return Err(Refusal(say!("{} cannot express random productions with contexts", label)));
         }
         let mut rules = Vec::new();
         for rule in source.plain_rules().iter().filter(|_| !has_contexts) {
@@ -60,7 +61,7 @@ impl Data {
         for rule in source.grammar.productions.iter().filter(|_| has_contexts) {
             let context = |list: &[Pattern]| quoted(&list.iter().map(|own| own.symbol).collect::<String>());
             if rule.right.iter().any(|own| "[]".contains(own.symbol)) {
-                return Err(Refusal(format!("{label} cannot express branches in contexts")));
+                return Err(Refusal(say!("{} cannot express branches in contexts", label)));
             }
             let symbol = quoted(&rule.predecessor.symbol.to_string());
             let (left, right, successor) = (context(&rule.left), context(&rule.right), quoted(&word(&rule.successor)));
@@ -68,7 +69,7 @@ impl Data {
         }
         let swaps = source.needs(Need::SwappedTurns);
         if swaps && source.right_angle() != source.definition.angle {
-            return Err(Refusal(format!("{label} cannot swap turns by two angles")));
+            return Err(Refusal(say!("{} cannot swap turns by two angles", label)));
         }
         let mut actions = Vec::new();
         for symbol in &source.symbols {

@@ -3,12 +3,13 @@
 
 use super::Refusal;
 use super::source::Source;
+use lsystem_base::say;
 use lsystem_syntax::Query;
 
 /// Refuses a system whose queries L-Py would not tell apart by the number of their arguments: it asks for three.
 pub(super) fn check_for_lpy(source: &Source<'_>) -> Result<(), Refusal> {
     if source.asks(|query| query == Query::Position) && source.definition.start != [0.0, 0.0] {
-        return Err(Refusal::new("L-Py cannot express queries of positions with another start than 0, 0"));
+        return Err(Refusal::new(say!("L-Py cannot express queries of positions with another start than 0, 0")));
     }
     let arities = |query: Query| {
         let own = source.system.rules.letters.iter().filter(move |letter| letter.symbol == query.symbol());
@@ -16,7 +17,7 @@ pub(super) fn check_for_lpy(source: &Source<'_>) -> Result<(), Refusal> {
     };
     match Query::ALL.into_iter().find(|query| !matches!(arities(*query)[..], [] | [0 | 2 | 3])) {
         Some(query) => {
-            Err(Refusal(format!("L-Py cannot express `{query}` with another number of arguments than three")))
+            Err(Refusal(say!("L-Py cannot express `{}` with another number of arguments than three", query)))
         }
         None => Ok(()),
     }

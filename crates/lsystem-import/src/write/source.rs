@@ -2,6 +2,7 @@
 
 use super::Refusal;
 use lsystem_base::sorted::set;
+use lsystem_base::{say, word};
 use lsystem_derive::Letter;
 use lsystem_drawing::System;
 use lsystem_syntax::{Action, Definition, Diagnostic, Grammar, Module, Pattern, Production, Query, Style};
@@ -42,26 +43,26 @@ impl Need {
     /// A noun phrase.
     pub(super) fn words(self) -> &'static str {
         match self {
-            Self::Contexts => "contexts",
-            Self::Parameters => "parameters",
-            Self::Conditions => "conditions",
-            Self::Chance => "random rules",
-            Self::Variation => "angles and lengths that vary at random",
-            Self::Images => "rules for drawing (draw:)",
-            Self::Space => "turns in space",
-            Self::BranchLengths => "lengths that change with the branch level",
-            Self::Scaling => "symbols that change lengths",
-            Self::SwappedTurns => "symbols that swap turns",
-            Self::Polygons => "polygons",
-            Self::Circles => "circles",
-            Self::Tubes => "smooth tubes",
-            Self::Surfaces => "Bezier surfaces",
-            Self::Cuts => "symbols that cut off a branch",
-            Self::Tropism => "tropism and sway",
-            Self::Growth => "partial growth",
-            Self::OpenBranches => "branches that begin in one word and end in another",
-            Self::Queries => "queries",
-            Self::Surroundings => "queries of neighbours and light",
+            Self::Contexts => word!("contexts"),
+            Self::Parameters => word!("parameters"),
+            Self::Conditions => word!("conditions"),
+            Self::Chance => word!("random rules"),
+            Self::Variation => word!("angles and lengths that vary at random"),
+            Self::Images => word!("rules for drawing (draw:)"),
+            Self::Space => word!("turns in space"),
+            Self::BranchLengths => word!("lengths that change with the branch level"),
+            Self::Scaling => word!("symbols that change lengths"),
+            Self::SwappedTurns => word!("symbols that swap turns"),
+            Self::Polygons => word!("polygons"),
+            Self::Circles => word!("circles"),
+            Self::Tubes => word!("smooth tubes"),
+            Self::Surfaces => word!("Bezier surfaces"),
+            Self::Cuts => word!("symbols that cut off a branch"),
+            Self::Tropism => word!("tropism and sway"),
+            Self::Growth => word!("partial growth"),
+            Self::OpenBranches => word!("branches that begin in one word and end in another"),
+            Self::Queries => word!("queries"),
+            Self::Surroundings => word!("queries of neighbours and light"),
         }
     }
 }
@@ -123,7 +124,7 @@ impl<'a> Source<'a> {
         let (system, problems) = System::new(definition);
         let Some(system) = system else {
             let error = problems.iter().find(|problem| problem.is_error());
-            return Err(Refusal(error.map_or_else(|| "The system is wrong".to_owned(), Diagnostic::message)));
+            return Err(Refusal(error.map_or_else(|| say!("The system is wrong"), Diagnostic::message)));
         };
         let rules = &system.rules;
         let is_plain = rules.is_plain();
@@ -292,19 +293,19 @@ impl<'a> Source<'a> {
     pub(super) fn left_out(&self, notation: &str) -> Vec<String> {
         let mut found = Vec::new();
         if (Style { auto: false, ..self.definition.style.clone() }) != Style::default() || self.acts(is_look) {
-            found.push("Colours and line widths are left out.".to_owned());
+            found.push(say!("Colours and line widths are left out."));
         }
         if self.definition.start != [0.0, 0.0] && notation != "cpfg" {
-            found.push("The place of the start is left out.".to_owned());
+            found.push(say!("The place of the start is left out."));
         }
         if !self.system.turtle.wires.is_empty() && notation != "text" && notation != "latex" {
-            found.push("The outlines of shapes are left out.".to_owned());
+            found.push(say!("The outlines of shapes are left out."));
         }
         if self.needs(Need::Chance) && notation != "text" && notation != "latex" {
-            found.push("Random choices differ: other programs have random numbers of their own.".to_owned());
+            found.push(say!("Random choices differ: other programs have random numbers of their own."));
         }
         if notation == "fractint" {
-            found.push("The file has no number of iterations: Fractint asks for the order.".to_owned());
+            found.push(say!("The file has no number of iterations: Fractint asks for the order."));
         }
         found
     }

@@ -2,6 +2,7 @@
 
 use super::Refusal;
 use super::source::{Need, Source, Symbol};
+use lsystem_base::say;
 use lsystem_syntax::{Action, Module};
 
 /// The symbols of a notation for words of plain symbols, for one system.
@@ -155,14 +156,14 @@ impl Alphabet<'_> {
         let Symbol { symbol, is_replaced, .. } = symbol;
         let label = self.label;
         Refusal(if *is_replaced {
-            format!("{label} has no symbol that is replaced and does what `{symbol}` does")
+            say!("{} has no symbol that is replaced and does what `{}` does", label, symbol)
         } else {
-            format!("{label} has no symbols that do what `{symbol}` does")
+            say!("{} has no symbols that do what `{}` does", label, symbol)
         })
     }
 
     fn is_full(&self) -> Refusal {
-        Refusal(format!("{} has too few symbols", self.label))
+        Refusal(say!("{} has too few symbols", self.label))
     }
 }
 

@@ -9,6 +9,7 @@ use super::source::{Need, Source};
 use crate::import;
 use core::fmt::Write;
 use lsystem_base::number::number;
+use lsystem_base::say;
 use lsystem_syntax::{Action, Dialect, overrides, print_axiom, print_rules};
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
@@ -20,7 +21,7 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
             }
         }
     }
-    Err(Refusal::new("A text of labelled lines would be read as another system"))
+    Err(Refusal::new(say!("A text of labelled lines would be read as another system")))
 }
 
 /// Whether the reader makes the same system of a text.
