@@ -2,7 +2,7 @@
 
 use core::fmt;
 use lsystem_base::MAX_ITERATIONS;
-use lsystem_base::say;
+use lsystem_base::{counted, say};
 use lsystem_syntax::message::expected_words;
 use lsystem_syntax::{Definition, Expected, FIELDS, FieldSpec, Value};
 
@@ -117,7 +117,7 @@ impl Subject {
         match self {
             Self::View => say!("3 or 5 numbers: x/y/zoom or x/y/zoom/fx/fy"),
             Self::Camera => say!("1 to 7 numbers: azimuth/elevation/zoom/x/y/z/fade"),
-            Self::Field(FieldSpec { expected: Expected::Each(count, _), .. }) => say!("{} numbers", count),
+            Self::Field(FieldSpec { expected: Expected::Each(count, _), .. }) => counted!(*count as u64, "{} number", "{} numbers"),
             _ => say!("one number"),
         }
     }

@@ -1,0 +1,141 @@
+/** The page in other languages: all words are told in them, and they fit. */
+
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { collect } from '../words/collect.mjs';
+import { plainWords, pseudo } from '../words/pseudo.mjs';
+import { ADDRESS, DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
+import { STATES, TREE, tab } from './states.mjs';
+
+after(close);
+
+/** @typedef {import('playwright-core').Page} Page */
+
+const FOUND = collect();
+const NOBODYS = pseudo(FOUND);
+
+/** Gives the page the language that no one speaks, in place of German. @param {Page} page */
+const nobodys = (page) => page.route('**/lang/de/words.json', (route) => route.fulfill({ json: NOBODYS }));
+
+/** Names of programs, formats and people, and what is typed: not translated. */
+const NAMES = /\b(L[-‑\u2011]systems?|SVG|PNG|JSON|Ctrl|Shift|Alt|Esc|Tab|Space|Deutsch|English|Français)\b/g;
+
+/** The English words that a person can see or hear. @param {Page} page */
+async function english(page) {
+    const texts = await page.evaluate(() => {
+        const same = 'script, style, svg, code, kbd, pre, textarea, input, [translate="no"], [lang]:not(html), cite';
+        /** @type {string[]} */
+        const found = [];
+        for (const element of document.body.querySelectorAll('*')) {
+            if (element.closest(same) || !element.checkVisibility()) continue;
+            for (const node of element.childNodes)
+                if (node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim()) found.push(node.nodeValue.trim());
+            for (const name of ['title', 'aria-label', 'placeholder', 'alt']) {
+                const text = element.getAttribute(name);
+                if (text) found.push(text);
+            }
+        }
+        return found;
+    });
+    const plain = texts.map((text) => [text, plainWords(text.replace(/`[^`]*`/g, '').replace(NAMES, ''))]);
+    return plain.filter(([, words]) => words?.length).map(([text]) => text);
+}
+
+/** The words that stand out of their place, by more than rounding. @param {Page} page */
+const tooWide = (page) =>
+    page.evaluate(() => {
+        const found = [
+            ...document.querySelectorAll('button, label, summary, h2, h3, [role=tab], .note, dt, legend, th'),
+        ];
+        const wide = found.filter((element) => {
+            if (!(element instanceof HTMLElement) || !element.checkVisibility({ visibilityProperty: true }))
+                return false;
+            const { left, right, width } = element.getBoundingClientRect();
+            const cut =
+                getComputedStyle(element).overflowX !== 'visible' && element.scrollWidth > element.clientWidth + 1;
+            const scrolled = element.closest('.scrolled, [class*=chips], .tabs, pre, table');
+            return (
+                width > 1 &&
+                ((cut && !element.closest('.unseen')) || ((right > innerWidth + 1 || left < -1) && !scrolled))
+            );
+        });
+        return wide.map(
+            (element) =>
+                `${element.tagName} ${element.id || element.className}: ${element.textContent?.trim().slice(0, 60)}`,
+        );
+    });
+
+/** States that are reached by English words, or that only draw. */
+const ENGLISH = new Set(['a symbol traced', 'gallery with cards without pictures', 'rules found']);
+
+test('no English word is left in a language that no one speaks', () =>
+    withPage({ address: `${ADDRESS}?lang=de`, also: ADDRESS, hash: TREE, before: nobodys }, async (page) => {
+        await until(async () => (await page.getAttribute('html', 'lang')) === 'de', 'the page is told');
+        /** @type {Record<string, unknown>} */
+        const left = {};
+        for (const [name, enter] of Object.entries(STATES)) {
+            if (ENGLISH.has(name)) continue;
+            await page.goto(`${ADDRESS}?lang=de&again=${encodeURIComponent(name)}${TREE}`);
+            await page.waitForSelector('#stage.inked');
+            await enter(page);
+            const found = await english(page);
+            if (found.length) left[name] = found;
+        }
+        assert.deepEqual(left, {});
+    }));
+
+for (const [language, words] of /** @type {const} */ ([
+    ['de', { rules: 'Regeln', mistake: /wird nie geschlossen/, symbols: '1.234,5' }],
+    ['fr', { rules: 'Règles', mistake: /jamais fermée/, symbols: '1\u202f234,5' }],
+])) {
+    test(`the page, its mistakes and its numbers are in ${language}; links and rules are not`, () =>
+        withPage({ address: `${ADDRESS}?lang=${language}`, also: ADDRESS, hash: TREE }, async (page) => {
+            assert.equal(await page.getAttribute('html', 'lang'), language);
+            assert.equal(await page.inputValue('#language'), language);
+            assert.match((await page.textContent('label[for=rules]')) ?? '', new RegExp(words.rules));
+            await page.fill('#rules', 'A(l) -> F(l');
+            await page.waitForSelector('#rules-problems .error');
+            assert.match((await page.textContent('#rules-problems')) ?? '', words.mistake);
+            await page.fill('#rules', 'A(l) -> F(l*0.5)A(l*0.5)');
+            await until(async () => /l\*0\.5/.test(decodeURIComponent(page.url())), 'the link has points');
+            // The choice is kept, and the system with it.
+            await page.selectOption('#language', 'en');
+            await page.waitForSelector('html[lang=en] #stage.inked');
+            assert.match(await page.inputValue('#rules'), /0\.5/);
+            assert.equal(await page.textContent('label[for=rules]'), 'Rules');
+        }));
+
+    test(`words fit on a phone in ${language}`, () =>
+        withPage(
+            { address: `${ADDRESS}?lang=${language}`, also: ADDRESS, hash: TREE, options: PHONE },
+            async (page) => {
+                /** @type {Record<string, unknown>} */
+                const wide = {};
+                for (const [name, enter] of Object.entries(STATES)) {
+                    if (ENGLISH.has(name)) continue;
+                    await page.goto(`${ADDRESS}?lang=${language}&again=${encodeURIComponent(name)}${TREE}`);
+                    await page.waitForSelector('#stage.inked');
+                    await enter(page);
+                    const found = await tooWide(page);
+                    if (found.length) wide[name] = found;
+                }
+                assert.deepEqual(wide, {});
+            },
+        ));
+}
+
+test('the lesson and the documents have the language of the page', () =>
+    withPage(
+        { address: `${ADDRESS}course.html?lang=fr`, also: ADDRESS, drawing: null, options: DESKTOP },
+        async (page) => {
+            await page.waitForSelector('html[lang=fr]');
+            assert.match((await page.title()) ?? '', /leçon/i);
+            await page.goto(`${ADDRESS}?lang=fr`);
+            await page.waitForSelector('#stage.inked');
+            await tab('save')(page);
+            const document = await page.getAttribute('.foot a[href^="docs/notation"]', 'href');
+            assert.equal(document, 'docs/notation.fr.html');
+            await page.goto(`${ADDRESS}${document}`);
+            assert.equal(await page.getAttribute('html', 'lang'), 'fr');
+        },
+    ));
