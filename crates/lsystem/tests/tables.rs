@@ -17,6 +17,7 @@ use lsystem::syntax::message::expected_words;
 use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value};
 use lsystem::{Definition, Dialect};
 use std::fmt::Write;
+use std::fs;
 
 /// The text between the types of a definition and its fields.
 const FIELD_TYPES: &str = " */
@@ -346,6 +347,28 @@ fn every_purpose_but_films_has_a_format() {
 fn the_pages_tables_are_those_of_the_core() {
     expect_file!["../../../www/js/tables.js"].assert_eq(&tables());
     expect_file!["../../../www/js/late-tables.js"].assert_eq(&late_tables());
+}
+
+/// The languages of the page: the folders of `www/lang`, by the names that they have for themselves.
+#[test]
+fn the_page_knows_the_languages() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../www/lang");
+    let mut languages: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|language| {
+            let language = language.unwrap();
+            let words = fs::read_to_string(language.path().join("words.json")).unwrap();
+            let words: serde_json::Value = serde_json::from_str(&words).unwrap();
+            format!("{}: '{}'", language.file_name().to_str().unwrap(), words["English"].as_str().unwrap())
+        })
+        .collect();
+    languages.sort();
+    let text = format!(
+        "/** The languages in `lang/`, each by its own name: written by `cargo xtask tables`, not by hand. */\n\
+         export const LANGUAGES = Object.freeze({{ en: 'English', {} }});\n",
+        languages.join(", ")
+    );
+    expect_file!["../../../www/js/languages.js"].assert_eq(&text);
 }
 
 #[test]
