@@ -10,6 +10,16 @@ export const WORKER = 'worker.js';
 /** @param {string} name */
 const embedded = (name) => document.querySelector(`script[data-file="${name}"]`);
 
+/**
+ * The address of this page with a hash, to be given to others: without the language of the one who gives it.
+ * @param {string} hash
+ */
+export function addressOf(hash) {
+    const address = new URL(hash, location.href);
+    address.search = '';
+    return address.href;
+}
+
 /** Whether the page is a single file. */
 export const isWhole = () => embedded(WASM) !== null;
 

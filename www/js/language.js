@@ -14,13 +14,14 @@ export function languageChoice() {
     choice.replaceChildren(...options);
     choice.value = language;
     choice.addEventListener('change', () => {
+        const address = new URL(location.href);
+        address.searchParams.delete('lang');
         try {
             localStorage.setItem('language', choice.value);
         } catch {
-            // Without storage, the address alone names the language.
+            // Without storage, the address names the language.
+            address.searchParams.set('lang', choice.value);
         }
-        const address = new URL(location.href);
-        address.searchParams.set('lang', choice.value);
         history.replaceState(history.state, '', address);
         location.reload();
     });

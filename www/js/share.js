@@ -1,5 +1,6 @@
 /** The share dialog: the link, its QR code, and embed code for other pages. */
 
+import { addressOf } from './files.js';
 import styles from '../css/share.css';
 import { copies, copyKeys } from './copy.js';
 import { download, fileName } from './download.js';
@@ -46,8 +47,6 @@ export function createShare(page) {
 
     /** The state to share. */
     const shared = () => (withView.checked ? store.state : { ...store.state, view: null });
-    /** @param {string} hash */
-    const address = (hash) => new URL(hash, location.href).href;
 
     async function refresh() {
         const own = ++turn;
@@ -55,11 +54,11 @@ export function createShare(page) {
         html('share-view-row').hidden = store.state.view === null;
         const [best, shortest] = await Promise.all([bestLink(state), shortestLink(state)]);
         if (own !== turn) return;
-        link.value = address(best);
+        link.value = addressOf(best);
         setText(html('share-link-note'), linkNote(link.value));
         showCode(state, best);
         as.refresh();
-        await showQr(address(shortest), own);
+        await showQr(addressOf(shortest), own);
     }
 
     /** @param {string} href */
@@ -94,7 +93,7 @@ export function createShare(page) {
         const codes = {
             frame: () => frameCode(state, best, page, chosen),
             element: () => elementCode(state, stable('l-system.js'), chosen),
-            markdown: () => markdownCode(state, address(best)),
+            markdown: () => markdownCode(state, addressOf(best)),
         };
         const wanted = /** @type {keyof typeof codes} */ (form());
         code.value = codes[wanted]();
@@ -104,7 +103,7 @@ export function createShare(page) {
         html('embed-options').hidden = !framed;
         html('embed-shown').hidden = !framed || onDisk;
         if (part.open && framed && !onDisk && dialog.open)
-            preview.show(frameAddress(best, address('embed.html'), chosen), chosen);
+            preview.show(frameAddress(best, addressOf('embed.html'), chosen), chosen);
         else preview.hide();
     }
 

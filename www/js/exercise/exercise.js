@@ -1,5 +1,6 @@
 /** An exercise on the embedded page: the task, the target, the mark of the own drawing, hints, and handing in. */
 
+import { addressOf } from '../files.js';
 import { announce, toast } from '../announce.js';
 import { isDark } from '../colour-schemes.js';
 import { copyKeys, copyText } from '../copy.js';
@@ -229,7 +230,7 @@ export function createExercise(store, { text, own: variantText, variant, about, 
             );
     });
     button('hand-in').addEventListener('click', async () => {
-        const address = new URL(link(), location.href).href;
+        const address = addressOf(link());
         if (await copyText(address)) return toast(say`Your answer is copied as a link. Paste it where you hand it in.`);
         const field = input('answer-link');
         field.hidden = false;

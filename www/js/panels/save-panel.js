@@ -1,5 +1,6 @@
 /** The Save section: title, link, files, and opening files. */
 
+import { addressOf } from '../files.js';
 import { toast } from '../announce.js';
 import { copyText } from '../copy.js';
 import { button, byId, input, setValue } from '../dom.js';
@@ -20,7 +21,7 @@ export function savePanel(store, dialogs) {
     showTitle();
 
     button('copy-link').addEventListener('click', async () => {
-        const address = new URL(await bestLink(store.state), location.href).href;
+        const address = addressOf(await bestLink(store.state));
         if (await copyText(address)) toast(say`Link copied`);
         else await (await dialogs.part('share'))?.select();
     });
