@@ -3,6 +3,7 @@
 use crate::cli::Cli;
 use clap::builder::StyledStr;
 use clap::{Arg, Command, CommandFactory};
+use lsystem::base::say;
 use lsystem::base::words::said;
 
 /// The command line with all its texts in the reader's language.
@@ -27,7 +28,9 @@ fn translated(mut command: Command) -> Command {
     }
     let option = |mut arg: Arg| {
         if let Some(help) = text(arg.get_help()) {
-            arg = arg.help(help);
+            // The name of the language tells which one it is.
+            let is_language = arg.get_id() == "language";
+            arg = arg.help(if is_language { format!("{help} ({})", say!("English")) } else { help });
         }
         match text(arg.get_long_help()) {
             Some(help) => arg.long_help(help),
@@ -54,7 +57,9 @@ mod tests {
     #[test]
     fn all_texts_of_the_help_are_listed() {
         let mut found = BTreeSet::new();
-        texts(&command(), &mut found);
+        let mut command = Cli::command();
+        command.build();
+        texts(&command, &mut found);
         let list = serde_json::to_string_pretty(&found).unwrap();
         expect_test::expect_file!["../help.json"].assert_eq(&format!("{list}\n"));
     }

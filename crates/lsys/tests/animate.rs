@@ -18,6 +18,7 @@ fn folder() -> tempfile::TempDir {
 
 fn lsys(folder: &Path, line: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.env("LC_ALL", "C");
     let command = command.args(line.split(' ')).current_dir(folder).stdin(Stdio::null());
     command.output().expect("lsys runs")
 }

@@ -21,6 +21,7 @@ fn told(line: &str, output: &str, code: i32, expected: &Expect) {
 /// Runs `lsys` in a folder, with a text as standard input. Returns the exit code and all that is printed.
 fn lsys(folder: &Path, line: &str, input: &str) -> (Option<i32>, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.env("LC_ALL", "C");
     let command = command.args(line.split(' ')).current_dir(folder).stdin(Stdio::piped());
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("lsys starts");
     // A program that reads no input closes the pipe.

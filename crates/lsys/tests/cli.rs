@@ -17,6 +17,7 @@ fn lsys(arguments: &[impl AsRef<OsStr>]) -> Output {
 
 fn command(arguments: &[impl AsRef<OsStr>]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.env("LC_ALL", "C");
     command.args(arguments).current_dir(root()).stdin(Stdio::null());
     command
 }

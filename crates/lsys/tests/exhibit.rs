@@ -4,7 +4,12 @@ use std::path::Path;
 use std::process::Command;
 
 fn lsys(folder: &Path, words: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_lsys")).args(words).current_dir(folder).output().expect("lsys runs");
+    let output = Command::new(env!("CARGO_BIN_EXE_lsys"))
+        .env("LC_ALL", "C")
+        .args(words)
+        .current_dir(folder)
+        .output()
+        .expect("lsys runs");
     (output.status.code(), String::from_utf8([output.stdout, output.stderr].concat()).expect("UTF-8"))
 }
 

@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use std::process::Command;
 
 fn told(words: &[&str], expected: &Expect) {
-    let output = Command::new(env!("CARGO_BIN_EXE_lsys")).args(words).output().expect("lsys runs");
+    let output = Command::new(env!("CARGO_BIN_EXE_lsys")).env("LC_ALL", "C").args(words).output().expect("lsys runs");
     let text = String::from_utf8([output.stdout, output.stderr].concat()).expect("UTF-8");
     expected.assert_eq(&format!("{:?}\n{text}", output.status.code()));
 }
@@ -67,7 +67,7 @@ fn rules_are_found() {
 
 /// Runs `lsys` and gives its exit code and what it printed.
 fn output(words: &[&str]) -> (Option<i32>, Vec<u8>) {
-    let output = Command::new(env!("CARGO_BIN_EXE_lsys")).args(words).output().expect("lsys runs");
+    let output = Command::new(env!("CARGO_BIN_EXE_lsys")).env("LC_ALL", "C").args(words).output().expect("lsys runs");
     (output.status.code(), [output.stdout, output.stderr].concat())
 }
 
@@ -125,7 +125,7 @@ fn pictures_have_bounds() {
         let path = folder.path().join("striped.png");
         striped(&path, side);
         let script = format!("ulimit -v 500000; {} find {}", env!("CARGO_BIN_EXE_lsys"), path.display());
-        let output = Command::new("sh").args(["-c", &script]).output().expect("a shell");
+        let output = Command::new("sh").env("LC_ALL", "C").args(["-c", &script]).output().expect("a shell");
         let told = String::from_utf8(output.stderr).expect("UTF-8");
         assert!(output.status.code() == Some(1) && told.contains(why), "{side}: {told}");
     }

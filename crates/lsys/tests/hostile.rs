@@ -13,6 +13,7 @@ fn root() -> PathBuf {
 /// The command `lsys` with the words of `line`, in the repository's root.
 fn command(line: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.env("LC_ALL", "C");
     command.args(line.split(' ')).current_dir(root()).stdin(Stdio::null());
     command
 }
@@ -21,7 +22,13 @@ fn command(line: &str) -> Command {
 #[cfg(unix)]
 fn shell(script: &str) -> Output {
     let mut command = Command::new("sh");
-    command.args(["-c", script]).env("lsys", env!("CARGO_BIN_EXE_lsys")).current_dir(root()).stdin(Stdio::null());
+    command.env("LC_ALL", "C");
+    command
+        .args(["-c", script])
+        .env("LC_ALL", "C")
+        .env("lsys", env!("CARGO_BIN_EXE_lsys"))
+        .current_dir(root())
+        .stdin(Stdio::null());
     command.output().expect("a shell")
 }
 
@@ -276,7 +283,11 @@ fn desk() -> TempDir {
 #[cfg(unix)]
 fn shell_in(folder: &TempDir, script: &str) -> (Option<i32>, String) {
     let mut command = Command::new("bash");
-    let command = command.args(["-c", script]).env("lsys", env!("CARGO_BIN_EXE_lsys")).current_dir(folder.path());
+    let command = command
+        .args(["-c", script])
+        .env("LC_ALL", "C")
+        .env("lsys", env!("CARGO_BIN_EXE_lsys"))
+        .current_dir(folder.path());
     let Output { status, stderr, .. } = command.stdin(Stdio::null()).output().expect("a shell");
     (status.code(), text(&stderr))
 }
@@ -387,6 +398,7 @@ fn signals_leave_nothing_of_ours_in_a_pyramid() {
     for (name, number) in [("HUP", 1), ("INT", 2), ("TERM", 15)] {
         let folder = desk();
         let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+        command.env("LC_ALL", "C");
         let command = command.args("tiles a.json p --levels 0..20 -n 9".split(' ')).current_dir(folder.path());
         let mut child = command.stdin(Stdio::null()).stderr(Stdio::null()).spawn().expect("lsys starts");
         while !folder.path().join("p/tiles_files/9").exists() {
@@ -405,6 +417,7 @@ fn signals_leave_nothing_of_ours_in_a_pyramid() {
 fn what_a_killed_program_left_is_removed_by_the_next() {
     let folder = desk();
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.env("LC_ALL", "C");
     let command = command.args("animate a.json --to a.gif -n 9".split(' ')).current_dir(folder.path());
     let mut child = command.stdin(Stdio::null()).stderr(Stdio::null()).spawn().expect("lsys starts");
     let rest = || names(folder.path()).into_iter().find(|name| name.starts_with(".lsys-"));

@@ -6,6 +6,7 @@ use std::process::{Command, Output, Stdio};
 
 fn lsys(folder: &Path, line: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.env("LC_ALL", "C");
     command.args(line.split(' ')).current_dir(folder).stdin(Stdio::null()).output().expect("lsys starts")
 }
 

@@ -12,6 +12,7 @@ use std::sync::LazyLock;
 /// Runs `lsys` in a folder, with a limit of its processor time and memory.
 fn lsys(folder: &Path, words: &[String]) -> Output {
     let mut command = Command::new("sh");
+    command.env("LC_ALL", "C");
     command.args(["-c", "ulimit -t 60; ulimit -f 200000; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_lsys")]);
     command.args(words).current_dir(folder).stdin(Stdio::null()).output().expect("lsys starts")
 }

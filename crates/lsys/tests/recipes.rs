@@ -63,6 +63,7 @@ impl Place {
     fn run(&self, folder: &str, line: &str) -> (bool, String) {
         let path = format!("{}:{}", self.path("bin").display(), std::env::var("PATH").unwrap());
         let mut command = Command::new("sh");
+        command.env("LC_ALL", "C");
         command.args(["-c", line]).current_dir(self.path(folder)).env("PATH", path).stdin(Stdio::null());
         command.env("testWorkingDirectory", "tests").env("studentParentWorkingDirectoryName", "assignment");
         let Output { status, stdout, stderr } = command.output().unwrap();

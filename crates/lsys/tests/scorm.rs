@@ -9,7 +9,12 @@ const STEPS: &str =
     "<!doctype html>\n<html lang=\"en\"><title>T</title><h1>T</h1><!-- steps -->S<!-- /steps --></html>";
 
 fn lsys(folder: &Path, words: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_lsys")).args(words).current_dir(folder).output().expect("lsys runs");
+    let output = Command::new(env!("CARGO_BIN_EXE_lsys"))
+        .env("LC_ALL", "C")
+        .args(words)
+        .current_dir(folder)
+        .output()
+        .expect("lsys runs");
     (output.status.code(), String::from_utf8([output.stdout, output.stderr].concat()).expect("UTF-8"))
 }
 

@@ -12,6 +12,7 @@ fn shape(name: &str, content: &[u8]) -> (Option<i32>, String, String) {
 
 fn lsys(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.env("LC_ALL", "C");
     let output = command.args(arguments).current_dir(folder).stdin(Stdio::null()).output().expect("lsys starts");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
     (output.status.code(), text(output.stdout), text(output.stderr))

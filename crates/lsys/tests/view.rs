@@ -16,6 +16,7 @@ const PAGE: &str = "<!doctype html>\n<html><head><meta http-equiv=\"Content-Secu
 
 fn program(words: &[&Path]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
+    command.env("LC_ALL", "C");
     command.args(words).stdin(Stdio::null());
     command
 }
