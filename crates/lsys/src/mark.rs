@@ -58,13 +58,14 @@ fn write_table(out: &mut dyn Write, marked: &[Marked]) -> io::Result<()> {
         out,
         "{name:widest$}  {by:signed$}  {solved_head:wide$}  {agrees:percents$}  {symbols:counts$}  {remark}"
     )?;
+    let (percents, counts) = (percents + 1, counts + 1);
     for one in marked {
         let solved = if one.is_solved() { say!("yes") } else { say!("no") };
         let percent = one.percent();
         let (name, by) = (visible(&one.answer.name), visible(&one.answer.by));
         writeln!(
             out,
-            "{name:widest$}  {by:signed$}  {solved:wide$}  {percent:>percents$}  {:>counts$}  {}",
+            "{name:widest$}  {by:signed$}  {solved:wide$} {percent:>percents$} {:>counts$}  {}",
             one.symbols(),
             visible(&one.words())
         )?;
