@@ -164,6 +164,8 @@ function ofTables(add) {
         } else if (Array.isArray(value)) for (const one of value) ofJson(name, one, key);
         else if (value) for (const [inside, one] of Object.entries(value)) ofJson(name, one, inside);
     };
+    // The help of the program, but for the lines that are made of other texts.
+    for (const text of JSON.parse(read('crates/lsys/help.json'))) if (!/\[default: /.test(text)) add('crates/lsys/help.json', text);
     ofJson('www/exercises.json', JSON.parse(read('www/exercises.json')));
     for (const name of list('data_in', '.json')) {
         try {
