@@ -11,7 +11,6 @@ import { say } from '../words.js';
 /** @typedef {import('../state.js').FieldName} FieldName */
 
 /** What the report says of a symbol without actions. */
-/** As the core says it. */
 const SILENT = say`draws nothing`;
 
 /** @param {import('../store.js').Store} store */
