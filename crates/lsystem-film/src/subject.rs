@@ -117,7 +117,9 @@ impl Subject {
         match self {
             Self::View => say!("3 or 5 numbers: x/y/zoom or x/y/zoom/fx/fy"),
             Self::Camera => say!("1 to 7 numbers: azimuth/elevation/zoom/x/y/z/fade"),
-            Self::Field(FieldSpec { expected: Expected::Each(count, _), .. }) => counted!(*count as u64, "{} number", "{} numbers"),
+            Self::Field(FieldSpec { expected: Expected::Each(count, _), .. }) => {
+                counted!(*count as u64, "{} number", "{} numbers")
+            }
             _ => say!("one number"),
         }
     }

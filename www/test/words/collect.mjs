@@ -142,12 +142,15 @@ function unescape(text) {
 
 /** @param {Add} add */
 function ofTables(add) {
+    /** @type {string[]} */
+    const told = [];
     for (const name of ['www/js/tables.js', 'www/js/late-tables.js']) {
         const tree = parse(read(name), { ecmaVersion: 'latest', sourceType: 'module' });
         visit(tree, (node) => {
             if (node.type !== 'Property') return;
             const [key, text] = [node.key.name ?? node.key.value, literal(node.value)];
             if (text !== null && ['label', 'help', 'task', 'unit', 'expected'].includes(key)) add(name, text);
+            if (text !== null && key === 'help') told.push(text);
             // The names of choices.
             if (key === 'words')
                 visit(node.value, (inside) => inside.type === 'Property' && add(name, literal(inside.value) ?? ''));
@@ -164,8 +167,10 @@ function ofTables(add) {
         } else if (Array.isArray(value)) for (const one of value) ofJson(name, one, key);
         else if (value) for (const [inside, one] of Object.entries(value)) ofJson(name, one, inside);
     };
-    // The help of the program, but for the lines that are made of other texts.
-    for (const text of JSON.parse(read('crates/lsys/help.json'))) if (!/\[default: /.test(text)) add('crates/lsys/help.json', text);
+    // The help of the program, but for the lines that it makes of the help of options.
+    for (const text of JSON.parse(read('crates/lsys/help.json')))
+        if (!told.some((option) => text !== option && text.startsWith(option) && text.includes('[default: ')))
+            add('crates/lsys/help.json', text);
     ofJson('www/exercises.json', JSON.parse(read('www/exercises.json')));
     for (const name of list('data_in', '.json')) {
         try {

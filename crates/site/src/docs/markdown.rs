@@ -36,6 +36,8 @@ pub(super) struct Document {
     pub(super) images: Vec<String>,
     /// The levels and ids of all headings.
     headings: Vec<(HeadingLevel, String)>,
+    /// How many rows its tables have.
+    rows: usize,
 }
 
 /// Renders a document. A translated one has the headings of the original, in order, with their ids, so that links to
@@ -45,6 +47,7 @@ pub(super) fn render(text: &str, site: &Site, original: Option<&Document>) -> Re
         site,
         given: original.map(|original| &*original.headings),
         headings: vec![],
+        rows: 0,
         out: vec![],
         ids: HashMap::new(),
         sections: vec![],
@@ -93,9 +96,15 @@ pub(super) fn render(text: &str, site: &Site, original: Option<&Document>) -> Re
     html::push_html(&mut body, renderer.out.into_iter());
     if let Some(original) = original {
         ensure!(renderer.headings.len() == original.headings.len(), "the original has other sections");
+        ensure!(
+            renderer.rows == original.rows,
+            "the original has {} rows of tables, this {}",
+            original.rows,
+            renderer.rows
+        );
         ensure!(renderer.images == original.images, "the original has other pictures");
     }
-    Ok(Document { title, summary, body, images: renderer.images, headings: renderer.headings })
+    Ok(Document { title, summary, body, images: renderer.images, headings: renderer.headings, rows: renderer.rows })
 }
 
 /// The events up to the end of an element, without the end.
@@ -108,6 +117,7 @@ struct Renderer<'a, 's> {
     /// The headings of the original.
     given: Option<&'s [(HeadingLevel, String)]>,
     headings: Vec<(HeadingLevel, String)>,
+    rows: usize,
     out: Vec<Event<'a>>,
     /// How many headings have had an id so far.
     ids: HashMap<String, usize>,
@@ -165,6 +175,10 @@ impl<'a> Renderer<'a, '_> {
             Event::Code(code) => {
                 let class = if code.chars().count() <= SHORT_CODE { " class=\"short\"" } else { "" };
                 self.inline(format!("<code{class}>{}</code>", escape(&code)));
+            }
+            Event::Start(Tag::TableRow) => {
+                self.rows += 1;
+                self.out.push(event);
             }
             // A table can be wider than a phone. Scrolling by keyboard needs the focus, and the focus a name.
             Event::Start(Tag::Table(alignments)) => {
