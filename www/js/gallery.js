@@ -89,7 +89,7 @@ export function createGallery({ store, engine, restyle, theme }) {
             { type: 'button', class: 'card', 'data-path': entry.path, 'aria-describedby': 'gallery-about' },
             place,
             make('span', { class: 'card-title' }, said(definition.title || definition.name)),
-            make('span', { class: 'card-kind' }, shortSource(definition.source)),
+            make('span', { class: 'card-kind', lang: '' }, shortSource(said(definition.source))),
         );
         for (const event of ['focus', 'pointerenter']) card.addEventListener(event, () => tell(definition));
         for (const event of ['blur', 'pointerleave'])

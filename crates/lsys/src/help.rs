@@ -48,7 +48,7 @@ mod tests {
     fn texts(command: &Command, found: &mut BTreeSet<String>) {
         let own = [command.get_about(), command.get_long_about(), command.get_after_help()];
         let options = command.get_arguments().flat_map(|arg| [arg.get_help(), arg.get_long_help()]);
-        let texts = own.into_iter().chain(options).flatten().map(|text| text.to_string());
+        let texts = own.into_iter().chain(options).flatten().map(ToString::to_string);
         found.extend(texts.filter(|text| !text.is_empty()));
         command.get_subcommands().for_each(|command| self::texts(command, found));
     }

@@ -138,7 +138,7 @@ impl<'a> Code<'a> {
             let place = draft.place(form);
             match definition(form) {
                 Some((symbol, Defined::Same(other))) => {
-                    draft.read(place, say!("{} does the same as {}", symbol, other))
+                    draft.read(place, say!("{} does the same as {}", symbol, other));
                 }
                 Some((symbol, Defined::Nothing)) => draft.read(place, say!("{} does nothing", symbol)),
                 _ if ["(require", "(provide"].iter().any(|word| form.starts_with(word)) => draft.pass(place),

@@ -117,7 +117,8 @@ export const STATES = {
     growth: async (page) => {
         await page.click('#open-playback');
         await page.click('#grow');
-        await until(async () => /generation/.test((await page.textContent('#play-total')) ?? ''), 'growth is shown');
+        await page.waitForSelector('#grow[aria-pressed=true]');
+        await until(async () => (await page.textContent('#play-total')) !== '', 'growth is shown');
         await page.click('#play');
     },
     favourites: async (page) => {

@@ -164,6 +164,8 @@ function ofTables(add) {
     const ofJson = (name, value, key = '') => {
         if (typeof value === 'string') {
             if (['title', 'notes', 'task', 'hints'].includes(key)) add(name, value);
+            // Sources are citations, or these words.
+            if (key === 'source' && /^(Composed|Found by) [^,;(]*$/.test(value)) add(name, value);
         } else if (Array.isArray(value)) for (const one of value) ofJson(name, one, key);
         else if (value) for (const [inside, one] of Object.entries(value)) ofJson(name, one, inside);
     };

@@ -115,7 +115,7 @@ impl<'c> File<'c> {
             Class::Other => match arrow(text) {
                 Some((at, length)) => self.rule(text, at, length, places, draft),
                 None => {
-                    draft.refuse_at(places.of(text), say!("This line is no statement of cpfg: it has no arrow `-->`"))
+                    draft.refuse_at(places.of(text), say!("This line is no statement of cpfg: it has no arrow `-->`"));
                 }
             },
         }
@@ -166,7 +166,7 @@ impl<'c> File<'c> {
             }
             "define" => code::define(rest, &mut self.parts, places, draft),
             "end" => {
-                draft.note_at(place, say!("This code runs behind the last step and changes nothing that is drawn"))
+                draft.note_at(place, say!("This code runs behind the last step and changes nothing that is drawn"));
             }
             "starteach" | "endeach" | "start each" | "end each" => {
                 let is_before = word.starts_with("start");

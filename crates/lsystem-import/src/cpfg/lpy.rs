@@ -164,7 +164,7 @@ impl<'c> File<'c> {
                 draft.read(place, say!("the depth of the interpretation"));
             }
             "group" if rest.trim_end_matches(':').trim() == "0" => {
-                draft.read(place, say!("the group that always counts"))
+                draft.read(place, say!("the group that always counts"));
             }
             "endgroup" => draft.read(place, say!("the end of a group")),
             "group" => draft.refuse_at(place, say!("Groups of productions, which code chooses, are not possible")),
@@ -255,9 +255,9 @@ impl<'c> File<'c> {
         }
         if is_quiet(text) {
             return if text.contains("setAngleIncrement(") {
-                draft.pass(whole)
+                draft.pass(whole);
             } else {
-                draft.note_at(whole, said(NOT_RUN))
+                draft.note_at(whole, said(NOT_RUN));
             };
         }
         if ["from ", "import ", "__", "context()", "@"].iter().any(|start| text.starts_with(start)) {
