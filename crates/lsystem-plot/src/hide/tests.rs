@@ -7,7 +7,7 @@ use super::hidden;
 use super::outline::outline;
 use super::scene::{Body, Joints, Scene, Shape};
 use super::span::{Span, rest};
-use super::visible::Visible;
+use super::visible::{On, Visible};
 use crate::options::PlotOptions;
 use crate::page::Page;
 use crate::sheet::Sheet;
@@ -213,7 +213,7 @@ fn the_grid_finds_all_that_hides_a_line() {
             for ends in lines(&scene, body) {
                 let Some(line) = Sight::new(ends) else { continue };
                 let expected = parts(&scene, number, &line);
-                visible.find(number, ends, &line, &mut Meter::new(0)).unwrap();
+                visible.find(On { number, faces: None }, ends, &line, &mut Meter::new(0)).unwrap();
                 let found: Vec<Span> = visible.parts().collect();
                 let length = |spans: &[Span]| spans.iter().map(|span| span.high - span.low).sum::<f64>();
                 assert!((length(&found) - length(&expected)).abs() < 1e-6, "{number} {ends:?} {found:?} {expected:?}");

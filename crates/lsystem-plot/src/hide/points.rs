@@ -1,0 +1,94 @@
+//! The points of the turtle's path in space at which bodies begin, bend and end.
+//!
+//! A branch begins inside the end of its stem: bodies that meet at a point of the path are one shape there, and do not
+//! pass through each other.
+
+use super::body::Place;
+use super::scene::{Body, Scene, Shape};
+use crate::cells::Cells;
+use crate::merge::JOINT;
+use lsystem_syntax::{Halt, Work};
+
+/// No body.
+const NONE: u32 = u32::MAX;
+/// The most strokes of a path that are followed back.
+const FOLLOWED: usize = 16;
+
+/// The points of a scene in space.
+#[derive(Debug, Default)]
+pub(super) struct Points {
+    /// The range of each body in `numbers`.
+    starts: Vec<usize>,
+    /// By body: the numbers of its points.
+    numbers: Vec<u32>,
+    /// By number: the first stroke that ends there, or [`NONE`].
+    into: Vec<u32>,
+}
+
+impl Points {
+    /// Numbers the points of all bodies.
+    pub(super) fn new(scene: &Scene, work: &mut dyn Work) -> Result<Self, Halt> {
+        let (mut sheet, mut space) = (Cells::new([JOINT; 2]), Cells::new([JOINT; 2]));
+        let mut points = Self { starts: vec![0], ..Self::default() };
+        for (number, body) in (0..).zip(&scene.bodies) {
+            let places = scene.places(body);
+            work.charge(2 * places.len() as u64)?;
+            for &[x, y, depth] in places {
+                let column = sheet.number(0, [x, y]).0;
+                let (point, is_new) = space.number(column, [depth, 0.0]);
+                if is_new {
+                    points.into.push(NONE);
+                }
+                points.numbers.push(point);
+            }
+            if !matches!(body.shape, Shape::Face { .. }) {
+                let into = &mut points.into[points.numbers[points.numbers.len() - 1] as usize];
+                *into = number.min(*into);
+            }
+            points.starts.push(points.numbers.len());
+        }
+        Ok(points)
+    }
+
+    fn of(&self, body: u32) -> &[u32] {
+        &self.numbers[self.starts[body as usize]..self.starts[body as usize + 1]]
+    }
+
+    /// The number of points of one body that another one has, too.
+    fn shared(&self, a: u32, b: u32) -> usize {
+        let others = self.of(b);
+        self.of(a).iter().filter(|point| others.contains(point)).count()
+    }
+
+    /// Whether two bodies are parts of one shape: faces with a common edge, or others with a common point. So are a tube
+    /// and a later body if the path leads to this one without leaving the tube.
+    pub(super) fn are_joined(&self, scene: &Scene, [first, last]: [u32; 2]) -> bool {
+        let Shape::Tube(tube) = &scene.bodies[first as usize].shape else {
+            let is_face = matches!(scene.bodies[last as usize].shape, Shape::Face { .. });
+            return self.shared(first, last) >= if is_face { 2 } else { 1 };
+        };
+        let mut at = last;
+        for _ in 0..FOLLOWED {
+            if self.shared(first, at) > 0 {
+                return true;
+            }
+            let into = self.into[self.of(at)[0] as usize];
+            if into == NONE || into == at || !tube.contains(scene.places(&scene.bodies[at as usize])[0]) {
+                return false;
+            }
+            at = into;
+        }
+        false
+    }
+}
+
+impl Scene {
+    /// The ends of a stroke, or the vertices of a polygon.
+    pub(super) fn places<'a>(&'a self, body: &'a Body) -> &'a [Place] {
+        match &body.shape {
+            Shape::Line(ends) => ends,
+            Shape::Tube(tube) => &tube.ends,
+            Shape::Face { vertices, .. } => &self.vertices[vertices.start as usize..vertices.end as usize],
+        }
+    }
+}
