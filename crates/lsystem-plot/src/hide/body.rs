@@ -136,7 +136,8 @@ impl Tube {
 
     /// The stretch of a line within the tube. A tube is convex.
     pub(super) fn inside(&self, line: &Sight) -> Span {
-        self.ball(line, 0).with(self.ball(line, 1)).with(self.cone(line))
+        // The cone comes first: it may have one end only.
+        self.cone(line).with(self.ball(line, 0)).with(self.ball(line, 1))
     }
 
     /// The way from the axis to a place, through the surface at right angles.

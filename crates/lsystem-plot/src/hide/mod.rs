@@ -21,6 +21,8 @@ mod scene;
 mod span;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_pierce;
 mod visible;
 
 use crate::options::PlotOptions;

@@ -61,19 +61,27 @@ impl Points {
     }
 
     /// Whether two bodies are parts of one shape: faces with a common edge, or others with a common point. So are a tube
-    /// and a later body if the path leads to this one without leaving the tube.
-    pub(super) fn are_joined(&self, scene: &Scene, [first, last]: [u32; 2]) -> bool {
-        let Shape::Tube(tube) = &scene.bodies[first as usize].shape else {
-            let is_face = matches!(scene.bodies[last as usize].shape, Shape::Face { .. });
-            return self.shared(first, last) >= if is_face { 2 } else { 1 };
-        };
-        let mut at = last;
+    /// and a body to which the path leads from the tube without leaving it.
+    pub(super) fn are_joined(&self, scene: &Scene, pair: [u32; 2]) -> bool {
+        let [a, b] = pair;
+        let are_faces = pair.iter().all(|&body| matches!(scene.bodies[body as usize].shape, Shape::Face { .. }));
+        if are_faces {
+            return self.shared(a, b) >= 2;
+        }
+        self.leads(scene, a, b) || self.leads(scene, b, a)
+    }
+
+    /// Whether a body has a point of another one, or begins in it and follows such a body.
+    fn leads(&self, scene: &Scene, from: u32, to: u32) -> bool {
+        let tube = if let Shape::Tube(tube) = &scene.bodies[from as usize].shape { Some(tube) } else { None };
+        let mut at = to;
         for _ in 0..FOLLOWED {
-            if self.shared(first, at) > 0 {
+            if self.shared(from, at) > 0 {
                 return true;
             }
             let into = self.into[self.of(at)[0] as usize];
-            if into == NONE || into == at || !tube.contains(scene.places(&scene.bodies[at as usize])[0]) {
+            let start = scene.places(&scene.bodies[at as usize])[0];
+            if into == NONE || into == at || !tube.is_some_and(|tube| tube.contains(start)) {
                 return false;
             }
             at = into;

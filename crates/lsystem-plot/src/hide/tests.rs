@@ -16,24 +16,24 @@ use lsystem_drawing::{Drawing, Mark, System, draw};
 use lsystem_syntax::Definition;
 
 /// Pseudo-random numbers.
-struct Chance(u64);
+pub(super) struct Chance(pub(super) u64);
 
 impl Chance {
     /// A number from `low` to `high`.
-    fn number(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn number(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         low + (high - low) * ((self.0 >> 33) as f64 / (1u64 << 31) as f64)
     }
 
-    fn below(&mut self, count: u32) -> u32 {
+    pub(super) fn below(&mut self, count: u32) -> u32 {
         self.number(0.0, f64::from(count)) as u32
     }
 
-    fn place(&mut self, size: f64) -> Place {
+    pub(super) fn place(&mut self, size: f64) -> Place {
         [0, 1, 2].map(|_| self.number(0.0, size))
     }
 
-    fn tube(&mut self, size: f64) -> Tube {
+    pub(super) fn tube(&mut self, size: f64) -> Tube {
         let from = self.place(size);
         // Some tubes are short, stand upright on the sheet or have a sharp end.
         let to = match self.below(6) {
@@ -124,7 +124,7 @@ fn polygons_hide_what_lies_behind_their_planes() {
 }
 
 /// A scene of random strokes and polygons. Some tubes go on where another ends.
-fn scene(chance: &mut Chance, count: u32, is_solid: bool) -> Scene {
+pub(super) fn scene(chance: &mut Chance, count: u32, is_solid: bool) -> Scene {
     let mut scene = Scene { same: 1e-3, is_solid, ..Scene::default() };
     for mark in 0..count {
         let layer = chance.below(2);

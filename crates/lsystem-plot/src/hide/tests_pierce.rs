@@ -1,0 +1,245 @@
+//! Lines where bodies pass through each other, against samples of their surfaces.
+
+use super::body::{Facet, Place, Sight, Tube, winding};
+use super::grid::Grid;
+use super::meet::{Face, faces, tube_and_face};
+use super::pierce::Pierce;
+use super::points::Points;
+use super::scene::{Scene, Shape};
+use super::tests::{Chance, scene};
+use super::visible::{On, Visible};
+use crate::options::PlotOptions;
+use crate::page::Page;
+use crate::pens::Pens;
+use crate::sheet::Sheet;
+use lsystem_base::{Limits, Meter};
+use lsystem_drawing::{Figure, Outlook, System};
+use lsystem_syntax::{Definition, Dialect};
+
+/// The side of a square of samples.
+const SIDE: f64 = 0.1;
+const EXACT: f64 = 0.02;
+
+/// A random polygon in a plane.
+fn face(chance: &mut Chance) -> (Facet, Vec<Place>) {
+    let mut slope = || chance.number(-1.5, 1.5);
+    let slope = [slope(), slope()];
+    let plane = Facet { depth: 5.0 - 5.0 * slope[0] - 5.0 * slope[1], slope };
+    let vertices = (0..3 + chance.below(4)).map(|_| {
+        let [x, y, _] = chance.place(10.0);
+        [x, y, plane.at([x, y])]
+    });
+    let vertices = vertices.collect();
+    (plane, vertices)
+}
+
+/// The distance of a point of the sheet from lines.
+fn distance(lines: &[[Place; 2]], [x, y]: [f64; 2]) -> f64 {
+    let to = |[a, b]: &[Place; 2]| {
+        let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+        let part = (((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+        ((x - a[0] - part * dx).powi(2) + (y - a[1] - part * dy).powi(2)).sqrt()
+    };
+    lines.iter().map(to).fold(f64::INFINITY, f64::min)
+}
+
+/// Compares lines on a face with samples of its plane: `inside` changes its sign at a line, and nowhere else within the
+/// polygons. Returns the numbers of the changes and of the points of lines.
+fn compare(
+    lines: &[[Place; 2]],
+    polygons: &[&[Place]],
+    plane: &Facet,
+    inside: impl Fn(Place) -> f64,
+    slack: f64,
+) -> [usize; 2] {
+    let at = |[x, y]: [f64; 2]| inside([x, y, plane.at([x, y])]);
+    let covers = |at: [f64; 2]| polygons.iter().all(|polygon| winding(polygon, at) != 0);
+    let mut counts = [0; 2];
+    for row in 0..100 {
+        for column in 0..100 {
+            let corner = [f64::from(column) * SIDE, f64::from(row) * SIDE];
+            let next = [[corner[0] + SIDE, corner[1]], [corner[0], corner[1] + SIDE]];
+            for next in next.into_iter().filter(|next| covers(corner) && covers(*next)) {
+                if (at(corner) > 0.0) != (at(next) > 0.0) {
+                    assert!(distance(lines, corner) < SIDE + slack, "{corner:?} {lines:?}");
+                    counts[0] += 1;
+                }
+            }
+        }
+    }
+    for &[a, b] in lines {
+        for number in 1..20 {
+            let part = f64::from(number) / 20.0;
+            let place = [0, 1, 2].map(|axis| a[axis] + part * (b[axis] - a[axis]));
+            assert!(inside(place).abs() < slack, "{place:?} {}", inside(place));
+            let around = (0..16).map(|way| {
+                let (sin, cos) = libm::sincos(f64::from(way) / 16.0 * core::f64::consts::TAU);
+                [place[0] + 1e-6 * cos, place[1] + 1e-6 * sin]
+            });
+            assert!(around.into_iter().any(covers), "{place:?}");
+            counts[1] += 1;
+        }
+    }
+    counts
+}
+
+#[test]
+fn faces_meet_where_one_passes_from_the_front_of_the_other_to_its_back() {
+    let mut chance = Chance(11);
+    let mut counts = [0; 2];
+    for _ in 0..200 {
+        let [a, b] = [face(&mut chance), face(&mut chance)];
+        let mut lines = vec![];
+        let pair = [&a, &b].map(|(plane, vertices)| Face { plane, vertices });
+        faces(pair, 1e-3, &mut lines);
+        let own = compare(&lines, &[&a.1, &b.1], &a.0, |[x, y, depth]| depth - b.0.at([x, y]), 1e-9);
+        counts = [counts[0] + own[0], counts[1] + own[1]];
+    }
+    assert!(counts[0] > 1000 && counts[1] > 500, "{counts:?}");
+}
+
+#[test]
+fn faces_in_one_plane_do_not_meet() {
+    let mut chance = Chance(12);
+    let (plane, vertices) = face(&mut chance);
+    let tilted = Facet { depth: plane.depth + 2e-4, slope: [plane.slope[0] - 4e-5, plane.slope[1]] };
+    for (other, same, is_met) in [(plane, 1e-3, false), (tilted, 1e-3, false), (tilted, 1e-6, true)] {
+        let mut lines = vec![];
+        faces([&plane, &other].map(|plane| Face { plane, vertices: &vertices }), same, &mut lines);
+        assert_eq!(!lines.is_empty(), is_met, "{lines:?}");
+    }
+}
+
+/// The distance of a place from the surface of a tube, less than 0 inside: that of the nearest of many balls.
+fn apart(tube: &Tube, place: Place) -> f64 {
+    let balls = (0..=400).map(|number| {
+        let part = f64::from(number) / 400.0;
+        let centre = [0, 1, 2].map(|axis| tube.ends[0][axis] + part * (tube.ends[1][axis] - tube.ends[0][axis]));
+        let away: f64 = (0..3).map(|axis| (place[axis] - centre[axis]).powi(2)).sum();
+        away.sqrt() - tube.radii[0] - part * (tube.radii[1] - tube.radii[0])
+    });
+    balls.fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn a_tube_meets_a_face_on_its_surface() {
+    let mut chance = Chance(13);
+    let mut counts = [0; 2];
+    for _ in 0..300 {
+        let (plane, vertices) = face(&mut chance);
+        let tube = chance.tube(10.0);
+        let mut lines = vec![];
+        tube_and_face(&tube, Face { plane: &plane, vertices: &vertices }, EXACT, &mut lines);
+        let own = compare(&lines, &[&vertices], &plane, |place| apart(&tube, place), 2.0 * EXACT);
+        counts = [counts[0] + own[0], counts[1] + own[1]];
+        assert!(lines.len() < 400, "{tube:?} {}", lines.len());
+    }
+    assert!(counts[0] > 500 && counts[1] > 5000, "{counts:?}");
+}
+
+/// The lines where bodies meet, with their bodies.
+fn met(scene: &Scene, grid: &Grid) -> Vec<(u32, [u32; 2], [Place; 2])> {
+    let mut pierce = Pierce::new(scene, grid, 0.3, &mut Meter::new(0)).unwrap();
+    let mut found = vec![];
+    for number in 0..scene.bodies.len() as u32 {
+        let each = &mut |on: On, edges: &[super::outline::Edge], _: &mut dyn lsystem_syntax::Work| {
+            found.extend(edges.iter().map(|edge| (on.number, on.faces.unwrap(), edge.ends)));
+            Ok(())
+        };
+        pierce.lines(number, &mut Meter::new(0), each).unwrap();
+    }
+    found
+}
+
+#[test]
+fn the_grid_finds_all_bodies_that_meet_where_they_are_visible() {
+    let mut chance = Chance(14);
+    let (mut pairs, mut length) = ([0; 2], 0.0);
+    for round in 0..16 {
+        let scene = scene(&mut chance, 5 + 12 * round, true);
+        let grid = Grid::new(&scene, &mut Meter::new(0)).unwrap();
+        let points = Points::new(&scene, &mut Meter::new(0)).unwrap();
+        let found = met(&scene, &grid);
+        let face = |number: u32| match &scene.bodies[number as usize].shape {
+            Shape::Face { plane: Some(plane), .. } => {
+                Some(Face { plane, vertices: scene.places(&scene.bodies[number as usize]) })
+            }
+            _ => None,
+        };
+        let tube =
+            |number: u32| if let Shape::Tube(tube) = &scene.bodies[number as usize].shape { Some(tube) } else { None };
+        let mut visible = Visible::new(&scene, &grid);
+        let mut visible = |on: On, ends: [Place; 2]| {
+            let line = Sight::new(ends).unwrap();
+            visible.find(on, ends, &line, &mut Meter::new(0)).unwrap();
+            let whole = ((ends[1][0] - ends[0][0]).powi(2) + (ends[1][1] - ends[0][1]).powi(2)).sqrt();
+            visible.parts().map(|span| span.high - span.low).sum::<f64>() * whole
+        };
+        for last in 0..scene.bodies.len() as u32 {
+            for first in 0..last {
+                let mut lines = vec![];
+                let faces_of = match (face(first), face(last)) {
+                    (Some(a), Some(b)) => {
+                        faces([a, b], scene.same, &mut lines);
+                        [first, last]
+                    }
+                    (Some(face), None) => {
+                        tube(last).into_iter().for_each(|tube| tube_and_face(tube, face, 0.015, &mut lines));
+                        [first, u32::MAX]
+                    }
+                    (None, Some(face)) => {
+                        tube(first).into_iter().for_each(|tube| tube_and_face(tube, face, 0.015, &mut lines));
+                        [last, u32::MAX]
+                    }
+                    (None, None) => continue,
+                };
+                let is_one = scene.bodies[first as usize].mark == scene.bodies[last as usize].mark;
+                if is_one || points.are_joined(&scene, [first, last]) {
+                    pairs[1] += usize::from(!lines.is_empty());
+                    continue;
+                }
+                let on = On { number: last, faces: Some(faces_of) };
+                let seen: f64 = lines.iter().map(|&line| visible(on, line)).sum();
+                let own = found.iter().filter(|(number, faces, _)| *number == last && *faces == faces_of);
+                let got: f64 = own.map(|&(_, _, line)| visible(on, line)).sum();
+                // Of several tubes through a face, each adds its own.
+                assert!(got >= seen - 1e-9, "{first} {last} {got} {seen}");
+                pairs[0] += usize::from(seen > 0.0);
+                length += seen;
+            }
+        }
+    }
+    assert!(pairs[0] > 200 && pairs[1] > 20 && length > 100.0, "{pairs:?} {length}");
+}
+
+/// The lines where bodies of a drawing meet.
+fn met_in(axiom: &str, rules: &str, n: u32) -> usize {
+    let definition = Definition {
+        axiom: axiom.into(),
+        rules: rules.into(),
+        angle: 40.0,
+        dialect: Dialect::Abop,
+        ..Definition::default()
+    };
+    let figure = Figure::draw(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap();
+    let drawing = figure.seen_from(&Outlook::default(), 100_000).unwrap();
+    let options = PlotOptions { hide: true, ..PlotOptions::default() };
+    let page = Page::new(&drawing, &Sheet::default(), &options);
+    let mut meter = Meter::new(0);
+    let mut pens = Pens::new(&page, &options);
+    let scene = Scene::read(&drawing, &definition.style, &page, &options, &mut pens, &mut meter).unwrap();
+    assert!(scene.is_solid && scene.bodies.len() > 1, "{scene:?}");
+    met(&scene, &Grid::new(&scene, &mut meter).unwrap()).len()
+}
+
+#[test]
+fn joints_have_no_rings() {
+    // Leaves and short, thick branches begin inside their stem.
+    let plant = "A -> !(w)F[&(50)A]/(130)F[&(40)L]/(70)A\nL -> {.-f.+f.+f.-|-f.+f.}\nw = 0.8";
+    assert_eq!(met_in("A", plant, 3), 0);
+    assert_eq!(met_in("!(0.9)F[&(50)!(0.3)f(0)F(0.2)F(0.2)F(0.2)F]F", "", 0), 0);
+    assert_eq!(met_in("!(0.9)F(2)[&(60)!(0.1)F(0.2)F(0.2){.-f.+f.+f.-|-f.+f.}]F", "", 0), 0);
+    // After a gap in the path, and where a leaf passes right through.
+    assert!(met_in("!(0.9)F(2)[&(60)f(0.01)!(0.1)F(0.2)F(0.2){.-f.+f.+f.-|-f.+f.}]F", "", 0) > 0);
+    assert!(met_in("!(0.4)F(3)&(20)f(-1.5)&(70)f(-1.2){.-f.+f.+f.-|-f.+f.}", "", 0) > 0);
+}
