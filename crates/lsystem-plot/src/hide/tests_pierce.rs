@@ -235,11 +235,11 @@ fn met_in(axiom: &str, rules: &str, n: u32) -> usize {
 #[test]
 fn joints_have_no_rings() {
     // Leaves and short, thick branches begin inside their stem.
-    let plant = "A -> !(w)F[&(50)A]/(130)F[&(40)L]/(70)A\nL -> {.-f.+f.+f.-|-f.+f.}\nw = 0.8";
+    let plant = "A -> !(w)F[&(50)A]/(130)F[&(40)L]/(70)A\nL -> {.-f.+f.+f.-|-f.+f.}\nw = 8";
     assert_eq!(met_in("A", plant, 3), 0);
-    assert_eq!(met_in("!(0.9)F[&(50)!(0.3)f(0)F(0.2)F(0.2)F(0.2)F]F", "", 0), 0);
-    assert_eq!(met_in("!(0.9)F(2)[&(60)!(0.1)F(0.2)F(0.2){.-f.+f.+f.-|-f.+f.}]F", "", 0), 0);
+    assert_eq!(met_in("!(9)F[&(50)!(3)F(0.01)F(0.01)F]F", "", 0), 0);
+    assert_eq!(met_in("!(9)F(2)[&(-60)!(1)F(0.01)F(0.01){.-f.+f.+f.-|-f.+f.}]F", "", 0), 0);
     // After a gap in the path, and where a leaf passes right through.
-    assert!(met_in("!(0.9)F(2)[&(60)f(0.01)!(0.1)F(0.2)F(0.2){.-f.+f.+f.-|-f.+f.}]F", "", 0) > 0);
-    assert!(met_in("!(0.4)F(3)&(20)f(-1.5)&(70)f(-1.2){.-f.+f.+f.-|-f.+f.}", "", 0) > 0);
+    assert!(met_in("!(9)F(2)[&(-60)f(0.002)!(1)F(0.01)F(0.01){.-f.+f.+f.-|-f.+f.}]F", "", 0) > 0);
+    assert!(met_in("!(4)F(3)&(20)f(-1.5)&(70)f(-1.2){.-f.+f.+f.-|-f.+f.}", "", 0) > 0);
 }
