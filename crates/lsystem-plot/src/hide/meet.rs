@@ -178,7 +178,7 @@ fn bulge(from: Border, to: Border) -> f64 {
     length / (1.0 / slopes[0] + 1.0 / slopes[1])
 }
 
-fn unit(way: Place) -> Place {
+pub(super) fn unit(way: Place) -> Place {
     let length = dot(way, way).sqrt();
     way.map(|part| part / length)
 }

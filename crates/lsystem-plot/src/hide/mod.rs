@@ -14,6 +14,7 @@ mod body;
 mod fill;
 mod grid;
 mod meet;
+mod meet_tubes;
 mod outline;
 mod pierce;
 mod points;

@@ -3,9 +3,10 @@
 use super::body::Place;
 use super::grid::Grid;
 use super::meet::{Face, faces, tube_and_face};
+use super::meet_tubes::tubes;
 use super::outline::{EXACT, Edge};
 use super::points::Points;
-use super::scene::{Scene, Shape};
+use super::scene::{Body, Scene, Shape};
 use super::visible::On;
 use lsystem_syntax::{Halt, Work};
 
@@ -91,26 +92,37 @@ impl<'a> Pierce<'a> {
     /// Finds the lines where two bodies meet. Returns the faces among them.
     fn meet(&mut self, pair: [u32; 2]) -> [u32; 2] {
         let scene = self.scene;
-        let face = |number: u32| match &scene.bodies[number as usize] {
-            body @ super::scene::Body { shape: Shape::Face { plane: Some(plane), .. }, .. } => {
-                Some(Face { plane, vertices: scene.places(body) })
+        let lines = &mut self.lines;
+        let [a, b] = pair.map(|number| &scene.bodies[number as usize]);
+        match (&a.shape, &b.shape) {
+            (Shape::Tube(first), Shape::Tube(last)) => {
+                tubes([first, last], self.exact, lines);
+                [NONE; 2]
             }
-            _ => None,
-        };
-        match pair.map(face) {
-            [Some(a), Some(b)] => {
-                faces([a, b], scene.same, &mut self.lines);
+            (Shape::Tube(tube), _) => {
+                scene.face(b).into_iter().for_each(|face| tube_and_face(tube, face, self.exact, lines));
+                [pair[1], NONE]
+            }
+            (_, Shape::Tube(tube)) => {
+                scene.face(a).into_iter().for_each(|face| tube_and_face(tube, face, self.exact, lines));
+                [pair[0], NONE]
+            }
+            _ => {
+                if let (Some(first), Some(last)) = (scene.face(a), scene.face(b)) {
+                    faces([first, last], scene.same, lines);
+                }
                 pair
             }
-            [Some(face), None] | [None, Some(face)] => {
-                let is_first = matches!(scene.bodies[pair[0] as usize].shape, Shape::Face { .. });
-                let [own, other] = if is_first { pair } else { [pair[1], pair[0]] };
-                if let Shape::Tube(tube) = &scene.bodies[other as usize].shape {
-                    tube_and_face(tube, face, self.exact, &mut self.lines);
-                }
-                [own, NONE]
-            }
-            [None, None] => [NONE; 2],
+        }
+    }
+}
+
+impl Scene {
+    /// A body as a polygon in its plane, if it is one.
+    pub(super) fn face<'a>(&'a self, body: &'a Body) -> Option<Face<'a>> {
+        match &body.shape {
+            Shape::Face { plane: Some(plane), .. } => Some(Face { plane, vertices: self.places(body) }),
+            _ => None,
         }
     }
 }

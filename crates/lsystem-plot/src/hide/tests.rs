@@ -46,7 +46,7 @@ impl Chance {
     }
 }
 
-fn tube(body: &Body) -> Option<Tube> {
+pub(super) fn tube(body: &Body) -> Option<Tube> {
     if let Shape::Tube(tube) = body.shape { Some(tube) } else { None }
 }
 
