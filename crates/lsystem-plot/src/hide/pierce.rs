@@ -55,8 +55,13 @@ impl<'a> Pierce<'a> {
             let bodies = pair.map(|number| &self.scene.bodies[number as usize]);
             work.charge(2 + (bodies[0].corners() + bodies[1].corners()) / 2)?;
             self.lines.clear();
+            let are_faces = bodies.iter().all(|body| matches!(body.shape, Shape::Face { .. }));
+            // Of pairs with tubes, most are joined. Few faces meet at all, and to compare all corners takes longer.
+            if !are_faces && self.points.are_joined(self.scene, pair) {
+                continue;
+            }
             let faces = self.meet(pair);
-            if self.lines.is_empty() || self.points.are_joined(self.scene, pair) {
+            if self.lines.is_empty() || are_faces && self.points.are_joined(self.scene, pair) {
                 continue;
             }
             work.charge(4 * self.lines.len() as u64)?;

@@ -155,7 +155,7 @@ pub(super) fn scene(chance: &mut Chance, count: u32, is_solid: bool) -> Scene {
         }
     }
     if !is_solid {
-        scene.joints = Joints::new(&scene.bodies, &mut Meter::new(0)).unwrap();
+        scene.joints = Joints::new(&mut scene.bodies, &mut Meter::new(0)).unwrap();
         scene.stack(&mut Meter::new(0)).unwrap();
     }
     scene
@@ -378,4 +378,24 @@ fn the_work_grows_with_the_strokes_and_not_with_their_pairs() {
     let [few, many] = [7, 10].map(work);
     assert!(few.1 > 2000 && many.1 > 25 * few.1, "{few:?} {many:?}");
     assert!(many.0 < 2 * 27 * few.0 && many.0 < 400 * many.1, "{few:?} {many:?}");
+}
+
+#[test]
+fn a_way_that_is_drawn_many_times_is_hidden_once() {
+    let plot = |n: u32| {
+        // Around a square, again and again.
+        let (axiom, rules) = ("!(3)F".into(), "F -> F+F".into());
+        let definition = Definition { axiom, rules, angle: 90.0, ..Definition::default() };
+        let (system, diagnostics) = System::new(&definition);
+        let drawing = draw(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), n, &Limits::default()).unwrap();
+        let options = PlotOptions { hide: true, ..PlotOptions::default() };
+        let page = Page::new(&drawing, &Sheet::default(), &options);
+        let mut meter = Meter::new(0);
+        let pens = hidden(&drawing, &definition.style, &page, &options, 1_000_000, &mut meter).unwrap();
+        (drawing.segment_count() as u64, meter.spent(), pens.strokes.finish(&mut Meter::new(0)).unwrap())
+    };
+    let (once, often) = (plot(2), plot(10));
+    assert!(once.0 >= 4 && often.0 > 200 * once.0, "{} {}", once.0, often.0);
+    assert_eq!(once.2, often.2);
+    assert!(often.1 < 40 * often.0, "{} {}", often.0, often.1);
 }
