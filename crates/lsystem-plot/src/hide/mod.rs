@@ -78,7 +78,10 @@ pub(crate) fn hidden(
         }
         let on = On { number, faces: None };
         draw.edges(on, body.layer, &edges, work)?;
-        pierce.lines(number, work, &mut |on, edges, work| draw.edges(on, body.layer, edges, work))?;
+        pierce.start(number, work)?;
+        while let Some((on, edges)) = pierce.next(work)? {
+            draw.edges(on, body.layer, edges, work)?;
+        }
         if options.hatch {
             edges.clear();
             let left = most.saturating_sub(draw.pens.count);

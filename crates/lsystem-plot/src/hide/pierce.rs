@@ -25,6 +25,8 @@ pub(super) struct Pierce<'a> {
     far: Vec<f64>,
     /// By how much a line may leave a tube's surface, in millimetres.
     exact: f64,
+    /// The body, and those before it that are left.
+    number: u32,
     others: Vec<u32>,
     lines: Vec<[Place; 2]>,
     edges: Vec<Edge>,
@@ -38,28 +40,28 @@ impl<'a> Pierce<'a> {
             false => Default::default(),
         };
         let far = if scene.is_solid { scene.bodies.iter().map(|body| scene.far(body)).collect() } else { vec![] };
-        let (others, lines, edges) = Default::default();
-        Ok(Self { scene, grid, points, starts, cells, far, exact: EXACT * pen, others, lines, edges })
+        let (number, others, lines, edges) = Default::default();
+        Ok(Self { scene, grid, points, starts, cells, far, exact: EXACT * pen, number, others, lines, edges })
     }
 
-    /// Gives the lines where a body meets those before it in the drawing, a list for each.
-    pub(super) fn lines(
-        &mut self,
-        number: u32,
-        work: &mut dyn Work,
-        each: &mut dyn FnMut(On, &[Edge], &mut dyn Work) -> Result<(), Halt>,
-    ) -> Result<(), Halt> {
-        self.find_others(number, work)?;
-        for at in 0..self.others.len() {
-            let pair = [self.others[at], number];
+    /// Starts with a body.
+    pub(super) fn start(&mut self, number: u32, work: &mut dyn Work) -> Result<(), Halt> {
+        self.number = number;
+        self.find_others(number, work)
+    }
+
+    /// The lines where the body meets the next one of those before it in the drawing.
+    pub(super) fn next(&mut self, work: &mut dyn Work) -> Result<Option<(On, &[Edge])>, Halt> {
+        while let Some(other) = self.others.pop() {
+            let pair = [other, self.number];
             let bodies = pair.map(|number| &self.scene.bodies[number as usize]);
             work.charge(2 + (bodies[0].corners() + bodies[1].corners()) / 2)?;
-            self.lines.clear();
             let are_faces = bodies.iter().all(|body| matches!(body.shape, Shape::Face { .. }));
             // Of pairs with tubes, most are joined. Few faces meet at all, and to compare all corners takes longer.
             if !are_faces && self.points.are_joined(self.scene, pair) {
                 continue;
             }
+            self.lines.clear();
             let faces = self.meet(pair);
             if self.lines.is_empty() || are_faces && self.points.are_joined(self.scene, pair) {
                 continue;
@@ -67,9 +69,9 @@ impl<'a> Pierce<'a> {
             work.charge(4 * self.lines.len() as u64)?;
             self.edges.clear();
             self.edges.extend(self.lines.iter().map(|&ends| Edge { ends, is_round: true }));
-            each(On { number, faces: Some(faces) }, &self.edges, work)?;
+            return Ok(Some((On { number: self.number, faces: Some(faces) }, &self.edges)));
         }
-        Ok(())
+        Ok(None)
     }
 
     /// Lists the bodies before a body that may meet it where it is visible.

@@ -39,7 +39,7 @@ fn distance(lines: &[[Place; 2]], [x, y]: [f64; 2]) -> f64 {
     let to = |[a, b]: &[Place; 2]| {
         let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
         let part = (((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
-        ((x - a[0] - part * dx).powi(2) + (y - a[1] - part * dy).powi(2)).sqrt()
+        libm::hypot(x - a[0] - part * dx, y - a[1] - part * dy)
     };
     lines.iter().map(to).fold(f64::INFINITY, f64::min)
 }
@@ -111,13 +111,16 @@ fn faces_in_one_plane_do_not_meet() {
     }
 }
 
+fn far(a: Place, b: Place) -> f64 {
+    (0..3).map(|axis| (a[axis] - b[axis]) * (a[axis] - b[axis])).sum::<f64>().sqrt()
+}
+
 /// The distance of a place from the surface of a tube, less than 0 inside: that of the nearest of many balls.
 fn apart(tube: &Tube, place: Place) -> f64 {
     let balls = (0..=400).map(|number| {
         let part = f64::from(number) / 400.0;
         let centre = [0, 1, 2].map(|axis| tube.ends[0][axis] + part * (tube.ends[1][axis] - tube.ends[0][axis]));
-        let away: f64 = (0..3).map(|axis| (place[axis] - centre[axis]).powi(2)).sum();
-        away.sqrt() - tube.radii[0] - part * (tube.radii[1] - tube.radii[0])
+        far(place, centre) - tube.radii[0] - part * (tube.radii[1] - tube.radii[0])
     });
     balls.fold(f64::INFINITY, f64::min)
 }
@@ -178,7 +181,7 @@ fn tubes_meet_on_both_surfaces() {
                     if changes {
                         let [from, to] = [[ring, way], other].map(|[ring, way]| on_side(&thin, ring, way).unwrap());
                         let near = lines.iter().map(|&line| near_line(line, from)).fold(f64::INFINITY, f64::min);
-                        let step = (0..3).map(|axis| (to[axis] - from[axis]).powi(2)).sum::<f64>().sqrt();
+                        let step = far(to, from);
                         assert!(near < step + 2.0 * EXACT, "{pair:?} {from:?} {near} {step}");
                         counts[0] += 1;
                     }
@@ -220,7 +223,7 @@ fn on_side(tube: &Tube, ring: u32, way: u32) -> Option<Place> {
 fn near_line([from, to]: [Place; 2], place: Place) -> f64 {
     let steps = (0..=20).map(|number| {
         let part = f64::from(number) / 20.0;
-        (0..3).map(|at| (from[at] + part * (to[at] - from[at]) - place[at]).powi(2)).sum::<f64>().sqrt()
+        far([0, 1, 2].map(|at| from[at] + part * (to[at] - from[at])), place)
     });
     steps.fold(f64::INFINITY, f64::min)
 }
@@ -230,11 +233,10 @@ fn met(scene: &Scene, grid: &Grid) -> Vec<(u32, [u32; 2], [Place; 2])> {
     let mut pierce = Pierce::new(scene, grid, 0.3, &mut Meter::new(0)).unwrap();
     let mut found = vec![];
     for number in 0..scene.bodies.len() as u32 {
-        let each = &mut |on: On, edges: &[super::outline::Edge], _: &mut dyn lsystem_syntax::Work| {
+        pierce.start(number, &mut Meter::new(0)).unwrap();
+        while let Some((on, edges)) = pierce.next(&mut Meter::new(0)).unwrap() {
             found.extend(edges.iter().map(|edge| (on.number, on.faces.unwrap(), edge.ends)));
-            Ok(())
-        };
-        pierce.lines(number, &mut Meter::new(0), each).unwrap();
+        }
     }
     found
 }
@@ -278,7 +280,7 @@ fn the_grid_finds_all_bodies_that_meet_where_they_are_visible() {
         let mut visible = |on: On, ends: [Place; 2]| {
             let line = Sight::new(ends).unwrap();
             visible.find(on, ends, &line, &mut Meter::new(0)).unwrap();
-            let whole = ((ends[1][0] - ends[0][0]).powi(2) + (ends[1][1] - ends[0][1]).powi(2)).sqrt();
+            let whole = libm::hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
             visible.parts().map(|span| span.high - span.low).sum::<f64>() * whole
         };
         for last in 0..scene.bodies.len() as u32 {
