@@ -54,10 +54,18 @@ impl Points {
         &self.numbers[self.starts[body as usize]..self.starts[body as usize + 1]]
     }
 
-    /// The number of points of one body that another one has, too.
-    fn shared(&self, a: u32, b: u32) -> usize {
-        let others = self.of(b);
-        self.of(a).iter().filter(|point| others.contains(point)).count()
+    /// Whether two bodies have a common point.
+    fn share_point(&self, a: u32, b: u32) -> bool {
+        self.of(a).iter().any(|point| self.of(b).contains(point))
+    }
+
+    /// Whether two faces have a common edge.
+    fn share_edge(&self, a: u32, b: u32) -> bool {
+        let edges = |body: u32| {
+            let (points, next) = (self.of(body), self.of(body).iter().cycle().skip(1));
+            points.iter().zip(next).map(|(&from, &to)| [from.min(to), from.max(to)]).filter(|[from, to]| from != to)
+        };
+        edges(a).any(|edge| edges(b).any(|other| edge == other))
     }
 
     /// Whether two bodies are parts of one shape: faces with a common edge, or others with a common point. So are a tube
@@ -66,7 +74,7 @@ impl Points {
         let [a, b] = pair;
         let are_faces = pair.iter().all(|&body| matches!(scene.bodies[body as usize].shape, Shape::Face { .. }));
         if are_faces {
-            return self.shared(a, b) >= 2;
+            return self.share_edge(a, b);
         }
         self.leads(scene, a, b) || self.leads(scene, b, a)
     }
@@ -76,7 +84,7 @@ impl Points {
         let tube = if let Shape::Tube(tube) = &scene.bodies[from as usize].shape { Some(tube) } else { None };
         let mut at = to;
         for _ in 0..FOLLOWED {
-            if self.shared(from, at) > 0 {
+            if self.share_point(from, at) {
                 return true;
             }
             let into = self.into[self.of(at)[0] as usize];

@@ -336,3 +336,14 @@ fn joints_have_no_rings() {
     assert!(met_in("!(9)F(2)[&(-60)f(0.002)!(1)F(0.01)F(0.01){.-f.+f.+f.-|-f.+f.}]F", "", 0) > 0);
     assert!(met_in("!(4)F(3)&(20)f(-1.5)&(70)f(-1.2){.-f.+f.+f.-|-f.+f.}", "", 0) > 0);
 }
+
+#[test]
+fn leaves_of_a_node_meet_and_the_faces_of_a_mesh_do_not() {
+    // Around a common axis: both have its ends, and no common edge.
+    let leaf = "{.-(30)f(1).+(60)f(1).+(120)f(1).+(60)f(1).}";
+    assert_eq!(met_in(&format!("[/(20){leaf}][/(80){leaf}]"), "", 0), 1);
+    let leaf = "{.-(30)f(1).+(30)f(1).+(90)f(1).}";
+    assert_eq!(met_in(&format!("[/(20)+(5){leaf}][/(80){leaf}]"), "", 0), 1);
+    let page = "{.f(1).+(90)f(1).+(90)f(1).}";
+    assert_eq!(met_in(&format!("[/(20){page}][/(80){page}]"), "", 0), 0);
+}
