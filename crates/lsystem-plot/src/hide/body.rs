@@ -1,5 +1,6 @@
 //! What covers lines: tubes and faces, in millimetres of the sheet, and depths that grow towards the viewer.
 
+use super::runs::Part;
 use super::span::Span;
 use crate::page::Point;
 
@@ -255,6 +256,7 @@ impl Facet {
     pub(super) fn shadows(
         &self,
         vertices: &[Place],
+        runs: Part,
         line: &Sight,
         nearer: f64,
         crossings: &mut Vec<(f64, i32)>,
@@ -265,7 +267,7 @@ impl Facet {
         if front.within(0.0, 1.0).is_empty() {
             return;
         }
-        stretches(vertices, line, crossings, |span| {
+        stretches(vertices, runs, line, crossings, |span| {
             let span = span.within(front.low, front.high).within(0.0, 1.0);
             if !span.is_empty() {
                 hidden.push(span);
@@ -275,22 +277,35 @@ impl Facet {
 }
 
 /// The stretches of a line over a polygon, in order, by the nonzero winding rule. They may reach beyond the line.
-pub(super) fn stretches(vertices: &[Place], line: &Sight, crossings: &mut Vec<(f64, i32)>, mut each: impl FnMut(Span)) {
+pub(super) fn stretches(
+    vertices: &[Place],
+    runs: Part,
+    line: &Sight,
+    crossings: &mut Vec<(f64, i32)>,
+    mut each: impl FnMut(Span),
+) {
     let ([x, y, _], [dx, dy, _]) = (line.from, line.way);
     crossings.clear();
     let side = |vertex: &Place| dx * (vertex[1] - y) - dy * (vertex[0] - x);
-    let mut before = &vertices[vertices.len() - 1];
-    let mut side_before = side(before);
-    for vertex in vertices {
-        let own = side(vertex);
+    let (mut at, count) = (0, vertices.len());
+    let mut is_left = side(&vertices[count - 1]) > 0.0;
+    while at < count {
+        if let Some((end, _)) = runs.passed(at, count, line).filter(|passed| passed.1 == is_left) {
+            at = end;
+            continue;
+        }
+        let (vertex, own) = (&vertices[at], side(&vertices[at]));
         // Half-open, so that a vertex on the line counts once.
-        if (own > 0.0) != (side_before > 0.0) {
+        if (own > 0.0) != is_left {
+            let before = &vertices[at.checked_sub(1).unwrap_or(count - 1)];
+            let side_before = side(before);
             let part = side_before / (side_before - own);
             let at = [0, 1].map(|axis| before[axis] + part * (vertex[axis] - before[axis]));
             let place = ((at[0] - x) * dx + (at[1] - y) * dy) / line.square;
             crossings.push((place, if own > 0.0 { 1 } else { -1 }));
+            is_left = own > 0.0;
         }
-        (before, side_before) = (vertex, own);
+        at += 1;
     }
     crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let (mut winding, mut low) = (0, 0.0);

@@ -2,6 +2,7 @@
 
 use super::body::{Facet, Place, Sight, Tube, cross, dot, minus, stretches};
 use super::fill::normal;
+use super::runs::Part;
 use crate::page::Point;
 use core::f64::consts::PI;
 
@@ -13,6 +14,7 @@ const HALVED: u32 = 12;
 pub(super) struct Face<'a> {
     pub(super) plane: &'a Facet,
     pub(super) vertices: &'a [Place],
+    pub(super) runs: Part<'a>,
 }
 
 /// Adds the lines where two polygons meet: on the line that both planes have in common, what both polygons cover. None
@@ -43,7 +45,7 @@ pub(super) fn faces([a, b]: [Face; 2], same: f64, lines: &mut Vec<[Place; 2]>) {
     let mut crossings = vec![];
     let [first, last] = [a, b].map(|face| {
         let mut spans = vec![];
-        stretches(face.vertices, &line, &mut crossings, |span| spans.push(span));
+        stretches(face.vertices, face.runs, &line, &mut crossings, |span| spans.push(span));
         spans
     });
     let both = first.iter().flat_map(|span| last.iter().map(|other| span.within(other.low, other.high)));
@@ -65,7 +67,7 @@ pub(super) fn tube_and_face(tube: &Tube, face: Face, exact: f64, lines: &mut Vec
     let mut crossings = vec![];
     section.chords(exact, &mut |ends| {
         if let Some(line) = Sight::new(ends) {
-            stretches(face.vertices, &line, &mut crossings, |span| {
+            stretches(face.vertices, face.runs, &line, &mut crossings, |span| {
                 let span = span.within(0.0, 1.0);
                 if !span.is_empty() {
                     lines.push([span.low, span.high].map(|place| line.at(place)));

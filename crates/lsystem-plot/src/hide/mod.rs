@@ -18,6 +18,7 @@ mod meet_tubes;
 mod outline;
 mod pierce;
 mod points;
+mod runs;
 mod scene;
 mod span;
 #[cfg(test)]

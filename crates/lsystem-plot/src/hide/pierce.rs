@@ -6,6 +6,7 @@ use super::meet::{Face, faces, tube_and_face};
 use super::meet_tubes::tubes;
 use super::outline::{EXACT, Edge};
 use super::points::Points;
+use super::runs::Part;
 use super::scene::{Body, Scene, Shape};
 use super::visible::On;
 use lsystem_syntax::{Halt, Work};
@@ -128,7 +129,10 @@ impl Scene {
     /// A body as a polygon in its plane, if it is one.
     pub(super) fn face<'a>(&'a self, body: &'a Body) -> Option<Face<'a>> {
         match &body.shape {
-            Shape::Face { plane: Some(plane), .. } => Some(Face { plane, vertices: self.places(body) }),
+            Shape::Face { plane: Some(plane), vertices, .. } => {
+                let runs = Part(&self.runs, vertices.start as usize);
+                Some(Face { plane, vertices: self.places(body), runs })
+            }
             _ => None,
         }
     }

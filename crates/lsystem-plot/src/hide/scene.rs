@@ -3,6 +3,7 @@
 //! In the plane the depth is the place in the drawing order, so far apart that every mark is in front of all before.
 
 use super::body::{Facet, Place, Tube};
+use super::runs::Runs;
 use crate::cells::Cells;
 use crate::merge::JOINT;
 use crate::options::PlotOptions;
@@ -47,6 +48,7 @@ pub(super) struct Scene {
     /// In drawing order.
     pub(super) bodies: Vec<Body>,
     pub(super) vertices: Vec<Place>,
+    pub(super) runs: Runs,
     /// Depths that differ less are equal, in millimetres.
     pub(super) same: f64,
     /// Whether the drawing is a projection of one in space.
@@ -104,6 +106,7 @@ impl Scene {
                 return Err(pens.too_many());
             }
         }
+        scene.runs = Runs::new(&scene.vertices);
         if !is_solid {
             scene.joints = Joints::new(&mut scene.bodies, work)?;
             scene.stack(work)?;

@@ -5,6 +5,7 @@ use super::fill::fill;
 use super::grid::Grid;
 use super::hidden;
 use super::outline::outline;
+use super::runs::{Part, Runs};
 use super::scene::{Body, Joints, Scene, Shape};
 use super::span::{Span, rest};
 use super::visible::{On, Visible};
@@ -107,7 +108,7 @@ fn polygons_hide_what_lies_behind_their_planes() {
             .collect();
         let line = Sight::new([chance.place(10.0), chance.place(10.0)]).unwrap();
         let mut spans = vec![];
-        plane.shadows(&vertices, &line, 0.0, &mut vec![], &mut spans);
+        plane.shadows(&vertices, Part(Runs::NONE, 0), &line, 0.0, &mut vec![], &mut spans);
         for number in 0..100 {
             let place = (f64::from(number) + 0.5) / 100.0;
             let [x, y, depth] = line.at(place);

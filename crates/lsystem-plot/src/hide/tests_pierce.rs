@@ -6,6 +6,7 @@ use super::meet::{Face, faces, tube_and_face};
 use super::meet_tubes::tubes;
 use super::pierce::Pierce;
 use super::points::Points;
+use super::runs::{Part, Runs};
 use super::scene::Scene;
 use super::tests::{Chance, scene, tube};
 use super::visible::{On, Visible};
@@ -91,7 +92,7 @@ fn faces_meet_where_one_passes_from_the_front_of_the_other_to_its_back() {
     for _ in 0..200 {
         let [a, b] = [face(&mut chance), face(&mut chance)];
         let mut lines = vec![];
-        let pair = [&a, &b].map(|(plane, vertices)| Face { plane, vertices });
+        let pair = [&a, &b].map(|(plane, vertices)| Face { plane, vertices, runs: Part(Runs::NONE, 0) });
         faces(pair, 1e-3, &mut lines);
         let own = compare(&lines, &[&a.1, &b.1], &a.0, |[x, y, depth]| depth - b.0.at([x, y]), 1e-9);
         counts = [counts[0] + own[0], counts[1] + own[1]];
@@ -106,7 +107,11 @@ fn faces_in_one_plane_do_not_meet() {
     let tilted = Facet { depth: plane.depth + 2e-4, slope: [plane.slope[0] - 4e-5, plane.slope[1]] };
     for (other, same, is_met) in [(plane, 1e-3, false), (tilted, 1e-3, false), (tilted, 1e-6, true)] {
         let mut lines = vec![];
-        faces([&plane, &other].map(|plane| Face { plane, vertices: &vertices }), same, &mut lines);
+        faces(
+            [&plane, &other].map(|plane| Face { plane, vertices: &vertices, runs: Part(Runs::NONE, 0) }),
+            same,
+            &mut lines,
+        );
         assert_eq!(!lines.is_empty(), is_met, "{lines:?}");
     }
 }
@@ -133,7 +138,7 @@ fn a_tube_meets_a_face_on_its_surface() {
         let (plane, vertices) = face(&mut chance);
         let tube = chance.tube(10.0);
         let mut lines = vec![];
-        tube_and_face(&tube, Face { plane: &plane, vertices: &vertices }, EXACT, &mut lines);
+        tube_and_face(&tube, Face { plane: &plane, vertices: &vertices, runs: Part(Runs::NONE, 0) }, EXACT, &mut lines);
         let own = compare(&lines, &[&vertices], &plane, |place| apart(&tube, place), 2.0 * EXACT);
         counts = [counts[0] + own[0], counts[1] + own[1]];
         assert!(lines.len() < 400, "{tube:?} {}", lines.len());

@@ -2,6 +2,7 @@
 
 use super::body::{Place, Sight};
 use super::grid::Grid;
+use super::runs::Part;
 use super::scene::{Scene, Shape};
 use super::span::{Span, rest};
 use lsystem_syntax::{Halt, Work};
@@ -59,7 +60,8 @@ impl<'a> Visible<'a> {
                 if on.is_on(scene, other) {
                     continue;
                 }
-                work.charge(1 + scene.bodies[other as usize].corners() / 4)?;
+                // Of many corners, runs are passed by.
+                work.charge(2 + scene.bodies[other as usize].corners() / 64)?;
                 let before = self.hidden.len();
                 scene.shadows(on.number, other, line, &mut self.crossings, &mut self.hidden);
                 let mut kept = before;
@@ -117,10 +119,11 @@ impl Scene {
                 hidden.push(tube.grown(if grows { self.same } else { -self.same }).shadow(line));
             }
             Shape::Face { vertices, plane: Some(plane), .. } => {
+                let runs = Part(&self.runs, vertices.start as usize);
                 let vertices = &self.vertices[vertices.start as usize..vertices.end as usize];
                 // Of polygons in the same plane, the one drawn later is in front.
                 let nearer = if body.mark > before.mark { -self.same } else { self.same };
-                plane.shadows(vertices, line, nearer, crossings, hidden);
+                plane.shadows(vertices, runs, line, nearer, crossings, hidden);
             }
         }
     }
