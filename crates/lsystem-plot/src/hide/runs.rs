@@ -3,19 +3,20 @@
 use super::body::{Place, Sight};
 use crate::page::Point;
 
-/// The vertices of a run.
-const RUN: usize = 32;
+/// The vertices of a run: of long runs, and of the short ones in them.
+const RUNS: [usize; 2] = [1024, 32];
 
-/// The boxes around the runs of a list of vertices.
+/// The boxes around the runs of a list of vertices, by length.
 #[derive(Debug, Default)]
-pub(super) struct Runs(Vec<[Point; 2]>);
+pub(super) struct Runs([Vec<[Point; 2]>; 2]);
 
 /// The runs of a polygon, whose vertices start at a place in the list.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part<'a>(pub(super) &'a Runs, pub(super) usize);
 
 impl Runs {
-    pub(super) const NONE: &'static Self = &Self(vec![]);
+    #[cfg(test)]
+    pub(super) const NONE: &'static Self = &Self([vec![], vec![]]);
 
     pub(super) fn new(vertices: &[Place]) -> Self {
         let around = |run: &[Place]| {
@@ -23,7 +24,7 @@ impl Runs {
                 [[0, 1].map(|axis| low[axis].min(vertex[axis])), [0, 1].map(|axis| high[axis].max(vertex[axis]))]
             })
         };
-        Self(vertices.chunks(RUN).map(around).collect())
+        Self(RUNS.map(|length| vertices.chunks(length).map(around).collect()))
     }
 }
 
@@ -32,16 +33,18 @@ impl Part<'_> {
     /// A vertex with these coordinates is on the left if `dx * y - dy * x` is above 0, relative to the line's start.
     pub(super) fn passed(self, at: usize, count: usize, line: &Sight) -> Option<(usize, bool)> {
         let Self(Runs(boxes), start) = self;
-        if !(start + at).is_multiple_of(RUN) || at + RUN > count {
-            return None;
-        }
-        let [low, high] = boxes.get((start + at) / RUN)?;
         let ([x, y, _], [dx, dy, _]) = (line.from, line.way);
-        // Rounding keeps the order, so the box has the extremes of the very same expression.
-        let [a, b] = [low, high].map(|corner| dx * (corner[1] - y));
-        let [c, d] = [low, high].map(|corner| dy * (corner[0] - x));
-        let is_left = a.min(b) - c.max(d) > 0.0;
-        (is_left || a.max(b) - c.min(d) <= 0.0).then_some((at + RUN, is_left))
+        RUNS.iter().zip(boxes).find_map(|(&length, boxes)| {
+            if !(start + at).is_multiple_of(length) || at + length > count {
+                return None;
+            }
+            let [low, high] = boxes.get((start + at) / length)?;
+            // Rounding keeps the order, so the box has the extremes of the very same expression.
+            let [a, b] = [low, high].map(|corner| dx * (corner[1] - y));
+            let [c, d] = [low, high].map(|corner| dy * (corner[0] - x));
+            let is_left = a.min(b) - c.max(d) > 0.0;
+            (is_left || a.max(b) - c.min(d) <= 0.0).then_some((at + length, is_left))
+        })
     }
 }
 
@@ -55,12 +58,12 @@ mod tests {
     fn a_line_passes_by_runs_and_meets_the_same_sides() {
         let mut chance = Chance(21);
         let mut passed = [0; 2];
-        for round in 0..200 {
+        for round in 0..100 {
             // An outline that winds around a circle; some vertices lie on the lines.
             let mut vertices: Vec<Place> = vec![chance.place(10.0); round % 40];
             let start = vertices.len();
-            for number in 0..300 {
-                let (sin, cos) = libm::sincos(f64::from(number) / 300.0 * core::f64::consts::TAU);
+            for number in 0..3000 {
+                let (sin, cos) = libm::sincos(f64::from(number) / 3000.0 * core::f64::consts::TAU);
                 let radius = 4.0 + chance.number(-0.3, 0.3);
                 let [x, y] = [cos, sin].map(|part| libm::round(8.0 * (5.0 + radius * part)) / 8.0);
                 vertices.push([x, y, 0.0]);
@@ -74,8 +77,8 @@ mod tests {
                 spans
             };
             assert_eq!(found(Part(&runs, start)), found(Part(Runs::NONE, 0)));
-            let all = (0..300).filter(|at| (start + at).is_multiple_of(RUN));
-            all.for_each(|at| passed[usize::from(Part(&runs, start).passed(at, 300, &line).is_some())] += 1);
+            let all = (0..3000).filter(|at| (start + at).is_multiple_of(RUNS[1]));
+            all.for_each(|at| passed[usize::from(Part(&runs, start).passed(at, 3000, &line).is_some())] += 1);
         }
         assert!(passed[1] > 2 * passed[0] && passed[1] > 500, "{passed:?}");
     }
