@@ -17,6 +17,7 @@ pub mod decimal;
 pub mod fixed;
 mod limits;
 mod meter;
+mod mixer;
 pub mod number;
 mod progress;
 pub mod sorted;
@@ -28,4 +29,5 @@ pub use limits::{
     MAX_SURFACE_PATCHES, MAX_SURFACES, MAX_SURFACES_TEXT, MAX_TEXT,
 };
 pub use meter::Meter;
+pub use mixer::Mixer;
 pub use progress::Progress;

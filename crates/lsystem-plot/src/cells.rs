@@ -1,5 +1,7 @@
 //! Numbers for pairs of coordinates, so that pairs that differ by rounding errors only have the same number.
 
+use core::hash::BuildHasherDefault;
+use lsystem_base::Mixer;
 use std::collections::HashMap;
 
 /// Where the cells begin, in parts of a cell. Coordinates of drawings are seldom near a border then.
@@ -12,13 +14,13 @@ const NEAR: f64 = 0.1;
 #[derive(Clone, Debug)]
 pub(crate) struct Cells {
     size: [f64; 2],
-    numbers: HashMap<(u32, [i64; 2]), u32>,
+    numbers: HashMap<(u32, i64, i64), u32, BuildHasherDefault<Mixer>>,
 }
 
 impl Cells {
     /// No pairs. A cell has this size.
     pub(crate) fn new(size: [f64; 2]) -> Self {
-        Self { size, numbers: HashMap::new() }
+        Self { size, numbers: HashMap::default() }
     }
 
     /// The number of a pair, and whether the number is new.
@@ -26,7 +28,7 @@ impl Cells {
         let scaled = [0, 1].map(|axis| pair[axis] / self.size[axis] + BORDER);
         let floor = scaled.map(libm::floor);
         let cell = floor.map(|value| value as i64);
-        if let Some(&number) = self.numbers.get(&(layer, cell)) {
+        if let Some(&number) = self.numbers.get(&(layer, cell[0], cell[1])) {
             return (number, false);
         }
         let beside = [0, 1].map(|axis| match scaled[axis] - floor[axis] {
@@ -35,13 +37,13 @@ impl Cells {
             _ => 0,
         });
         for step in [[beside[0], 0], [0, beside[1]], beside] {
-            let other = [cell[0].saturating_add(step[0]), cell[1].saturating_add(step[1])];
-            if let Some(&number) = self.numbers.get(&(layer, other)) {
+            let other = (layer, cell[0].saturating_add(step[0]), cell[1].saturating_add(step[1]));
+            if let Some(&number) = self.numbers.get(&other) {
                 return (number, false);
             }
         }
         let number = self.numbers.len() as u32;
-        self.numbers.insert((layer, cell), number);
+        self.numbers.insert((layer, cell[0], cell[1]), number);
         (number, true)
     }
 }

@@ -1,5 +1,6 @@
 //! What covers lines: tubes and faces, in millimetres of the sheet, and depths that grow towards the viewer.
 
+use super::runs::Part;
 use super::span::Span;
 use crate::page::Point;
 
@@ -26,7 +27,7 @@ pub(super) struct Facet {
 pub(super) struct Sight {
     pub(super) from: Place,
     pub(super) way: Place,
-    /// The square of the length on the sheet; above 0.
+    /// The square of the length on the sheet; above 0 but for tests in space.
     square: f64,
     /// The greatest depth.
     pub(super) top: f64,
@@ -36,11 +37,16 @@ pub(super) struct Sight {
 
 impl Sight {
     /// The line between two places; `None` if they are one point of the sheet.
-    pub(super) fn new([from, to]: [Place; 2]) -> Option<Self> {
+    pub(super) fn new(ends: [Place; 2]) -> Option<Self> {
+        Some(Self::through(ends)).filter(|line| line.square > 0.0)
+    }
+
+    /// The line between two places, for tests in space.
+    pub(super) fn through([from, to]: [Place; 2]) -> Self {
         let way = minus(to, from);
         let square = way[0] * way[0] + way[1] * way[1];
         let [top, bottom] = [from[2].max(to[2]), from[2].min(to[2])];
-        (square > 0.0).then_some(Self { from, way, square, top, bottom })
+        Self { from, way, square, top, bottom }
     }
 
     pub(super) fn at(&self, place: f64) -> Place {
@@ -129,6 +135,45 @@ impl Tube {
         span.with(ribbon.below(line.from[2] - depth[0], line.way[2] - depth[1]))
     }
 
+    /// The stretch of a line within the tube. A tube is convex.
+    pub(super) fn inside(&self, line: &Sight) -> Span {
+        // The cone comes first: it may have one end only.
+        self.cone(line).with(self.ball(line, 0)).with(self.ball(line, 1))
+    }
+
+    /// The way from the axis to a place, through the surface at right angles.
+    pub(super) fn outward(&self, place: Place) -> Place {
+        minus(place, self.at(self.foot(place)))
+    }
+
+    /// Whether a place is within the tube.
+    pub(super) fn contains(&self, place: Place) -> bool {
+        let part = self.foot(place);
+        let out = minus(place, self.at(part));
+        let radius = self.radii[0] + part * (self.radii[1] - self.radii[0]);
+        dot(out, out) < radius * radius
+    }
+
+    /// A point of the axis.
+    fn at(&self, part: f64) -> Place {
+        [0, 1, 2].map(|axis| self.ends[0][axis] + part * (self.ends[1][axis] - self.ends[0][axis]))
+    }
+
+    /// The part of the axis at which the ball stands whose surface is nearest to a place, or that holds it deepest.
+    fn foot(&self, place: Place) -> f64 {
+        let axis = minus(self.ends[1], self.ends[0]);
+        let length = dot(axis, axis).sqrt();
+        let sin = (self.radii[0] - self.radii[1]) / length;
+        // One ball is within the other.
+        if sin.is_nan() || sin.abs() >= 1.0 {
+            return if self.radii[1] > self.radii[0] { 1.0 } else { 0.0 };
+        }
+        let from = minus(place, self.ends[0]);
+        let along = dot(from, axis) / length;
+        let aside = (dot(from, from) - along * along).max(0.0).sqrt();
+        ((along - aside * sin / (1.0 - sin * sin).sqrt()) / length).clamp(0.0, 1.0)
+    }
+
     /// The stretch over the disc of an end.
     fn disc(&self, line: &Sight, end: usize) -> Span {
         let [x, y, _] = minus(line.from, self.ends[end]);
@@ -211,45 +256,66 @@ impl Facet {
     pub(super) fn shadows(
         &self,
         vertices: &[Place],
+        runs: Part,
         line: &Sight,
         nearer: f64,
         crossings: &mut Vec<(f64, i32)>,
         hidden: &mut Vec<Span>,
     ) {
-        let [x, y, z] = line.from;
-        let [dx, dy, dz] = line.way;
+        let ([x, y, z], [dx, dy, dz]) = (line.from, line.way);
         let front = Span::ALL.below(z + nearer - self.at([x, y]), dz - self.slope[0] * dx - self.slope[1] * dy);
         if front.within(0.0, 1.0).is_empty() {
             return;
         }
-        crossings.clear();
-        let side = |vertex: &Place| dx * (vertex[1] - y) - dy * (vertex[0] - x);
-        let mut before = &vertices[vertices.len() - 1];
-        let mut side_before = side(before);
-        for vertex in vertices {
-            let own = side(vertex);
-            // Half-open, so that a vertex on the line counts once.
-            if (own > 0.0) != (side_before > 0.0) {
-                let part = side_before / (side_before - own);
-                let at = [0, 1].map(|axis| before[axis] + part * (vertex[axis] - before[axis]));
-                let place = ((at[0] - x) * dx + (at[1] - y) * dy) / line.square;
-                crossings.push((place, if own > 0.0 { 1 } else { -1 }));
+        stretches(vertices, runs, line, crossings, |span| {
+            let span = span.within(front.low, front.high).within(0.0, 1.0);
+            if !span.is_empty() {
+                hidden.push(span);
             }
-            (before, side_before) = (vertex, own);
+        });
+    }
+}
+
+/// The stretches of a line over a polygon, in order, by the nonzero winding rule. They may reach beyond the line.
+pub(super) fn stretches(
+    vertices: &[Place],
+    runs: Part,
+    line: &Sight,
+    crossings: &mut Vec<(f64, i32)>,
+    mut each: impl FnMut(Span),
+) {
+    let ([x, y, _], [dx, dy, _]) = (line.from, line.way);
+    crossings.clear();
+    let side = |vertex: &Place| dx * (vertex[1] - y) - dy * (vertex[0] - x);
+    let (mut at, count) = (0, vertices.len());
+    let mut is_left = side(&vertices[count - 1]) > 0.0;
+    while at < count {
+        if let Some((end, _)) = runs.passed(at, count, line).filter(|passed| passed.1 == is_left) {
+            at = end;
+            continue;
         }
-        crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-        let (mut winding, mut low) = (0, 0.0);
-        for &(place, way) in &*crossings {
-            if winding == 0 {
-                low = place;
-            }
-            winding += way;
-            if winding == 0 {
-                let span = Span { low, high: place }.within(front.low, front.high).within(0.0, 1.0);
-                if !span.is_empty() {
-                    hidden.push(span);
-                }
-            }
+        let (vertex, own) = (&vertices[at], side(&vertices[at]));
+        // Half-open, so that a vertex on the line counts once.
+        if (own > 0.0) != is_left {
+            let before = &vertices[at.checked_sub(1).unwrap_or(count - 1)];
+            let side_before = side(before);
+            let part = side_before / (side_before - own);
+            let at = [0, 1].map(|axis| before[axis] + part * (vertex[axis] - before[axis]));
+            let place = ((at[0] - x) * dx + (at[1] - y) * dy) / line.square;
+            crossings.push((place, if own > 0.0 { 1 } else { -1 }));
+            is_left = own > 0.0;
+        }
+        at += 1;
+    }
+    crossings.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut winding, mut low) = (0, 0.0);
+    for &(place, way) in &*crossings {
+        if winding == 0 {
+            low = place;
+        }
+        winding += way;
+        if winding == 0 {
+            each(Span { low, high: place });
         }
     }
 }
@@ -272,6 +338,10 @@ pub(super) fn minus(a: Place, b: Place) -> Place {
     [0, 1, 2].map(|axis| a[axis] - b[axis])
 }
 
-fn dot(a: Place, b: Place) -> f64 {
+pub(super) fn cross(a: Place, b: Place) -> Place {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(super) fn dot(a: Place, b: Place) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -103,7 +103,7 @@ fn spacing(normal: Option<Place>, pen: f64) -> Option<f64> {
 }
 
 /// The unit normal of a plane on the side of the viewer.
-fn normal(plane: &Facet) -> Place {
+pub(super) fn normal(plane: &Facet) -> Place {
     let [x, y] = plane.slope;
     let length = (1.0 + x * x + y * y).sqrt();
     [-x / length, -y / length, 1.0 / length]

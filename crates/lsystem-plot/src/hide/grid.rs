@@ -132,6 +132,28 @@ impl Grid {
         &self.bodies[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
+    /// The cells of all bodies: the range of each body in the list, and the list.
+    pub(super) fn cells(&self, work: &mut dyn Work) -> Result<(Vec<u32>, Vec<u32>), Halt> {
+        let mut starts = vec![0; self.near.len() + 1];
+        for &body in &self.bodies {
+            starts[body as usize + 1] += 1;
+        }
+        for body in 0..self.near.len() {
+            starts[body + 1] += starts[body];
+        }
+        let (mut ends, mut cells) = (starts.clone(), vec![0; self.bodies.len()]);
+        for cell in 0..self.floors.len() {
+            let bodies = self.bodies(cell);
+            work.charge(1 + bodies.len() as u64)?;
+            for &body in bodies {
+                let end = &mut ends[body as usize];
+                cells[*end as usize] = cell as u32;
+                *end += 1;
+            }
+        }
+        Ok((starts, cells))
+    }
+
     /// The nearest depth of a body.
     pub(super) fn near(&self, body: u32) -> f64 {
         self.near[body as usize]
@@ -310,6 +332,12 @@ impl Scene {
                 vertices.iter().map(|vertex| vertex[2]).fold(f64::NEG_INFINITY, f64::max) + 2.0 * self.same
             }
         }
+    }
+
+    /// The farthest depth of a body that covers lines.
+    pub(super) fn far(&self, body: &Body) -> f64 {
+        let radius = if let Shape::Tube(tube) = &body.shape { tube.widest() } else { 0.0 };
+        self.places(body).iter().map(|place| place[2]).fold(f64::INFINITY, f64::min) - radius
     }
 
     /// The box around a body.

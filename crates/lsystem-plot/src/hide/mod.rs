@@ -5,16 +5,26 @@
 //! hides is one stretch, and ends where quadratic equations say; the part that a polygon hides lies between crossings of
 //! its sides (`body`). A grid finds the bodies that may hide a part of a line (`grid`).
 //!
+//! In space, the lines where polygons and tubes pass through each other are drawn, too (`pierce`, `meet`), but for bodies
+//! that are joined (`points`).
+//!
 //! Crossed lines hide nothing: only bodies broader than the pen do.
 
 mod body;
 mod fill;
 mod grid;
+mod meet;
+mod meet_tubes;
 mod outline;
+mod pierce;
+mod points;
+mod runs;
 mod scene;
 mod span;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_pierce;
 mod visible;
 
 use crate::options::PlotOptions;
@@ -25,8 +35,9 @@ use grid::Grid;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Halt, Style, Work};
 use outline::{Edge, outline};
+use pierce::Pierce;
 use scene::{Scene, Shape};
-use visible::Visible;
+use visible::{On, Visible};
 
 /// A shorter line that ends where another body begins is left out, in pens: its ink is that of the body's outline.
 const SHORT: f64 = 0.5;
@@ -48,6 +59,7 @@ pub(crate) fn hidden(
     let scene = Scene::read(drawing, style, page, options, &mut pens, work)?;
     let grid = Grid::new(&scene, work)?;
     let mut draw = Draw { visible: Visible::new(&scene, &grid), least: SHORT * options.pen, run: Run::default(), pens };
+    let mut pierce = Pierce::new(&scene, &grid, options.pen, work)?;
     let mut edges = vec![];
     for (number, body) in (0..).zip(&scene.bodies) {
         work.charge(1)?;
@@ -65,12 +77,17 @@ pub(crate) fn hidden(
             }
             Shape::Face { .. } => {}
         }
-        draw.edges(number, body.layer, &edges, work)?;
+        let on = On { number, faces: None };
+        draw.edges(on, body.layer, &edges, work)?;
+        pierce.start(number, work)?;
+        while let Some((on, edges)) = pierce.next(work)? {
+            draw.edges(on, body.layer, edges, work)?;
+        }
         if options.hatch {
             edges.clear();
             let left = most.saturating_sub(draw.pens.count);
             fill::fill(&scene, body, options.pen, left, &mut edges, work)?.ok_or_else(|| draw.pens.too_many())?;
-            draw.lines(number, body.layer, &edges, work)?;
+            draw.lines(on, body.layer, &edges, work)?;
         }
     }
     Ok(draw.pens)
@@ -97,11 +114,12 @@ struct Run {
 
 impl Draw<'_> {
     /// Draws lines that follow each other.
-    fn edges(&mut self, number: u32, layer: u32, edges: &[Edge], work: &mut dyn Work) -> Result<(), Halt> {
+    fn edges(&mut self, on: On, layer: u32, edges: &[Edge], work: &mut dyn Work) -> Result<(), Halt> {
+        self.run.is_cut = on.faces.is_some();
         for edge in edges {
             let Some(line) = Sight::new(edge.ends) else { continue };
             let mut at = 0.0;
-            self.visible.find(number, edge.ends, &line, work)?;
+            self.visible.find(on, edge.ends, &line, work)?;
             for span in self.visible.parts() {
                 if span.low > at {
                     self.run.is_cut = true;
@@ -126,8 +144,8 @@ impl Draw<'_> {
     }
 
     /// Draws single lines.
-    fn lines(&mut self, number: u32, layer: u32, edges: &[Edge], work: &mut dyn Work) -> Result<(), Halt> {
-        edges.chunks(1).try_for_each(|edge| self.edges(number, layer, edge, work))
+    fn lines(&mut self, on: On, layer: u32, edges: &[Edge], work: &mut dyn Work) -> Result<(), Halt> {
+        edges.chunks(1).try_for_each(|edge| self.edges(on, layer, edge, work))
     }
 }
 

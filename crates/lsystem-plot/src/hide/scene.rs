@@ -3,6 +3,7 @@
 //! In the plane the depth is the place in the drawing order, so far apart that every mark is in front of all before.
 
 use super::body::{Facet, Place, Tube};
+use super::runs::Runs;
 use crate::cells::Cells;
 use crate::merge::JOINT;
 use crate::options::PlotOptions;
@@ -12,6 +13,7 @@ use core::ops::Range;
 use lsystem_drawing::triangulate::{facing, triangulate};
 use lsystem_drawing::{Drawing, Mark, Segment};
 use lsystem_syntax::{Halt, Style, Work};
+use std::collections::HashSet;
 
 /// Depths that differ less are equal, in pens. Tubes are thinner by this where they cover lines, so that lines in their
 /// surface are visible.
@@ -46,6 +48,7 @@ pub(super) struct Scene {
     /// In drawing order.
     pub(super) bodies: Vec<Body>,
     pub(super) vertices: Vec<Place>,
+    pub(super) runs: Runs,
     /// Depths that differ less are equal, in millimetres.
     pub(super) same: f64,
     /// Whether the drawing is a projection of one in space.
@@ -103,8 +106,9 @@ impl Scene {
                 return Err(pens.too_many());
             }
         }
+        scene.runs = Runs::new(&scene.vertices);
         if !is_solid {
-            scene.joints = Joints::new(&scene.bodies, work)?;
+            scene.joints = Joints::new(&mut scene.bodies, work)?;
             scene.stack(work)?;
         }
         Ok(scene)
@@ -189,31 +193,24 @@ impl Joints {
     /// square of their number.
     const MOST: usize = 64;
 
-    pub(super) fn new(bodies: &[Body], work: &mut dyn Work) -> Result<Self, Halt> {
-        let mut cells = Cells::new([JOINT; 2]);
+    /// Finds the joints of some bodies. Of equal strokes, only the last one stays: it hides the others.
+    pub(super) fn new(bodies: &mut Vec<Body>, work: &mut dyn Work) -> Result<Self, Halt> {
         let mut joints = Self::default();
-        let mut counts: Vec<u32> = vec![];
-        for body in bodies {
-            work.charge(2)?;
-            let ends = body.ends().map(|ends| {
-                ends.map(|[x, y, _]| {
-                    let (number, is_new) = cells.number(body.layer, [x, y]);
-                    if is_new {
-                        counts.push(0);
-                    }
-                    counts[number as usize] += u32::from(matches!(body.shape, Shape::Tube(_)));
-                    number
-                })
-            });
-            joints.ends.push(ends.unwrap_or([Self::NONE; 2]));
+        let count = joints.number(bodies, work)?;
+        joints.drop_equal(bodies, work)?;
+        let mut counts = vec![0; count];
+        for (body, ends) in bodies.iter().zip(&joints.ends) {
+            work.charge(1)?;
+            if matches!(body.shape, Shape::Tube(_)) {
+                ends.iter().for_each(|&end| counts[end as usize] += 1);
+            }
         }
-        drop(cells);
         joints.starts.push(0);
         for count in &counts {
             joints.starts.push(joints.starts[joints.starts.len() - 1] + count);
         }
         joints.tubes = vec![0; joints.starts[counts.len()] as usize];
-        for (number, body) in (0..).zip(bodies) {
+        for (number, body) in (0..).zip(&*bodies) {
             work.charge(2)?;
             for end in joints.ends[number as usize] {
                 if matches!(body.shape, Shape::Tube(_)) {
@@ -223,6 +220,46 @@ impl Joints {
             }
         }
         Ok(joints)
+    }
+
+    /// Numbers the ends of strokes. Returns the number of numbers.
+    fn number(&mut self, bodies: &[Body], work: &mut dyn Work) -> Result<usize, Halt> {
+        let mut cells = Cells::new([JOINT; 2]);
+        let mut count = 0;
+        for body in bodies {
+            work.charge(2)?;
+            let ends = body.ends().map(|ends| {
+                ends.map(|[x, y, _]| {
+                    let (number, is_new) = cells.number(body.layer, [x, y]);
+                    count += usize::from(is_new);
+                    number
+                })
+            });
+            self.ends.push(ends.unwrap_or([Self::NONE; 2]));
+        }
+        Ok(count)
+    }
+
+    /// Drops strokes that are drawn once more later, in the same colour: a curve may pass many times.
+    fn drop_equal(&mut self, bodies: &mut Vec<Body>, work: &mut dyn Work) -> Result<(), Halt> {
+        let mut known = HashSet::new();
+        let mut is_last = vec![true; bodies.len()];
+        for (at, body) in bodies.iter().enumerate().rev() {
+            work.charge(1)?;
+            let radii = match &body.shape {
+                Shape::Line(_) => [0; 2],
+                Shape::Tube(tube) => tube.radii.map(|radius| 1 + libm::round(radius / JOINT) as u64),
+                Shape::Face { .. } => continue,
+            };
+            let [a, b] = self.ends[at];
+            let key = if a <= b { [(a, radii[0]), (b, radii[1])] } else { [(b, radii[1]), (a, radii[0])] };
+            is_last[at] = known.insert(key);
+        }
+        let mut last = is_last.iter();
+        bodies.retain(|_| last.next() == Some(&true));
+        let mut last = is_last.iter();
+        self.ends.retain(|_| last.next() == Some(&true));
+        Ok(())
     }
 
     /// Whether two bodies are strokes of one colour that end at the same point.

@@ -5,9 +5,10 @@ use super::fill::fill;
 use super::grid::Grid;
 use super::hidden;
 use super::outline::outline;
+use super::runs::{Part, Runs};
 use super::scene::{Body, Joints, Scene, Shape};
 use super::span::{Span, rest};
-use super::visible::Visible;
+use super::visible::{On, Visible};
 use crate::options::PlotOptions;
 use crate::page::Page;
 use crate::sheet::Sheet;
@@ -16,24 +17,24 @@ use lsystem_drawing::{Drawing, Mark, System, draw};
 use lsystem_syntax::Definition;
 
 /// Pseudo-random numbers.
-struct Chance(u64);
+pub(super) struct Chance(pub(super) u64);
 
 impl Chance {
     /// A number from `low` to `high`.
-    fn number(&mut self, low: f64, high: f64) -> f64 {
+    pub(super) fn number(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         low + (high - low) * ((self.0 >> 33) as f64 / (1u64 << 31) as f64)
     }
 
-    fn below(&mut self, count: u32) -> u32 {
+    pub(super) fn below(&mut self, count: u32) -> u32 {
         self.number(0.0, f64::from(count)) as u32
     }
 
-    fn place(&mut self, size: f64) -> Place {
+    pub(super) fn place(&mut self, size: f64) -> Place {
         [0, 1, 2].map(|_| self.number(0.0, size))
     }
 
-    fn tube(&mut self, size: f64) -> Tube {
+    pub(super) fn tube(&mut self, size: f64) -> Tube {
         let from = self.place(size);
         // Some tubes are short, stand upright on the sheet or have a sharp end.
         let to = match self.below(6) {
@@ -46,7 +47,7 @@ impl Chance {
     }
 }
 
-fn tube(body: &Body) -> Option<Tube> {
+pub(super) fn tube(body: &Body) -> Option<Tube> {
     if let Shape::Tube(tube) = body.shape { Some(tube) } else { None }
 }
 
@@ -107,7 +108,7 @@ fn polygons_hide_what_lies_behind_their_planes() {
             .collect();
         let line = Sight::new([chance.place(10.0), chance.place(10.0)]).unwrap();
         let mut spans = vec![];
-        plane.shadows(&vertices, &line, 0.0, &mut vec![], &mut spans);
+        plane.shadows(&vertices, Part(Runs::NONE, 0), &line, 0.0, &mut vec![], &mut spans);
         for number in 0..100 {
             let place = (f64::from(number) + 0.5) / 100.0;
             let [x, y, depth] = line.at(place);
@@ -124,7 +125,7 @@ fn polygons_hide_what_lies_behind_their_planes() {
 }
 
 /// A scene of random strokes and polygons. Some tubes go on where another ends.
-fn scene(chance: &mut Chance, count: u32, is_solid: bool) -> Scene {
+pub(super) fn scene(chance: &mut Chance, count: u32, is_solid: bool) -> Scene {
     let mut scene = Scene { same: 1e-3, is_solid, ..Scene::default() };
     for mark in 0..count {
         let layer = chance.below(2);
@@ -155,7 +156,7 @@ fn scene(chance: &mut Chance, count: u32, is_solid: bool) -> Scene {
         }
     }
     if !is_solid {
-        scene.joints = Joints::new(&scene.bodies, &mut Meter::new(0)).unwrap();
+        scene.joints = Joints::new(&mut scene.bodies, &mut Meter::new(0)).unwrap();
         scene.stack(&mut Meter::new(0)).unwrap();
     }
     scene
@@ -213,7 +214,7 @@ fn the_grid_finds_all_that_hides_a_line() {
             for ends in lines(&scene, body) {
                 let Some(line) = Sight::new(ends) else { continue };
                 let expected = parts(&scene, number, &line);
-                visible.find(number, ends, &line, &mut Meter::new(0)).unwrap();
+                visible.find(On { number, faces: None }, ends, &line, &mut Meter::new(0)).unwrap();
                 let found: Vec<Span> = visible.parts().collect();
                 let length = |spans: &[Span]| spans.iter().map(|span| span.high - span.low).sum::<f64>();
                 assert!((length(&found) - length(&expected)).abs() < 1e-6, "{number} {ends:?} {found:?} {expected:?}");
@@ -378,4 +379,24 @@ fn the_work_grows_with_the_strokes_and_not_with_their_pairs() {
     let [few, many] = [7, 10].map(work);
     assert!(few.1 > 2000 && many.1 > 25 * few.1, "{few:?} {many:?}");
     assert!(many.0 < 2 * 27 * few.0 && many.0 < 400 * many.1, "{few:?} {many:?}");
+}
+
+#[test]
+fn a_way_that_is_drawn_many_times_is_hidden_once() {
+    let plot = |n: u32| {
+        // Around a square, again and again.
+        let (axiom, rules) = ("!(3)F".into(), "F -> F+F".into());
+        let definition = Definition { axiom, rules, angle: 90.0, ..Definition::default() };
+        let (system, diagnostics) = System::new(&definition);
+        let drawing = draw(&system.unwrap_or_else(|| panic!("{diagnostics:?}")), n, &Limits::default()).unwrap();
+        let options = PlotOptions { hide: true, ..PlotOptions::default() };
+        let page = Page::new(&drawing, &Sheet::default(), &options);
+        let mut meter = Meter::new(0);
+        let pens = hidden(&drawing, &definition.style, &page, &options, 1_000_000, &mut meter).unwrap();
+        (drawing.segment_count() as u64, meter.spent(), pens.strokes.finish(&mut Meter::new(0)).unwrap())
+    };
+    let (once, often) = (plot(2), plot(10));
+    assert!(once.0 >= 4 && often.0 > 200 * once.0, "{} {}", once.0, often.0);
+    assert_eq!(once.2, often.2);
+    assert!(often.1 < 40 * often.0, "{} {}", often.0, often.1);
 }

@@ -2,9 +2,28 @@
 
 use super::body::{Place, Sight};
 use super::grid::Grid;
+use super::runs::Part;
 use super::scene::{Scene, Shape};
 use super::span::{Span, rest};
 use lsystem_syntax::{Halt, Work};
+
+/// What a line lies on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct On {
+    /// The body of the line. No part of its mark hides the line.
+    pub(super) number: u32,
+    /// The faces through which the line leads: of a line where two bodies meet, only these do not hide it.
+    pub(super) faces: Option<[u32; 2]>,
+}
+
+impl On {
+    fn is_on(self, scene: &Scene, other: u32) -> bool {
+        match self.faces {
+            None => scene.bodies[other as usize].mark == scene.bodies[self.number as usize].mark,
+            Some(faces) => faces.contains(&other),
+        }
+    }
+}
 
 /// Finds the visible parts of lines, one line after the other.
 pub(super) struct Visible<'a> {
@@ -20,17 +39,10 @@ impl<'a> Visible<'a> {
         Self { scene, grid, hidden: vec![], crossings: vec![] }
     }
 
-    /// Finds what hides a line of the body `number`.
-    pub(super) fn find(
-        &mut self,
-        number: u32,
-        ends: [Place; 2],
-        line: &Sight,
-        work: &mut dyn Work,
-    ) -> Result<(), Halt> {
+    /// Finds what hides a line.
+    pub(super) fn find(&mut self, on: On, ends: [Place; 2], line: &Sight, work: &mut dyn Work) -> Result<(), Halt> {
         self.hidden.clear();
         let scene = self.scene;
-        let own = &scene.bodies[number as usize];
         for visit in self.grid.along(ends) {
             work.charge(1)?;
             let depths = [visit.from, visit.to].map(|place| line.at(place)[2]);
@@ -45,12 +57,13 @@ impl<'a> Visible<'a> {
                 if at >= back || self.grid.near(other) <= bottom {
                     break;
                 }
-                if scene.bodies[other as usize].mark == own.mark {
+                if on.is_on(scene, other) {
                     continue;
                 }
-                work.charge(1 + scene.bodies[other as usize].corners() / 4)?;
+                // Of many corners, runs are passed by.
+                work.charge(2 + scene.bodies[other as usize].corners() / 64)?;
                 let before = self.hidden.len();
-                scene.shadows(number, other, line, &mut self.crossings, &mut self.hidden);
+                scene.shadows(on.number, other, line, &mut self.crossings, &mut self.hidden);
                 let mut kept = before;
                 for place in before..self.hidden.len() {
                     let span = self.hidden[place].within(visit.from, visit.to);
@@ -68,7 +81,7 @@ impl<'a> Visible<'a> {
                 self.hidden.truncate(kept);
             }
         }
-        for tube in scene.joints.of(number) {
+        for tube in scene.joints.of(on.number) {
             work.charge(1)?;
             if let Shape::Tube(tube) = &scene.bodies[tube as usize].shape {
                 let span = tube.grown(-scene.same).outline(line).within(0.0, 1.0);
@@ -106,10 +119,11 @@ impl Scene {
                 hidden.push(tube.grown(if grows { self.same } else { -self.same }).shadow(line));
             }
             Shape::Face { vertices, plane: Some(plane), .. } => {
+                let runs = Part(&self.runs, vertices.start as usize);
                 let vertices = &self.vertices[vertices.start as usize..vertices.end as usize];
                 // Of polygons in the same plane, the one drawn later is in front.
                 let nearer = if body.mark > before.mark { -self.same } else { self.same };
-                plane.shadows(vertices, line, nearer, crossings, hidden);
+                plane.shadows(vertices, runs, line, nearer, crossings, hidden);
             }
         }
     }

@@ -70,7 +70,6 @@ mod descent;
 mod exact;
 mod fineness;
 mod inks;
-mod mixer;
 mod opaque;
 mod painter;
 mod pane;

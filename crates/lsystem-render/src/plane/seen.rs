@@ -1,7 +1,7 @@
 //! A memory of painted strokes and blocks: overlapping branches often repeat each other exactly.
 
-use super::mixer::Mixer;
 use core::hash::Hasher;
+use lsystem_base::Mixer;
 
 /// Slots at first: 512 KiB.
 const FIRST_SLOTS: usize = 1 << 16;

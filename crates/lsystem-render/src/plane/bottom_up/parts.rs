@@ -3,12 +3,12 @@
 
 use crate::plane::descent::{Descent, Node};
 use crate::plane::inks::InkTable;
-use crate::plane::mixer::Mixer;
 use crate::plane::shape::Shape;
 use crate::plane::top_down::tile;
 use crate::plane::view::{Measure, TINY};
 use core::hash::BuildHasherDefault;
 use core::ops::Range;
+use lsystem_base::Mixer;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{BlockId, Drawing, Item, Widths};
 use lsystem_syntax::Heading;

@@ -3,9 +3,9 @@
 use super::deposit::{Deposit, part};
 use super::sheet::Pigment;
 use crate::plane::inks::{Choice, InkTable, Inks, Shade};
-use crate::plane::mixer::Mixer;
 use core::hash::BuildHasherDefault;
 use lsystem_base::Meter;
+use lsystem_base::Mixer;
 use lsystem_drawing::{Drawing, Item};
 use lsystem_syntax::{Colour, Style};
 use std::collections::HashMap;

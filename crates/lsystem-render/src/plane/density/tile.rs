@@ -1,9 +1,9 @@
 //! Small pictures of blocks in sums of ink, made once and added wherever the block recurs.
 
 use super::sheet::{BAND, Band, LANES, Sheet, Stamp};
-use crate::plane::mixer::Mixer;
 use crate::plane::top_down::tile::Key;
 use core::hash::BuildHasherDefault;
+use lsystem_base::Mixer;
 use std::collections::HashMap;
 
 /// The sizes of tiles, as the largest extents of their blocks in pixels. A tile is put together from smaller tiles, the

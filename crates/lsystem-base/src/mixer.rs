@@ -3,8 +3,8 @@
 use core::hash::Hasher;
 
 /// The state of the hash.
-#[derive(Default)]
-pub(super) struct Mixer(u64);
+#[derive(Clone, Debug, Default)]
+pub struct Mixer(u64);
 
 impl Hasher for Mixer {
     fn finish(&self) -> u64 {
