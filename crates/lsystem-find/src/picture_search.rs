@@ -182,7 +182,7 @@ impl PictureSearch {
             }
             let target = &targets[at];
             let Some(strokes) = Strokes::on_ink(system, hulls, n, target, picture, fit) else { return };
-            work += strokes.work(fit);
+            work += strokes.work(fit, picture);
             let agreement = strokes.agreement(target, picture, fit);
             if agreement >= NEAR && best.is_none_or(|(most, ..)| agreement > most) {
                 best = Some((agreement, n, at, fit));

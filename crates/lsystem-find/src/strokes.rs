@@ -1,7 +1,9 @@
 //! The strokes of a system, and how much of their ink agrees with a picture.
 
+use crate::align::{self, aligned};
 use crate::hull::{Block, Fit, Headings, Hulls, Place, System, Target};
 use crate::picture::Picture;
+use crate::projection::Projection;
 use lsystem_render::mask::{Mask, SIDE};
 use std::collections::HashSet;
 
@@ -29,6 +31,22 @@ const MAX_ROUNDS: usize = 6;
 
 /// Strokes from place to place, in steps.
 pub(crate) struct Strokes(Vec<[f64; 4]>);
+
+/// Where strokes lie on a picture.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Laid {
+    /// The cosine and the sine of the first heading.
+    pub(crate) first: (f64, f64),
+    pub(crate) fit: Fit,
+    /// How the pixels are moved after that.
+    pub(crate) by: Projection,
+}
+
+impl Laid {
+    pub(crate) const fn straight(first: (f64, f64), fit: Fit) -> Self {
+        Self { first, fit, by: Projection::NONE }
+    }
+}
 
 /// A walk from the blocks of a system down to its strokes.
 struct Tracer<'a> {
@@ -77,12 +95,13 @@ impl Strokes {
     }
 
     /// The work of a measure of the agreement, in systems that are unlike the picture.
-    pub(crate) fn work(&self, fit: Fit) -> u64 {
+    pub(crate) fn work(&self, fit: Fit, picture: &Picture) -> u64 {
         let across = 2.0 * fit.stroke + 2.0;
         let length = |[x1, y1, x2, y2]: &[f64; 4]| libm::hypot(x2 - x1, y2 - y1) * fit.unit + across;
         let pixels = self.0.iter().map(length).sum::<f64>() * 2.0 * across;
         // Each change is tried eight times in a round, and mostly in two rounds.
-        pixels as u64 * (1 + CHANGES.len() as u64 * 16) / PIXELS
+        let once = pixels as u64 * (1 + CHANGES.len() as u64 * 16) / PIXELS;
+        if picture.is_photograph { 2 * once + align::WORK / PIXELS } else { once }
     }
 
     /// The part of the ink that agrees, with the best of the fits near this one.
@@ -90,14 +109,28 @@ impl Strokes {
         self.fitted(target.first, picture, fit).0
     }
 
-    /// The part of the ink that agrees, and the best of the fits near this one. `first` is the cosine and the sine of the
-    /// first heading.
-    pub(crate) fn fitted(&self, first: (f64, f64), picture: &Picture, fit: Fit) -> (f64, Fit) {
-        let agreement = |fit: Fit| self.mask(first, fit).agreement(&picture.mask);
+    /// The part of the ink that agrees, and the best of the fits near this one. In a photograph, a small projection lays the
+    /// strokes on the ink first. `first` is the cosine and the sine of the first heading.
+    pub(crate) fn fitted(&self, first: (f64, f64), picture: &Picture, fit: Fit) -> (f64, Laid) {
+        let straight = Laid::straight(first, fit);
+        if picture.is_photograph {
+            let pixels: Vec<_> = self.in_pixels(straight).collect();
+            let by = aligned(&pixels, &picture.mask, picture.stroke);
+            // The projection may lead astray.
+            let fits = [self.improved(picture, straight), self.improved(picture, Laid { by, ..straight })];
+            return if fits[1].0 > fits[0].0 { fits[1] } else { fits[0] };
+        }
+        self.improved(picture, straight)
+    }
+
+    /// As [`Strokes::fitted`], with this projection.
+    fn improved(&self, picture: &Picture, laid: Laid) -> (f64, Laid) {
+        let fit = laid.fit;
+        let agreement = |fit: Fit| self.mask(Laid { fit, ..laid }).agreement(&picture.mask);
         let size = SIDE as f64 / fit.unit;
         let (mut best, mut most) = (fit, agreement(fit));
         if most < PROMISING {
-            return (most, best);
+            return (most, laid);
         }
         for change in CHANGES {
             for _ in 0..MAX_ROUNDS {
@@ -121,23 +154,23 @@ impl Strokes {
                 }
             }
             if most < NEAR {
-                return (most, best);
+                break;
             }
         }
-        (most, best)
+        (most, Laid { fit: best, ..laid })
     }
 
     /// The pixels of the strokes.
-    pub(crate) fn mask(&self, first: (f64, f64), fit: Fit) -> Mask {
+    pub(crate) fn mask(&self, laid: Laid) -> Mask {
         let mut mask = Mask::default();
-        self.in_pixels(first, fit).for_each(|stroke| put_stroke(&mut mask, stroke, fit.stroke));
+        self.in_pixels(laid).for_each(|stroke| put_stroke(&mut mask, stroke, laid.fit.stroke));
         mask
     }
 
     /// The strokes in pixels of the mask, from the upper left corner.
-    pub(crate) fn in_pixels(&self, first: (f64, f64), fit: Fit) -> impl Iterator<Item = [[f64; 2]; 2]> {
-        let ends = move |[x1, y1, x2, y2]: &[f64; 4]| [pixel(first, fit, *x1, *y1), pixel(first, fit, *x2, *y2)];
-        self.0.iter().map(ends)
+    pub(crate) fn in_pixels(&self, Laid { first, fit, by }: Laid) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        let at = move |x: f64, y: f64| by.place(pixel(first, fit, x, y));
+        self.0.iter().map(move |&[x1, y1, x2, y2]| [at(x1, y1), at(x2, y2)])
     }
 }
 

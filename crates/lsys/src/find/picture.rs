@@ -68,7 +68,7 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
     let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
     // A photograph is made straight and even first.
     let picture = match Photograph::straightened(&grey, width, height) {
-        Some(straight) => Picture::new(&straight.grey, straight.width, straight.height),
+        Some(straight) => straight.picture(),
         None => Picture::new(&grey, width, height),
     };
     find_rules(name, picture.map_err(said)?, known, json)

@@ -2,7 +2,7 @@
 //! one angle.
 
 use super::light::Grey;
-use super::projection::Projection;
+use crate::projection::Projection;
 use std::f64::consts::{PI, TAU};
 
 /// The most places whose direction is looked at.
@@ -18,11 +18,9 @@ const TILTS: [f64; 3] = [8.0, 16.0, 24.0];
 const WAYS: usize = 16;
 /// The focal length that is tried first, as a part of the picture's longer side.
 const FOCAL: f64 = 0.95;
-/// The most that a view stretches, and how near the line far away is: a tilt of 32 degrees and a short focal length. Where
-/// the page was found, it is seen from above but for this part of them.
+/// The most that a view stretches, and how near the line far away is: a tilt of 32 degrees and a short focal length.
 const MOST: View = [0.62, 0.62, 0.09, 0.09];
 const SHORTEST: f64 = 0.65;
-const REST: f64 = 0.2;
 /// Of the parts of a half turn, this many are looked at closely.
 const CLOSE: usize = 4;
 /// The changes of a view that are tried one after the other, of which each is half of the one before.
@@ -50,7 +48,7 @@ const fn projection([a, b, c, d]: View) -> Projection {
 
 /// The projection from the picture to the view from above, around the middle of the drawing. `None` if no view makes the
 /// lines multiples of an angle.
-pub(super) fn view(grey: &Grey, is_page: bool) -> Option<Projection> {
+pub(super) fn view(grey: &Grey) -> Option<Projection> {
     let mut pieces = pieces(grey);
     if pieces.len() < 64 {
         return None;
@@ -62,9 +60,9 @@ pub(super) fn view(grey: &Grey, is_page: bool) -> Option<Projection> {
     pieces.iter_mut().for_each(|piece| piece.at = [0, 1].map(|axis| (piece.at[axis] - middle[axis]) / size));
     let focal = FOCAL * grey.width.max(grey.height) as f64 / size;
     let few: Vec<Piece> = pieces.iter().copied().step_by(4).collect();
-    let starts = if is_page { vec![[0.0; 4]] } else { starts(focal) };
-    let near = if is_page { REST } else { 1.0 } * FOCAL / (focal * SHORTEST);
-    let most = [MOST[0] * near, MOST[1] * near, MOST[2] * if is_page { REST } else { 1.0 }, 0.0];
+    let starts = starts(focal);
+    let near = FOCAL / (focal * SHORTEST);
+    let most = [MOST[0] * near, MOST[1] * near, MOST[2], 0.0];
     // For each part of a half turn its best start.
     let spreads: Vec<[f64; PARTS.len()]> = starts.iter().map(|&view| spreads(&few, view)).collect();
     let mut best: Vec<(f64, usize, View)> = (0..PARTS.len())

@@ -1,8 +1,8 @@
 //! The page of a photograph: a light quadrilateral on what is darker.
 
 use super::light::Grey;
-use super::projection::Projection;
 use crate::picture::threshold;
+use crate::projection::Projection;
 use std::ops::RangeInclusive;
 
 /// The longer side of the picture in which a page is sought, in pixels.

@@ -1,0 +1,107 @@
+//! Strokes laid on the ink of a photograph by a small projection, since straightening leaves a small error.
+//!
+//! Places of the strokes are moved across their stroke to the middle of the nearest line, and the projection that does so
+//! best is found by weighted least squares, again and again (iterative closest points; Chen and Medioni, "Object modelling
+//! by registration of multiple range images", 1992).
+
+use crate::projection::Projection;
+use crate::squares::{Squares, bisquare};
+use lsystem_render::mask::{Mask, SIDE};
+
+/// How far ink is sought on both sides of a stroke, in pixels: round by round.
+const REACHES: [i32; 8] = [9, 9, 9, 6, 6, 4, 4, 3];
+/// The most places of the strokes, and the least way between two, in pixels.
+const PLACES: f64 = 3000.0;
+const APART: f64 = 2.0;
+/// The pixels that are looked at.
+pub(crate) const WORK: u64 = 150_000;
+/// Half the side of a picture: the unit of the projection.
+const HALF: f64 = SIDE as f64 / 2.0;
+/// A run of ink across a stroke that is wider than this many strokes is a stroke along the way.
+const WIDE: f64 = 3.0;
+/// The most that a projection stretches and leans. Directions turn by at most this many radians each, so the angle between
+/// two of them changes by at most twice as much, 2.3 degrees: less than half of the 5 degrees between 20, 25 and 30. So a
+/// system does not become one with another angle.
+const STRETCH: f64 = 0.02;
+const LEAN: f64 = 0.02;
+/// The most that it turns, in radians, grows, and moves, in parts of half a side: as near as a hull lies to the ink.
+const TURN: f64 = 0.02;
+const GROWTH: f64 = 0.04;
+const MOVE: f64 = 0.04;
+
+/// The changes of a place (x, y) around the middle: those of the place, and of the line far away.
+type Change = [f64; 8];
+
+/// The projection of the pixels that lays strokes on the ink.
+pub(crate) fn aligned(strokes: &[[[f64; 2]; 2]], ink: &Mask, stroke: f64) -> Projection {
+    let length = |[[x1, y1], [x2, y2]]: &[[f64; 2]; 2]| libm::hypot(x2 - x1, y2 - y1);
+    let apart = (strokes.iter().map(length).sum::<f64>() / PLACES).max(APART);
+    let around = |own: Projection| {
+        let middle = Projection::moved(HALF, HALF).after(Projection::scaled(HALF, HALF));
+        middle.after(own).after(middle.inverse())
+    };
+    let mut own = Projection::NONE;
+    for reach in REACHES {
+        let by = around(own);
+        let mut squares = Squares::<8>::NONE;
+        let mut begin = 0.0;
+        for ends in strokes {
+            let [[x1, y1], [x2, y2]] = ends.map(|at| by.place(at));
+            let long = libm::hypot(x2 - x1, y2 - y1);
+            let across = [(y1 - y2) / long, (x2 - x1) / long];
+            // Places are as far apart from stroke to stroke.
+            while begin < long {
+                let part = begin / long;
+                let at = [x1 + (x2 - x1) * part, y1 + (y2 - y1) * part];
+                if let Some(off) = off(ink, at, across, reach, WIDE * 2.0 * stroke + 1.0) {
+                    squares.add(row(at, across), off / HALF, bisquare(off, f64::from(reach + 1)));
+                }
+                begin += apart;
+            }
+            begin -= if long > 0.0 { long } else { 0.0 };
+        }
+        let Some(change) = squares.solved() else { break };
+        own = bounded(projection(change).after(own));
+    }
+    around(own)
+}
+
+/// How far the middle of the nearest line lies across a stroke at a place, in pixels.
+fn off(ink: &Mask, [x, y]: [f64; 2], across: [f64; 2], reach: i32, widest: f64) -> Option<f64> {
+    let has = |off: i32| {
+        let [x, y] = [x + across[0] * f64::from(off) / 2.0, y + across[1] * f64::from(off) / 2.0];
+        x >= 0.0 && y >= 0.0 && x < SIDE as f64 && y < SIDE as f64 && ink.has(x as usize, y as usize)
+    };
+    // In half pixels.
+    let nearest = (0..=2 * reach).flat_map(|off| [off, -off]).find(|&off| has(off))?;
+    let most = (2.0 * widest) as i32;
+    let run = |by: i32| (1..=most).find(|far| !has(nearest + by * far));
+    let (before, after) = (run(-1)?, run(1)?);
+    (before + after <= most).then(|| f64::from(2 * nearest + after - before) / 4.0)
+}
+
+/// How far each change moves a place across.
+fn row(at: [f64; 2], [u, v]: [f64; 2]) -> Change {
+    let [x, y] = at.map(|at| (at - HALF) / HALF);
+    let lean = u * x + v * y;
+    [u * x, u * y, u, v * x, v * y, v, -lean * x, -lean * y]
+}
+
+const fn projection([a, b, c, d, e, f, g, h]: Change) -> Projection {
+    Projection([[1.0 + a, b, c], [d, 1.0 + e, f], [g, h, 1.0]])
+}
+
+/// The projection, but with no part larger than allowed.
+fn bounded(Projection(m): Projection) -> Projection {
+    let whole = m[2][2];
+    let [[a, b, c], [d, e, f], [g, h, _]] = m.map(|row| row.map(|at| at / whole));
+    let short = |[x, y]: [f64; 2], most: f64| {
+        let part = (most / libm::hypot(x, y).max(1e-12)).min(1.0);
+        [x * part, y * part]
+    };
+    let [stretch, slant] = short([(a - e) / 2.0, (b + d) / 2.0], STRETCH);
+    let growth = ((a + e) / 2.0 - 1.0).clamp(-GROWTH, GROWTH);
+    let turn = ((d - b) / 2.0).clamp(-TURN, TURN);
+    let ([c, f], [g, h]) = (short([c, f], MOVE), short([g, h], LEAN));
+    projection([growth + stretch, slant - turn, c, slant + turn, growth - stretch, f, g, h])
+}
