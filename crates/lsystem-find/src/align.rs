@@ -105,3 +105,57 @@ fn bounded(Projection(m): Projection) -> Projection {
     let ([c, f], [g, h]) = (short([c, f], MOVE), short([g, h], LEAN));
     projection([growth + stretch, slant - turn, c, slant + turn, growth - stretch, f, g, h])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::strokes::put_stroke;
+
+    /// The strokes of `F -> F[+F]F[-F]F` after three steps, in pixels.
+    fn plant(angle: f64) -> Vec<[[f64; 2]; 2]> {
+        fn grow(strokes: &mut Vec<[[f64; 2]; 2]>, n: u32, from: [f64; 2], heading: f64, angle: f64) -> [f64; 2] {
+            if n == 0 {
+                let (sin, cos) = libm::sincos(heading.to_radians());
+                let to = [from[0] + 18.0 * cos, from[1] - 18.0 * sin];
+                strokes.push([from, to]);
+                return to;
+            }
+            let fork = grow(strokes, n - 1, from, heading, angle);
+            grow(strokes, n - 1, fork, heading + angle, angle);
+            let fork = grow(strokes, n - 1, fork, heading, angle);
+            grow(strokes, n - 1, fork, heading - angle, angle);
+            grow(strokes, n - 1, fork, heading, angle)
+        }
+        let mut strokes = Vec::new();
+        grow(&mut strokes, 3, [256.0, 500.0], 90.0, angle);
+        strokes
+    }
+
+    fn ink(strokes: &[[[f64; 2]; 2]], by: Projection) -> Mask {
+        let mut mask = Mask::default();
+        strokes.iter().for_each(|ends| put_stroke(&mut mask, ends.map(|at| by.place(at)), 1.5));
+        mask
+    }
+
+    #[test]
+    fn another_angle_stays_another() {
+        for (own, other) in [(25.0, 30.0), (25.0, 20.0), (30.0, 36.0)] {
+            let (own, other) = (plant(own), plant(other));
+            let target = ink(&other, Projection::NONE);
+            let agreement = ink(&own, aligned(&own, &target, 1.5)).agreement(&target);
+            assert!(agreement < crate::FOUND, "{agreement}");
+        }
+    }
+
+    #[test]
+    fn no_part_of_a_projection_is_too_large() {
+        let nothing = bounded(projection([0.3, -0.2, 0.5, 0.4, -0.1, 0.3, 0.2, -0.1]));
+        let Projection([[a, b, c], [d, e, f], [g, h, _]]) = nothing;
+        assert!(libm::hypot(a - e, b + d) / 2.0 <= STRETCH + 1e-9 && libm::hypot(g, h) <= LEAN + 1e-9);
+        assert!(libm::hypot(c, f) <= MOVE + 1e-9 && (d - b).abs() / 2.0 <= TURN + 1e-9);
+        // Neither ink nor strokes tell anything.
+        for strokes in [vec![], vec![[[9.0, 9.0], [9.0, 9.0]]], plant(25.0)] {
+            assert_eq!(aligned(&strokes, &Mask::default(), 1.5).place([100.0, 30.0]), [100.0, 30.0]);
+        }
+    }
+}

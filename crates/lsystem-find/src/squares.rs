@@ -45,3 +45,27 @@ pub(crate) fn bisquare(off: f64, most: f64) -> f64 {
     let rest = 1.0 - (off / most) * (off / most);
     if rest > 0.0 { rest * rest } else { 0.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_unknowns_leave_the_least_squares() {
+        let rows = [[1.0, 0.0], [1.0, 1.0], [1.0, 2.0], [1.0, 3.0], [1.0, 4.0]];
+        let values = [1.1, 2.9, 5.2, 6.8, 40.0];
+        let mut squares = Squares::NONE;
+        let weights = values.map(|value| bisquare(value, 30.0));
+        rows.iter().zip(values).zip(weights).for_each(|((&row, value), weight)| squares.add(row, value, weight));
+        let own = squares.solved().expect("a line");
+        let left = |[a, b]: [f64; 2]| {
+            let off = |(row, value): (&[f64; 2], f64)| a * row[0] + b * row[1] - value;
+            rows.iter().zip(values).zip(weights).map(|(at, weight)| weight * off(at) * off(at)).sum::<f64>()
+        };
+        // What holds the unknowns moves them by less than a step of this grid.
+        for (a, b) in (-20..=20).flat_map(|a| (-20..=20).map(move |b| (f64::from(a) * 0.02, f64::from(b) * 0.02))) {
+            assert!((a, b) == (0.0, 0.0) || left([own[0] + a, own[1] + b]) > left(own), "{a} {b}");
+        }
+        assert!(weights[4] == 0.0 && Squares::<3>::NONE.solved().is_none());
+    }
+}

@@ -263,3 +263,37 @@ fn comb(places: &[f64], length: f64) -> f64 {
     });
     libm::hypot(sum[0], sum[1]) / places.len() as f64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spreads_are_those_of_the_angles() {
+        let pieces: Vec<Piece> = (0..50)
+            .map(|at| {
+                let (sin, cos) = libm::sincos(f64::from(at * at) * 0.37);
+                let weight = 0.5 + f64::from(at % 5) / 10.0;
+                Piece { at: [f64::from(at % 7) / 7.0 - 0.5, f64::from(at) / 50.0 - 0.5], direction: [cos, sin], weight }
+            })
+            .collect();
+        for view in [[0.0; 4], [0.1, -0.05, 0.03, 0.02]] {
+            let projection = projection(view);
+            for (part, spread) in PARTS.into_iter().zip(spreads(&pieces, view)) {
+                let (mut across, mut down, mut all) = (0.0, 0.0, 0.0);
+                for piece in &pieces {
+                    // The direction of a short way.
+                    let ends = [-1e-6, 1e-6]
+                        .map(|by| projection.place([0, 1].map(|axis| piece.at[axis] + by * piece.direction[axis])));
+                    let angle = libm::atan2(ends[1][1] - ends[0][1], ends[1][0] - ends[0][0]);
+                    let (sin, cos) = libm::sincos(2.0 * part as f64 * angle);
+                    across += piece.weight * cos;
+                    down += piece.weight * sin;
+                    all += piece.weight;
+                }
+                let naive = 1.0 - libm::hypot(across, down) / all;
+                assert!((spread - naive).abs() < 1e-6, "{part}: {spread} {naive}");
+            }
+        }
+    }
+}
