@@ -11,12 +11,12 @@ use crate::strokes::put_stroke;
 use lsystem_render::mask::{Mask, SIDE};
 
 /// How far ink is sought on both sides of a stroke, in pixels: round by round.
-const REACHES: [i32; 8] = [9, 9, 9, 6, 6, 4, 4, 3];
+const REACHES: [i32; 5] = [9, 9, 6, 4, 3];
 /// The most places of the strokes, and the least way between two, in pixels.
-const PLACES: f64 = 3000.0;
+const PLACES: f64 = 1000.0;
 const APART: f64 = 2.0;
 /// The pixels that are looked at.
-pub(crate) const WORK: u64 = 150_000;
+pub(crate) const WORK: u64 = 60_000;
 /// Half the side of a picture: the unit of the projection.
 const HALF: f64 = SIDE as f64 / 2.0;
 /// A run of ink across a stroke that is wider than this many strokes is a stroke along the way.
@@ -76,15 +76,29 @@ fn around(own: Projection) -> Projection {
 
 /// How far the middle of the nearest line lies across a stroke at a place, in pixels.
 fn off(ink: &Mask, [x, y]: [f64; 2], across: [f64; 2], reach: i32, widest: f64) -> Option<f64> {
+    let half = across.map(|across| across / 2.0);
     let has = |off: i32| {
-        let [x, y] = [x + across[0] * f64::from(off) / 2.0, y + across[1] * f64::from(off) / 2.0];
+        let (x, y) = (x + half[0] * f64::from(off), y + half[1] * f64::from(off));
         x >= 0.0 && y >= 0.0 && x < SIDE as f64 && y < SIDE as f64 && ink.has(x as usize, y as usize)
     };
     // In half pixels.
-    let nearest = (0..=2 * reach).flat_map(|off| [off, -off]).find(|&off| has(off))?;
+    let mut near = 0;
+    while !has(near) && !has(-near) {
+        near += 1;
+        if near > 2 * reach {
+            return None;
+        }
+    }
+    let nearest = if has(near) { near } else { -near };
     let most = (2.0 * widest) as i32;
-    let run = |by: i32| (1..=most).find(|far| !has(nearest + by * far));
-    let (before, after) = (run(-1)?, run(1)?);
+    let run = |by: i32| {
+        let mut far = 1;
+        while far <= most && has(nearest + by * far) {
+            far += 1;
+        }
+        far
+    };
+    let (before, after) = (run(-1), run(1));
     (before + after <= most).then(|| f64::from(2 * nearest + after - before) / 4.0)
 }
 

@@ -14,7 +14,10 @@ const THIN: f64 = 0.75;
 /// Half the width of these lines on the sheet, in pixels, and the sheet's pixels for one of the mask.
 const THIN_ON_SHEET: f64 = 1.0;
 const FINER: f64 = 4.0;
-/// How much further, in pixels, a stroke may lie beside the ink of a photograph.
+/// How far, in pixels, a stroke may lie beside the ink before it is laid on it.
+pub(crate) const NEAR_INK: u32 = 2;
+/// How much further, in pixels, a stroke may lie beside the ink of a photograph. Measured: of 48 photographs that were
+/// straightened at all, the strokes of 46 lie at most 5 pixels beside the ink in 97 of 100 places, and the others 7 and 8.
 pub(crate) const LOOSE: u32 = 3;
 /// The directions of the hull whose area is measured.
 const DIRECTIONS: usize = 360;
@@ -127,7 +130,7 @@ impl Picture {
             }
         }
         let close = mask.grown();
-        let near = close.grown();
+        let near = (1..NEAR_INK).fold(close.clone(), |near, _| near.grown());
         let stroke = half_width(SIDE, SIDE, |x, y| mask.has(x, y));
         Self { mask, near, close, stroke, sheet, is_photograph: false, work: 0, outline }
     }
