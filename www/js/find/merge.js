@@ -64,6 +64,6 @@ export function verdict({ candidates }, isString) {
     if (same > 0) return `${systems(same)} ${same === 1 ? one : many}.`;
     if (candidates.some(({ isFound }) => isFound)) return `Nearly the same: ${percent(best)}`;
     return candidates.length > 0
-        ? 'None of the searched systems draws this picture. The closest:'
+        ? 'None of the searched systems draws this picture. The nearest:'
         : `None of the searched systems ${isString ? one : 'comes close'}.`;
 }
