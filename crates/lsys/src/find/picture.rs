@@ -156,14 +156,18 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
                 None => {}
                 Some(1.0..) => writeln!(out, "The same picture:\n")?,
                 Some(_) if is_found => writeln!(out, "Nearly the same picture:\n")?,
-                Some(_) => writeln!(out, "None draws this picture. The closest:\n")?,
+                Some(_) => writeln!(out, "None draws this picture. The nearest:\n")?,
             }
             for one in &kept {
                 if let Some(named) = &one.named {
                     writeln!(out, "{}, in the gallery:", named.name)?;
                 }
                 let Drawn { axiom, found, draws, angle, heading, .. } = one;
-                let nearly = if one.is_same() { "" } else { "nearly the same: " };
+                let nearly = match one.agreement {
+                    1.0.. => "",
+                    FOUND.. => "nearly the same: ",
+                    _ => "not the same: ",
+                };
                 let (text, n, symbols) = (one.rules(), found.n, one.symbols());
                 let steps = if n == 1 { "step" } else { "steps" };
                 writeln!(
