@@ -168,7 +168,8 @@ export {};
  * }} CourseCalls
  */
 /** @typedef {import('./messages.js').FindQuestion} FindQuestion */
-/** Where rules are searched: levels of grey, row by row from above, 0 for black; or a string. @typedef {{grey: Uint8Array, width: number, height: number} | {text: string}} FindSource */
+/** Levels of grey, row by row from above, 0 for black; `isStraight`: what a photograph shows, straightened. @typedef {{grey: Uint8Array, width: number, height: number, isStraight?: boolean}} FindPicture */
+/** Where rules are searched: a picture or a string. @typedef {FindPicture | {text: string}} FindSource */
 /** @typedef {import('./messages.js').Candidate} Candidate */
 /** A system that a search tries before all others. @typedef {{name: string, definition: Definition}} NamedSystem */
 /** A picture with the names of what of it was not drawn, with commas. @typedef {import('./find/ink.js').Grey & {leftOut: string}} DrawnPicture */

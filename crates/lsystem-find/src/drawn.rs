@@ -4,7 +4,7 @@ use crate::hull::{Fit, Target};
 use crate::named::without_spaces;
 use crate::overlay::{LIMITS, MAX_SEGMENTS, NOT_THE_SAME, judged};
 use crate::picture::Picture;
-use crate::strokes::Strokes;
+use crate::strokes::{NEAR, Strokes};
 use crate::{Found, Named, printed};
 use lsystem_drawing::{Plane, draw};
 use lsystem_syntax::{Definition, Dialect};
@@ -156,7 +156,7 @@ impl Drawn {
     }
 }
 
-/// Adds a system to those that are kept, best first.
+/// Adds a system to those that are kept, best first. If none is near the picture, the nearest one is kept.
 pub(crate) fn keep(kept: &mut Vec<Drawn>, mut drawn: Drawn) {
     let key = drawn.key();
     if let Some(at) = kept.iter().position(|other| other.key() == key) {
@@ -169,7 +169,8 @@ pub(crate) fn keep(kept: &mut Vec<Drawn>, mut drawn: Drawn) {
     kept.push(drawn);
     let best = kept.iter().map(|drawn| drawn.agreement).fold(0.0, f64::max);
     kept.sort_by_cached_key(|drawn| drawn.order(best));
-    kept.truncate(MAX_KEPT);
+    let near = kept.iter().filter(|drawn| drawn.agreement >= NEAR).count();
+    kept.truncate(near.clamp(1, MAX_KEPT));
 }
 
 #[cfg(test)]

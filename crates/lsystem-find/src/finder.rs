@@ -59,6 +59,8 @@ pub struct Finder {
     reads: VecDeque<(usize, u64)>,
     steps: Vec<u32>,
     kept: Vec<Drawn>,
+    /// The work of the picture that is still to be counted.
+    owed: u64,
     /// The search that goes on now, and how many systems are left before the next one's turn.
     turn: (usize, u64),
 }
@@ -100,10 +102,11 @@ impl Finder {
             }
         }
         let (picture, question) = (picture.clone(), question.clone());
+        let owed = picture.work / share.count;
         // The searches of the likeliest angle come first.
         let reads = (0..searches.len().min(READ_AXIOMS)).map(|at| (at, READS)).collect();
         let (named, kept) = (VecDeque::new(), Vec::new());
-        Ok(Self { picture, question, share, named, searches, reads, steps, kept, turn: (0, 0) })
+        Ok(Self { picture, question, share, named, searches, reads, steps, kept, owed, turn: (0, 0) })
     }
 
     /// Tries systems with names before all others: each after its own number of steps first, and after others then. Those
@@ -137,7 +140,9 @@ impl Finder {
     /// As [`Finder::step`], but ends early once `is_over` says so, which is asked after each piece of work. Where a step
     /// ends early, the systems that were tried depend on when.
     pub fn step_until(&mut self, systems: u64, is_over: &dyn Fn() -> bool) -> Searched {
-        let mut work = systems;
+        let paid = systems.min(self.owed);
+        self.owed -= paid;
+        let mut work = systems - paid;
         while work > 0 && !is_over() {
             if let Some((named, system, n)) = self.named.pop_front() {
                 let (drawn, spent) = named.drawn(&system, n, &self.picture);

@@ -9,7 +9,7 @@ use crate::family::{Family, Rule};
 use crate::hull::{Fit, Hulls, System, Target};
 use crate::picture::Picture;
 use crate::source::Advance;
-use crate::strokes::{Strokes, pixel};
+use crate::strokes::{Laid, Strokes, pixel};
 use crate::words::{Alphabet, Symbol};
 use lsystem_render::mask::SIDE;
 use std::cmp::Reverse;
@@ -354,7 +354,7 @@ impl GrowthSearch {
     fn covered(&mut self, branches: &[Branch]) -> Option<usize> {
         let fit = self.fit();
         let strokes = self.strokes(branches)?;
-        let mask = strokes.mask(self.target.first, Fit { stroke: fit.stroke + 1.0, ..fit });
+        let mask = strokes.mask(Laid::straight(self.target.first, Fit { stroke: fit.stroke + 1.0, ..fit }));
         Some(self.places.iter().filter(|&&[x, y]| mask.has(x, y)).count())
     }
 

@@ -4,7 +4,7 @@
 //! the moved hulls of its symbols, so the hulls of all letters after `n` steps need work for `n` times the symbols of
 //! the rules, however many segments are drawn. Places are in steps, with the first heading along the x axis.
 
-use crate::picture::Picture;
+use crate::picture::{LOOSE, Picture};
 use crate::words::{Alphabet, Symbol};
 use std::f64::consts::TAU;
 
@@ -182,6 +182,8 @@ pub(crate) struct Target {
     square: f64,
     /// Half the usual width of a line.
     stroke: f64,
+    /// How far the hulls may be apart, in pixels: on the average, and at most.
+    apart: [f64; 2],
 }
 
 impl Target {
@@ -199,7 +201,9 @@ impl Target {
         let shape: Vec<f64> = reach.iter().zip(directions).map(rest).collect();
         let square = shape.iter().map(|at| at * at).sum();
         let shape = shape.into_iter().map(|at| at as f32).collect();
-        Self { headings, first: (cos, sin), reach, moments, shape, square, stroke: picture.stroke }
+        let looser = if picture.is_photograph { f64::from(LOOSE) } else { 0.0 };
+        let apart = [USUAL + looser / 2.0, FURTHEST + looser];
+        Self { headings, first: (cos, sin), reach, moments, shape, square, stroke: picture.stroke, apart }
     }
 
     /// How the hull lies best on that of the picture, by least squares, if it does. Where the picture is nearly round,
@@ -210,8 +214,9 @@ impl Target {
         let reach = &block.reach[..self.shape.len()];
         let both = dot(reach, &self.shape);
         let Moments { mean, x, y, own } = *moments;
+        let [usual_off, furthest_off] = self.apart;
         let least = self.square - both * both / own;
-        if both <= 0.0 || least > USUAL * USUAL * count {
+        if both <= 0.0 || least > usual_off * usual_off * count {
             return [None, None];
         }
         let Moments { mean: wanted, x: wanted_x, y: wanted_y, .. } = self.moments;
@@ -224,7 +229,7 @@ impl Target {
             let (square, furthest) =
                 lines.fold((0.0, 0.0_f64), |(sum, most), off| (sum + off * off, most.max(off.abs())));
             let is_thin = (-0.6..=2.0 * wanted * THICKEST + 1.0).contains(&fit.stroke);
-            let is_near = square <= USUAL * USUAL * count && furthest < FURTHEST;
+            let is_near = square <= usual_off * usual_off * count && furthest < furthest_off;
             (is_thin && is_near).then_some(Fit { stroke: fit.stroke.max(0.5), ..fit })
         };
         let weight = count / 2.0 * mean;

@@ -20,6 +20,7 @@
 //! assert_eq!(finder.found()[0].found.text(), "F -> F+F-F");
 //! ```
 
+mod align;
 mod angles;
 mod curve;
 mod curve_letters;
@@ -36,9 +37,11 @@ mod parts;
 mod photograph;
 mod picture;
 mod picture_search;
+mod projection;
 mod share;
 mod sheet;
 mod source;
+mod squares;
 mod strings;
 mod strokes;
 mod svg;

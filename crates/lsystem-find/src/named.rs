@@ -2,7 +2,6 @@
 
 use crate::overlay::Overlay;
 use crate::picture::Picture;
-use crate::strokes::NEAR;
 use crate::{Drawn, Found, Question};
 use lsystem_drawing::System;
 use lsystem_syntax::{Action, Definition};
@@ -36,7 +35,7 @@ impl Named {
         question.draws.as_ref().is_none_or(is_drawing).then_some(system)
     }
 
-    /// The system after `n` steps, if it draws nearly the picture; and the work in systems that are unlike the picture.
+    /// The system after `n` steps, if it can be laid on the picture; and the work in systems that are unlike the picture.
     pub(crate) fn drawn(self: &Arc<Self>, system: &System, n: u32, picture: &Picture) -> (Option<Drawn>, u64) {
         let Some(overlay) = Overlay::of(system, n, picture) else { return (None, 0) };
         let Definition { axiom, angle, heading, .. } = &self.definition;
@@ -49,7 +48,7 @@ impl Named {
             agreement: overlay.agreement,
             named: Some(self.clone()),
         };
-        (Some(drawn).filter(|drawn| drawn.agreement >= NEAR), overlay.work(picture))
+        (Some(drawn), overlay.work)
     }
 }
 

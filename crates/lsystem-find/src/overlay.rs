@@ -2,8 +2,8 @@
 
 use crate::drawn::FOUND;
 use crate::hull::Fit;
-use crate::picture::Picture;
-use crate::strokes::Strokes;
+use crate::picture::{LOOSE, Picture};
+use crate::strokes::{Laid, Strokes};
 use lsystem_base::Limits;
 use lsystem_drawing::{Plane, System, draw};
 use lsystem_syntax::Definition;
@@ -19,25 +19,31 @@ pub(crate) const LIMITS: Limits =
 pub(crate) const NOT_THE_SAME: f64 = 1.0 - f64::EPSILON;
 /// The sides of the box around a drawing differ from that of the picture by at most this many pixels.
 const OTHER_BOX: f64 = 6.0;
+/// Those of a drawing by hand, by at most this many: a tenth of the whole.
+const BY_HAND: f64 = SIDE as f64 / 10.0;
 /// The heading of coordinates in the plane: its cosine and its sine.
 const RIGHT: (f64, f64) = (1.0, 0.0);
 
 /// A drawing laid on a picture.
 pub(crate) struct Overlay {
     strokes: Strokes,
-    fit: Fit,
+    laid: Laid,
     /// As [`judged`].
     pub(crate) agreement: f64,
+    /// In systems that are unlike the picture.
+    pub(crate) work: u64,
 }
 
 impl Overlay {
     /// The drawing of a system after `n` steps. `None` if it has no strokes, too many of them, or filled shapes, or if its
-    /// box has another shape than that of the picture.
+    /// box has another shape than that of the picture. If the shape is as near as that of a drawing by hand, it is only laid
+    /// on the picture by the middles of both.
     pub(crate) fn of(system: &System, n: u32, picture: &Picture) -> Option<Self> {
-        Self::close(system, n, picture, OTHER_BOX)
+        let looser = if picture.is_photograph { 2.0 * f64::from(LOOSE) } else { 0.0 };
+        Self::close(system, n, picture, OTHER_BOX + looser)
     }
 
-    /// As [`Overlay::of`], if the sides of both boxes differ by at most `most` pixels.
+    /// As [`Overlay::of`]. The sides of boxes of the same shape differ by at most `most` pixels.
     fn close(system: &System, n: u32, picture: &Picture, most: f64) -> Option<Self> {
         let drawing = draw::<Plane>(system, n, &LIMITS).ok()?;
         if system.is_solid() || drawing.polygon_count() > 0 || drawing.segment_count() > u128::from(MAX_SEGMENTS) {
@@ -52,7 +58,8 @@ impl Overlay {
         let units = [(ink_wide, wide), (ink_high, high)].map(|(ink, own)| (ink - 2.0 * stroke) / own);
         let by_longer = if wide > high { units[0] } else { units[1] };
         let off = |ink: f64, own: f64| (ink - 2.0 * stroke - own * by_longer).abs();
-        if !(by_longer > 0.0 && by_longer.is_finite()) || off(ink_wide, wide).max(off(ink_high, high)) > most {
+        let off = off(ink_wide, wide).max(off(ink_high, high));
+        if !(by_longer > 0.0 && by_longer.is_finite()) || off > most.max(BY_HAND) {
             return None;
         }
         let strokes = Strokes::of_segments(drawing.segments().map(|at| [at.from, at.to]), RIGHT);
@@ -65,18 +72,21 @@ impl Overlay {
             };
             Fit { unit, x: along(0), y: along(1), stroke }
         };
+        if off > most {
+            let unit = units.into_iter().fold(f64::INFINITY, f64::min);
+            let laid = Laid::straight(RIGHT, place(unit, [0.5, 0.5]));
+            let agreement = strokes.mask(laid).agreement(&picture.mask);
+            let work = strokes.work_once(laid.fit);
+            return Some(Self { strokes, laid, agreement, work });
+        }
         let parts = [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
         let fits = units.into_iter().flat_map(|unit| parts.map(|part| place(unit, part)));
-        let agreement = |fit: &Fit| strokes.mask(RIGHT, *fit).agreement(&picture.mask);
+        let agreement = |fit: &Fit| strokes.mask(Laid::straight(RIGHT, *fit)).agreement(&picture.mask);
         let usable = fits.filter(|fit| fit.unit > 0.0 && fit.unit.is_finite());
         let (_, fit) = usable.map(|fit| (agreement(&fit), fit)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let (agreement, fit) = judged(&strokes, RIGHT, picture, fit);
-        Some(Self { strokes, fit, agreement })
-    }
-
-    /// The work of the overlay, in systems that are unlike the picture.
-    pub(crate) fn work(&self, picture: &Picture) -> u64 {
-        self.strokes.work(self.fit) + picture.sheet.work()
+        let (agreement, laid) = judged(&strokes, RIGHT, picture, fit);
+        let work = strokes.work(laid.fit, picture) + picture.sheet.work();
+        Some(Self { strokes, laid, agreement, work })
     }
 }
 
@@ -88,15 +98,15 @@ impl Picture {
     pub fn compared(&self, definition: &Definition) -> Option<Vec<u8>> {
         let system = System::new(definition).0?;
         let overlay = Overlay::close(&system, definition.iterations, self, f64::INFINITY)?;
-        Some(overlay.strokes.mask(RIGHT, overlay.fit).compared(&self.mask))
+        Some(overlay.strokes.mask(overlay.laid).compared(&self.mask))
     }
 }
 
 /// The part of the ink of strokes and of a picture that agrees, from 0 to 1, with the best of the fits near this one, and
-/// that fit. It is 1 only if both are the same: the skeletons agree within a stroke width in both directions and nothing
+/// where they lie then. It is 1 only if both are the same: the skeletons agree within a stroke width in both directions and nothing
 /// is left over, at the picture's own resolution. `first` is the cosine and the sine of the first heading.
-pub(crate) fn judged(strokes: &Strokes, first: (f64, f64), picture: &Picture, fit: Fit) -> (f64, Fit) {
-    let (agreement, fit) = strokes.fitted(first, picture, fit);
-    let is_same = agreement >= FOUND && picture.sheet.agrees(strokes.in_pixels(first, fit));
-    (if is_same { 1.0 } else { agreement.min(NOT_THE_SAME) }, fit)
+pub(crate) fn judged(strokes: &Strokes, first: (f64, f64), picture: &Picture, fit: Fit) -> (f64, Laid) {
+    let (agreement, laid) = strokes.fitted(first, picture, fit);
+    let is_same = agreement >= FOUND && picture.sheet.agrees(strokes.in_pixels(laid));
+    (if is_same { 1.0 } else { agreement.min(NOT_THE_SAME) }, laid)
 }

@@ -15,6 +15,11 @@ const THIN: f64 = 0.75;
 /// Half the width of these lines on the sheet, in pixels, and the sheet's pixels for one of the mask.
 const THIN_ON_SHEET: f64 = 1.0;
 const FINER: f64 = 4.0;
+/// How far, in pixels, a stroke may lie beside the ink before it is laid on it.
+pub(crate) const NEAR_INK: u32 = 2;
+/// How much further, in pixels, a stroke may lie beside the ink of a photograph. Measured: of 48 photographs that were
+/// straightened at all, the strokes of 46 lie at most 5 pixels beside the ink in 97 of 100 places, and the others 7 and 8.
+pub(crate) const LOOSE: u32 = 3;
 /// The directions of the hull whose area is measured.
 const DIRECTIONS: usize = 360;
 
@@ -30,6 +35,10 @@ pub struct Picture {
     pub(crate) stroke: f64,
     /// The same ink, finer.
     pub(crate) sheet: Sheet,
+    /// Whether the ink may lie beside where it was drawn, since a photograph was straightened.
+    pub(crate) is_photograph: bool,
+    /// The work that has made this picture, in systems that are unlike it.
+    pub(crate) work: u64,
     /// The places of the ink at the outline of each row, with the y axis upwards.
     outline: Vec<[f64; 2]>,
 }
@@ -122,9 +131,16 @@ impl Picture {
             }
         }
         let close = mask.grown();
-        let near = close.grown();
+        let near = (1..NEAR_INK).fold(close.clone(), |near, _| near.grown());
         let stroke = half_width(SIDE, SIDE, |x, y| mask.has(x, y));
-        Self { mask, near, close, stroke, sheet, outline }
+        Self { mask, near, close, stroke, sheet, is_photograph: false, work: 0, outline }
+    }
+
+    /// This picture as a photograph that was straightened with some work, in systems that are unlike it: strokes may lie
+    /// a little further beside the ink.
+    pub(crate) fn straightened(mut self, work: u64) -> Self {
+        (0..LOOSE).for_each(|_| self.near = self.near.grown());
+        Self { is_photograph: true, work, ..self }
     }
 
     /// How far the ink reaches in a direction in radians, counter-clockwise from the right, from the upper left corner.

@@ -183,9 +183,9 @@ impl PictureSearch {
             }
             let target = &targets[at];
             let Some(strokes) = Strokes::on_ink(system, hulls, n, target, picture, fit) else { return };
-            work += strokes.work(fit);
+            work += strokes.work(fit, picture);
             let agreement = strokes.agreement(target, picture, fit);
-            if agreement >= NEAR && best.is_none_or(|(most, ..)| agreement > most) {
+            if best.is_none_or(|(most, ..)| agreement > most) {
                 best = Some((agreement, n, at, fit));
             }
         });
@@ -209,6 +209,9 @@ impl PictureSearch {
             work += picture.sheet.work();
         }
         keep(&mut self.kept, drawn);
+        if agreement < NEAR {
+            return work;
+        }
         // Half as many lines of twice the length draw the same.
         if let Some(halved) = family.halved(words) {
             work += self.compare(at_family, &halved, is_over);

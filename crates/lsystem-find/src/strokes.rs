@@ -1,7 +1,9 @@
 //! The strokes of a system, and how much of their ink agrees with a picture.
 
+use crate::align::{self, aligned};
 use crate::hull::{Block, Fit, Headings, Hulls, Place, System, Target};
-use crate::picture::Picture;
+use crate::picture::{LOOSE, NEAR_INK, Picture};
+use crate::projection::Projection;
 use lsystem_render::mask::{Mask, SIDE};
 use std::collections::HashSet;
 
@@ -16,19 +18,38 @@ const BESIDE: f64 = 0.03;
 const SOME: f64 = 8.0;
 /// Parts of a drawing whose places differ by less than this many pixels are the same part.
 const SAME: f64 = 0.25;
-/// A system that agrees less is not kept.
+/// Of systems that agree less, only the nearest one is kept.
 pub(crate) const NEAR: f64 = 0.8;
-/// The fit is improved only from this agreement on.
+/// The fit is improved only from this agreement on; that of strokes that a projection has laid, from the second one.
 const PROMISING: f64 = 0.7;
+const LAID: f64 = 0.9;
 /// The number of pixels tested in the time that it takes to reject a system by its hull.
 pub(crate) const PIXELS: u64 = 256;
 /// The changes of a fit, in pixels, that are tried one after the other.
 const CHANGES: [f64; 3] = [0.5, 0.25, 0.12];
+/// The changes of the half width of a photograph's lines, in pixels, that are tried.
+const WIDTHS: [f64; 4] = [-1.0, -0.5, 0.0, 0.5];
 /// The most times that each change is applied while it improves the fit.
 const MAX_ROUNDS: usize = 6;
 
 /// Strokes from place to place, in steps.
 pub(crate) struct Strokes(Vec<[f64; 4]>);
+
+/// Where strokes lie on a picture.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Laid {
+    /// The cosine and the sine of the first heading.
+    pub(crate) first: (f64, f64),
+    pub(crate) fit: Fit,
+    /// How the pixels are moved after that.
+    pub(crate) by: Projection,
+}
+
+impl Laid {
+    pub(crate) const fn straight(first: (f64, f64), fit: Fit) -> Self {
+        Self { first, fit, by: Projection::NONE }
+    }
+}
 
 /// A walk from the blocks of a system down to its strokes.
 struct Tracer<'a> {
@@ -77,12 +98,18 @@ impl Strokes {
     }
 
     /// The work of a measure of the agreement, in systems that are unlike the picture.
-    pub(crate) fn work(&self, fit: Fit) -> u64 {
+    pub(crate) fn work(&self, fit: Fit, picture: &Picture) -> u64 {
+        // Each change is tried eight times in a round, and mostly in two rounds.
+        let once = self.work_once(fit) * (1 + CHANGES.len() as u64 * 16);
+        if picture.is_photograph { once + align::WORK / PIXELS } else { once }
+    }
+
+    /// The work of one mask.
+    pub(crate) fn work_once(&self, fit: Fit) -> u64 {
         let across = 2.0 * fit.stroke + 2.0;
         let length = |[x1, y1, x2, y2]: &[f64; 4]| libm::hypot(x2 - x1, y2 - y1) * fit.unit + across;
         let pixels = self.0.iter().map(length).sum::<f64>() * 2.0 * across;
-        // Each change is tried eight times in a round, and mostly in two rounds.
-        pixels as u64 * (1 + CHANGES.len() as u64 * 16) / PIXELS
+        pixels as u64 / PIXELS
     }
 
     /// The part of the ink that agrees, with the best of the fits near this one.
@@ -90,14 +117,41 @@ impl Strokes {
         self.fitted(target.first, picture, fit).0
     }
 
-    /// The part of the ink that agrees, and the best of the fits near this one. `first` is the cosine and the sine of the
-    /// first heading.
-    pub(crate) fn fitted(&self, first: (f64, f64), picture: &Picture, fit: Fit) -> (f64, Fit) {
-        let agreement = |fit: Fit| self.mask(first, fit).agreement(&picture.mask);
+    /// The part of the ink that agrees, and the best of the fits near this one. In a photograph, a small projection lays the
+    /// strokes on the ink first. `first` is the cosine and the sine of the first heading.
+    pub(crate) fn fitted(&self, first: (f64, f64), picture: &Picture, fit: Fit) -> (f64, Laid) {
+        let straight = Laid::straight(first, fit);
+        if picture.is_photograph { self.projected(picture, straight) } else { self.improved(picture, straight) }
+    }
+
+    /// As [`Strokes::fitted`], for a photograph.
+    fn projected(&self, picture: &Picture, straight: Laid) -> (f64, Laid) {
+        let fit = straight.fit;
+        let mask = self.mask(straight);
+        let agreement = mask.agreement(&picture.mask);
+        // As few of the ink may lie far from the strokes as of the strokes from the ink.
+        let near = (0..NEAR_INK + LOOSE).fold(mask, |mask, _| mask.grown());
+        if (picture.mask.common(&near) as f64) < (1.0 - BESIDE) * picture.mask.count() as f64 {
+            return (agreement, straight);
+        }
+        let pixels: Vec<_> = self.in_pixels(straight).collect();
+        let laid = Laid { by: aligned(&pixels, &picture.mask, picture.stroke), ..straight };
+        // The projection may lead astray. It does not tell how wide the lines are, nor does the ink where they are near.
+        let wide = |by: f64| Laid { fit: Fit { stroke: (fit.stroke + by).max(0.5), ..fit }, ..laid };
+        let all = WIDTHS.map(wide).into_iter().map(|laid| (self.mask(laid).agreement(&picture.mask), laid));
+        let best =
+            all.chain([(agreement, straight)]).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((agreement, straight));
+        if best.0 < LAID { best } else { self.improved(picture, best.1) }
+    }
+
+    /// As [`Strokes::fitted`], with this projection.
+    fn improved(&self, picture: &Picture, laid: Laid) -> (f64, Laid) {
+        let fit = laid.fit;
+        let agreement = |fit: Fit| self.mask(Laid { fit, ..laid }).agreement(&picture.mask);
         let size = SIDE as f64 / fit.unit;
         let (mut best, mut most) = (fit, agreement(fit));
         if most < PROMISING {
-            return (most, best);
+            return (most, laid);
         }
         for change in CHANGES {
             for _ in 0..MAX_ROUNDS {
@@ -121,23 +175,23 @@ impl Strokes {
                 }
             }
             if most < NEAR {
-                return (most, best);
+                break;
             }
         }
-        (most, best)
+        (most, Laid { fit: best, ..laid })
     }
 
     /// The pixels of the strokes.
-    pub(crate) fn mask(&self, first: (f64, f64), fit: Fit) -> Mask {
+    pub(crate) fn mask(&self, laid: Laid) -> Mask {
         let mut mask = Mask::default();
-        self.in_pixels(first, fit).for_each(|stroke| put_stroke(&mut mask, stroke, fit.stroke));
+        self.in_pixels(laid).for_each(|stroke| put_stroke(&mut mask, stroke, laid.fit.stroke));
         mask
     }
 
     /// The strokes in pixels of the mask, from the upper left corner.
-    pub(crate) fn in_pixels(&self, first: (f64, f64), fit: Fit) -> impl Iterator<Item = [[f64; 2]; 2]> {
-        let ends = move |[x1, y1, x2, y2]: &[f64; 4]| [pixel(first, fit, *x1, *y1), pixel(first, fit, *x2, *y2)];
-        self.0.iter().map(ends)
+    pub(crate) fn in_pixels(&self, Laid { first, fit, by }: Laid) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        let at = move |x: f64, y: f64| by.place(pixel(first, fit, x, y));
+        self.0.iter().map(move |&[x1, y1, x2, y2]| [at(x1, y1), at(x2, y2)])
     }
 }
 

@@ -143,7 +143,8 @@ impl Mask {
     }
 
     /// The number of pixels with ink in both.
-    fn common(&self, other: &Self) -> u64 {
+    #[must_use]
+    pub fn common(&self, other: &Self) -> u64 {
         let pairs = self.0.as_flattened().iter().zip(other.0.as_flattened());
         pairs.map(|(a, b)| u64::from((a & b).count_ones())).sum()
     }

@@ -33,6 +33,15 @@ pub(crate) struct NamedSystem {
     definition: Definition,
 }
 
+/// The form of a picture.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Form {
+    width: usize,
+    height: usize,
+    is_straight: bool,
+}
+
 /// The result of a search so far.
 #[derive(Serialize, TS)]
 pub(crate) struct FindReport {
@@ -135,8 +144,8 @@ enum Search {
 
 #[wasm_bindgen]
 impl RuleFinder {
-    /// A search for the rules of a picture of `width` times `height` levels of grey, row by row from above; 0 is black.
-    /// `part` is the index of this search, from 0, among `parts` that run in parallel. `question` is `{axiom, angle,
+    /// A search for the rules of a picture of levels of grey, row by row from above; 0 is black. `form` is `{width, height,
+    /// isStraight}`: whether it is the ink of what [`GreyPicture::of_photograph`] gave. `part` is the index of this search, from 0, among `parts` that run in parallel. `question` is `{axiom, angle,
     /// heading, n, draws}`. `named` are the systems that are tried first, as `{name, definition}`; all searches are given the
     /// same ones.
     ///
@@ -145,8 +154,7 @@ impl RuleFinder {
     #[wasm_bindgen(js_name = ofPicture)]
     pub fn of_picture(
         grey: &[u8],
-        width: usize,
-        height: usize,
+        form: JsValue,
         question: JsValue,
         part: u32,
         parts: u32,
@@ -154,7 +162,12 @@ impl RuleFinder {
     ) -> Result<Self, JsValue> {
         let question = FindQuestion::read(question)?;
         let named: Vec<NamedSystem> = from_js(named)?;
-        let picture = Arc::new(Picture::new(grey, width, height).map_err(said)?);
+        let Form { width, height, is_straight } = from_js(form)?;
+        let picture = match is_straight {
+            true => Photograph { grey: grey.to_vec(), width, height }.picture(),
+            false => Picture::new(grey, width, height),
+        };
+        let picture = Arc::new(picture.map_err(said)?);
         let mut finder =
             Finder::new(&picture, &question, Share { index: part.into(), count: parts.max(1).into() }).map_err(said)?;
         finder.try_first(named.into_iter().map(|NamedSystem { name, definition }| Named { name, definition }));

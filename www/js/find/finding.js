@@ -157,7 +157,8 @@ export function createFinding({ store, engine, restyle }) {
             if (!shown) throw new Error(say`Open a picture first.`);
             if (inkShare(shown.picture, shown.choice) === 0)
                 throw new Error(say`Nothing is ink here. Move the threshold.`);
-            const source = inked(shown.picture, shown.choice);
+            const isStraight = shown.picture === taken.straight;
+            const source = { ...inked(shown.picture, shown.choice), isStraight };
             void run(async (signal) =>
                 search.begin(source, question, signal, progress, { named: await namedSystems() }),
             );

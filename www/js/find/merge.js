@@ -82,7 +82,7 @@ export function verdict({ candidates }, isString) {
     if (same > 0)
         return isString ? say`${systems(same)} derive the string.` : say`${systems(same)} draw the same picture.`;
     if (candidates.some(({ isFound }) => isFound)) return say`Nearly the same: ${percent(best)}`;
-    if (candidates.length > 0) return say`None of the searched systems draws this picture. The closest:`;
+    if (candidates.length > 0) return say`None of the searched systems draws this picture. The nearest:`;
     return isString
         ? say`None of the searched systems derives the string.`
         : say`None of the searched systems comes close.`;

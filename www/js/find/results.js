@@ -1,4 +1,4 @@
-/** The systems that a search found, or the closest ones, as cards with small pictures. */
+/** The systems that a search found, or the nearest ones, as cards with small pictures. */
 
 import { html, make, setText } from '../dom.js';
 import { theme } from '../theme.js';
@@ -116,7 +116,7 @@ export function createResults(page) {
             const so =
                 isRunning && !isFound
                     ? report.candidates.length > 0
-                        ? say`The closest so far:`
+                        ? say`The nearest so far:`
                         : say`Searching…`
                     : verdict(report, isString);
             setText(html('find-verdict'), so);

@@ -96,7 +96,7 @@ test('what several workers found is one list: the shortest that are found, or th
         [0.95, 0.91],
     );
     assert.deepEqual([close.searched, close.work, close.isMore], ['little', 10, true]);
-    assert.match(verdict(close, false), /None of the searched systems draws this picture. The closest/);
+    assert.match(verdict(close, false), /None of the searched systems draws this picture. The nearest/);
     const found = { ...slow, candidates: [candidate('F -> F-F-F', 1, 6), candidate('F -> F-F', 0.99, 4)] };
     assert.deepEqual(
         merged([quick, found]).candidates.map(({ symbols }) => symbols),

@@ -32,9 +32,10 @@ export const calls = {
         search?.finder.free();
         search = null;
         const isString = 'text' in source;
-        const finder = isString
-            ? wasm_bindgen.RuleFinder.ofString(source.text, question)
-            : wasm_bindgen.RuleFinder.ofPicture(source.grey, source.width, source.height, question, part, parts, named);
+        const ofPicture = (
+            /** @type {import('../../js/protocol.js').FindPicture} */ { grey, width, height, isStraight = false },
+        ) => wasm_bindgen.RuleFinder.ofPicture(grey, { width, height, isStraight }, question, part, parts, named);
+        const finder = isString ? wasm_bindgen.RuleFinder.ofString(source.text, question) : ofPicture(source);
         search = { finder, isString, share: isString ? SHARE.string : SHARE.picture, work: 0, isMore: true };
         return null;
     },

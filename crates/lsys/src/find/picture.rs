@@ -70,7 +70,7 @@ pub(super) fn find(name: &str, bytes: &[u8], known: &Known, json: bool) -> Resul
     let (grey, width, height) = grey(bytes).map_err(|why| said(&why))?;
     // A photograph is made straight and even first.
     let picture = match Photograph::straightened(&grey, width, height) {
-        Some(straight) => Picture::new(&straight.grey, straight.width, straight.height),
+        Some(straight) => straight.picture(),
         None => Picture::new(&grey, width, height),
     };
     find_rules(name, picture.map_err(said)?, known, json)
@@ -159,7 +159,7 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
                 None => {}
                 Some(1.0..) => writeln!(out, "{}\n", say!("The same picture:"))?,
                 Some(_) if is_found => writeln!(out, "{}\n", say!("Nearly the same picture:"))?,
-                Some(_) => writeln!(out, "{}\n", say!("None draws this picture. The closest:"))?,
+                Some(_) => writeln!(out, "{}\n", say!("None draws this picture. The nearest:"))?,
             }
             for one in &kept {
                 if let Some(named) = &one.named {
@@ -178,9 +178,10 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
                     symbols
                 );
                 let ink = words::shown(&format!("{:.1}", one.percent()));
-                let ink = match one.is_same() {
-                    true => say!("{} % of the ink agrees", ink),
-                    false => say!("nearly the same: {} % of the ink agrees", ink),
+                let ink = match one.agreement {
+                    1.0.. => say!("{} % of the ink agrees", ink),
+                    FOUND.. => say!("nearly the same: {} % of the ink agrees", ink),
+                    _ => say!("not the same: {} % of the ink agrees", ink),
                 };
                 writeln!(out, "{text}\n  {how}; {ink}\n")?;
             }

@@ -2,7 +2,7 @@
 //! one angle.
 
 use super::light::Grey;
-use super::projection::Projection;
+use crate::projection::Projection;
 use std::f64::consts::{PI, TAU};
 
 /// The most places whose direction is looked at.
@@ -18,11 +18,9 @@ const TILTS: [f64; 3] = [8.0, 16.0, 24.0];
 const WAYS: usize = 16;
 /// The focal length that is tried first, as a part of the picture's longer side.
 const FOCAL: f64 = 0.95;
-/// The most that a view stretches, and how near the line far away is: a tilt of 32 degrees and a short focal length. Where
-/// the page was found, it is seen from above but for this part of them.
+/// The most that a view stretches, and how near the line far away is: a tilt of 32 degrees and a short focal length.
 const MOST: View = [0.62, 0.62, 0.09, 0.09];
 const SHORTEST: f64 = 0.65;
-const REST: f64 = 0.2;
 /// Of the parts of a half turn, this many are looked at closely.
 const CLOSE: usize = 4;
 /// The changes of a view that are tried one after the other, of which each is half of the one before.
@@ -50,7 +48,7 @@ const fn projection([a, b, c, d]: View) -> Projection {
 
 /// The projection from the picture to the view from above, around the middle of the drawing. `None` if no view makes the
 /// lines multiples of an angle.
-pub(super) fn view(grey: &Grey, is_page: bool) -> Option<Projection> {
+pub(super) fn view(grey: &Grey) -> Option<Projection> {
     let mut pieces = pieces(grey);
     if pieces.len() < 64 {
         return None;
@@ -62,9 +60,9 @@ pub(super) fn view(grey: &Grey, is_page: bool) -> Option<Projection> {
     pieces.iter_mut().for_each(|piece| piece.at = [0, 1].map(|axis| (piece.at[axis] - middle[axis]) / size));
     let focal = FOCAL * grey.width.max(grey.height) as f64 / size;
     let few: Vec<Piece> = pieces.iter().copied().step_by(4).collect();
-    let starts = if is_page { vec![[0.0; 4]] } else { starts(focal) };
-    let near = if is_page { REST } else { 1.0 } * FOCAL / (focal * SHORTEST);
-    let most = [MOST[0] * near, MOST[1] * near, MOST[2] * if is_page { REST } else { 1.0 }, 0.0];
+    let starts = starts(focal);
+    let near = FOCAL / (focal * SHORTEST);
+    let most = [MOST[0] * near, MOST[1] * near, MOST[2], 0.0];
     // For each part of a half turn its best start.
     let spreads: Vec<[f64; PARTS.len()]> = starts.iter().map(|&view| spreads(&few, view)).collect();
     let mut best: Vec<(f64, usize, View)> = (0..PARTS.len())
@@ -264,4 +262,38 @@ fn comb(places: &[f64], length: f64) -> f64 {
         [sum[0] + cos, sum[1] + sin]
     });
     libm::hypot(sum[0], sum[1]) / places.len() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spreads_are_those_of_the_angles() {
+        let pieces: Vec<Piece> = (0..50)
+            .map(|at| {
+                let (sin, cos) = libm::sincos(f64::from(at * at) * 0.37);
+                let weight = 0.5 + f64::from(at % 5) / 10.0;
+                Piece { at: [f64::from(at % 7) / 7.0 - 0.5, f64::from(at) / 50.0 - 0.5], direction: [cos, sin], weight }
+            })
+            .collect();
+        for view in [[0.0; 4], [0.1, -0.05, 0.03, 0.02]] {
+            let projection = projection(view);
+            for (part, spread) in PARTS.into_iter().zip(spreads(&pieces, view)) {
+                let (mut across, mut down, mut all) = (0.0, 0.0, 0.0);
+                for piece in &pieces {
+                    // The direction of a short way.
+                    let ends = [-1e-6, 1e-6]
+                        .map(|by| projection.place([0, 1].map(|axis| piece.at[axis] + by * piece.direction[axis])));
+                    let angle = libm::atan2(ends[1][1] - ends[0][1], ends[1][0] - ends[0][0]);
+                    let (sin, cos) = libm::sincos(2.0 * part as f64 * angle);
+                    across += piece.weight * cos;
+                    down += piece.weight * sin;
+                    all += piece.weight;
+                }
+                let naive = 1.0 - libm::hypot(across, down) / all;
+                assert!((spread - naive).abs() < 1e-6, "{part}: {spread} {naive}");
+            }
+        }
+    }
 }

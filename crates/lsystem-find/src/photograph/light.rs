@@ -123,3 +123,49 @@ pub(super) fn evened(grey: &Grey) -> Grey {
 fn near(grey: &Grey) -> usize {
     (grey.width.max(grey.height) / NEAR).max(1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A picture with levels by chance.
+    fn speckled(width: usize, height: usize) -> Grey {
+        let mut state = 7_u32;
+        let mut level = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 24) as u8
+        };
+        Grey { levels: (0..width * height).map(|_| level()).collect(), width, height }
+    }
+
+    #[test]
+    fn means_are_those_of_all_pixels_nearby() {
+        let grey = speckled(23, 17);
+        let is_counted = |level: u8| level > 90;
+        let sums = Sums::of(&grey, |_, level| is_counted(level));
+        for (at, far) in (0_usize..23 * 17).flat_map(|at| [0, 1, 4, 40].map(|far| (at, far))) {
+            let near = (0_usize..23 * 17)
+                .filter(|other| (other % 23).abs_diff(at % 23) <= far && (other / 23).abs_diff(at / 23) <= far);
+            let near: Vec<u32> =
+                near.filter(|&at| is_counted(grey.levels[at])).map(|at| u32::from(grey.levels[at])).collect();
+            let mean = (!near.is_empty()).then(|| near.iter().sum::<u32>() as f32 / near.len() as f32);
+            assert_eq!(sums.mean(at, far), mean, "{at} {far}");
+        }
+    }
+
+    #[test]
+    fn paper_is_white_in_any_light() {
+        // Lines of half the paper's light, which falls off to a third.
+        let (width, height) = (320, 200);
+        let is_ink = |at: usize| at % width % 40 < 3;
+        let level = |at: usize| {
+            let light = 240.0 - 160.0 * (at % width) as f64 / width as f64;
+            (light * if is_ink(at) { 0.5 } else { 1.0 }) as u8
+        };
+        let grey = Grey { levels: (0..width * height).map(level).collect(), width, height };
+        assert!(!is_light_on_dark(&grey) && is_light_on_dark(&grey.clone().inverted()));
+        for (at, &level) in evened(&grey).levels.iter().enumerate() {
+            assert!(if is_ink(at) { level < 160 } else { level > 215 }, "{at} {level}");
+        }
+    }
+}

@@ -3,17 +3,19 @@
 mod directions;
 mod light;
 mod page;
-mod projection;
 
 use crate::parts::drawing;
-use crate::picture::threshold;
+use crate::picture::{Picture, threshold};
+use crate::projection::Projection;
+use crate::strokes::PIXELS;
 use light::Grey;
-use projection::Projection;
 
 /// The longer side of a photograph that is looked at; larger ones are made smaller.
 const SIDE: usize = 2048;
 /// Ink keeps its soft edge of this many pixels.
 const EDGE: usize = 2;
+/// Straightening looks at each pixel of what it gives this often: work that a search counts.
+const PASSES: u64 = 32;
 /// The paper around the ink, as a part of its longer side: more paper than ink.
 const MARGIN: usize = 4;
 
@@ -29,6 +31,14 @@ pub struct Photograph {
 }
 
 impl Photograph {
+    /// The picture of the drawing. Strokes are laid on it by a small projection, since straightening leaves a small error.
+    ///
+    /// # Errors
+    /// Why no lines are seen.
+    pub fn picture(&self) -> Result<Picture, &'static str> {
+        Ok(Picture::new(&self.grey, self.width, self.height)?.straightened(self.grey.len() as u64 * PASSES / PIXELS))
+    }
+
     /// Straightens a photograph of `width` times `height` levels of grey: the page is found, or the tilt is told by the
     /// lines themselves. `None` if it is a picture without grain and shadow, or if no lines are seen.
     #[must_use]
@@ -41,8 +51,9 @@ impl Photograph {
         let whole = if by > 1 { whole.smaller(by) } else { whole };
         let page = page::straightened(&whole);
         let ink = inked(page.as_ref().unwrap_or(&whole))?;
-        let from = directions::view(&ink, page.is_some()).unwrap_or(Projection::NONE).inverse();
-        let drawn = framed(&ink, from)?;
+        // A page lies straight by its own sides, more exactly than by the lines on it.
+        let view = if page.is_some() { None } else { directions::view(&ink) };
+        let drawn = framed(&ink, view.unwrap_or(Projection::NONE).inverse())?;
         Some(Self { grey: drawn.levels, width: drawn.width, height: drawn.height })
     }
 }

@@ -1,8 +1,8 @@
 //! The page of a photograph: a light quadrilateral on what is darker.
 
 use super::light::Grey;
-use super::projection::Projection;
 use crate::picture::threshold;
+use crate::projection::Projection;
 use std::ops::RangeInclusive;
 
 /// The longer side of the picture in which a page is sought, in pixels.
@@ -274,4 +274,57 @@ fn usual(ratio: f64) -> f64 {
     let off = |usual: &f64| libm::log(usual / ratio).abs();
     let nearest = both.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(ratio);
     if off(&nearest) < 0.05 { nearest } else { ratio }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A light quadrilateral on a dark table, each pixel by the mean of sixteen places.
+    fn table(corners: &[[f64; 2]; 4]) -> Grey {
+        let (width, height) = (640, 480);
+        let is_in = |at: [f64; 2]| (0..4).all(|side| turn(corners[side], corners[(side + 1) % 4], at) > 0.0);
+        let level = |at: usize| {
+            let place = |sub: usize| {
+                let off = |number: usize| (number as f64 + 0.5) / 4.0;
+                [(at % width) as f64 + off(sub % 4), (at / width) as f64 + off(sub / 4)]
+            };
+            let inside = (0..16).filter(|&sub| is_in(place(sub))).count();
+            (60 + 150 * inside / 16) as u8
+        };
+        Grey { levels: (0..width * height).map(level).collect(), width, height }
+    }
+
+    #[test]
+    fn corners_are_found_where_they_were_drawn() {
+        let pages = [
+            [[100.0, 60.0], [560.0, 90.0], [520.0, 420.0], [80.0, 400.0]],
+            [[60.0, 120.0], [500.0, 40.0], [600.0, 380.0], [120.0, 450.0]],
+        ];
+        for page in pages {
+            let found = corners(&table(&page)).expect("a page");
+            for (found, drawn) in found.into_iter().zip(page) {
+                let off = libm::hypot(found[0] - drawn[0], found[1] - drawn[1]);
+                assert!(off < 0.5, "{found:?} {drawn:?}");
+            }
+        }
+        assert!(corners(&Grey { levels: vec![90; 640 * 480], width: 640, height: 480 }).is_none());
+    }
+
+    #[test]
+    fn no_pixel_lies_outside_the_hull() {
+        let (width, height) = (40, 30);
+        let inside: Vec<bool> = (0..width * height).map(|at| (at * at) % 97 == 3 && at % width > 4).collect();
+        let grey = Grey { levels: vec![0; width * height], width, height };
+        let hull = hull(&grey, &inside);
+        let corners: Vec<[f64; 2]> = (0..width * height)
+            .filter(|&at| inside[at])
+            .flat_map(|at| [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[x, y]| [at % width + x, at / width + y]))
+            .map(|at| at.map(|at| at as f64))
+            .collect();
+        for (at, &a) in hull.iter().enumerate() {
+            let b = hull[(at + 1) % hull.len()];
+            assert!(corners.contains(&a) && corners.iter().all(|&place| turn(a, b, place) >= 0.0), "{a:?} {b:?}");
+        }
+    }
 }

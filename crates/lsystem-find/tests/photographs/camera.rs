@@ -41,7 +41,7 @@ pub(crate) struct Faults {
 pub(crate) const WIDTH: usize = 1600;
 pub(crate) const HEIGHT: usize = 1200;
 /// The width of a line.
-const LINE: f64 = 4.0;
+pub(crate) const LINE: f64 = 4.0;
 /// How far the page is away: at 1 it is seen in its own size.
 const FAR: f64 = 1.15;
 /// The places of a pixel that are looked at, each way.
@@ -164,6 +164,17 @@ struct Page {
     levels: [f64; 3],
 }
 
+/// The pixels of a step on a page, and the middle of a drawing in steps.
+pub(crate) fn unit(segments: &[[f64; 4]]) -> (f64, [f64; 2]) {
+    let places = || segments.iter().flat_map(|&[a, b, c, d]| [[a, b], [c, d]]);
+    let range = |axis: usize| {
+        let low = places().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
+        (low, places().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max) - low)
+    };
+    let [(left, across), (low, up)] = [range(0), range(1)];
+    ((850.0 / across).min(650.0 / up), [left + across / 2.0, low + up / 2.0])
+}
+
 impl Page {
     fn of(segments: &[[f64; 4]], scene: Scene) -> Self {
         let (levels, [wide, high]) = match scene {
@@ -172,16 +183,9 @@ impl Page {
             Scene::Slide => ([50.0, 235.0, 25.0], [1152, 864]),
             Scene::Board => ([205.0, 62.0, 62.0], [2600, 2600]),
         };
-        let places = || segments.iter().flat_map(|&[a, b, c, d]| [[a, b], [c, d]]);
-        let range = |axis: usize| {
-            let low = places().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
-            (low, places().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max) - low)
-        };
-        let [(left, across), (low, up)] = [range(0), range(1)];
-        let unit = (850.0 / across).min(650.0 / up);
-        let place = |x: f64, y: f64| {
-            [wide as f64 / 2.0 + (x - left - across / 2.0) * unit, high as f64 / 2.0 - (y - low - up / 2.0) * unit]
-        };
+        let (unit, middle) = unit(segments);
+        let place =
+            |x: f64, y: f64| [wide as f64 / 2.0 + (x - middle[0]) * unit, high as f64 / 2.0 - (y - middle[1]) * unit];
         let mut page = Self { ink: vec![0; 4 * wide * high], wide, high, levels };
         for &[a, b, c, d] in segments {
             page.stroke(place(a, b), place(c, d));

@@ -2,14 +2,14 @@
 
 /// A projection as a matrix of homogeneous coordinates.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Projection(pub(super) [[f64; 3]; 3]);
+pub(crate) struct Projection(pub(crate) [[f64; 3]; 3]);
 
 impl Projection {
-    pub(super) const NONE: Self = Self([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    pub(crate) const NONE: Self = Self([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 
     /// The projection of the unit square, from its corner at the origin on with (1, 0), (1, 1) and (0, 1), onto four
     /// corners (Heckbert, "Fundamentals of texture mapping and image warping", 1989). `None` if three are in a line.
-    pub(super) fn of_square([a, b, c, d]: [[f64; 2]; 4]) -> Option<Self> {
+    pub(crate) fn of_square([a, b, c, d]: [[f64; 2]; 4]) -> Option<Self> {
         let off = |axis: usize| a[axis] - b[axis] + c[axis] - d[axis];
         let [right, left] = [[b[0] - c[0], b[1] - c[1]], [d[0] - c[0], d[1] - c[1]]];
         let area = right[0] * left[1] - left[0] * right[1];
@@ -21,13 +21,13 @@ impl Projection {
     }
 
     /// This projection after another one.
-    pub(super) fn after(self, first: Self) -> Self {
+    pub(crate) fn after(self, first: Self) -> Self {
         let entry = |row: usize, column: usize| (0..3).map(|at| self.0[row][at] * first.0[at][column]).sum();
         Self([0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row, column))))
     }
 
     /// The projection back, by the adjugate: a factor does not matter.
-    pub(super) fn inverse(self) -> Self {
+    pub(crate) fn inverse(self) -> Self {
         let m = self.0;
         let minor = |row: usize, column: usize| {
             let [a, b] = [(row + 1) % 3, (row + 2) % 3];
@@ -37,26 +37,26 @@ impl Projection {
         Self([0, 1, 2].map(|row| [0, 1, 2].map(|column| minor(column, row))))
     }
 
-    pub(super) fn turn(radians: f64) -> Self {
+    pub(crate) fn turn(radians: f64) -> Self {
         let (sin, cos) = libm::sincos(radians);
         Self([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
     }
 
-    pub(super) const fn scaled(x: f64, y: f64) -> Self {
+    pub(crate) const fn scaled(x: f64, y: f64) -> Self {
         Self([[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, 1.0]])
     }
 
-    pub(super) const fn moved(x: f64, y: f64) -> Self {
+    pub(crate) const fn moved(x: f64, y: f64) -> Self {
         Self([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
     }
 
-    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [across, down, far] = self.0.map(|row| row[0] * x + row[1] * y + row[2]);
         [across / far, down / far]
     }
 
     /// The direction at a place, in any length.
-    pub(super) fn direction(&self, [x, y]: [f64; 2], [dx, dy]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn direction(&self, [x, y]: [f64; 2], [dx, dy]: [f64; 2]) -> [f64; 2] {
         let [across, down, far] = self.0.map(|row| row[0] * x + row[1] * y + row[2]);
         let [by_x, by_y, by_far] = self.0.map(|row| row[0] * dx + row[1] * dy);
         [by_x * far - across * by_far, by_y * far - down * by_far]
