@@ -842,7 +842,7 @@ lengths: [string, string], };
  */
 export type ScriptObject = { seconds: number, rate: number, width: number, height: number, ending: string, easing: string, fixed: boolean, frames: number, 
 /**
- * The number of the segment whose start is the origin of views, from 1; empty for the fitted centre.
+ * The place on a segment that is the origin of views, as in links; empty for the fitted centre.
  */
 segment: string, tracks: Array<TrackObject>, };
 
