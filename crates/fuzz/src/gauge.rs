@@ -2,6 +2,7 @@
 
 use crate::ALLOCATOR;
 use crate::clock::thread_time;
+use crate::told::check_diagnostic;
 use lsystem::base::Meter;
 use lsystem::files::{Owner, Sink};
 use lsystem::syntax::Halt;
@@ -100,7 +101,7 @@ impl Gauge {
                 Ok((owner.bytes, result))
             }
             Err(Halt::Limit(limit)) => {
-                assert!(!limit.message().is_empty());
+                check_diagnostic(&limit);
                 Err(Some(limit))
             }
             Err(Halt::Stopped) => Err(None),

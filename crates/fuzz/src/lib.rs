@@ -25,6 +25,7 @@ mod shrink;
 mod source;
 mod supervisor;
 mod target;
+mod told;
 mod worker;
 
 pub use gauge::Gauge;

@@ -1,6 +1,6 @@
 //! One execution of a target.
 
-use crate::{Gauge, Source, Target};
+use crate::{Gauge, Source, Target, told};
 use anyhow::{Context, Result, bail};
 use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -50,6 +50,7 @@ pub fn guided(target: &Target, bytes: &[u8]) {
 /// # Errors
 /// The fault, or a file that cannot be read.
 pub fn replay(target: &Target, path: &Path) -> Result<()> {
+    told::speak();
     let bytes = std::fs::read(path).with_context(|| format!("reading {}", path.display()))?;
     let is_system = path.extension().is_some_and(|ending| ending == "json");
     // The other choices of a failing system are in a file beside it.

@@ -3,7 +3,7 @@
 use crate::clock::process_time;
 use crate::input::{Current, Input, Inputs};
 use crate::shrink::place;
-use crate::{ALLOCATOR, Options, Target, once};
+use crate::{ALLOCATOR, Options, Target, once, told};
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -25,6 +25,7 @@ pub(crate) const EXIT_MEMORY: i32 = 4;
 /// # Errors
 /// Files that cannot be read or written.
 pub fn work(options: &Options) -> Result<()> {
+    told::speak();
     for target in &options.targets {
         Worker::new(options, target).run()?;
     }

@@ -2,6 +2,7 @@
 
 use super::derive::{is_supported, words};
 use crate::gauge::WORK;
+use crate::told::check_diagnostic;
 use crate::{Gauge, Source, make, naive};
 use lsystem::drawing::{Outlook, Segment, Space, symbol_of_polygon};
 use lsystem::render::{fitted_ends, fitted_outline, fitted_polygon};
@@ -51,7 +52,7 @@ fn build<S: Space>(mut drawer: Drawer<S>, gauge: &mut Gauge) -> Option<Arc<Drawi
         }
         Err(limit) => {
             gauge.reach("refused");
-            assert!(!limit.message().is_empty());
+            check_diagnostic(&limit);
             None
         }
     }

@@ -1,6 +1,7 @@
 //! Readers of files: any bytes are read without a panic, and written files read back as the same.
 
 use crate::make::{self, random_pieces};
+use crate::told::check_diagnostic;
 use crate::{Gauge, Source};
 use lsystem::files::{PngOptions, collect, write_png};
 use lsystem::syntax::Field;
@@ -110,8 +111,7 @@ fn read(bytes: &[u8], gauge: &mut Gauge) -> Option<Definition> {
     }
     assert_eq!(content.definition.is_none(), content.diagnostics.iter().any(Diagnostic::is_error));
     for diagnostic in &content.diagnostics {
-        assert!(!diagnostic.message().is_empty());
-        let _ = diagnostic.hint();
+        check_diagnostic(diagnostic);
         if diagnostic.field == Field::File {
             assert!(content.json.get(diagnostic.span.clone()).is_some(), "{diagnostic:?} points out of the file");
             let _ = render_diagnostic(diagnostic, "file", &content.json);

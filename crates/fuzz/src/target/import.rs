@@ -1,6 +1,6 @@
 //! Texts in the notations of other programs: any text is read without a panic, and every system of the result compiles.
 
-use crate::{Gauge, Source, make};
+use crate::{Gauge, Source, make, told};
 use lsystem::System;
 use lsystem::base::MAX_TEXT;
 use lsystem::import::import;
@@ -25,6 +25,7 @@ pub(super) fn import_text(source: &mut Source<'_>, gauge: &mut Gauge) {
         let refused = entry.remarks.iter().any(|remark| remark.refused);
         assert_eq!(refused, entry.definition.is_none(), "a system is refused with a reason: {entry:?}");
         assert!(entry.remarks.iter().all(|remark| (1..=lines).contains(&remark.line)), "{:?}", entry.remarks);
+        entry.remarks.iter().for_each(|remark| told::check(&remark.message));
         if let Some(definition) = &entry.definition {
             gauge.reach("read");
             assert!(System::new(definition).0.is_some(), "{definition:?} does not compile");

@@ -1,6 +1,7 @@
 //! Texts: any text is read without a panic, and printed texts read back as the same.
 
 use crate::make::{self, random_pieces};
+use crate::told::check_diagnostic;
 use crate::{Gauge, Source};
 use lsystem::syntax::{
     Field, classify, parse, parse_overrides, print_axiom, print_overrides, print_rules, utf16_letters, utf16_span,
@@ -50,8 +51,7 @@ fn mixed(source: &mut Source<'_>, text: &str) -> String {
 /// Checks that diagnostics point into their texts and have messages.
 pub(super) fn check(definition: &Definition, diagnostics: &[Diagnostic]) {
     for diagnostic in diagnostics {
-        assert!(!diagnostic.message().is_empty());
-        let _ = diagnostic.hint();
+        check_diagnostic(diagnostic);
         let text = definition.text(diagnostic.field).unwrap_or_default();
         if matches!(diagnostic.field, Field::Axiom | Field::Rules | Field::Overrides) {
             assert!(text.get(diagnostic.span.clone()).is_some(), "{diagnostic:?} points out of its text");
