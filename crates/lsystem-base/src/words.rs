@@ -4,9 +4,6 @@
 //! argument; a translation may number them, from `{0}`, to put them in another order. `{{` is a brace. A text with a
 //! number has a form for one and a form for other numbers; a translation has as many forms as its language.
 
-#[cfg(feature = "browser")]
-pub mod browser;
-
 use std::fmt::{Display, Write as _};
 use std::sync::OnceLock;
 

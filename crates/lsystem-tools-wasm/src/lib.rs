@@ -17,6 +17,9 @@ mod invent;
 mod sound;
 #[cfg(test)]
 mod tables;
+/// As in the wasm of the page.
+#[path = "../../lsystem-wasm/src/words.rs"]
+mod words;
 
 #[cfg(feature = "class")]
 pub use course::{ClassMarking, variants_of, write_exercise};
@@ -34,6 +37,8 @@ pub use import::{import_systems, write_system};
 pub use invent::{DescentFilm, breed, surprise};
 #[cfg(feature = "sound")]
 pub use sound::Listener;
+
+pub use words::set_reader;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

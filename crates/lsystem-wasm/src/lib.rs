@@ -11,10 +11,12 @@ mod canvas;
 mod plain;
 mod playground;
 mod texts;
+mod words;
 
 pub use plain::{Segments, draw, expand, fresh_seed};
 pub use playground::Playground;
 pub use texts::{notation, qr_code, read_file, site_of};
+pub use words::set_reader;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -1,6 +1,6 @@
 //! A page for each system of the gallery, so that a link to it shows its picture where links are shown: `gallery/NAME.html`
 //! with `NAME.png` and `NAME.json` (oEmbed), a page with all, and `sitemap.xml`. They name their own addresses, and so are
-//! made only for a site whose address is known.
+//! made only for a site whose address is known. In another language it is `gallery/NAME.de.html`, with the same picture.
 
 mod picture;
 mod shelves;
@@ -8,12 +8,15 @@ mod shelves;
 use crate::docs::{Page, escape, shortened};
 use crate::exercises::try_out;
 use crate::gallery::{Entry, systems};
+use crate::words;
 use anyhow::{Context, Result, ensure};
 use fs_err as fs;
 use lsystem::course::Exercise;
 use lsystem::course::growth::growth;
 use lsystem::drawing::{kind, legend};
 use lsystem::files::write_link;
+use lsystem_base::say;
+use lsystem_base::words::said;
 use picture::{SIZE, picture};
 use serde_json::{Value, json};
 use shelves::Shelf;
@@ -37,6 +40,8 @@ pub(crate) struct Sources<'a> {
     pub(crate) site: &'a Path,
     /// The site's address, with a slash at its end.
     pub(crate) address: &'a str,
+    /// All languages but English, by code.
+    pub(crate) languages: &'a [String],
 }
 
 /// Writes the pages, and returns a sentence with their number and the bytes of their pictures.
@@ -47,26 +52,29 @@ pub(crate) fn write(sources: &Sources<'_>) -> Result<String> {
     let exercises = published(&root.join("www/exercises.json"), &site.join("exercises.json"))?;
     let folder = site.join(FOLDER);
     fs::create_dir_all(&folder)?;
-    let (mut bytes, mut cards) = (0, HashMap::new());
+    let (ending, mut bytes, mut cards) = (words::ending(), 0, HashMap::new());
     for entry in systems(&root.join("data_in"))? {
         let entry = entry?;
         let path = entry.path.trim_end_matches(".json");
         let shelf = shelves.iter().find(|shelf| shelf.paths.iter().any(|each| each == path));
         let shelf = shelf.with_context(|| format!("{path} stands on no shelf"))?;
-        let landing = Landing::new(&entry, &shelf.name, exercises.get(path).cloned(), sources.address);
-        let picture = picture(&entry)?;
-        bytes += picture.len();
-        let file = |ending: &str| folder.join(format!("{}.{ending}", landing.name));
-        ensure!(!file("html").exists(), "two systems have the page {}", landing.name);
-        fs::write(file("png"), picture)?;
-        fs::write(file("json"), landing.oembed().to_string())?;
-        fs::write(file("html"), landing.page(&template)?)?;
+        let landing = Landing::new(&entry, said(&shelf.name), exercises.get(path).cloned(), sources);
+        let page = folder.join(format!("{}{ending}.html", landing.name));
+        ensure!(!page.exists(), "two systems have the page {}", landing.name);
+        fs::write(page, landing.page(&template)?)?;
+        if ending.is_empty() {
+            let picture = picture(&entry)?;
+            bytes += picture.len();
+            let file = |ending: &str| folder.join(format!("{}.{ending}", landing.name));
+            fs::write(file("png"), picture)?;
+            fs::write(file("json"), landing.oembed().to_string())?;
+        }
         cards.insert(path.to_owned(), landing.card());
     }
     ensure!(bytes <= MOST_BYTES, "the pictures have {bytes} bytes, more than {MOST_BYTES}");
-    fs::write(folder.join("index.html"), index(&template, &shelves, &cards, sources.address)?)?;
+    fs::write(folder.join(format!("index{ending}.html")), index(&template, &shelves, &cards, sources)?)?;
     fs::write(site.join("sitemap.xml"), sitemap(site, sources.address)?)?;
-    Ok(format!("{} pages of the gallery, with {bytes} bytes of pictures", cards.len()))
+    Ok(format!("{} pages of the gallery in `{}`, with {bytes} bytes of pictures", cards.len(), words::language()))
 }
 
 /// The published exercises by the path of their system.
@@ -83,18 +91,21 @@ struct Landing<'a> {
     entry: &'a Entry,
     /// The file's name without its ending.
     name: String,
-    title: &'a str,
-    shelf: &'a str,
+    title: String,
+    shelf: String,
     /// The value of `x` in the exercise's link.
     exercise: Option<String>,
     /// The drawing in words.
     description: String,
+    /// The author's note; may be empty.
+    notes: String,
     /// The site's address.
     site: &'a str,
+    languages: &'a [String],
 }
 
 impl<'a> Landing<'a> {
-    fn new(entry: &'a Entry, shelf: &'a str, exercise: Option<String>, site: &'a str) -> Self {
+    fn new(entry: &'a Entry, shelf: String, exercise: Option<String>, sources: &Sources<'a>) -> Self {
         let Entry { path, definition, system, figure } = entry;
         let count = figure.exact_segments().or_else(|| {
             let mut counter = system.segments(definition.iterations);
@@ -104,11 +115,13 @@ impl<'a> Landing<'a> {
         Self {
             entry,
             name: path.trim_end_matches(".json").replace('/', "-"),
-            title: definition.label(),
+            title: said(definition.label()),
             shelf,
             exercise: exercise.or_else(|| own_exercise(entry)),
             description: count.map(|n| figure.describe(system, definition.iterations, &n)).unwrap_or_default(),
-            site,
+            notes: said(&definition.notes),
+            site: sources.address,
+            languages: sources.languages,
         }
     }
 
@@ -119,18 +132,18 @@ impl<'a> Landing<'a> {
 
     /// A sentence or two: the author's note, or else the drawing in words.
     fn summary(&self) -> &str {
-        let notes = &self.entry.definition.notes;
-        if notes.is_empty() { &self.description } else { notes }
+        if self.notes.is_empty() { &self.description } else { &self.notes }
     }
 
     fn page(&self, template: &str) -> Result<String> {
         let (head, body) = (self.head(), self.body());
-        let (title, description) = (self.title, &*shortened(self.summary()));
-        Page { docs: "../docs/", name: "", title, description, head: &head, language: "en", body: &body }.fill(template)
+        let (title, description) = (&self.title, &*shortened(self.summary()));
+        let language = words::language();
+        Page { docs: "../docs/", name: "", title, description, head: &head, language, body: &body }.fill(template)
     }
 
     fn head(&self) -> String {
-        let (page, picture) = (self.beside("html"), self.beside("png"));
+        let (page, picture) = (self.beside(&format!("{}html", others(words::language()))), self.beside("png"));
         let description = shortened(self.summary());
         let data = json!({
             "@context": "https://schema.org",
@@ -148,7 +161,7 @@ impl<'a> Landing<'a> {
         let tags = [
             ("type", "article"),
             ("site_name", "L-systems"),
-            ("title", self.title),
+            ("title", &*self.title),
             ("description", &*description),
             ("url", &*page),
             ("image", &*picture),
@@ -159,12 +172,13 @@ impl<'a> Landing<'a> {
         .map(|(name, value)| format!("<meta property=\"og:{name}\" content=\"{}\">\n", escape(value)))
         .concat();
         format!(
-            "<link rel=\"canonical\" href=\"{page}\">\n\
+            "<link rel=\"canonical\" href=\"{page}\">\n{}\
              <link rel=\"alternate\" type=\"application/json+oembed\" href=\"{}\" title=\"{}\">\n\
              {tags}<meta name=\"twitter:card\" content=\"summary_large_image\">\n\
              <script type=\"application/ld+json\">{data}</script>\n",
+            alternates(self.languages, |part| self.beside(&format!("{part}html"))),
             escape(&self.beside("json")),
-            escape(self.title),
+            escape(&self.title),
         )
     }
 
@@ -172,7 +186,7 @@ impl<'a> Landing<'a> {
     fn oembed(&self) -> Value {
         let [width, height] = FRAME;
         let address = format!("{}v1/embed.html{}", self.site, write_link(&self.entry.definition));
-        let (address, title) = (escape(&address), escape(self.title));
+        let (address, title) = (escape(&address), escape(&self.title));
         json!({
             "version": "1.0",
             "type": "rich",
@@ -191,18 +205,20 @@ impl<'a> Landing<'a> {
     fn body(&self) -> String {
         let Entry { definition, system, .. } = self.entry;
         let (name, [width, height]) = (&self.name, SIZE);
-        let link = escape(&format!("../{}", write_link(definition)));
+        let asked = if words::ending().is_empty() { String::new() } else { format!("?lang={}", words::language()) };
+        let link = escape(&format!("../{asked}{}", write_link(definition)));
         let exercise = self.exercise.as_ref().map(|x| {
-            format!("<a class=\"door\" href=\"../exercise.html#v=1&amp;x={}\">Try the exercise</a>\n", escape(x))
+            let words = escape(&say!("Try the exercise"));
+            format!("<a class=\"door\" href=\"../exercise.html{asked}#v=1&amp;x={}\">{words}</a>\n", escape(x))
         });
         let facts = [
-            ("Axiom", code(&definition.axiom)),
-            ("Iterations", definition.iterations.to_string()),
-            ("Angle", degrees(Some(definition.angle))),
-            ("Right turns", degrees(definition.right_angle)),
-            ("Symbols as in", code(definition.dialect.name())),
-            ("Kind", escape(&kind(system))),
-            ("Source", escape(&definition.source)),
+            (say!("Axiom"), code(&definition.axiom)),
+            (say!("Iterations"), definition.iterations.to_string()),
+            (say!("Angle"), degrees(Some(definition.angle))),
+            (say!("Right turns"), degrees(definition.right_angle)),
+            (say!("Symbols as in"), code(definition.dialect.name())),
+            (say!("Kind"), escape(&kind(system).split(", ").map(said).collect::<Vec<_>>().join(", "))),
+            (say!("Source"), escape(&definition.source)),
         ];
         let facts: String = facts
             .iter()
@@ -226,19 +242,27 @@ impl<'a> Landing<'a> {
             .filter(|words| !words.is_empty() && words.as_str() != self.summary())
             .map(|words| format!("<p>{}</p>\n", escape(words)))
             .collect();
-        let words = if words.is_empty() { words } else { format!("<h2>In words</h2>\n{words}") };
+        let words = if words.is_empty() { words } else { format!("<h2>{}</h2>\n{words}", escape(&say!("In words"))) };
         format!(
-            "<p class=\"way\"><a href=\"./\">Gallery</a>, {shelf}</p>\n\
+            "<p class=\"way\"><a href=\"{all}\">{gallery}</a>, {shelf}</p>\n\
              <h1>{title}</h1>\n<p>{summary}</p>\n\
              <p><a href=\"{link}\"><img class=\"wide\" src=\"{name}.png\" width=\"{width}\" height=\"{height}\" alt=\"{alt}\"></a></p>\n\
-             <p class=\"doors\"><a class=\"door\" href=\"{link}\">Open in the playground</a>\n{exercise}</p>\n\
-             <h2>Rules</h2>\n\
-             <pre class=\"block\" role=\"group\" aria-label=\"Rules\" tabindex=\"0\"><code>{rules}</code></pre>\n\
-             <div class=\"table\" role=\"group\" aria-label=\"Values\" tabindex=\"0\"><table><tbody>\n{facts}</tbody></table></div>\n\
-             {words}<h2>Symbols</h2>\n<div class=\"table\" role=\"group\" aria-label=\"Symbols\" tabindex=\"0\"><table><thead><tr><th>symbol</th><th>what it does</th></tr></thead>\
+             <p class=\"doors\"><a class=\"door\" href=\"{link}\">{open}</a>\n{exercise}</p>\n\
+             <h2>{rules_name}</h2>\n\
+             <pre class=\"block\" role=\"group\" aria-label=\"{rules_name}\" tabindex=\"0\"><code>{rules}</code></pre>\n\
+             <div class=\"table\" role=\"group\" aria-label=\"{values}\" tabindex=\"0\"><table><tbody>\n{facts}</tbody></table></div>\n\
+             {words}<h2>{symbols_name}</h2>\n<div class=\"table\" role=\"group\" aria-label=\"{symbols_name}\" tabindex=\"0\"><table><thead><tr><th>{symbol}</th><th>{does}</th></tr></thead>\
              <tbody>\n{symbols}</tbody></table></div>\n",
-            shelf = escape(self.shelf),
-            title = escape(self.title),
+            all = if words::ending().is_empty() { "./".to_owned() } else { format!("index{}.html", words::ending()) },
+            gallery = escape(&say!("Gallery")),
+            open = escape(&say!("Open in the playground")),
+            rules_name = escape(&say!("Rules")),
+            values = escape(&say!("Values")),
+            symbols_name = escape(&say!("Symbols")),
+            symbol = escape(&say!("symbol")),
+            does = escape(&say!("what it does")),
+            shelf = escape(&self.shelf),
+            title = escape(&self.title),
             summary = escape(self.summary()),
             alt = escape(&self.description),
             exercise = exercise.unwrap_or_default(),
@@ -250,9 +274,10 @@ impl<'a> Landing<'a> {
     fn card(&self) -> String {
         let (name, [width, height]) = (&self.name, SIZE);
         format!(
-            "<li><a href=\"{name}.html\"><img src=\"{name}.png\" width=\"{width}\" height=\"{height}\" alt=\"\" loading=\"lazy\">\
+            "<li><a href=\"{name}{}.html\"><img src=\"{name}.png\" width=\"{width}\" height=\"{height}\" alt=\"\" loading=\"lazy\">\
              {}</a></li>\n",
-            escape(self.title)
+            words::ending(),
+            escape(&self.title)
         )
     }
 }
@@ -275,19 +300,41 @@ fn degrees(angle: Option<f64>) -> String {
     angle.map_or_else(String::new, |angle| format!("{angle}°"))
 }
 
+/// What the name of a page has before `html` in a language.
+fn others(language: &str) -> String {
+    if language == "en" { String::new() } else { format!("{language}.") }
+}
+
+/// The links to a page in all languages.
+fn alternates(languages: &[String], address: impl Fn(&str) -> String) -> String {
+    let all = ["en"].into_iter().chain(languages.iter().map(String::as_str));
+    all.map(|language| {
+        let page = escape(&address(&others(language)));
+        format!("<link rel=\"alternate\" hreflang=\"{language}\" href=\"{page}\">\n")
+    })
+    .collect()
+}
+
 /// The page with all systems, by shelf.
-fn index(template: &str, shelves: &[Shelf], cards: &HashMap<String, String>, site: &str) -> Result<String> {
+fn index(template: &str, shelves: &[Shelf], cards: &HashMap<String, String>, sources: &Sources) -> Result<String> {
+    let site = sources.address;
     let (title, description) =
-        ("Gallery", "All systems of the gallery: plants, curves, tilings, stars and trees in space.");
-    let mut body = format!("<h1>{title}</h1>\n<p>{description}</p>\n");
+        (&*say!("Gallery"), &*say!("All systems of the gallery: plants, curves, tilings, stars and trees in space."));
+    let mut body = format!("<h1>{}</h1>\n<p>{}</p>\n", escape(title), escape(description));
     for Shelf { name, paths } in shelves {
         let cards: String = paths.iter().filter_map(|path| cards.get(path)).map(String::as_str).collect();
         if !cards.is_empty() {
-            write!(body, "<h2>{}</h2>\n<ul class=\"shelf\">\n{cards}</ul>\n", escape(name))?;
+            write!(body, "<h2>{}</h2>\n<ul class=\"shelf\">\n{cards}</ul>\n", escape(&said(name)))?;
         }
     }
-    let head = format!("<link rel=\"canonical\" href=\"{site}{FOLDER}/\">\n");
-    Page { docs: "../docs/", name: "", title, description, head: &head, language: "en", body: &body }.fill(template)
+    let address = |part: &str| {
+        format!("{site}{FOLDER}/{}", if part.is_empty() { String::new() } else { format!("index.{part}html") })
+    };
+    let own = address(&others(words::language()));
+    let others = alternates(sources.languages, address);
+    let head = format!("<link rel=\"canonical\" href=\"{own}\">\n{others}");
+    let language = words::language();
+    Page { docs: "../docs/", name: "", title, description, head: &head, language, body: &body }.fill(template)
 }
 
 /// The addresses of all pages for readers (sitemaps.org, version 0.9).
@@ -334,13 +381,16 @@ mod tests {
     #[test]
     fn a_page_names_its_picture_and_shows_the_system() {
         let entry = entry();
-        let landing = Landing::new(&entry, "Trees", None, SITE);
+        let (root, languages) = (Path::new(""), ["de".to_owned()]);
+        let sources = Sources { root, site: root, address: SITE, languages: &languages };
+        let landing = Landing::new(&entry, "Trees".to_owned(), None, &sources);
         let page = landing.page("{{head}}<title>{{title}}</title>{{body}}").unwrap();
         for part in [
             "<meta property=\"og:image\" content=\"https://example.org/l/gallery/a-b.png\">",
             "href=\"https://example.org/l/gallery/a-b.json\" title=\"A &quot;&lt;/script",
             "<h1>A &quot;&lt;/script&gt;&quot; &amp; more</h1>",
             "<code>F -&gt; F[+F]F</code>",
+            "<link rel=\"alternate\" hreflang=\"de\" href=\"https://example.org/l/gallery/a-b.de.html\">",
             "<th scope=\"row\">Angle</th><td>25.7°</td>",
             "href=\"../#v=1&amp;title=A%20",
             ">Try the exercise</a>",

@@ -5,7 +5,8 @@
 //!   SITE, and completes links to exercises in `course.html` there.
 //! - `site documents ROOT SITE [LANGUAGE]` writes the pages of `docs/`, in English or in a language of `www/lang`. All other pages must be in SITE, because documents link to
 //!   them.
-//! - `site landing ROOT SITE ADDRESS` writes the pages of the gallery for a site with this address.
+//! - `site landing ROOT SITE ADDRESS [LANGUAGE]` writes the pages of the gallery for a site with this address, first those
+//!   in English.
 
 mod docs;
 mod exercises;
@@ -27,13 +28,19 @@ fn main() -> Result<()> {
             words::choose(&folder)?;
             documents(root, site, Some(&folder.join("docs")))
         }
-        [what, root, site, address] if what == Path::new("landing") => {
+        [what, root, site, address, language @ ..] if what == Path::new("landing") => {
             let address = address.to_str().context("an address that is not UTF-8")?;
-            println!("{}", landing::write(&landing::Sources { root, site, address })?);
+            let folder = &root.join("www/lang");
+            match language.first() {
+                Some(language) => words::choose(&folder.join(language))?,
+                None => {}
+            }
+            let languages = &words::all(folder)?;
+            println!("{}", landing::write(&landing::Sources { root, site, address, languages })?);
             Ok(())
         }
         _ => bail!(
-            "usage: site systems ROOT SITE, site documents ROOT SITE [LANGUAGE], or site landing ROOT SITE ADDRESS"
+            "usage: site systems ROOT SITE, site documents ROOT SITE [LANGUAGE], or site landing ROOT SITE ADDRESS [LANGUAGE]"
         ),
     }
 }

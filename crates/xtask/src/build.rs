@@ -123,7 +123,13 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address
     }
     let documents = site.join("docs");
     if let Some(address) = address {
-        workspace.run(Command::new(&core).arg("landing").arg(&workspace.root).arg(&site).arg(address.as_str()))?;
+        let landing = || {
+            let mut command = Command::new(&core);
+            command.arg("landing").arg(&workspace.root).arg(&site).arg(address.as_str());
+            command
+        };
+        workspace.run(&mut landing())?;
+        languages(&www)?.iter().try_for_each(|language| workspace.run(landing().arg(language)))?;
         address.name(&site)?;
     }
     [&documents, &site.join("gallery")].into_iter().try_for_each(|folder| {

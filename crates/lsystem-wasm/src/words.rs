@@ -13,7 +13,7 @@ thread_local! {
 #[wasm_bindgen(js_name = setReader)]
 pub fn set_reader(reader: Function) {
     READER.set(Some(reader));
-    super::set_reader(read);
+    lsystem_base::words::set_reader(read);
 }
 
 fn read(text: &str, number: Option<u64>) -> Option<String> {
