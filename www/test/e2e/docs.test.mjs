@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { access, readFile, readdir } from 'node:fs/promises';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { LANGUAGES } from '../../js/languages.js';
 import { COLOURS, violations } from './axe.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, picture, until, withPage } from './browser.mjs';
 
@@ -11,7 +12,9 @@ after(close);
 
 const SITE = new URL('../../../dist/', import.meta.url);
 const DOCS = new URL('docs/', SITE);
-const NAMES = (await readdir(DOCS)).filter((name) => name.endsWith('.html')).sort();
+const ALL = (await readdir(DOCS)).filter((name) => name.endsWith('.html')).sort();
+/** Those in English; the others have the same form. */
+const NAMES = ALL.filter((name) => name.split('.').length === 2);
 
 /** @param {string} name */
 const at = (name) => ({ address: `${ADDRESS}docs/${name}`, also: ADDRESS, drawing: null });
@@ -42,6 +45,16 @@ test('the documents for readers are pages, and no others', () => {
         'security.html',
         'sound.html',
     ]);
+});
+
+test('each language has all documents', () => {
+    for (const language of Object.keys(LANGUAGES).filter((name) => name !== 'en')) {
+        const own = ALL.filter((name) => name.endsWith(`.${language}.html`));
+        assert.deepEqual(
+            own,
+            NAMES.map((name) => name.replace('.html', `.${language}.html`)),
+        );
+    }
 });
 
 /** The documents that the line of links does not name. */
@@ -165,7 +178,7 @@ test('every link, picture and frame of every page leads somewhere', async () => 
         return known;
     };
     const pages = [
-        ...NAMES.map((name) => new URL(name, DOCS)),
+        ...ALL.map((name) => new URL(name, DOCS)),
         new URL('index.html', SITE),
         new URL('course.html', SITE),
     ];
