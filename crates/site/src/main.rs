@@ -31,9 +31,8 @@ fn main() -> Result<()> {
         [what, root, site, address, language @ ..] if what == Path::new("landing") => {
             let address = address.to_str().context("an address that is not UTF-8")?;
             let folder = &root.join("www/lang");
-            match language.first() {
-                Some(language) => words::choose(&folder.join(language))?,
-                None => {}
+            if let Some(language) = language.first() {
+                words::choose(&folder.join(language))?;
             }
             let languages = &words::all(folder)?;
             println!("{}", landing::write(&landing::Sources { root, site, address, languages })?);
