@@ -12,6 +12,9 @@ const [GROUP, DECIMAL] = [markOf('group'), markOf('decimal')];
 /** The digits of a number with the language's mark before decimals. @param {string} digits with a point */
 export const marked = (digits) => digits.replace('.', DECIMAL);
 
+/** A number as `toFixed` writes it, with the language's mark. @param {number} value @param {number} digits after the mark */
+export const decimal = (value, digits) => marked(value.toFixed(digits));
+
 /** Numbers in a row, apart from the marks in them. @param {readonly string[]} numbers */
 export const listed = (numbers) => numbers.join(DECIMAL === ',' ? '; ' : ', ');
 

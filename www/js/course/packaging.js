@@ -1,6 +1,6 @@
 /** Packages for learning systems, made of the site's pages. */
 
-import { decimal } from '../decimals.js';
+import { decimal } from '../numerals.js';
 import { download } from '../download.js';
 import { isWhole, responseOf } from '../files.js';
 import { createTool } from '../tool.js';

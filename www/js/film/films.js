@@ -3,7 +3,7 @@
 import styles from '../../css/film.css';
 import { toast } from '../announce.js';
 import { copyText } from '../copy.js';
-import { decimal } from '../decimals.js';
+import { decimal } from '../numerals.js';
 import { button, byId, html, icon, input, setText, setValue } from '../dom.js';
 import { showFailure } from '../failure.js';
 import { isWhole } from '../files.js';

@@ -1,7 +1,7 @@
 /** The buttons that save a film as a file, and the progress of the file in the making. */
 
 import { toast } from '../announce.js';
-import { decimal } from '../decimals.js';
+import { decimal } from '../numerals.js';
 import { icon, make, setText } from '../dom.js';
 import { download, fileName } from '../download.js';
 import { say } from '../words.js';

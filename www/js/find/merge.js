@@ -1,6 +1,6 @@
 /** The merged results of searches that run in parallel. Pure functions. */
 
-import { decimal } from '../decimals.js';
+import { decimal } from '../numerals.js';
 import { counted, say } from '../words.js';
 
 /** @typedef {import('../protocol.js').Candidate} Candidate */

@@ -1,6 +1,6 @@
 /** The choices of the save dialog as values: what a file is for, its format, and the format's options. */
 
-import { decimal } from '../decimals.js';
+import { decimal } from '../numerals.js';
 import { FILE_OPTIONS, FORMATS, PURPOSES, SHEETS } from '../late-tables.js';
 import { counted, say } from '../words.js';
 
