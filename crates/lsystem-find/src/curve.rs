@@ -251,10 +251,13 @@ impl CurveSearch {
             })
             .collect();
         let axiom = self.axiom.clone();
-        self.taken.fill(false);
-        self.count = 0;
-        let mut walker = Walker { node: start, heading: 0 };
-        self.follow(&axiom, &words, n, &mut walker).is_some() && self.count == self.lattice.edges
+        // The axiom's heading may be any one that has the same lattice.
+        (0..self.alphabet.order).any(|heading| {
+            self.taken.fill(false);
+            self.count = 0;
+            let mut walker = Walker { node: start, heading };
+            self.follow(&axiom, &words, n, &mut walker).is_some() && self.count == self.lattice.edges
+        })
     }
 
     /// Goes along the edges of a word whose letters are `n` steps deep, if they are there and new.

@@ -2,6 +2,7 @@
 
 use crate::angles::suggested;
 use crate::drawn::{Drawn, FOUND, keep};
+use crate::lattice::Lattices;
 use crate::{Known, Named, Picture, PictureSearch, Searched, Share};
 use lsystem_base::say;
 use lsystem_base::words::shown;
@@ -91,13 +92,13 @@ impl Finder {
             |angle| vec![angle],
         );
         let steps = question.n.map_or(STEPS.to_vec(), |n| vec![n]);
-        let mut searches = Vec::new();
+        let (mut searches, mut lattices) = (Vec::new(), Lattices::default());
         for (&angle, usual) in angles.iter().zip(1..) {
             let axioms = question.axiom.clone().map_or_else(|| axioms(angle), |axiom| vec![axiom]);
             for (axiom, rank) in axioms.into_iter().zip(1..) {
                 let (headings, steps, draws) = (headings.clone(), steps.clone(), question.draws.clone());
                 let known = Known { axiom: axiom.clone(), angle, headings, steps, draws };
-                let search = PictureSearch::new(picture.clone(), known, share)?;
+                let search = PictureSearch::sharing(&mut lattices, picture.clone(), known, share)?;
                 searches.push(Part { axiom, angle, search, rank: rank * usual });
             }
         }

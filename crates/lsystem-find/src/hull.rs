@@ -206,6 +206,14 @@ impl Target {
         Self { headings, first: (cos, sin), reach, moments, shape, square, stroke: picture.stroke, apart }
     }
 
+    /// All headings, in hundredths of a degree: the way from one to the next, and the first one.
+    pub(crate) fn turned(&self) -> [u32; 2] {
+        let (cos, sin) = self.first;
+        let apart = 36_000 / self.headings.order() as u32;
+        let first = (libm::atan2(sin, cos).to_degrees() * 100.0).round() as i64;
+        [apart, first.rem_euclid(apart.into()) as u32]
+    }
+
     /// How the hull lies best on that of the picture, by least squares, if it does. Where the picture is nearly round,
     /// its hull alone cannot distinguish a larger drawing from thicker strokes; so the first fit expects the usual
     /// width of the lines, and the second one any.

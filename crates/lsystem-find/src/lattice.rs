@@ -9,6 +9,7 @@ use crate::strokes::put_stroke;
 use crate::words::{Alphabet, Symbol};
 use lsystem_render::mask::{Mask, SIDE};
 use std::collections::{HashMap, VecDeque};
+use std::sync::{Arc, Mutex};
 
 /// The shortest line, in pixels: between shorter ones no paper is seen.
 const SHORTEST: f64 = 3.0;
@@ -23,8 +24,8 @@ const MAX_EDGES: usize = 30_000;
 /// The ink of all edges, each drawn by itself, is at most so many times the ink of the picture: no more than half of it
 /// lies where edges meet.
 const MOST_INK: f64 = 2.0;
-/// The number of edges that a step of the search follows.
-const SHARE: usize = 5_000;
+/// The number of places that a step of the search looks at.
+const SHARE: usize = 100_000;
 /// After twice as many edges, and each time when their number has doubled, the fit is made better.
 const REFINED: usize = 4;
 /// The least part of the ink that agrees with the edges.
@@ -78,6 +79,28 @@ pub(crate) struct LatticeSearch {
     directions: Vec<[f64; 2]>,
     /// The length of an edge that is tried next, in pixels.
     unit: f64,
+    found: Option<Arc<Lattice>>,
+}
+
+/// The searches of lattices, each for its headings: many axioms and angles lead to the same ones.
+#[derive(Debug, Default)]
+pub(crate) struct Lattices(HashMap<[u32; 2], Arc<Mutex<LatticeSearch>>>);
+
+impl Lattices {
+    /// The searches for the headings of targets, each once.
+    pub(crate) fn of(&mut self, targets: &[Target]) -> Vec<Arc<Mutex<LatticeSearch>>> {
+        let mut keys: Vec<[u32; 2]> = Vec::new();
+        let mut searches = Vec::new();
+        for target in targets {
+            let key = target.turned();
+            if !keys.contains(&key) {
+                keys.push(key);
+                let search = || Arc::new(Mutex::new(LatticeSearch::new(target)));
+                searches.push(Arc::clone(self.0.entry(key).or_insert_with(search)));
+            }
+        }
+        searches
+    }
 }
 
 impl LatticeSearch {
@@ -92,30 +115,35 @@ impl LatticeSearch {
             directions.extend(directions.clone().into_iter().map(|[x, y]| [-x, -y]));
         }
         let unit = if directions.len() > MAX_DIRECTIONS { 0.0 } else { SIDE as f64 };
-        Self { directions, unit }
+        Self { directions, unit, found: None }
     }
 
-    /// Whether all lengths were tried.
+    /// Whether a lattice is found, or all lengths were tried.
     pub(crate) fn is_done(&self) -> bool {
         self.unit < SHORTEST
     }
 
-    /// Tries the next lengths. The lattice, if one agrees with the ink.
-    pub(crate) fn advance(&mut self, picture: &Picture) -> Option<Lattice> {
-        let mut followed = 0;
-        while followed < SHARE && !self.is_done() {
+    /// The lattice that agrees with the ink, if one is found.
+    pub(crate) fn found(&self) -> Option<Arc<Lattice>> {
+        self.found.clone()
+    }
+
+    /// Tries the next lengths.
+    pub(crate) fn advance(&mut self, picture: &Picture) {
+        let mut looked = 0;
+        while looked < SHARE && !self.is_done() {
             for corner in CORNERS {
                 let mut tracer = Tracer::new(picture, &self.directions, picture.corner(corner), self.unit);
                 if tracer.trace() {
                     // Shorter edges that agree are parts of these.
                     self.unit = 0.0;
-                    return Some(tracer.lattice);
+                    self.found = Some(Arc::new(tracer.lattice));
+                    return;
                 }
-                followed += tracer.lattice.edges;
+                looked += tracer.looked;
             }
             self.unit *= FINER;
         }
-        None
     }
 }
 
@@ -154,12 +182,15 @@ struct Tracer<'a> {
     places: Vec<[f64; 2]>,
     /// For the least squares: the sums of the products of each two of the coefficients and the observed place.
     sums: [[f64; 4]; 3],
+    /// The number of places whose ink was looked at.
+    looked: usize,
 }
 
 impl<'a> Tracer<'a> {
     fn new(picture: &'a Picture, directions: &'a [[f64; 2]], origin: [f64; 2], unit: f64) -> Self {
         let lattice = Lattice { ways: vec![None; directions.len()], directions: directions.len(), edges: 0 };
-        Self { picture, directions, origin, unit, lattice, places: vec![[0.0; 2]], sums: [[0.0; 4]; 3] }
+        let (places, sums, looked) = (vec![[0.0; 2]], [[0.0; 4]; 3], 0);
+        Self { picture, directions, origin, unit, lattice, places, sums, looked }
     }
 
     /// Follows all edges from the origin, and once more from where it is known to be then. Whether the edges agree with
@@ -170,7 +201,7 @@ impl<'a> Tracer<'a> {
         }
         self.refine();
         let again = Self::new(self.picture, self.directions, self.origin, self.unit);
-        *self = again;
+        *self = Self { looked: self.looked, ..again };
         self.follow() && self.mask().agreement(&self.picture.mask) >= AGREEMENT
     }
 
@@ -224,13 +255,12 @@ impl<'a> Tracer<'a> {
     }
 
     fn has_ink(&self, [x, y]: [f64; 2]) -> bool {
-        let (column, row) = (x.floor(), (-y).floor());
-        let is_inside = column >= 0.0 && row >= 0.0 && column < SIDE as f64 && row < SIDE as f64;
-        is_inside && self.picture.mask.has(column as usize, row as usize)
+        let (x, y) = (x, -y);
+        x >= 0.0 && y >= 0.0 && x < SIDE as f64 && y < SIDE as f64 && self.picture.mask.has(x as usize, y as usize)
     }
 
     /// How far the ink of an edge lies to the left of it, in pixels, if it has ink.
-    fn aside(&self, from: [f64; 2], to: [f64; 2]) -> Option<f64> {
+    fn aside(&mut self, from: [f64; 2], to: [f64; 2]) -> Option<f64> {
         let ([x1, y1], [x2, y2]) = (self.pixel(from), self.pixel(to));
         let steps = self.unit.ceil() as usize;
         let along = |part: f64| [x1 + (x2 - x1) * part, y1 + (y2 - y1) * part];
@@ -240,7 +270,11 @@ impl<'a> Tracer<'a> {
             let [x, y] = along(*at as f64 / steps as f64);
             [0.0, 0.5, -0.5].iter().all(|far| !self.has_ink([x + across_x * far, y + across_y * far]))
         };
-        if (0..=steps).filter(is_missing).count() * GAPS > steps + 1 {
+        // Most ways have no ink at once.
+        let gaps = (steps + 1) / GAPS;
+        let stop = (0..=steps).filter(is_missing).nth(gaps);
+        self.looked += stop.unwrap_or(steps) + 1;
+        if stop.is_some() {
             return None;
         }
         // Across the edge in half pixels; a wider reach may come to the next line.
@@ -327,8 +361,10 @@ mod tests {
             let picture = picture(axiom, rules, angle, n);
             let target = Target::new(&picture, angle, 90.0);
             let mut search = LatticeSearch::new(&target);
-            let lattice = std::iter::from_fn(|| (!search.is_done()).then(|| search.advance(&picture))).flatten().next();
-            assert_eq!(lattice.map(|lattice| lattice.edges), Some(edges), "{rules}");
+            while !search.is_done() {
+                search.advance(&picture);
+            }
+            assert_eq!(search.found().map(|lattice| lattice.edges), Some(edges), "{rules}");
         }
     }
 }

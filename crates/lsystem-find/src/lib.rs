@@ -26,6 +26,7 @@ mod curve;
 mod curve_letters;
 mod derivation;
 mod drawn;
+mod enlarged;
 mod family;
 mod finder;
 mod growth;

@@ -1,5 +1,6 @@
 //! A picture as ink: which pixels are drawn on, and how far the ink reaches in each direction.
 
+use crate::enlarged::enlarged;
 use crate::parts::drawing;
 use crate::sheet::{self, Sheet, half_width};
 use crate::strokes::put_stroke;
@@ -43,6 +44,57 @@ pub struct Picture {
     outline: Vec<[f64; 2]>,
 }
 
+/// The pixels that are ink.
+struct Shown {
+    own: Vec<bool>,
+    size: [usize; 2],
+}
+
+/// The first and the last pixels of ink.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    left: usize,
+    top: usize,
+    right: usize,
+    bottom: usize,
+}
+
+impl Bounds {
+    fn longest(self) -> usize {
+        (self.right - self.left).max(self.bottom - self.top) + 1
+    }
+}
+
+impl Shown {
+    fn all(&self) -> impl Iterator<Item = (usize, usize)> {
+        let width = self.size[0];
+        self.own.iter().enumerate().filter(|(_, own)| **own).map(move |(at, _)| (at % width, at / width))
+    }
+
+    fn ink(&self) -> Option<Bounds> {
+        self.all().fold(None, |all: Option<Bounds>, (x, y)| {
+            let Bounds { left, top, right, bottom } = all.unwrap_or(Bounds { left: x, top: y, right: x, bottom: y });
+            Some(Bounds { left: left.min(x), top: top.min(y), right: right.max(x), bottom: bottom.max(y) })
+        })
+    }
+
+    /// The same ink, `factor` times as large. What is ink in `grey` and not here is paper.
+    fn enlarged(&self, ink: Bounds, grey: &[u8], level: f32, is_dark: bool, factor: f64) -> Self {
+        // The soft edges of the outermost ink.
+        let [width, height] = self.size;
+        let (left, top) = (ink.left.saturating_sub(1), ink.top.saturating_sub(1));
+        let (right, bottom) = ((ink.right + 2).min(width), (ink.bottom + 2).min(height));
+        let ink_at = |at: usize| {
+            let darker = level - f32::from(grey[at]);
+            let ink = if is_dark { darker } else { -darker };
+            if self.own[at] { ink } else { ink.min(0.0) }
+        };
+        let levels: Vec<f32> = (top..bottom).flat_map(|y| (left..right).map(move |x| ink_at(y * width + x))).collect();
+        let (levels, size) = enlarged(&levels, [right - left, bottom - top], factor);
+        Self { own: levels.into_iter().map(|ink| ink > 0.0).collect(), size }
+    }
+}
+
 impl Picture {
     /// A picture of `width` times `height` levels of grey, row by row from above; 0 is black. The lines are what there
     /// is less of, dark or light.
@@ -59,24 +111,32 @@ impl Picture {
         let is_ink = |x: usize, y: usize| (grey[y * width + x] <= level) == is_dark;
         let filled = word!("the picture is filled: no lines are seen in it");
         let runs = drawing(width, height, is_ink).ok_or(filled)?;
-        let all = || runs.iter().flat_map(|run| (run.left..run.right).map(|x| (x as usize, run.y as usize)));
-        let [mut left, mut top, mut right, mut bottom] = [usize::MAX, usize::MAX, 0, 0];
-        for (x, y) in all() {
-            (left, right) = (left.min(x), right.max(x));
-            (top, bottom) = (top.min(y), bottom.max(y));
+        let mut own = vec![false; grey.len()];
+        for run in &runs {
+            own[run.y as usize * width..][run.left as usize..run.right as usize].fill(true);
         }
-        if left == usize::MAX || grey.iter().all(|&at| at == grey[0]) {
+        let shown = Shown { own, size: [width, height] };
+        let Some(ink) = shown.ink().filter(|_| grey.iter().any(|&at| at != grey[0])) else {
             return Err(word!("the picture has one shade of grey only"));
-        }
-        let longest = (right - left + 1).max(bottom - top + 1);
+        };
         let side = SIDE - 2 * MARGIN;
+        let (shown, ink) = match side as f64 / ink.longest() as f64 {
+            factor if factor > 1.0 => {
+                let larger = shown.enlarged(ink, grey, f32::from(level) + 0.5, is_dark, factor);
+                let ink = larger.ink().unwrap_or(ink);
+                (larger, ink)
+            }
+            _ => (shown, ink),
+        };
+        let longest = ink.longest();
         let scale = (longest as f64 / side as f64).max(1.0);
         let mut mask = Mask::default();
         // Pixels of the picture for one of the sheet.
         let coarser = (longest as f64 / sheet::MOST as f64).max(1.0);
         let on_sheet = |value: usize, first: usize| ((value - first) as f64 / coarser) as usize;
+        let Bounds { left, top, right, bottom } = ink;
         let mut sheet = Sheet::new(on_sheet(right, left) + 1, on_sheet(bottom, top) + 1, scale / coarser);
-        for (x, y) in all() {
+        for (x, y) in shown.all() {
             let at = |value: usize, first: usize| ((value - first) as f64 / scale) as usize + MARGIN;
             mask.put(at(x, left).min(SIDE - 1), at(y, top).min(SIDE - 1));
             sheet.put(on_sheet(x, left), on_sheet(y, top));
@@ -212,10 +272,28 @@ mod tests {
                 grey[(20 + x / 4) * 100 + x] = ink;
             }
             let picture = Picture::new(&grey, 100, 60).expect("lines");
-            assert!(picture.mask.count() > 200 && picture.mask.count() < 250, "{}", picture.mask.count());
-            assert!((picture.reach(0.0) - 84.0).abs() < 0.01, "{}", picture.reach(0.0));
+            // The picture is enlarged: its longest line has 80 pixels.
+            let side = (SIDE - 2 * MARGIN) as f64;
+            let pixels = picture.mask.count() as f64 / (side * side) * 80.0 * 80.0;
+            assert!(pixels > 200.0 && pixels < 250.0, "{pixels}");
+            assert!((picture.reach(0.0) - side - 4.0).abs() < 1.01, "{}", picture.reach(0.0));
             assert!((picture.reach(std::f64::consts::FRAC_PI_2) + 4.0).abs() < 0.01);
         }
+    }
+
+    #[test]
+    fn soft_edges_of_small_pictures_tell_where_a_line_is() {
+        // A line that covers a third of the pixels in one row, and all in the next one.
+        let mut grey = vec![255; 100 * 60];
+        for x in 10..90 {
+            (grey[20 * 100 + x], grey[21 * 100 + x], grey[40 * 100 + x]) = (170, 0, 0);
+        }
+        let picture = Picture::new(&grey, 100, 60).expect("lines");
+        let rows = |from: usize, to: usize| (from..to).filter(|&y| picture.mask.has(SIDE / 2, y)).count();
+        let factor = (SIDE - 2 * MARGIN) as f64 / 80.0;
+        let (wide, thin) = (rows(0, 60), rows(60, SIDE));
+        assert!(wide as f64 > thin as f64 + 0.15 * factor, "{wide} {thin} {factor}");
+        assert!((thin as f64 - factor).abs() < factor / 2.0, "{thin} {factor}");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::drawn::{Drawn, FOUND, keep};
 use crate::family::{Family, MAX_SYMBOLS, families};
 use crate::hull::{Fit, Hulls, System, Target};
+use crate::lattice::Lattices;
 use crate::picture::Picture;
 use crate::source::Sources;
 use crate::strokes::{NEAR, Strokes};
@@ -60,6 +61,16 @@ impl PictureSearch {
     /// # Errors
     /// Why this cannot be searched.
     pub fn new(picture: Arc<Picture>, known: Known, share: Share) -> Result<Self, &'static str> {
+        Self::sharing(&mut Lattices::default(), picture, known, share)
+    }
+
+    /// As [`PictureSearch::new`], with the lattices that other searches on the same picture have, too.
+    pub(crate) fn sharing(
+        lattices: &mut Lattices,
+        picture: Arc<Picture>,
+        known: Known,
+        share: Share,
+    ) -> Result<Self, &'static str> {
         if !(known.angle >= 0.01 && known.angle <= 360.0 && known.headings.iter().all(|heading| heading.is_finite())) {
             return Err(word!("an angle from 0.01 to 360 degrees is expected"));
         }
@@ -76,7 +87,7 @@ impl PictureSearch {
                 return Err(word!("the letters that draw are expected to be in the axiom, or F or G"));
             }
         }
-        let sources = Sources::new(&targets, &families, share);
+        let sources = Sources::new(&targets, &families, share, lattices);
         Ok(Self {
             picture,
             targets,

@@ -1,7 +1,8 @@
 //! The ink of a picture at a finer resolution than that of the mask: here twigs show that the mask does not resolve.
 
 use crate::picture::MARGIN;
-use crate::strokes::{PIXELS, for_pixels};
+use crate::strokes::{PIXELS, for_runs};
+use lsystem_render::mask::put_run;
 
 /// The longer side is at most this many pixels, so that a sheet has at most 512 KiB.
 pub(crate) const MOST: usize = 2048;
@@ -53,7 +54,10 @@ impl Sheet {
 
     /// Gives a stroke ink, given in pixels of the sheet.
     pub(crate) fn put_stroke(&mut self, stroke: [[f64; 2]; 2], reach: f64) {
-        for_pixels([self.width, self.height], stroke, reach, |x, y| self.put(x, y));
+        let row = self.row;
+        for_runs([self.width, self.height], stroke, reach, |y, first, last| {
+            put_run(&mut self.bits[y * row..(y + 1) * row], first, last);
+        });
     }
 
     /// The sheet whose ink is complete: the width of its lines is measured.

@@ -4,12 +4,12 @@ use crate::curve::CurveSearch;
 use crate::family::Family;
 use crate::growth::GrowthSearch;
 use crate::hull::Target;
-use crate::lattice::LatticeSearch;
+use crate::lattice::{LatticeSearch, Lattices};
 use crate::picture::Picture;
 use crate::share::Share;
 use crate::words::Symbol;
 use std::collections::VecDeque;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A search that reads successors off the picture, in steps.
 #[derive(Clone, Debug)]
@@ -19,7 +19,7 @@ pub(crate) enum Source {
     /// A plant of a family, grown on the ink.
     Growth(usize, Box<GrowthSearch>),
     /// The lattice of the picture, as seen with a heading.
-    Lattice(LatticeSearch),
+    Lattice(Arc<Mutex<LatticeSearch>>),
     /// A curve of a family.
     Curve(usize, Box<CurveSearch>),
 }
@@ -39,8 +39,8 @@ pub(crate) struct Sources([VecDeque<Source>; 2]);
 
 impl Sources {
     /// Of the searches that run in parallel, each takes its share of the sources.
-    pub(crate) fn new(targets: &[Target], families: &[Family], share: Share) -> Self {
-        let lattices: Vec<Source> = targets.iter().map(LatticeSearch::new).map(Source::Lattice).collect();
+    pub(crate) fn new(targets: &[Target], families: &[Family], share: Share, lattices: &mut Lattices) -> Self {
+        let lattices: Vec<Source> = lattices.of(targets).into_iter().map(Source::Lattice).collect();
         let mut plants = Vec::new();
         for (at, _) in families.iter().enumerate().filter(|(_, family)| GrowthSearch::is_for(family)) {
             plants.extend(targets.iter().map(|target| Source::Seed(at, Box::new(target.clone()))));
@@ -77,8 +77,11 @@ impl Sources {
             Source::Growth(family, growth) => (*family, growth.advance()),
             Source::Curve(family, curve) => (*family, curve.advance()),
             Source::Lattice(search) => {
-                let lattice = search.advance(picture).map(Arc::new);
-                if search.is_done() {
+                let mut search = search.lock().unwrap_or_else(PoisonError::into_inner);
+                search.advance(picture);
+                let (is_done, lattice) = (search.is_done(), search.found());
+                drop(search);
+                if is_done {
                     own.pop_front();
                 }
                 if let Some(lattice) = lattice {

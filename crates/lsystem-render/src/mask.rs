@@ -60,6 +60,18 @@ impl Tracing {
     }
 }
 
+/// Sets the bits of a row from the first to the last one; bit `x % 64` of word `x / 64` is the pixel at `x`.
+pub fn put_run(row: &mut [u64], first: usize, last: usize) {
+    let (from, to) = (u64::MAX << (first % 64), u64::MAX >> (63 - last % 64));
+    if first / 64 == last / 64 {
+        row[first / 64] |= from & to;
+    } else {
+        row[first / 64] |= from;
+        row[first / 64 + 1..last / 64].fill(u64::MAX);
+        row[last / 64] |= to;
+    }
+}
+
 impl Default for Mask {
     fn default() -> Self {
         Self(Box::new([[0; ROW]; SIDE]))
@@ -128,6 +140,11 @@ impl Mask {
     /// Gives the pixel ink. `x` and `y` are less than [`SIDE`], from the upper left corner.
     pub fn put(&mut self, x: usize, y: usize) {
         self.0[y][x / 64] |= 1 << (x % 64);
+    }
+
+    /// Gives the pixels of a row ink, from the first to the last one, all of them less than [`SIDE`].
+    pub fn put_run(&mut self, y: usize, first: usize, last: usize) {
+        put_run(&mut self.0[y], first, last);
     }
 
     /// Whether the pixel has ink. `x` and `y` are less than [`SIDE`], from the upper left corner.
