@@ -3,6 +3,7 @@
 import styles from '../css/projector.css';
 import { announce } from './announce.js';
 import { button, byId, html } from './dom.js';
+import { nameKeys } from './keys.js';
 import { setLayer } from './layers.js';
 import { addElements } from './late.js';
 import markup from './projector.html';
@@ -17,6 +18,7 @@ const INDIFFERENT = 'body, button, a, #projector-page';
 
 export function createProjector() {
     addElements(markup, [styles], html('stage'));
+    nameKeys(html('stage'));
     const root = document.documentElement;
     const drawing = html('drawing');
     const page = html('projector-page');

@@ -3,6 +3,7 @@
 import styles from '../css/shortcuts.css';
 import { PLAIN_KEYS } from './dialogs.js';
 import { byId, closes, input } from './dom.js';
+import { nameKeys } from './keys.js';
 import { addElements } from './late.js';
 import markup from './shortcuts.html';
 
@@ -10,6 +11,7 @@ import markup from './shortcuts.html';
 export function createShortcuts({ storage }) {
     addElements(markup, [styles]);
     const dialog = byId('shortcuts', HTMLDialogElement);
+    nameKeys(dialog);
     closes(dialog, 'close-shortcuts');
     const plain = input('plain-keys');
     plain.checked = storage.read(PLAIN_KEYS) !== false;

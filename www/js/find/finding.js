@@ -1,6 +1,7 @@
 /** The dialog that finds the rules of a picture or a string. */
 
 import gallery from '../../css/gallery.css';
+import legend from '../../css/differences.css';
 import styles from '../../css/find.css';
 import { toast } from '../announce.js';
 import { button, byId, closes, html, input, setText } from '../dom.js';
@@ -33,7 +34,7 @@ const sentence = (error) => {
 
 /** @param {import('../dialogs.js').Page} page */
 export function createFinding({ store, engine, restyle }) {
-    addElements(markup, [gallery, styles]);
+    addElements(markup, [gallery, styles, legend]);
     const dialog = byId('find', HTMLDialogElement);
     const text = byId('find-string', HTMLTextAreaElement);
     const file = input('find-file');

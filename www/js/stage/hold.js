@@ -25,9 +25,6 @@ export function createHold({ grip, origin, seen }) {
     /** The search for the line that was clicked last. @type {Promise<void> | null} */
     let clicked = null;
 
-    /** @param {number[] | null} place */
-    const take = (place) => (held = place && { place, from: origin() });
-
     /** The held place, if it is within `reach` CSS pixels of `at`. @param {Offset} at @param {number} reach */
     function heldNear(at, reach) {
         if (held && (held.from !== origin() || apart(seen(held.place), at) > reach)) held = null;
@@ -37,14 +34,15 @@ export function createHold({ grip, origin, seen }) {
     /** @param {Offset} at @param {number} reach in CSS pixels */
     async function find(at, reach) {
         try {
-            take(await grip(at, reach));
+            const place = await grip(at, reach);
+            held = place && { place, from: origin() };
         } catch {
             // The worker was replaced; no line is held.
             held = null;
         }
     }
 
-    const ask = latest(grip, take);
+    const ask = latest(find, () => {});
 
     return {
         /** The place to hold while zooming at `at`; null while there is no line near. @param {Offset} at */
