@@ -181,29 +181,13 @@ impl Grid {
 
     /// The cells along a line, in order.
     pub(super) fn along(&self, [from, to]: [Place; 2]) -> impl Iterator<Item = Visit> {
-        let ends = [from, to].map(|[x, y, _]| self.cell([x, y]));
-        let [mut at, last] = ends;
-        let way = [to[0] - from[0], to[1] - from[1]];
-        // The place along the line at which it leaves a column or a row.
-        let leave = move |at: usize, axis: usize| {
-            let border = self.corner[axis] + (at as f64 + if way[axis] > 0.0 { 1.0 } else { 0.0 }) * self.side;
-            ((border - from[axis]) / way[axis]).clamp(0.0, 1.0)
-        };
-        let (mut entered, mut is_done) = (0.0, false);
-        core::iter::from_fn(move || {
-            if is_done {
-                return None;
-            }
-            let cell = at[1] * self.size[0] + at[0];
-            let next = [0, 1].map(|axis| if at[axis] == last[axis] { f64::INFINITY } else { leave(at[axis], axis) });
-            let axis = usize::from(next[1] < next[0]);
-            let (from, to) = (entered, next[axis].clamp(entered, 1.0));
-            is_done = at == last;
-            if !is_done {
-                at[axis] = if last[axis] > at[axis] { at[axis] + 1 } else { at[axis] - 1 };
-            }
-            entered = to;
-            Some(Visit { cell, from, to })
+        let columns = self.size[0];
+        let cells = [from, to].map(|[x, y, _]| self.cell([x, y]).map(|place| place as i64));
+        let line = [from, to].map(|[x, y, _]| [x, y]);
+        cells_along(self.corner, self.side, line, cells).map(move |([column, row], from, to)| Visit {
+            cell: row as usize * columns + column as usize,
+            from,
+            to,
         })
     }
 
@@ -247,6 +231,38 @@ impl Grid {
             }
         }
     }
+}
+
+/// The cells along a line between its first cell and its last one, in order: the column and the row of each, and the
+/// places along the line at which it enters and leaves the cell. Column and row 0 begin at the corner.
+pub(super) fn cells_along(
+    corner: Point,
+    side: f64,
+    [from, to]: [Point; 2],
+    [mut at, last]: [[i64; 2]; 2],
+) -> impl Iterator<Item = ([i64; 2], f64, f64)> {
+    let way = [to[0] - from[0], to[1] - from[1]];
+    // The place along the line at which it leaves a column or a row.
+    let leave = move |at: i64, axis: usize| {
+        let border = corner[axis] + (at as f64 + if way[axis] > 0.0 { 1.0 } else { 0.0 }) * side;
+        ((border - from[axis]) / way[axis]).clamp(0.0, 1.0)
+    };
+    let (mut entered, mut is_done) = (0.0, false);
+    core::iter::from_fn(move || {
+        if is_done {
+            return None;
+        }
+        let cell = at;
+        let next = [0, 1].map(|axis| if at[axis] == last[axis] { f64::INFINITY } else { leave(at[axis], axis) });
+        let axis = usize::from(next[1] < next[0]);
+        let (from, to) = (entered, next[axis].clamp(entered, 1.0));
+        is_done = at == last;
+        if !is_done {
+            at[axis] += (last[axis] - at[axis]).signum();
+        }
+        entered = to;
+        Some((cell, from, to))
+    })
 }
 
 /// Whether a line on the sheet meets a square with this corner and side.
