@@ -24,11 +24,14 @@ const SHIFTED: u64 = 16;
 /// The least saving, in millimetres: far above rounding errors.
 const LEAST: f64 = 1e-6;
 
-/// Improves a closed way. An end is numbered as in [`order`](crate::order::order); the last two of the `ends` are the start
-/// of the pen.
-pub(crate) fn improve(near: Near, ends: Vec<Point>, way: Vec<u32>, work: &mut dyn Work) -> Result<Vec<u32>, Halt> {
-    let mut left = EFFORT * way.len() as u64;
-    let mut improve = Improve::new(near, ends, way, work)?;
+/// Improves the closed way through polylines whose ends are given in the order of the way: the first end of polyline k
+/// at 2k, the last at 2k + 1. The pen starts and ends at `start`. Returns the end at which each polyline is entered.
+pub(crate) fn improve(mut ends: Vec<Point>, start: Point, work: &mut dyn Work) -> Result<Vec<u32>, Halt> {
+    let count = ends.len() as u32 / 2;
+    let mut left = EFFORT * u64::from(count);
+    let near = Near::new(ends.iter().copied());
+    ends.extend([start, start]);
+    let mut improve = Improve::new(near, ends, (0..count).map(|polyline| 2 * polyline).collect(), work)?;
     while left > 0
         && let Some(units) = improve.step()
     {
@@ -154,6 +157,7 @@ impl Improve {
             return false;
         }
         let is_exit = self.tour[at] != end;
+        let longest = self.longest_joint(to);
         for length in 1..=MOVED {
             let (first, last) = match is_exit {
                 true if at >= length => (at + 1 - length, at),
@@ -166,7 +170,7 @@ impl Improve {
             let [before, start, stop, after] =
                 [self.exit(first - 1), self.entry(first), self.exit(last), self.entry(last + 1)];
             let saved = self.far(before, start) + self.far(stop, after) - self.far(before, after);
-            if saved < far + LEAST - self.longest_joint(to) {
+            if saved < far + LEAST - longest {
                 continue;
             }
             // The joint of `other` into which the part goes.

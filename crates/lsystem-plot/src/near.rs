@@ -3,7 +3,7 @@
 //! The points are halved across the longer side of their box, and so are the halves (k-d tree, Bentley 1975; Friedman,
 //! Bentley and Finkel 1977). Removed points leave their boxes, so that a search never enters empty ones.
 
-use crate::page::{Point, distance};
+use crate::page::Point;
 use lsystem_base::Meter;
 use lsystem_syntax::{Halt, Work};
 
@@ -24,7 +24,7 @@ pub(crate) struct Near {
     boxes: Vec<[f64; 4]>,
     /// The number of boxes at the bottom: a power of two.
     leaves: usize,
-    /// The boxes still to be searched, with their distances, the nearest last.
+    /// The boxes still to be searched, with the squares of their distances, the nearest last.
     open: Vec<(f64, u32)>,
 }
 
@@ -75,6 +75,11 @@ impl Near {
         (0..leaves).for_each(|leaf| near.boxes[leaves + leaf] = near.leaf_box(leaf));
         (1..leaves).rev().for_each(|at| near.boxes[at] = near.joined(at));
         near
+    }
+
+    /// The numbers of all points in the tree's order.
+    pub(crate) fn order(self) -> Vec<u32> {
+        self.points.into_iter().map(|(_, number)| number).collect()
     }
 
     fn leaf(&self, leaf: usize) -> core::ops::Range<usize> {
@@ -167,7 +172,7 @@ impl Near {
             }
             for place in self.leaf(at - self.leaves) {
                 let (point, number) = self.points[place];
-                let far = distance(from, point);
+                let far = square(from, point);
                 if self.is_in[place] && far < found[N - 1].0 && admits(number) {
                     let slot = found.iter().position(|other| far < other.0).unwrap_or(N - 1);
                     found[slot..].rotate_right(1);
@@ -176,19 +181,26 @@ impl Near {
             }
         }
         meter.charge(work);
-        found
+        found.map(|(square, number)| (square.sqrt(), number))
     }
 }
 
-/// The distance from a point to a box; infinite for the empty box.
+/// The square of the distance of two points.
+fn square(a: Point, b: Point) -> f64 {
+    let [x, y] = [b[0] - a[0], b[1] - a[1]];
+    x * x + y * y
+}
+
+/// The square of the distance from a point to a box; infinite for the empty box.
 fn away([x, y]: Point, [a, b, c, d]: &[f64; 4]) -> f64 {
     let [x, y] = [(a - x).max(x - c).max(0.0), (b - y).max(y - d).max(0.0)];
-    (x * x + y * y).sqrt()
+    x * x + y * y
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::distance;
 
     #[test]
     fn the_nearest_points_are_those_of_a_plain_search() {

@@ -29,8 +29,13 @@ pub(crate) fn order(polylines: &Polylines, numbers: &[u32], start: Point, work: 
     };
     let (along, nearest) = (way(Some(&trails))?, way(None)?);
     let (way, _) = if along.1 < nearest.1 { along } else { nearest };
-    let way = improve(near, ends, way, work)?;
-    Ok(way.iter().map(|&end| (numbers[end as usize / 2], end % 2 == 1)).collect())
+    drop(near);
+    // Numbered along the way, polylines that are compared lie near each other in memory, too.
+    let along: Vec<Point> = way.iter().flat_map(|&end| [end, end ^ 1]).map(|end| ends[end as usize]).collect();
+    drop(ends);
+    let improved = improve(along, start, work)?;
+    let old = |end: u32| way[end as usize / 2] ^ (end % 2);
+    Ok(improved.into_iter().map(old).map(|end| (numbers[end as usize / 2], end % 2 == 1)).collect())
 }
 
 /// A way to the nearest end each time, along the closed trails if they are given: the end at which each polyline is

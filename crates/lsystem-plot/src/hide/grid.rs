@@ -30,8 +30,8 @@ pub(super) struct Grid {
     bodies: Vec<u32>,
     /// By cell: lines below this depth are hidden.
     floors: Vec<f64>,
-    /// By body: its nearest depth.
-    near: Vec<f64>,
+    /// By body: its nearest depth, and the box around it.
+    reaches: Vec<(f64, [Point; 2])>,
 }
 
 /// A part of a line in a cell.
@@ -55,9 +55,9 @@ impl Grid {
     /// Sorts the bodies of a scene.
     pub(super) fn new(scene: &Scene, work: &mut dyn Work) -> Result<Self, Halt> {
         let mut boxes = Boxes::new(scene, work)?;
-        let near: Vec<f64> = scene.bodies.iter().map(|body| scene.near(body)).collect();
-        boxes.list.sort_unstable_by(|(a, _), (b, _)| near[*b as usize].total_cmp(&near[*a as usize]).then(b.cmp(a)));
-        let mut grid = Self { near, ..boxes.grid() };
+        let reaches = scene.bodies.iter().map(|body| (scene.near(body), scene.bounds(body))).collect();
+        let mut grid = Self { reaches, ..boxes.grid() };
+        boxes.list.sort_unstable_by(|(a, _), (b, _)| grid.near(*b).total_cmp(&grid.near(*a)).then(b.cmp(a)));
         loop {
             grid.floors = vec![f64::NEG_INFINITY; grid.size[0] * grid.size[1]];
             if let Some(entries) = grid.entries(scene, &boxes.list, work)? {
@@ -107,8 +107,7 @@ impl Grid {
 
     /// Lists the bodies of each cell, without those that are covered in the whole cell. The nearest entries come first.
     fn list(&mut self, mut entries: Vec<(u32, u32)>, work: &mut dyn Work) -> Result<(), Halt> {
-        let near = |number: u32| self.near[number as usize];
-        entries.retain(|&(cell, number)| near(number) > self.floors[cell as usize]);
+        entries.retain(|&(cell, number)| self.near(number) > self.floors[cell as usize]);
         self.starts = vec![0; self.floors.len() + 1];
         for &(cell, _) in &entries {
             self.starts[cell as usize + 1] += 1;
@@ -134,11 +133,11 @@ impl Grid {
 
     /// The cells of all bodies: the range of each body in the list, and the list.
     pub(super) fn cells(&self, work: &mut dyn Work) -> Result<(Vec<u32>, Vec<u32>), Halt> {
-        let mut starts = vec![0; self.near.len() + 1];
+        let mut starts = vec![0; self.reaches.len() + 1];
         for &body in &self.bodies {
             starts[body as usize + 1] += 1;
         }
-        for body in 0..self.near.len() {
+        for body in 0..self.reaches.len() {
             starts[body + 1] += starts[body];
         }
         let (mut ends, mut cells) = (starts.clone(), vec![0; self.bodies.len()]);
@@ -156,7 +155,12 @@ impl Grid {
 
     /// The nearest depth of a body.
     pub(super) fn near(&self, body: u32) -> f64 {
-        self.near[body as usize]
+        self.reaches[body as usize].0
+    }
+
+    /// The box around a body.
+    pub(super) fn around(&self, body: u32) -> [Point; 2] {
+        self.reaches[body as usize].1
     }
 
     /// Lines below this depth are hidden in a cell.
@@ -181,29 +185,13 @@ impl Grid {
 
     /// The cells along a line, in order.
     pub(super) fn along(&self, [from, to]: [Place; 2]) -> impl Iterator<Item = Visit> {
-        let ends = [from, to].map(|[x, y, _]| self.cell([x, y]));
-        let [mut at, last] = ends;
-        let way = [to[0] - from[0], to[1] - from[1]];
-        // The place along the line at which it leaves a column or a row.
-        let leave = move |at: usize, axis: usize| {
-            let border = self.corner[axis] + (at as f64 + if way[axis] > 0.0 { 1.0 } else { 0.0 }) * self.side;
-            ((border - from[axis]) / way[axis]).clamp(0.0, 1.0)
-        };
-        let (mut entered, mut is_done) = (0.0, false);
-        core::iter::from_fn(move || {
-            if is_done {
-                return None;
-            }
-            let cell = at[1] * self.size[0] + at[0];
-            let next = [0, 1].map(|axis| if at[axis] == last[axis] { f64::INFINITY } else { leave(at[axis], axis) });
-            let axis = usize::from(next[1] < next[0]);
-            let (from, to) = (entered, next[axis].clamp(entered, 1.0));
-            is_done = at == last;
-            if !is_done {
-                at[axis] = if last[axis] > at[axis] { at[axis] + 1 } else { at[axis] - 1 };
-            }
-            entered = to;
-            Some(Visit { cell, from, to })
+        let columns = self.size[0];
+        let cells = [from, to].map(|[x, y, _]| self.cell([x, y]).map(|place| place as i64));
+        let line = [from, to].map(|[x, y, _]| [x, y]);
+        cells_along(self.corner, self.side, line, cells).map(move |([column, row], from, to)| Visit {
+            cell: row as usize * columns + column as usize,
+            from,
+            to,
         })
     }
 
@@ -247,6 +235,43 @@ impl Grid {
             }
         }
     }
+}
+
+/// The cells along a line between its first cell and its last one, in order: the column and the row of each, and the
+/// places along the line at which it enters and leaves the cell. Column and row 0 begin at the corner.
+pub(super) fn cells_along(
+    corner: Point,
+    side: f64,
+    [from, to]: [Point; 2],
+    [mut at, last]: [[i64; 2]; 2],
+) -> impl Iterator<Item = ([i64; 2], f64, f64)> {
+    let way = [to[0] - from[0], to[1] - from[1]];
+    // The place along the line at which it leaves a column or a row.
+    let leave = move |at: i64, axis: usize| {
+        let border = corner[axis] + (at as f64 + if way[axis] > 0.0 { 1.0 } else { 0.0 }) * side;
+        ((border - from[axis]) / way[axis]).clamp(0.0, 1.0)
+    };
+    let (mut entered, mut is_done) = (0.0, false);
+    core::iter::from_fn(move || {
+        if is_done {
+            return None;
+        }
+        let cell = at;
+        let next = [0, 1].map(|axis| if at[axis] == last[axis] { f64::INFINITY } else { leave(at[axis], axis) });
+        let axis = usize::from(next[1] < next[0]);
+        let (from, to) = (entered, next[axis].clamp(entered, 1.0));
+        is_done = at == last;
+        if !is_done {
+            at[axis] += (last[axis] - at[axis]).signum();
+        }
+        entered = to;
+        Some((cell, from, to))
+    })
+}
+
+/// Whether two boxes are at most this far apart along both axes.
+pub(super) fn are_near(a: [Point; 2], b: [Point; 2], apart: f64) -> bool {
+    (0..2).all(|axis| a[0][axis] - b[1][axis] <= apart && b[0][axis] - a[1][axis] <= apart)
 }
 
 /// Whether a line on the sheet meets a square with this corner and side.
@@ -310,7 +335,7 @@ impl Boxes {
             side *= 1.5;
         }
         let size = sides.map(|length| (libm::ceil(length / side) as usize).max(1));
-        Grid { corner, side, size, starts: vec![], bodies: vec![], floors: vec![], near: vec![] }
+        Grid { corner, side, size, starts: vec![], bodies: vec![], floors: vec![], reaches: vec![] }
     }
 }
 

@@ -8,7 +8,8 @@
 //! In space, the lines where polygons and tubes pass through each other are drawn, too (`pierce`, `meet`), but for bodies
 //! that are joined (`points`).
 //!
-//! Crossed lines hide nothing: only bodies broader than the pen do.
+//! Crossed lines hide nothing: only bodies broader than the pen do. Visible parts shorter than a pen that lie in ink of
+//! their colour are left out (`specks`).
 
 mod body;
 mod fill;
@@ -21,6 +22,7 @@ mod points;
 mod runs;
 mod scene;
 mod span;
+mod specks;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -37,6 +39,7 @@ use lsystem_syntax::{Halt, Style, Work};
 use outline::{Edge, outline};
 use pierce::Pierce;
 use scene::{Scene, Shape};
+use specks::Lines;
 use visible::{On, Visible};
 
 /// A shorter line that ends where another body begins is left out, in pens: its ink is that of the body's outline.
@@ -58,7 +61,9 @@ pub(crate) fn hidden(
     pens.most = most;
     let scene = Scene::read(drawing, style, page, options, &mut pens, work)?;
     let grid = Grid::new(&scene, work)?;
-    let mut draw = Draw { visible: Visible::new(&scene, &grid), least: SHORT * options.pen, run: Run::default(), pens };
+    let visible = Visible::new(&scene, &grid);
+    let (run, lines) = (Run::default(), Lines::default());
+    let mut draw = Draw { visible, pen: options.pen, run, lines };
     let mut pierce = Pierce::new(&scene, &grid, options.pen, work)?;
     let mut edges = vec![];
     for (number, body) in (0..).zip(&scene.bodies) {
@@ -85,21 +90,24 @@ pub(crate) fn hidden(
         }
         if options.hatch {
             edges.clear();
-            let left = most.saturating_sub(draw.pens.count);
-            fill::fill(&scene, body, options.pen, left, &mut edges, work)?.ok_or_else(|| draw.pens.too_many())?;
-            draw.lines(on, body.layer, &edges, work)?;
+            let left = most.saturating_sub(draw.lines.count());
+            fill::fill(&scene, body, options.pen, left, &mut edges, work)?.ok_or_else(|| pens.too_many())?;
+            draw.single(on, body.layer, &edges, work)?;
+        }
+        if draw.lines.count() > most {
+            return Err(pens.too_many());
         }
     }
-    Ok(draw.pens)
+    draw.lines.draw(options.pen, &mut pens, work)?;
+    Ok(pens)
 }
 
 /// Draws the visible parts of lines.
 struct Draw<'a> {
     visible: Visible<'a>,
-    /// Shorter cut lines are left out, in millimetres.
-    least: f64,
+    pen: f64,
     run: Run,
-    pens: Pens,
+    lines: Lines,
 }
 
 /// Visible parts of lines that follow each other.
@@ -123,7 +131,7 @@ impl Draw<'_> {
             for span in self.visible.parts() {
                 if span.low > at {
                     self.run.is_cut = true;
-                    self.run.draw(layer, self.least, &mut self.pens);
+                    self.run.draw(layer, self.pen, &mut self.lines);
                     self.run.is_cut = true;
                 }
                 self.run.parts.push([span.low, span.high].map(|place| on_sheet(line.at(place))));
@@ -132,29 +140,26 @@ impl Draw<'_> {
             }
             if at < 1.0 {
                 self.run.is_cut = true;
-                self.run.draw(layer, self.least, &mut self.pens);
+                self.run.draw(layer, self.pen, &mut self.lines);
                 self.run.is_cut = true;
             }
-            if self.pens.count > self.pens.most {
-                return Err(self.pens.too_many());
-            }
         }
-        self.run.draw(layer, self.least, &mut self.pens);
+        self.run.draw(layer, self.pen, &mut self.lines);
         Ok(())
     }
 
     /// Draws single lines.
-    fn lines(&mut self, on: On, layer: u32, edges: &[Edge], work: &mut dyn Work) -> Result<(), Halt> {
+    fn single(&mut self, on: On, layer: u32, edges: &[Edge], work: &mut dyn Work) -> Result<(), Halt> {
         edges.chunks(1).try_for_each(|edge| self.edges(on, layer, edge, work))
     }
 }
 
 impl Run {
     /// Draws the parts, unless they are short and end at another body. The next run is empty.
-    fn draw(&mut self, layer: u32, least: f64, pens: &mut Pens) {
+    fn draw(&mut self, layer: u32, pen: f64, lines: &mut Lines) {
         let length: f64 = self.parts.iter().map(|[from, to]| distance(*from, *to)).sum();
-        if !self.is_cut || self.has_side || length > least {
-            self.parts.iter().for_each(|&part| pens.stroke(layer, part));
+        if !self.is_cut || self.has_side || length > SHORT * pen {
+            lines.add(layer, &self.parts, self.is_cut && length < pen);
         }
         self.parts.clear();
         (self.is_cut, self.has_side) = (false, false);

@@ -1,7 +1,7 @@
 //! The lines where bodies pass through each other in space.
 
 use super::body::Place;
-use super::grid::Grid;
+use super::grid::{Grid, are_near};
 use super::meet::{Face, faces, tube_and_face};
 use super::meet_tubes::tubes;
 use super::outline::{EXACT, Edge};
@@ -80,14 +80,19 @@ impl<'a> Pierce<'a> {
         self.others.clear();
         let at = number as usize;
         let [Some(&start), Some(&end)] = [at, at + 1].map(|at| self.starts.get(at)) else { return Ok(()) };
-        let (near, mark) = (self.grid.near(number), self.scene.bodies[at].mark);
+        let (near, around, mark) = (self.grid.near(number), self.grid.around(number), self.scene.bodies[at].mark);
         for &cell in &self.cells[start as usize..end as usize] {
             for &other in self.grid.bodies(cell as usize) {
                 work.charge(1)?;
                 if self.grid.near(other) <= self.far[at] {
                     break;
                 }
-                if other < number && self.far[other as usize] < near && self.scene.bodies[other as usize].mark != mark {
+                // Tubes are wider by `exact`.
+                if other < number
+                    && self.far[other as usize] < near
+                    && are_near(around, self.grid.around(other), 2.0 * self.exact)
+                    && self.scene.bodies[other as usize].mark != mark
+                {
                     self.others.push(other);
                 }
             }

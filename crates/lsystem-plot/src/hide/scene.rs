@@ -107,8 +107,9 @@ impl Scene {
             }
         }
         scene.runs = Runs::new(&scene.vertices);
+        let joints = Joints::new(&mut scene.bodies, is_solid, work)?;
         if !is_solid {
-            scene.joints = Joints::new(&mut scene.bodies, work)?;
+            scene.joints = joints;
             scene.stack(work)?;
         }
         Ok(scene)
@@ -194,10 +195,14 @@ impl Joints {
     const MOST: usize = 64;
 
     /// Finds the joints of some bodies. Of equal strokes, only the last one stays: it hides the others.
-    pub(super) fn new(bodies: &mut Vec<Body>, work: &mut dyn Work) -> Result<Self, Halt> {
+    /// In space there are no joints.
+    pub(super) fn new(bodies: &mut Vec<Body>, is_solid: bool, work: &mut dyn Work) -> Result<Self, Halt> {
         let mut joints = Self::default();
-        let count = joints.number(bodies, work)?;
+        let count = joints.number(bodies, is_solid, work)?;
         joints.drop_equal(bodies, work)?;
+        if is_solid {
+            return Ok(Self::default());
+        }
         let mut counts = vec![0; count];
         for (body, ends) in bodies.iter().zip(&joints.ends) {
             work.charge(1)?;
@@ -223,14 +228,15 @@ impl Joints {
     }
 
     /// Numbers the ends of strokes. Returns the number of numbers.
-    fn number(&mut self, bodies: &[Body], work: &mut dyn Work) -> Result<usize, Halt> {
-        let mut cells = Cells::new([JOINT; 2]);
+    fn number(&mut self, bodies: &[Body], is_solid: bool, work: &mut dyn Work) -> Result<usize, Halt> {
+        let [mut sheet, mut space] = [(); 2].map(|()| Cells::new([JOINT; 2]));
         let mut count = 0;
         for body in bodies {
             work.charge(2)?;
             let ends = body.ends().map(|ends| {
-                ends.map(|[x, y, _]| {
-                    let (number, is_new) = cells.number(body.layer, [x, y]);
+                ends.map(|[x, y, depth]| {
+                    let (column, is_new) = sheet.number(body.layer, [x, y]);
+                    let (number, is_new) = if is_solid { space.number(column, [depth, 0.0]) } else { (column, is_new) };
                     count += usize::from(is_new);
                     number
                 })
@@ -278,5 +284,25 @@ impl Joints {
             tubes[before.saturating_sub(Self::MOST)..before].iter().copied()
         };
         ends.into_iter().flat_map(at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lsystem_base::Meter;
+
+    #[test]
+    fn in_space_strokes_at_one_place_of_the_sheet_are_equal_at_one_depth_only() {
+        let body = |mark: u32, layer: u32, depth: f64, radius: f64| {
+            let shape = Shape::Tube(Tube { ends: [[1.0, 2.0, 3.0], [4.0, 5.0, depth]], radii: [radius; 2] });
+            Body { mark, layer, shape }
+        };
+        let all = [(0, 3.0, 1.0), (0, 3.0, 1.0), (0, 3.5, 1.0), (1, 3.0, 1.0), (0, 3.0, 2.0), (0, 3.0 + 1e-8, 1.0)];
+        let mut bodies: Vec<Body> =
+            (0..).zip(all).map(|(mark, (layer, depth, radius))| body(mark, layer, depth, radius)).collect();
+        let joints = Joints::new(&mut bodies, true, &mut Meter::new(0)).unwrap();
+        assert!(bodies.iter().map(|body| body.mark).eq([2, 3, 4, 5]));
+        assert!(!joints.meet(0, 1));
     }
 }

@@ -156,7 +156,7 @@ pub(super) fn scene(chance: &mut Chance, count: u32, is_solid: bool) -> Scene {
         }
     }
     if !is_solid {
-        scene.joints = Joints::new(&mut scene.bodies, &mut Meter::new(0)).unwrap();
+        scene.joints = Joints::new(&mut scene.bodies, false, &mut Meter::new(0)).unwrap();
         scene.stack(&mut Meter::new(0)).unwrap();
     }
     scene

@@ -1,11 +1,14 @@
 //! The visible parts of a line.
 
 use super::body::{Place, Sight};
-use super::grid::Grid;
+use super::grid::{Grid, are_near};
 use super::runs::Part;
 use super::scene::{Scene, Shape};
 use super::span::{Span, rest};
 use lsystem_syntax::{Halt, Work};
+
+/// The bodies beside a line that are passed by in a unit of work.
+const PASSED: u64 = 8;
 
 /// What a line lies on.
 #[derive(Clone, Copy, Debug)]
@@ -45,19 +48,23 @@ impl<'a> Visible<'a> {
         let scene = self.scene;
         for visit in self.grid.along(ends) {
             work.charge(1)?;
-            let depths = [visit.from, visit.to].map(|place| line.at(place)[2]);
-            let [bottom, top] = [depths[0].min(depths[1]), depths[0].max(depths[1])];
+            let [a, b] = [visit.from, visit.to].map(|place| line.at(place));
+            let [low, high] = [[0, 1, 2].map(|axis| a[axis].min(b[axis])), [0, 1, 2].map(|axis| a[axis].max(b[axis]))];
+            let around = [low, high].map(|[x, y, _]| [x, y]);
+            let [bottom, top] = [low[2], high[2]];
             if top < self.grid.floor(visit.cell) {
                 self.hidden.push(Span { low: visit.from, high: visit.to });
                 continue;
             }
             // In the cell, the line is hidden up to the first place and from the second one on.
-            let (mut at, mut back) = (visit.from, visit.to);
+            let (mut at, mut back, mut passed) = (visit.from, visit.to, 0);
             for &other in self.grid.bodies(visit.cell) {
                 if at >= back || self.grid.near(other) <= bottom {
                     break;
                 }
-                if on.is_on(scene, other) {
+                // Tubes may be wider by `same`, where they hide.
+                if !are_near(around, self.grid.around(other), 2.0 * scene.same) || on.is_on(scene, other) {
+                    passed += 1;
                     continue;
                 }
                 // Of many corners, runs are passed by.
@@ -80,6 +87,7 @@ impl<'a> Visible<'a> {
                 }
                 self.hidden.truncate(kept);
             }
+            work.charge(passed / PASSED)?;
         }
         for tube in scene.joints.of(on.number) {
             work.charge(1)?;
