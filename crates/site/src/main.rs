@@ -34,7 +34,7 @@ fn main() -> Result<()> {
             if let Some(language) = language.first() {
                 words::choose(&folder.join(language))?;
             }
-            let languages = &words::all(folder)?;
+            let languages = &lsystem_catalogue::languages(folder)?;
             println!("{}", landing::write(&landing::Sources { root, site, address, languages })?);
             Ok(())
         }

@@ -117,8 +117,9 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address
     playing.iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
     stable::write(&site)?;
     make("documents")?;
-    for language in languages(&www)? {
-        let [what, language] = ["documents", &language];
+    let languages = lsystem_catalogue::languages(&www.join("lang"))?;
+    for language in &languages {
+        let [what, language] = ["documents", language];
         workspace.run(Command::new(&core).arg(what).arg(&workspace.root).arg(&site).arg(language))?;
     }
     let documents = site.join("docs");
@@ -129,7 +130,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address
             command
         };
         workspace.run(&mut landing())?;
-        languages(&www)?.iter().try_for_each(|language| workspace.run(landing().arg(language)))?;
+        languages.iter().try_for_each(|language| workspace.run(landing().arg(language)))?;
         address.name(&site)?;
     }
     [&documents, &site.join("gallery")].into_iter().try_for_each(|folder| {
@@ -155,15 +156,6 @@ fn compile_core(workspace: &Workspace, kind: Kind) -> Result<()> {
     let profile = if kind == Kind::Draft { "--profile=draft" } else { "--profile=dev" };
     // All crates are named, so that the same features are chosen.
     workspace.run(&mut workspace.cargo(["build", "--quiet", profile, "--workspace", "--exclude=bench", "--bin=site"]))
-}
-
-/// The languages besides English: the folders of `www/lang`.
-fn languages(www: &Path) -> Result<Vec<String>> {
-    let folders = fs::read_dir(www.join("lang"))?;
-    let mut names =
-        folders.map(|folder| Ok(folder?.file_name().to_string_lossy().into_owned())).collect::<Result<Vec<_>>>()?;
-    names.sort();
-    Ok(names)
 }
 
 /// Copies the files of `www` that are shipped unchanged.
