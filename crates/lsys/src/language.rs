@@ -3,6 +3,7 @@
 //! `lang/` has a catalogue for each language, a copy of the page's.
 
 use lsystem::base::words::set_reader;
+use lsystem::course::PageWords;
 use lsystem_catalogue::Catalogue;
 use std::ffi::OsString;
 use std::sync::OnceLock;
@@ -29,6 +30,12 @@ pub(crate) fn stay_english() {
 /// The code of the language that texts have.
 pub(crate) fn code() -> &'static str {
     catalogue().map_or("en", Catalogue::code)
+}
+
+/// The words for pages in this language; none in English.
+pub(crate) fn page_words() -> Option<PageWords<'static>> {
+    let (language, catalogue) = *CATALOGUES.iter().find(|(own, _)| *own == code())?;
+    Some(PageWords { language, catalogue })
 }
 
 /// The catalogue of the language that texts have; none in English.
