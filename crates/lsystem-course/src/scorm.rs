@@ -274,6 +274,27 @@ mod tests {
     }
 
     #[test]
+    fn both_pages_have_the_words_of_the_language() {
+        let catalogue = r#"{"lesson": "Lektion", "exercise": {"one": "Aufgabe", "other": "Aufgaben"}, "Nowhere": "x"}"#;
+        let words = Some(PageWords { language: "de", catalogue });
+        let exercise = "<html lang=\"en\"><title>E</title><p>exercise";
+        let pages = ScormPages { steps: STEPS_PAGE, exercise, words };
+        let scorm = Scorm { title: "", exercises: &[], standard: ScormStandard::Scorm12 };
+        let files = files(&scorm_package(&scorm, &pages).unwrap());
+        let steps = "<script type=\"text/bytes\" data-file=\"lang/de/words.json\">{\"lesson\":\"Lektion\"}</script>";
+        assert!(files[1].1.contains("<html lang=\"de\" data-package=\"lesson\""), "{}", files[1].1);
+        assert!(files[1].1.contains(steps), "{}", files[1].1);
+        assert!(
+            files[2].1.starts_with("<html lang=\"de\"><title>E</title>\n<script type=\"text/bytes\""),
+            "{}",
+            files[2].1
+        );
+        assert!(files[2].1.contains(">{\"exercise\":{\"one\":\"Aufgabe\",\"other\":\"Aufgaben\"}}<"), "{}", files[2].1);
+        let untitled = ScormPages { exercise: "<p>exercise", ..pages };
+        assert!(scorm_package(&scorm, &untitled).unwrap_err().contains("another version"));
+    }
+
+    #[test]
     fn one_exercise_gives_its_title_and_none_is_the_lesson() {
         let page = &package("", &[exercise("Koch", "F -> F+F--F+F")]).unwrap()[1].1;
         assert!(page.contains("<title>Koch</title>"), "{page}");
