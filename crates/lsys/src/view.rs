@@ -42,7 +42,7 @@ pub(crate) fn view(file: &Path, options: &ViewOptions, changes: &Changes) -> Res
     let path = file.canonicalize().map_err(|error| CommandFailure::io(file.display(), &error))?;
     let followed = Followed::new(path, changes.clone())?;
     let page = pages::PLAYGROUND.html(options.page.as_deref())?;
-    let page = language::page_words().and_then(|words| words.give_to(&page)).unwrap_or(page);
+    let page = language::page_words().and_then(|words| words.give_to(&page, "")).unwrap_or(page);
     let wanted = options.port.unwrap_or(0);
     let listener = server::bind(wanted)
         .map_err(|error| words(say!("port {}: {}; leave out --port for a free one", wanted, error)))?;

@@ -22,10 +22,11 @@ impl PageWords<'_> {
     /// A page in a single file, in this language: the translations of the texts in it stand after its title, where
     /// `www/js/words.js` reads them. The text for readers without scripts is translated by the reader of words.
     ///
-    /// `None` if the page has no title or the catalogue is damaged.
+    /// `also` are texts that the page shows and does not have as they are, as those of exercises in links. `None` if the
+    /// page has no title or the catalogue is damaged.
     #[must_use]
-    pub fn give_to(&self, page: &str) -> Option<String> {
-        let words = words_in(self.catalogue, &[page.as_bytes()])?;
+    pub fn give_to(&self, page: &str, also: &str) -> Option<String> {
+        let words = words_in(self.catalogue, &[page.as_bytes(), also.as_bytes()])?;
         let file = format!("lang/{}/words.json", self.language);
         let element = format!("\n<script type=\"text/bytes\" data-file=\"{file}\">{}</script>", ascii(&words));
         let (head, body) = page.split_at(page.find("</title>")? + "</title>".len());
@@ -132,7 +133,7 @@ mod tests {
         <p>Find rules\n   that draw it</p><script>say`Variant ${n} of ${m}, for ${x}`;say`It\\'s done…`</script></html>";
 
     fn given(catalogue: &str) -> String {
-        PageWords { language: "de", catalogue }.give_to(PAGE).unwrap()
+        PageWords { language: "de", catalogue }.give_to(PAGE, "Grow\na tree").unwrap()
     }
 
     #[test]
@@ -140,7 +141,7 @@ mod tests {
         let page = given(
             r#"{
                 "Find rules that draw it": "Finde Regeln für es", "Variant {} of {}, for {}": {"one": "<1>", "other": "2"},
-                "It's done…": "Fertig", "Find {} words": "A", "Something else": "B", "Variant {} of 3, for {}": "C"
+                "It's done…": "Fertig", "Grow": "Wachse", "Find {} words": "A", "Something else": "B", "Variant {} of 3, for {}": "C"
             }"#,
         );
         let (head, rest) =
@@ -154,7 +155,8 @@ mod tests {
         let told = serde_json::json!({
             "Find rules that draw it": "Finde Regeln für es",
             "Variant {} of {}, for {}": {"one": "<1>", "other": "2"},
-            "It's done…": "Fertig"
+            "It's done…": "Fertig",
+            "Grow": "Wachse"
         });
         assert_eq!(words, told);
     }
@@ -184,7 +186,7 @@ mod tests {
 
     #[test]
     fn what_is_no_page_or_no_catalogue_gets_nothing() {
-        assert!(PageWords { language: "de", catalogue: "{}" }.give_to("<p>").is_none());
-        assert!(PageWords { language: "de", catalogue: "[" }.give_to(PAGE).is_none());
+        assert!(PageWords { language: "de", catalogue: "{}" }.give_to("<p>", "").is_none());
+        assert!(PageWords { language: "de", catalogue: "[" }.give_to(PAGE, "").is_none());
     }
 }

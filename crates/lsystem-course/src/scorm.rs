@@ -96,8 +96,12 @@ pub fn scorm_package(scorm: &Scorm<'_>, pages: &ScormPages<'_>) -> Result<Vec<u8
         all => Exercise::key(&all.join("\n")),
     };
     let foreign = || say!("The page of steps belongs to another version of this program.");
+    let texts: String = match &exercises[..] {
+        [] => in_links(pages.steps).iter().map(texts).collect(),
+        all => all.iter().map(texts).collect(),
+    };
     let told = |page: &str| match &pages.words {
-        Some(words) => words.give_to(page).ok_or_else(foreign),
+        Some(words) => words.give_to(page, &texts).ok_or_else(foreign),
         None => Ok(without_requests(page)),
     };
     let language = pages.words.map_or("en", |words| words.language);
@@ -112,6 +116,19 @@ pub fn scorm_package(scorm: &Scorm<'_>, pages: &ScormPages<'_>) -> Result<Vec<u8
         (READ_ME, read_me.as_bytes()),
     ];
     zip(&files).map_err(|error| say!("The package cannot be written ({}).", error))
+}
+
+/// The exercises in the links of a page.
+fn in_links(page: &str) -> Vec<Exercise> {
+    let is_inside = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
+    let links = page.split("x=").skip(1).map(|rest| rest.split(|c| !is_inside(c)).next().unwrap_or_default());
+    links.filter_map(|text| Exercise::read(text).ok()).collect()
+}
+
+/// The texts of an exercise that a student reads, a line for each.
+fn texts(exercise: &Exercise) -> String {
+    let Exercise { title, task, hints, .. } = exercise;
+    format!("{title}\n{task}\n{}\n", hints.join("\n"))
 }
 
 /// The title of a package.
@@ -275,7 +292,8 @@ mod tests {
 
     #[test]
     fn both_pages_have_the_words_of_the_language() {
-        let catalogue = r#"{"lesson": "Lektion", "exercise": {"one": "Aufgabe", "other": "Aufgaben"}, "Nowhere": "x"}"#;
+        let catalogue = r#"{"lesson": "Lektion", "exercise": {"one": "Aufgabe", "other": "Aufgaben"}, "Nowhere": "x",
+            "Draw it": "Zeichne sie"}"#;
         let words = Some(PageWords { language: "de", catalogue });
         let exercise = "<html lang=\"en\"><title>E</title><p>exercise";
         let pages = ScormPages { steps: STEPS_PAGE, exercise, words };
@@ -290,6 +308,16 @@ mod tests {
             files[2].1
         );
         assert!(files[2].1.contains(">{\"exercise\":{\"one\":\"Aufgabe\",\"other\":\"Aufgaben\"}}<"), "{}", files[2].1);
+        // The texts of an exercise stand in its link.
+        let target = Definition { axiom: "F".into(), rules: "F -> FF".into(), ..Definition::default() };
+        let link = Exercise { task: "Draw it".into(), target, ..Exercise::default() }.write();
+        let of_lesson = STEPS_PAGE.replace("lesson", &format!("<a href=\"#v=1&amp;x={link}&amp;hand=0\">lesson</a>"));
+        let lesson = self::files(&scorm_package(&scorm, &ScormPages { steps: &of_lesson, ..pages }).unwrap());
+        let exercises = &[link];
+        let one = self::files(&scorm_package(&Scorm { exercises, ..scorm }, &pages).unwrap());
+        for files in [lesson, one] {
+            assert!(files[2].1.contains("\"Draw it\":\"Zeichne sie\""), "{}", files[2].1);
+        }
         let untitled = ScormPages { exercise: "<p>exercise", ..pages };
         assert!(scorm_package(&scorm, &untitled).unwrap_err().contains("another version"));
     }

@@ -60,7 +60,9 @@ fn catalogues(root: &Path, site: &Path) -> Result<()> {
     };
     let files = WalkDir::new(site).into_iter().filter_entry(of_page).collect::<walkdir::Result<Vec<_>>>()?;
     let files = files.iter().filter(|entry| entry.file_type().is_file()).map(|entry| fs::read(entry.path()));
-    let files = files.collect::<std::io::Result<Vec<_>>>()?;
+    // Links have the texts of exercises, and not as they are.
+    let exercises = std::iter::once(fs::read(root.join("www/exercises.json")));
+    let files = files.chain(exercises).collect::<std::io::Result<Vec<_>>>()?;
     let files: Vec<_> = files.iter().map(Vec::as_slice).collect();
     for language in lsystem_catalogue::languages(&root.join("www/lang"))? {
         let name = format!("lang/{language}/words.json");
