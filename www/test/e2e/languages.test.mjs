@@ -134,6 +134,7 @@ test('frames of the lesson have the language of the reader', () =>
         { address: `${ADDRESS}course.html`, also: ADDRESS, drawing: null, options: { ...DESKTOP, locale: 'de-DE' } },
         async (page) => {
             await page.waitForSelector('html[lang=de]');
+            await page.locator('.places a').nth(1).click();
             const frame = page.frameLocator('.step.now iframe');
             await frame.locator('html[lang=de] #mark-percent:not(:empty)').waitFor({ timeout: 20_000 });
             assert.match((await frame.locator('#ask-hint').textContent()) ?? '', /^Hinweis/);
