@@ -23,6 +23,12 @@ export function addressOf(hash) {
 /** Whether the page is a single file. */
 export const isWhole = () => embedded(WASM) !== null;
 
+/** The language whose words a page in a single file has inside; none in English. */
+export const carriedLanguage = () =>
+    /^lang\/(.+)\/words\.json$/.exec(
+        document.querySelector('script[data-file^="lang/"]')?.getAttribute('data-file') ?? '',
+    )?.[1] ?? null;
+
 /** Whether the page has a file inside. @param {string} name */
 export const isCarried = (name) => embedded(name) !== null;
 

@@ -109,7 +109,7 @@ export {};
 /**
  * The call of the tool that makes files; its progress are the pieces of the file. `options`: those of
  * tables.js that differ from their defaults; `camera` is for drawings in space. A file is `complete` unless a limit was exceeded or the definition has errors.
- * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number, upto: bigint | null}, answer: import('./messages.js').ExportReport}, package: {asked: {exercises: string[], title: string, standard: string, steps: string, exercise: Uint8Array<ArrayBuffer>}, answer: Uint8Array<ArrayBuffer>}}} ExportCalls
+ * @typedef {{file: {asked: {definition: Definition, format: Format, options: Record<string, boolean | number | string>, view: View | null, camera: Camera | null, ratio: number, upto: bigint | null}, answer: import('./messages.js').ExportReport}, package: {asked: {exercises: string[], title: string, standard: string, steps: string, exercise: string, language: string, catalogue: string}, answer: Uint8Array<ArrayBuffer>}}} ExportCalls
  */
 /**
  * The calls of the tool for other notations; `import` answers null if the text is in no known notation.

@@ -5,7 +5,7 @@
  * can be used at once.
  */
 
-import { jsonOf } from './files.js';
+import { carriedLanguage, jsonOf } from './files.js';
 import { LANGUAGES } from './languages.js';
 
 /** The words of the language that is wanted; English if they do not come. */
@@ -17,10 +17,11 @@ export const { language, words } = ours;
 const plurals = new Intl.PluralRules(language);
 const whole = new Intl.NumberFormat(language, { maximumFractionDigits: 0 });
 
-/** The language of the link, else the one that the reader chose, else the browser's first that there is. */
+/** The language that a single file has inside, else that of the link, else the one that the reader chose, else the browser's first that there is. */
 function wanted() {
     if (typeof document === 'undefined') return 'en';
-    const asked = [new URLSearchParams(location.search).get('lang'), kept(), ...navigator.languages];
+    const link = new URLSearchParams(location.search).get('lang');
+    const asked = [carriedLanguage(), link, kept(), ...navigator.languages];
     const codes = asked.map((name) => name?.toLowerCase().split('-')[0] ?? '');
     return codes.find((code) => Object.hasOwn(LANGUAGES, code)) ?? 'en';
 }

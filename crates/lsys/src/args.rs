@@ -3,6 +3,7 @@
 use crate::cli::{Changes, Cli, ExhibitOptions, FilmOptions, GrowthFormat, Look, ScormOptions, TileOptions, Verb};
 use crate::find::Known;
 use crate::help;
+use crate::usage;
 use crate::view::ViewOptions;
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
@@ -96,12 +97,12 @@ pub(crate) fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Com
         Err(error) => match error.kind() {
             ErrorKind::DisplayHelp => return Ok(Command::Print(error.to_string())),
             ErrorKind::DisplayVersion => return Ok(Command::Print(cli.render_version())),
-            _ => return Err(error.to_string()),
+            _ => return Err(usage::report(&error)),
         },
     };
     let mut explain = |name: &str, words: String| {
-        let command = cli.find_subcommand_mut(name).map(|command| command.error(ErrorKind::ValueValidation, &words));
-        command.map_or(words, |error| error.to_string())
+        let usage = cli.find_subcommand_mut(name).map(|command| command.render_usage().to_string());
+        usage::written(&words, &[], usage.as_deref())
     };
     match verb {
         Verb::View { file, port, no_browser, page, entry } => Ok(Command::View {

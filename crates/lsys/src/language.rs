@@ -1,33 +1,16 @@
 //! The language of messages and help: that of `--language`, or else that of the environment, or else English.
 //!
-//! `lang/` has a catalogue for each language, a copy of the page's. A catalogue is JSON: the English texts and their
-//! translations. A translation is a text, or for a text with a number its forms by the plural categories of CLDR.
+//! `lang/` has a catalogue for each language, a copy of the page's.
 
-use icu_locale_core::Locale;
-use icu_plurals::{PluralCategory, PluralRules};
 use lsystem::base::words::set_reader;
-use serde::Deserialize;
-use std::collections::HashMap;
+use lsystem::course::PageWords;
+use lsystem_catalogue::Catalogue;
 use std::ffi::OsString;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The codes of the languages beside English, and their catalogues.
 const CATALOGUES: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/languages.rs"));
-
-/// A translation.
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Translation {
-    Text(String),
-    Forms(HashMap<String, String>),
-}
-
-struct Catalogue {
-    code: &'static str,
-    words: HashMap<String, Translation>,
-    locale: Option<Locale>,
-}
 
 /// Whether texts stay English, as in outputs for programs.
 static STAYS_ENGLISH: AtomicBool = AtomicBool::new(false);
@@ -46,7 +29,18 @@ pub(crate) fn stay_english() {
 
 /// The code of the language that texts have.
 pub(crate) fn code() -> &'static str {
-    CATALOGUE.get().filter(|_| !STAYS_ENGLISH.load(Ordering::Relaxed)).map_or("en", |own| own.code)
+    catalogue().map_or("en", Catalogue::code)
+}
+
+/// The words for pages in this language; none in English.
+pub(crate) fn page_words() -> Option<PageWords<'static>> {
+    let (language, catalogue) = *CATALOGUES.iter().find(|(own, _)| *own == code())?;
+    Some(PageWords { language, catalogue })
+}
+
+/// The catalogue of the language that texts have; none in English.
+fn catalogue() -> Option<&'static Catalogue> {
+    CATALOGUE.get().filter(|_| !STAYS_ENGLISH.load(Ordering::Relaxed))
 }
 
 /// Sets the language for all messages, by the arguments and the environment. An unknown language in the arguments is
@@ -54,36 +48,9 @@ pub(crate) fn code() -> &'static str {
 pub(crate) fn choose(arguments: &[OsString]) {
     let asked = asked(arguments).unwrap_or_else(|| of_environment(|name| std::env::var(name).ok()));
     let Some((code, text)) = CATALOGUES.iter().find(|(code, _)| *code == asked) else { return };
-    let Ok(words) = serde_json::from_str(text) else { return };
-    if CATALOGUE.set(Catalogue { code, words, locale: code.parse().ok() }).is_ok() {
-        set_reader(|text, number| {
-            CATALOGUE.get().filter(|_| !STAYS_ENGLISH.load(Ordering::Relaxed))?.find(text, number)
-        });
-    }
-}
-
-impl Catalogue {
-    fn find(&self, text: &str, number: Option<u64>) -> Option<String> {
-        match self.words.get(text)? {
-            Translation::Text(text) => Some(text.clone()),
-            Translation::Forms(forms) => {
-                let rules = self.locale.as_ref().and_then(|own| PluralRules::try_new_cardinal(own.into()).ok());
-                let category =
-                    rules.zip(number).map_or(PluralCategory::Other, |(own, number)| own.category_for(number));
-                forms.get(name_of(category)).or_else(|| forms.get("other")).cloned()
-            }
-        }
-    }
-}
-
-fn name_of(category: PluralCategory) -> &'static str {
-    match category {
-        PluralCategory::Zero => "zero",
-        PluralCategory::One => "one",
-        PluralCategory::Two => "two",
-        PluralCategory::Few => "few",
-        PluralCategory::Many => "many",
-        PluralCategory::Other => "other",
+    let Ok(words) = Catalogue::new(code, text) else { return };
+    if CATALOGUE.set(words).is_ok() {
+        set_reader(|text, number| catalogue()?.find(text, number));
     }
 }
 
@@ -126,24 +93,5 @@ mod tests {
         assert_eq!(language(&[("LC_ALL", "C"), ("LC_MESSAGES", "fr")]), "c");
         assert_eq!(language(&[("LC_ALL", ""), ("LANG", "fr@euro")]), "fr");
         assert_eq!(language(&[]), "");
-    }
-
-    #[test]
-    fn the_number_chooses_the_form() {
-        let words =
-            serde_json::from_str(r#"{"{} points": {"one": "{} punkt", "few": "{} punkty", "other": "{} punktów"}}"#);
-        let catalogue = Catalogue { code: "pl", words: words.unwrap(), locale: "pl".parse().ok() };
-        for (number, form) in [(1, "{} punkt"), (3, "{} punkty"), (5, "{} punktów"), (22, "{} punkty")] {
-            assert_eq!(catalogue.find("{} points", Some(number)).as_deref(), Some(form), "{number}");
-        }
-        assert_eq!(catalogue.find("{} lines", Some(1)), None);
-    }
-
-    #[test]
-    fn all_catalogues_can_be_read() {
-        for (code, text) in CATALOGUES {
-            let words: Result<HashMap<String, Translation>, _> = serde_json::from_str(text);
-            assert!(words.is_ok_and(|words| !words.is_empty()), "{code}");
-        }
     }
 }

@@ -31,6 +31,7 @@ mod scorm;
 mod settings;
 mod shape;
 mod tiles;
+mod usage;
 mod view;
 
 use args::Command;

@@ -4,7 +4,7 @@ use crate::answers::class;
 use crate::cli::ScormOptions;
 use crate::pages::{EXERCISE, Page, STEPS};
 use crate::pending::Pending;
-use crate::{CommandFailure, print};
+use crate::{CommandFailure, language, print};
 use lsystem::base::say;
 use lsystem::course::{Scorm, ScormPages, scorm_package};
 use std::path::Path;
@@ -21,7 +21,7 @@ pub(crate) fn package(exercises: &[String], to: &Path, options: &ScormOptions) -
     let page = |page: Page| page.html(options.pages.as_ref().map(|folder| folder.join(page.name)).as_deref());
     let (steps, exercise) = (page(STEPS)?, page(EXERCISE)?);
     let scorm = Scorm { title: &options.title, exercises: &exercises, standard: options.standard };
-    let pages = ScormPages { steps: &steps, exercise: exercise.as_bytes() };
+    let pages = ScormPages { steps: &steps, exercise: &exercise, words: language::page_words() };
     let package = scorm_package(&scorm, &pages).map_err(CommandFailure::Words)?;
     let file = Pending::write(to, |out| out.write_all(&package)).and_then(Pending::commit);
     file.map_err(|error| CommandFailure::io(to.display(), &error))?;

@@ -2,6 +2,7 @@
 
 use lsystem::Definition;
 use lsystem::base::say;
+use lsystem::base::words::said;
 use lsystem::syntax::{FIELDS, FieldSpec, Value};
 
 /// The definition with fields set by name. A name is any of [`FieldSpec::called`]. A value is JSON, or else
@@ -21,7 +22,7 @@ pub(crate) fn apply(definition: &Definition, settings: &[(String, String)]) -> R
             _ => Value::Text(text.clone()),
         };
         if !spec.admits(&value) || !spec.set(&mut changed, &value) {
-            return Err(say!("--set {}={}: {} must be {}", name, text, spec.label, spec.expected_words()));
+            return Err(say!("--set {}={}: {} must be {}", name, text, said(spec.label), spec.expected_words()));
         }
     }
     Ok(changed)

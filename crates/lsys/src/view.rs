@@ -5,7 +5,7 @@ mod rewrite;
 mod server;
 
 use crate::cli::Changes;
-use crate::{CommandFailure, pages, print, say};
+use crate::{CommandFailure, language, pages, print, say};
 use followed::Followed;
 use notify_debouncer_mini::new_debouncer;
 use notify_debouncer_mini::notify::RecursiveMode;
@@ -42,6 +42,7 @@ pub(crate) fn view(file: &Path, options: &ViewOptions, changes: &Changes) -> Res
     let path = file.canonicalize().map_err(|error| CommandFailure::io(file.display(), &error))?;
     let followed = Followed::new(path, changes.clone())?;
     let page = pages::PLAYGROUND.html(options.page.as_deref())?;
+    let page = language::page_words().and_then(|words| words.give_to(&page, "")).unwrap_or(page);
     let wanted = options.port.unwrap_or(0);
     let listener = server::bind(wanted)
         .map_err(|error| words(say!("port {}: {}; leave out --port for a free one", wanted, error)))?;

@@ -57,16 +57,81 @@ fn json_is_the_same_in_all_languages() {
     assert_eq!(json("fr"), json("en"));
 }
 
+#[test]
+fn help_and_errors_have_no_words_of_clap_in_other_languages() {
+    let told = |words: &str| {
+        let output = lsys(words, None);
+        String::from_utf8([output.stdout, output.stderr].concat()).expect("UTF-8")
+    };
+    let english = [
+        "Usage:",
+        "Commands:",
+        "Arguments:\n",
+        "default:",
+        "possible values",
+        "Possible values",
+        "alias:",
+        "error:",
+        "tip:",
+        "unexpected",
+        "required",
+        "invalid value",
+        "similar",
+        "more information",
+        "Animated",
+        "provided",
+        "not in",
+        "too large",
+    ];
+    for language in ["de", "fr"] {
+        for line in [
+            "--help",
+            "draw --help",
+            "animate --help",
+            "animate -h",
+            "scorm -h",
+            "completions --help",
+            "info a.json --jsn",
+            "info --nothing",
+            "inof a.json",
+            "animate a.json",
+            "draw a.json --format pgn",
+            "draw a.json --dpi 1x",
+            "info",
+            "view a.json --port 0",
+            "view a.json --port 99999999999",
+            "scorm a --lesson --to b",
+            "info a.json --growth txt x -- -y",
+            "draw a.json b.json c.json d.json",
+            "view a.json b.json",
+            "info - -",
+            "link a.json --page",
+        ] {
+            let text = told(&format!("--language {language} {line}"));
+            let mut found = english.into_iter().filter(|word| text.contains(word));
+            // `Usage` and `Options` are French, too.
+            let found = found.find(|word| language == "de" || *word != "Usage:");
+            assert_eq!(found, None, "{line}: {text}");
+        }
+    }
+    assert!(told("--language de --help").contains("\nAufruf: lsys [OPTIONS] <COMMAND>\n\nBefehle:\n  view "));
+    let error = told("--language de info a.json --jsn");
+    let start = "Fehler: unbekanntes Argument '--jsn'\n\n  Tipp: ein \u{e4}hnliches Argument gibt es: '--json'\n\nAufruf: lsys info ";
+    assert!(error.starts_with(start) && error.ends_with("\n\nMehr dazu zeigt '--help'.\n"), "{error}");
+    let error = told("--language fr animate a.json");
+    assert!(error.starts_with("erreur\u{a0}: ces arguments obligatoires manquent\u{a0}:\n  --to <OUT>\n"), "{error}");
+    let set = told("--language fr info data_in/abop/1.24f.json --set width=wide");
+    assert!(!set.contains("Stroke width"), "{set}");
+}
+
 /// With `UPDATE_EXPECT=1` this writes the program's catalogues anew.
 #[test]
 fn the_program_carries_the_catalogues_of_the_page() {
-    let mut codes = Vec::new();
-    for entry in std::fs::read_dir(root().join("www/lang")).expect("a folder") {
-        let folder = entry.expect("an entry").path();
-        let Ok(words) = std::fs::read_to_string(folder.join("words.json")) else { continue };
-        let code = folder.file_name().and_then(|name| name.to_str()).expect("UTF-8").to_owned();
+    let folder = root().join("www/lang");
+    let codes = lsystem_catalogue::languages(&folder).expect("a folder");
+    for code in &codes {
+        let words = std::fs::read_to_string(folder.join(code).join("words.json")).expect("words");
         expect_file![format!("{}/lang/{code}.json", env!("CARGO_MANIFEST_DIR"))].assert_eq(&words);
-        codes.push(code);
     }
     assert!(!codes.is_empty());
     let carried = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("lang")).expect("a folder");

@@ -1,7 +1,9 @@
 //! Packages for learning systems, as `lsys scorm` writes them.
 
+use flate2::read::DeflateDecoder;
 use lsystem::Definition;
 use lsystem::course::Exercise;
+use std::io::Read;
 use std::path::Path;
 use std::process::Command;
 
@@ -48,6 +50,58 @@ fn links_and_files_with_links_become_a_package() {
     let (code, text) = lsys(folder.path(), &["scorm", "--lesson", "--pages", "site", "--to", "lesson.zip"]);
     assert_eq!(code, Some(0), "{text}");
     assert!(folder.path().join("lesson.zip").is_file());
+}
+
+/// The text of a file in a zip.
+fn file_in(zip: &[u8], name: &str) -> String {
+    let start =
+        (0..zip.len()).find(|&at| zip[at..].starts_with(b"PK\x03\x04") && zip[at + 30..].starts_with(name.as_bytes()));
+    let start = start.expect("the file is there");
+    let more = usize::from(u16::from_le_bytes([zip[start + 28], zip[start + 29]]));
+    let mut text = String::new();
+    DeflateDecoder::new(&zip[start + 30 + name.len() + more..]).read_to_string(&mut text).expect("UTF-8");
+    text
+}
+
+#[test]
+fn a_package_is_in_the_language_of_its_maker() {
+    let folder = folder();
+    let page = "<!doctype html>\n<html lang=\"en\"><title>E</title><button>Hint</button><p>Iterations</html>";
+    std::fs::write(folder.path().join("site/exercise.html"), page).expect("written");
+    let (first, second) = (exercise("Koch curve"), exercise(""));
+    let package = |language: &str| {
+        let words = ["scorm", &first, &second, "--pages", "site", "--to", "week.zip", "--language", language];
+        let (code, text) = lsys(folder.path(), &words);
+        assert_eq!(code, Some(0), "{text}");
+        std::fs::read(folder.path().join("week.zip")).expect("written")
+    };
+    let english = package("en");
+    assert_eq!(file_in(&english, "exercise.html"), page);
+    for (language, title, exercise, hint, read_me) in [
+        ("de", "Aufgaben zu L-Systemen", "2. Aufgabe<", "\"Hint\":\"Hinweis\"", "lsys mark EXERCISE ANSWERS.csv"),
+        (
+            "fr",
+            "Exercices sur les L-syst\u{e8}mes",
+            "2. Exercice<",
+            "\"Hint\":\"Indice\"",
+            "lsys mark EXERCISE ANSWERS.csv",
+        ),
+    ] {
+        let zip = package(language);
+        let steps = file_in(&zip, "index.html");
+        assert!(steps.contains(&format!("<html lang=\"{language}\" data-package=")), "{steps}");
+        assert!(steps.contains(&format!("<h1>{title}</h1>")) && steps.contains(exercise), "{steps}");
+        assert!(file_in(&zip, "imsmanifest.xml").contains(title));
+        let page = file_in(&zip, "exercise.html");
+        assert!(page.contains(&format!("<html lang=\"{language}\"><title>E</title>")) && page.contains(hint), "{page}");
+        assert!(page.len() < 4000 && page.ends_with("<button>Hint</button><p>Iterations</html>"), "{page}");
+        let told = file_in(&zip, "read-me.txt");
+        assert!(told.contains(read_me) && !told.contains("forged"), "{told}");
+        // Links and what the learning system keeps are the same.
+        for part in [&first[first.find("x=").expect("an exercise")..], "#v=1"] {
+            assert!(told.contains(part) && file_in(&english, "read-me.txt").contains(part), "{told}");
+        }
+    }
 }
 
 #[test]

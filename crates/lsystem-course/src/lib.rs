@@ -28,6 +28,7 @@ mod graph;
 pub mod growth;
 mod hint;
 mod mark;
+mod page_words;
 mod repair;
 mod same;
 mod sample;
@@ -41,6 +42,7 @@ pub use class::{Answer, Class, Marked, Mistake, SMALL, answers, exercise_in, mis
 pub use exercise::{Asks, Exercise, First, Given};
 pub use fit::Ends;
 pub use mark::{Grade, Marker, Marking};
+pub use page_words::{PageWords, words_in};
 pub use same::is_same_picture;
 pub use scorm::{MAX_EXERCISES, Scorm, ScormPages, ScormStandard, scorm_package};
 pub use variants::Varied;

@@ -5,8 +5,10 @@
 
 mod manifest;
 
-use crate::Exercise;
+use crate::page_words::without_requests;
+use crate::{Exercise, PageWords};
 use lsystem_base::say;
+use lsystem_base::words::said;
 use miniz_oxide::deflate::compress_to_vec;
 use rawzip::time::UtcDateTime;
 use rawzip::{CompressionMethod, DataDescriptorOutput, ZipArchiveWriter, crc32};
@@ -73,7 +75,9 @@ pub struct ScormPages<'a> {
     /// `package.html`: the lesson's page in one file.
     pub steps: &'a str,
     /// `exercise.html`: the page of an exercise in one file.
-    pub exercise: &'a [u8],
+    pub exercise: &'a str,
+    /// The words of the package's language; none for English.
+    pub words: Option<PageWords<'a>>,
 }
 
 /// Makes a package: the bytes of a zip.
@@ -91,38 +95,68 @@ pub fn scorm_package(scorm: &Scorm<'_>, pages: &ScormPages<'_>) -> Result<Vec<u8
         [] => "lesson".to_owned(),
         all => Exercise::key(&all.join("\n")),
     };
-    let page = page(scorm, pages.steps, &id, &title, &exercises)
-        .ok_or_else(|| say!("The page of steps belongs to another version of this program."))?;
+    let foreign = || say!("The page of steps belongs to another version of this program.");
+    let texts: String = match &exercises[..] {
+        [] => in_links(pages.steps).iter().map(texts).collect(),
+        all => all.iter().map(texts).collect(),
+    };
+    let told = |page: &str| match &pages.words {
+        Some(words) => words.give_to(page, &texts).ok_or_else(foreign),
+        None => Ok(without_requests(page)),
+    };
+    let language = pages.words.map_or("en", |words| words.language);
+    let page = page(scorm, &told(pages.steps)?, language, &id, &title, &exercises).ok_or_else(foreign)?;
+    let exercise = told(pages.exercise)?;
     let manifest = manifest::manifest(scorm.standard, &id, &title);
     let read_me = read_me(scorm, &title, &exercises);
     let files = [
         (manifest::NAME, manifest.as_bytes()),
         (PAGE, page.as_bytes()),
-        (EXERCISE, pages.exercise),
+        (EXERCISE, exercise.as_bytes()),
         (READ_ME, read_me.as_bytes()),
     ];
     zip(&files).map_err(|error| say!("The package cannot be written ({}).", error))
+}
+
+/// The exercises in the links of a page.
+fn in_links(page: &str) -> Vec<Exercise> {
+    let is_inside = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
+    let links = page.split("x=").skip(1).map(|rest| rest.split(|c| !is_inside(c)).next().unwrap_or_default());
+    links.filter_map(|text| Exercise::read(text).ok()).collect()
+}
+
+/// The texts of an exercise that a student reads, a line for each.
+fn texts(exercise: &Exercise) -> String {
+    let Exercise { title, task, hints, .. } = exercise;
+    format!("{title}\n{task}\n{}\n", hints.join("\n"))
 }
 
 /// The title of a package.
 fn title(scorm: &Scorm<'_>, exercises: &[Exercise]) -> String {
     let mut title = match exercises {
         _ if !scorm.title.trim().is_empty() => scorm.title.trim().to_owned(),
-        [] => "Plants from rules".to_owned(),
-        [one] => name(one).to_owned(),
-        _ => "L-system exercises".to_owned(),
+        [] => say!("Plants from rules"),
+        [one] => name(one),
+        _ => say!("L-system exercises"),
     };
     crate::exercise::cut(&mut title, MAX_TITLE);
     title
 }
 
-fn name(exercise: &Exercise) -> &str {
-    if exercise.title.is_empty() { "Exercise" } else { &exercise.title }
+fn name(exercise: &Exercise) -> String {
+    if exercise.title.is_empty() { say!("Exercise") } else { said(&exercise.title) }
 }
 
 /// The page of steps for these exercises. `None` if it has no place for them.
-fn page(scorm: &Scorm<'_>, steps: &str, id: &str, title: &str, exercises: &[Exercise]) -> Option<String> {
-    let root = format!("<html lang=\"en\" data-package=\"{id}\" data-scorm=\"{}\">", scorm.standard.name());
+fn page(
+    scorm: &Scorm<'_>,
+    steps: &str,
+    language: &str,
+    id: &str,
+    title: &str,
+    exercises: &[Exercise],
+) -> Option<String> {
+    let root = format!("<html lang=\"{language}\" data-package=\"{id}\" data-scorm=\"{}\">", scorm.standard.name());
     let page = between(steps, ["<html", ">"], |_| root)?;
     if exercises.is_empty() {
         return Some(page);
@@ -138,7 +172,7 @@ fn page(scorm: &Scorm<'_>, steps: &str, id: &str, title: &str, exercises: &[Exer
 
 /// A step with an exercise, which shows its title itself.
 fn step(number: usize, text: &str, exercise: &Exercise) -> String {
-    let name = escaped(name(exercise));
+    let name = escaped(&name(exercise));
     format!(
         "<section class=\"step bare\" id=\"step-{number}\" aria-labelledby=\"h-{number}\">\n\
          <h2 id=\"h-{number}\">{number}. {name}</h2>\n\
@@ -156,14 +190,16 @@ fn between(text: &str, [start, end]: [&str; 2], replace: impl FnOnce(&str) -> St
 
 /// Words for teachers who open the zip, with the links that mark answers again.
 fn read_me(scorm: &Scorm<'_>, title: &str, exercises: &[Exercise]) -> String {
-    let mut text = format!(
-        "{title}\n\nA package for learning systems (SCORM {}): upload the zip as it is.\n\n\
-         The marks are made in the student's browser, so they can be forged. Where a mark counts, mark the answers again:\n\
-         the learning system keeps each answer as a link that begins with #v=1 (in the interactions and in suspend_data).\n\n\
-         \x20   lsys mark EXERCISE ANSWERS.csv\n\n\
-         EXERCISE is a link below, ANSWERS.csv the table that the learning system exports, or a file with such links.\n",
-        scorm.standard.name(),
+    let package = say!("A package for learning systems (SCORM {}): upload the zip as it is.", scorm.standard.name());
+    let marks = say!(
+        "The marks are made in the student's browser, so they can be forged. Where a mark counts, mark the answers again:\n\
+         the learning system keeps each answer as a link that begins with {} (in the interactions and in suspend_data).",
+        "#v=1"
     );
+    let files = say!(
+        "EXERCISE is a link below, ANSWERS.csv the table that the learning system exports, or a file with such links."
+    );
+    let mut text = format!("{title}\n\n{package}\n\n{marks}\n\n    lsys mark EXERCISE ANSWERS.csv\n\n{files}\n");
     for ((number, x), exercise) in (1..).zip(scorm.exercises).zip(exercises) {
         text += &format!("\n{number}. {}\n#v=1&x={x}\n", name(exercise));
     }
@@ -220,7 +256,7 @@ mod tests {
     }
 
     fn package(title: &str, exercises: &[String]) -> Result<Vec<(String, String)>, String> {
-        let pages = ScormPages { steps: STEPS_PAGE, exercise: b"<p>exercise" };
+        let pages = ScormPages { steps: STEPS_PAGE, exercise: "<p>exercise", words: None };
         let scorm = Scorm { title, exercises, standard: ScormStandard::Scorm12 };
         let zip = scorm_package(&scorm, &pages)?;
         assert_eq!(zip, scorm_package(&scorm, &pages)?, "equal contents give equal bytes");
@@ -255,6 +291,38 @@ mod tests {
     }
 
     #[test]
+    fn both_pages_have_the_words_of_the_language() {
+        let catalogue = r#"{"lesson": "Lektion", "exercise": {"one": "Aufgabe", "other": "Aufgaben"}, "Nowhere": "x",
+            "Draw it": "Zeichne sie"}"#;
+        let words = Some(PageWords { language: "de", catalogue });
+        let exercise = "<html lang=\"en\"><title>E</title><p>exercise";
+        let pages = ScormPages { steps: STEPS_PAGE, exercise, words };
+        let scorm = Scorm { title: "", exercises: &[], standard: ScormStandard::Scorm12 };
+        let files = files(&scorm_package(&scorm, &pages).unwrap());
+        let steps = "<script type=\"text/bytes\" data-file=\"lang/de/words.json\">{\"lesson\":\"Lektion\"}</script>";
+        assert!(files[1].1.contains("<html lang=\"de\" data-package=\"lesson\""), "{}", files[1].1);
+        assert!(files[1].1.contains(steps), "{}", files[1].1);
+        assert!(
+            files[2].1.starts_with("<html lang=\"de\"><title>E</title>\n<script type=\"text/bytes\""),
+            "{}",
+            files[2].1
+        );
+        assert!(files[2].1.contains(">{\"exercise\":{\"one\":\"Aufgabe\",\"other\":\"Aufgaben\"}}<"), "{}", files[2].1);
+        // The texts of an exercise stand in its link.
+        let target = Definition { axiom: "F".into(), rules: "F -> FF".into(), ..Definition::default() };
+        let link = Exercise { task: "Draw it".into(), target, ..Exercise::default() }.write();
+        let of_lesson = STEPS_PAGE.replace("lesson", &format!("<a href=\"#v=1&amp;x={link}&amp;hand=0\">lesson</a>"));
+        let lesson = self::files(&scorm_package(&scorm, &ScormPages { steps: &of_lesson, ..pages }).unwrap());
+        let exercises = &[link];
+        let one = self::files(&scorm_package(&Scorm { exercises, ..scorm }, &pages).unwrap());
+        for files in [lesson, one] {
+            assert!(files[2].1.contains("\"Draw it\":\"Zeichne sie\""), "{}", files[2].1);
+        }
+        let untitled = ScormPages { exercise: "<p>exercise", ..pages };
+        assert!(scorm_package(&scorm, &untitled).unwrap_err().contains("another version"));
+    }
+
+    #[test]
     fn one_exercise_gives_its_title_and_none_is_the_lesson() {
         let page = &package("", &[exercise("Koch", "F -> F+F--F+F")]).unwrap()[1].1;
         assert!(page.contains("<title>Koch</title>"), "{page}");
@@ -270,7 +338,7 @@ mod tests {
         assert_eq!(damaged, "The exercise is damaged or cut off.");
         let many = vec![exercise("", "F -> FF"); MAX_EXERCISES + 1];
         assert!(package("", &many).unwrap_err().contains("100"));
-        let pages = ScormPages { steps: "<p>", exercise: b"" };
+        let pages = ScormPages { steps: "<p>", exercise: "", words: None };
         let scorm = Scorm { title: "", exercises: &[], standard: ScormStandard::Scorm2004 };
         assert!(scorm_package(&scorm, &pages).unwrap_err().contains("another version"));
     }

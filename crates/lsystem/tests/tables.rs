@@ -16,6 +16,7 @@ use lsystem::syntax::fields::Section;
 use lsystem::syntax::message::expected_words;
 use lsystem::syntax::{Expected, FIELDS, FieldSpec, Value};
 use lsystem::{Definition, Dialect};
+use lsystem_catalogue::Catalogue;
 use std::fmt::Write;
 use std::fs;
 
@@ -353,16 +354,12 @@ fn the_pages_tables_are_those_of_the_core() {
 #[test]
 fn the_page_knows_the_languages() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../www/lang");
-    let mut languages: Vec<String> = fs::read_dir(folder)
-        .unwrap()
-        .map(|language| {
-            let language = language.unwrap();
-            let words = fs::read_to_string(language.path().join("words.json")).unwrap();
-            let words: serde_json::Value = serde_json::from_str(&words).unwrap();
-            format!("{}: '{}'", language.file_name().to_str().unwrap(), words["English"].as_str().unwrap())
-        })
-        .collect();
-    languages.sort();
+    let name = |code: &String| {
+        let words = fs::read_to_string(format!("{folder}/{code}/words.json")).unwrap();
+        let own = Catalogue::new(code, &words).unwrap().find("English", None).unwrap();
+        format!("{code}: '{own}'")
+    };
+    let languages: Vec<_> = lsystem_catalogue::languages(folder.as_ref()).unwrap().iter().map(name).collect();
     let text = format!(
         "/** The languages in `lang/`, each by its own name: written by `cargo xtask tables`, not by hand. */\n\
          export const LANGUAGES = Object.freeze({{ en: 'English', {} }});\n",

@@ -3,6 +3,8 @@
 //!
 //! - `site systems ROOT SITE` reads the repository ROOT, writes `gallery.json` and `exercises.json` into the folder
 //!   SITE, and completes links to exercises in `course.html` there.
+//! - `site words ROOT SITE` writes the catalogues of the languages into SITE, without the texts that the pages there
+//!   do not show. All other files must be in SITE.
 //! - `site documents ROOT SITE [LANGUAGE]` writes the pages of `docs/`, in English or in a language of `www/lang`. All other pages must be in SITE, because documents link to
 //!   them.
 //! - `site landing ROOT SITE ADDRESS [LANGUAGE]` writes the pages of the gallery for a site with this address, first those
@@ -16,12 +18,15 @@ mod words;
 
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
+use lsystem::course::words_in;
 use std::path::{Path, PathBuf};
+use walkdir::{DirEntry, WalkDir};
 
 fn main() -> Result<()> {
     let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     match words.as_slice() {
         [what, root, site] if what == Path::new("systems") => systems(root, site),
+        [what, root, site] if what == Path::new("words") => catalogues(root, site),
         [what, root, site] if what == Path::new("documents") => documents(root, site, None),
         [what, root, site, language] if what == Path::new("documents") => {
             let folder = root.join("www/lang").join(language);
@@ -34,12 +39,12 @@ fn main() -> Result<()> {
             if let Some(language) = language.first() {
                 words::choose(&folder.join(language))?;
             }
-            let languages = &words::all(folder)?;
+            let languages = &lsystem_catalogue::languages(folder)?;
             println!("{}", landing::write(&landing::Sources { root, site, address, languages })?);
             Ok(())
         }
         _ => bail!(
-            "usage: site systems ROOT SITE, site documents ROOT SITE [LANGUAGE], or site landing ROOT SITE ADDRESS [LANGUAGE]"
+            "usage: site systems ROOT SITE, site words ROOT SITE, site documents ROOT SITE [LANGUAGE], or site landing ROOT SITE ADDRESS [LANGUAGE]"
         ),
     }
 }
@@ -47,6 +52,26 @@ fn main() -> Result<()> {
 fn documents(root: &Path, site: &Path, told: Option<&Path>) -> Result<()> {
     let (docs, template) = (&root.join("docs"), &root.join("www/docs/page.html"));
     docs::write_pages(&docs::Folders { docs, told, template, site })
+}
+
+fn catalogues(root: &Path, site: &Path) -> Result<()> {
+    let of_page = |entry: &DirEntry| {
+        !["lang", "docs", "gallery", "icons", "schema"].iter().any(|name| entry.path() == site.join(name))
+    };
+    let files = WalkDir::new(site).into_iter().filter_entry(of_page).collect::<walkdir::Result<Vec<_>>>()?;
+    let files = files.iter().filter(|entry| entry.file_type().is_file()).map(|entry| fs::read(entry.path()));
+    // Links have the texts of exercises, and not as they are.
+    let exercises = std::iter::once(fs::read(root.join("www/exercises.json")));
+    let files = files.chain(exercises).collect::<std::io::Result<Vec<_>>>()?;
+    let files: Vec<_> = files.iter().map(Vec::as_slice).collect();
+    for language in lsystem_catalogue::languages(&root.join("www/lang"))? {
+        let name = format!("lang/{language}/words.json");
+        let whole = fs::read_to_string(root.join("www").join(&name))?;
+        let words = words_in(&whole, &files).context(name.clone())?;
+        fs::create_dir_all(site.join("lang").join(&language))?;
+        fs::write(site.join(&name), words)?;
+    }
+    Ok(())
 }
 
 fn systems(root: &Path, site: &Path) -> Result<()> {

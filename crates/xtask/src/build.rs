@@ -4,6 +4,7 @@ mod address;
 mod stable;
 
 use crate::esbuild::{Bundler as _, Esbuild};
+use crate::one_file::Alone;
 use crate::workspace::Workspace;
 use crate::{files, html, joined, notices, offline, one_file, steps_page, tools, wasms};
 pub(crate) use address::Address;
@@ -101,24 +102,26 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address
     let (drawing, playing) = (of("lsystem"), of("film"));
     let maker = &one_file::Maker { site: &site, bundler: &esbuild };
     let single = [
-        (index, "playground.html", all),
-        ("embed.html", "embed.html", drawing),
-        ("exercise.html", "exercise.html", marking),
-        ("film.html", "film.html", playing.clone()),
+        (index, "playground.html", all, Alone::Always),
+        ("embed.html", "embed.html", drawing, Alone::Elsewhere),
+        ("exercise.html", "exercise.html", marking, Alone::Elsewhere),
+        ("film.html", "film.html", playing.clone(), Alone::Elsewhere),
     ];
     thread::scope(|scope| {
-        let threads = single.iter().map(|(page, _, carried)| scope.spawn(move || maker.make(page, carried)));
+        let threads =
+            single.iter().map(|(page, _, carried, alone)| scope.spawn(move || maker.make(page, carried, *alone)));
         let threads: Vec<_> = threads.collect();
         // Written when all are made, since a page is made of its file.
         let texts = threads.into_iter().map(joined).collect::<Result<Vec<_>>>()?;
-        single.iter().zip(texts).try_for_each(|((_, file, _), text)| files::write(&site.join(file), text))
+        single.iter().zip(texts).try_for_each(|((_, file, ..), text)| files::write(&site.join(file), text))
     })?;
     // Nobody fetches what the page of films carries.
     playing.iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
     stable::write(&site)?;
     make("documents")?;
-    for language in languages(&www)? {
-        let [what, language] = ["documents", &language];
+    let languages = lsystem_catalogue::languages(&www.join("lang"))?;
+    for language in &languages {
+        let [what, language] = ["documents", language];
         workspace.run(Command::new(&core).arg(what).arg(&workspace.root).arg(&site).arg(language))?;
     }
     let documents = site.join("docs");
@@ -129,7 +132,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address
             command
         };
         workspace.run(&mut landing())?;
-        languages(&www)?.iter().try_for_each(|language| workspace.run(landing().arg(language)))?;
+        languages.iter().try_for_each(|language| workspace.run(landing().arg(language)))?;
         address.name(&site)?;
     }
     [&documents, &site.join("gallery")].into_iter().try_for_each(|folder| {
@@ -138,6 +141,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address
     })?;
     files::write(&documents.join("docs.css"), esbuild.styles(&DOCUMENT_STYLES.map(str::to_owned))?)?;
     let scripts = joined::join(&site, index, &esbuild)?;
+    make("words")?;
     let carried = notices::notices(workspace, &wasms::PACKAGES, tools::WASM_TARGET, true)?;
     files::write(&site.join(notices::FILE), carried)?;
     offline::list_files(&site, &scripts)?;
@@ -157,15 +161,6 @@ fn compile_core(workspace: &Workspace, kind: Kind) -> Result<()> {
     workspace.run(&mut workspace.cargo(["build", "--quiet", profile, "--workspace", "--exclude=bench", "--bin=site"]))
 }
 
-/// The languages besides English: the folders of `www/lang`.
-fn languages(www: &Path) -> Result<Vec<String>> {
-    let folders = fs::read_dir(www.join("lang"))?;
-    let mut names =
-        folders.map(|folder| Ok(folder?.file_name().to_string_lossy().into_owned())).collect::<Result<Vec<_>>>()?;
-    names.sort();
-    Ok(names)
-}
-
 /// Copies the files of `www` that are shipped unchanged.
 fn page(www: &Path, site: &Path) -> Result<()> {
     for file in files::list(www, is_shipped)? {
@@ -174,23 +169,16 @@ fn page(www: &Path, site: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest, `llms.txt`, the schema of files, the
-/// words of other languages.
+/// Whether a file or folder of `www` is shipped unchanged: pages, icons, the manifest, `llms.txt`, the schema of files.
 fn is_shipped(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let is_folder = path.extension().is_none();
     if is_folder {
-        ["icons", "schema", "v1", "lang"].contains(&&*name) || is_in(path, "lang")
+        ["icons", "schema", "v1"].contains(&&*name)
     } else {
         ["html", "svg", "png", "webmanifest", "txt"].iter().any(|end| name.ends_with(end))
             || path.ends_with("v1/system.json")
-            || path.ends_with("words.json")
     }
-}
-
-/// Whether a path stands in a folder with this name.
-fn is_in(path: &Path, folder: &str) -> bool {
-    path.parent().is_some_and(|parent| parent.ends_with(folder))
 }
 
 /// Moves the folder at `place` to `old`, and `new` to `place`.
@@ -207,15 +195,23 @@ mod tests {
 
     #[test]
     fn ships_the_page_and_nothing_of_its_development() {
-        let schema = ["schema/v1", "schema/v1/system.json", "llms.txt", "lang", "lang/de", "lang/de/words.json"];
+        let schema = ["schema/v1", "schema/v1/system.json", "llms.txt"];
         for path in
             ["index.html", "icons", "icons/leaf.svg", "icons/leaf.png", "manifest.webmanifest"].iter().chain(&schema)
         {
             assert!(is_shipped(Path::new(path)), "{path}");
         }
-        for path in
-            [".npmrc", "node_modules", "test", "package.json", "tsconfig.worker.json", "worker", "css", "a.d.ts"]
-        {
+        for path in [
+            ".npmrc",
+            "node_modules",
+            "test",
+            "package.json",
+            "tsconfig.worker.json",
+            "worker",
+            "css",
+            "a.d.ts",
+            "lang",
+        ] {
             assert!(!is_shipped(Path::new(path)), "{path}");
         }
     }

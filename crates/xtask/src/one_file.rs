@@ -2,7 +2,8 @@
 //!
 //! The file contains styles, scripts, icons and the files that the page would fetch (`www/js/files.js` reads them
 //! there). Links to documents are left out, because the file may stand alone. The page's content security policy allows
-//! its own scripts and styles by hash and forbids everything else, above all requests.
+//! its own scripts and styles by hash and forbids everything else, above all requests: frames of the site may fetch the
+//! words of the reader's language there.
 
 use crate::esbuild::Bundler;
 use crate::html::{self, Parts};
@@ -24,14 +25,23 @@ pub(crate) struct Maker<'a> {
     pub(crate) bundler: &'a (dyn Bundler + Sync),
 }
 
+/// Where a single file stands alone.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Alone {
+    /// It never asks for another file.
+    Always,
+    /// On the site it may ask for words; elsewhere it does without.
+    Elsewhere,
+}
+
 impl Maker<'_> {
     /// A single file of a page. `carried` are the files that the page would fetch.
-    pub(crate) fn make(&self, page: &str, carried: &[impl AsRef<str>]) -> Result<String> {
+    pub(crate) fn make(&self, page: &str, carried: &[impl AsRef<str>], alone: Alone) -> Result<String> {
         let text = fs::read_to_string(self.site.join(page))?;
-        self.one_file(&text, carried).with_context(|| format!("making one file of {page}"))
+        self.one_file(&text, carried, alone).with_context(|| format!("making one file of {page}"))
     }
 
-    fn one_file(&self, text: &str, carried: &[impl AsRef<str>]) -> Result<String> {
+    fn one_file(&self, text: &str, carried: &[impl AsRef<str>], alone: Alone) -> Result<String> {
         let Parts { page, styles, module } = Parts::of(text)?;
         let styles = self.bundler.styles(&styles)?;
         ensure!(
@@ -78,7 +88,7 @@ impl Maker<'_> {
         )?;
         ensure!(page.contains(POLICY), "the page has no content security policy");
         scripts.borrow_mut().push(hash(&module));
-        Ok(page.replacen(POLICY, &policy(&scripts.take(), &hash(&styles)), 1))
+        Ok(page.replacen(POLICY, &policy(&scripts.take(), &hash(&styles), alone), 1))
     }
 
     /// A file as a script element of a type that browsers do not run.
@@ -102,9 +112,10 @@ fn character(byte: u8) -> char {
 const POLICY: &str = "the policy of a single file";
 
 /// The policy that allows scripts and styles by their hashes.
-fn policy(scripts: &[String], styles: &str) -> String {
+fn policy(scripts: &[String], styles: &str, alone: Alone) -> String {
+    let words = if alone == Alone::Always { "" } else { "connect-src 'self'; " };
     format!(
-        "default-src 'none'; script-src {} 'wasm-unsafe-eval'; style-src {styles}; img-src blob: data:; \
+        "default-src 'none'; {words}script-src {} 'wasm-unsafe-eval'; style-src {styles}; img-src blob: data:; \
          worker-src blob:; base-uri 'none'; form-action 'none'",
         scripts.join(" ")
     )
@@ -177,7 +188,7 @@ mod tests {
     }
 
     fn one_file(site: &Path, carried: &[&str]) -> Result<String> {
-        Maker { site, bundler: &Plain(site) }.make("index.html", carried)
+        Maker { site, bundler: &Plain(site) }.make("index.html", carried, Alone::Always)
     }
 
     const PAGE: &str = r#"<!doctype html>

@@ -4,7 +4,7 @@ import { decimal } from '../numerals.js';
 import { download } from '../download.js';
 import { isWhole, responseOf } from '../files.js';
 import { createTool } from '../tool.js';
-import { say } from '../words.js';
+import { language, say, words } from '../words.js';
 
 /** A page in one file has no other pages beside it. */
 const ALONE = say`This page is a single file and has no package inside. Open the playground on a web server, or use the program: lsys scorm.`;
@@ -27,12 +27,10 @@ const nameOf = (title) =>
  */
 export async function savePackage(asked) {
     if (isWhole()) throw ALONE;
-    const [steps, exercise] = await Promise.all(['package.html', 'exercise.html'].map((name) => responseOf(name)));
-    const made = await tool.call('package', {
-        ...asked,
-        steps: (await steps?.text()) ?? '',
-        exercise: new Uint8Array((await exercise?.arrayBuffer()) ?? new ArrayBuffer(0)),
-    });
+    const page = async (/** @type {string} */ name) => (await responseOf(name)).text();
+    const [steps, exercise] = await Promise.all([page('package.html'), page('exercise.html')]);
+    const catalogue = JSON.stringify(words);
+    const made = await tool.call('package', { ...asked, steps, exercise, language, catalogue });
     tool.leave();
     const name = nameOf(asked.title) || (asked.exercises.length === 0 ? 'l-system_lesson' : 'l-system_exercises');
     download(new Blob([made], { type: 'application/zip' }), `${name}_scorm_${asked.standard}.zip`);

@@ -1,6 +1,7 @@
 /** The page in other languages: all words are told in them, and they fit. */
 
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { after, test } from 'node:test';
 import { collect } from '../words/collect.mjs';
 import { plainWords, pseudo } from '../words/pseudo.mjs';
@@ -119,6 +120,26 @@ for (const [language, words] of /** @type {const} */ ([
         assert.deepEqual(await inAllStates(language, tooWide, { options: PHONE }), {});
     });
 }
+
+test('the built catalogues have all texts of the page, and no texts of the program', async () => {
+    const name = new URL('../../../dist/lang/de/words.json', import.meta.url);
+    const built = JSON.parse(await readFile(name, 'utf8'));
+    const missing = [...FOUND].filter(([text, { place }]) => /^(www|data_in)\//.test(place) && !(text in built));
+    assert.deepEqual(missing, []);
+    assert.ok(!('Print the derived string' in built));
+});
+
+test('frames of the lesson have the language of the reader', () =>
+    withPage(
+        { address: `${ADDRESS}course.html`, also: ADDRESS, drawing: null, options: { ...DESKTOP, locale: 'de-DE' } },
+        async (page) => {
+            await page.waitForSelector('html[lang=de]');
+            await page.locator('.places a').nth(1).click();
+            const frame = page.frameLocator('.step.now iframe');
+            await frame.locator('html[lang=de] #mark-percent:not(:empty)').waitFor({ timeout: 20_000 });
+            assert.match((await frame.locator('#ask-hint').textContent()) ?? '', /^Hinweis/);
+        },
+    ));
 
 test('the lesson and the documents have the language of the page', () =>
     withPage(

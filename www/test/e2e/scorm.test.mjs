@@ -58,6 +58,10 @@ async function save(page, titles, standard) {
     return { name: download.suggestedFilename(), files: unzipped(await readFile(await download.path())) };
 }
 
+/** @type {{title: string, task: string}[]} */
+const EXERCISES_SOURCE = JSON.parse(await readFile(new URL('../../exercises.json', import.meta.url), 'utf8'));
+/** German by its English texts. @type {Record<string, string>} */
+const GERMAN = JSON.parse(await readFile(new URL('lang/de/words.json', DIST), 'utf8'));
 const [ONE, TWO] = ['koch', 'weed'].map((id) => EXERCISES.find((exercise) => exercise.id === id)?.title ?? '');
 
 before(async () => {
@@ -67,6 +71,9 @@ before(async () => {
             packages.set(`two ${standard}`, (await save(page, [String(ONE), String(TWO)], standard)).files);
         }
         packages.set('lesson 1.2', (await save(page, [], '1.2')).files);
+    });
+    await withPage({ address: `${ADDRESS}?lang=de`, also: ADDRESS }, async (page) => {
+        packages.set('german 1.2', (await save(page, [String(GERMAN[String(ONE)])], '1.2')).files);
     });
 });
 
@@ -266,6 +273,36 @@ for (const [name, options] of /** @type {const} */ ([
             assert.equal((await stored(page))['cmi.core.lesson_status'] ?? 'passed', 'passed');
             await brokeNothing(page);
         }));
+
+test('a package made in German is German for every student, and keeps the same', () =>
+    inSystem({ kind: 'german' }, async (page) => {
+        await answer(page, WRONG);
+        await becomes(page, 'cmi.core.score.raw', '0');
+        assert.deepEqual(
+            await Promise.all([outer(page), inner(page)].map((frame) => frame.locator('html').getAttribute('lang'))),
+            ['de', 'de'],
+        );
+        assert.equal(await inner(page).locator('#exercise-title').textContent(), GERMAN[String(ONE)]);
+        const { task } = EXERCISES_SOURCE.find(({ title }) => title === ONE) ?? assert.fail();
+        assert.equal(await inner(page).locator('#exercise-task').textContent(), GERMAN[task]);
+        assert.equal(await inner(page).locator('label[for=rules]').first().textContent(), GERMAN.Rules);
+        await answer(page, RIGHT);
+        await becomes(page, 'cmi.core.lesson_status', 'passed');
+        await says(page, /^In der Lernplattform gespeichert\./);
+        assert.match(await inner(page).locator('#mark-words').innerText(), /^Gelöst\. /);
+        assert.match(
+            (await stored(page))['cmi.suspend_data'] ?? '',
+            /^l-system 1 at=0\n#v=1&k=[\da-f]{8}&mark=solved&rules=F%20-%3E/,
+        );
+        assert.match(filesOf('german 1.2').get('read-me.txt')?.toString() ?? '', /SCORM 1\.2.*hoch/);
+        // The words of these pages only: the site's catalogue has more.
+        const words = /data-file="lang\/de\/words\.json">([^<]*)</.exec(
+            filesOf('german 1.2').get('exercise.html')?.toString() ?? '',
+        );
+        const carried = Object.keys(JSON.parse(words?.[1] ?? '{}')).length;
+        assert.ok(carried > 500 && carried < Object.keys(GERMAN).length / 2, String(carried));
+        await brokeNothing(page);
+    }));
 
 test('a set counts by what is solved, in SCORM 2004', () =>
     inSystem({ kind: 'two', standard: '2004' }, async (page) => {

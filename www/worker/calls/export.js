@@ -17,6 +17,6 @@ export const calls = {
     },
 
     /** Makes a package for learning systems. */
-    package: ({ exercises, title, standard, steps, exercise }) =>
-        wasm_bindgen.makePackage(exercises, title, standard, steps, exercise),
+    package: ({ exercises, title, standard, steps, exercise, language, catalogue }) =>
+        wasm_bindgen.makePackage(exercises, title, standard, steps, exercise, language, catalogue),
 };

@@ -1,12 +1,12 @@
 //! Packages for learning systems.
 
 use lsystem_base::say;
-use lsystem_course::{Scorm, ScormPages, ScormStandard, scorm_package};
+use lsystem_course::{PageWords, Scorm, ScormPages, ScormStandard, scorm_package};
 use wasm_bindgen::prelude::*;
 
 /// Makes a package for learning systems, the bytes of a zip. `exercises` are values of `x` in links; none stands for the
 /// lesson. `steps` and `exercise` are the pages `package.html` and `exercise.html` of the site, `standard` is `1.2` or
-/// `2004`.
+/// `2004`. `catalogue` has the words of the package's language as JSON.
 ///
 /// # Errors
 /// Throws a sentence if an exercise is damaged, if there are too many, or if the pages are not those of this version.
@@ -17,9 +17,12 @@ pub fn make_package(
     title: &str,
     standard: &str,
     steps: &str,
-    exercise: &[u8],
+    exercise: &str,
+    language: &str,
+    catalogue: &str,
 ) -> Result<Vec<u8>, JsValue> {
     let standard = ScormStandard::named(standard).ok_or_else(|| say!("There is no SCORM {}.", standard))?;
     let scorm = Scorm { title, exercises: &exercises, standard };
-    scorm_package(&scorm, &ScormPages { steps, exercise }).map_err(JsValue::from)
+    let words = (language != "en").then_some(PageWords { language, catalogue });
+    scorm_package(&scorm, &ScormPages { steps, exercise, words }).map_err(JsValue::from)
 }
