@@ -126,7 +126,7 @@ struct Branch {
 #[derive(Clone, Debug)]
 struct Plant {
     branches: Vec<Branch>,
-    /// The branches that may come next.
+    /// The branches that may come next, as far as is known.
     next: Vec<Branch>,
 }
 
@@ -215,7 +215,7 @@ impl GrowthSearch {
             }
             if let Some(plant) = self.open.pop().filter(|_| self.left > 0) {
                 self.left -= 1;
-                self.grow(&plant);
+                self.grow(plant);
                 continue;
             }
             let open = self.trunks.iter().enumerate().filter(|(_, (trunks, _))| !trunks.is_empty());
@@ -233,14 +233,16 @@ impl GrowthSearch {
     /// Where trunks may end, in pixels from the base, if the ink goes straight on as far: copies end at the top, and stalks
     /// at the first branch or at an equal part of the way there.
     fn ends(&self, straight: usize) -> Vec<f64> {
-        if self.kind == Kind::Copies {
-            return vec![straight as f64];
-        }
         let fit = Fit { unit: 1.0, x: self.base[0], y: self.base[1], stroke: 0.0 };
         let is_inked = |along: usize, aside: f64| {
             let [x, y] = pixel(self.target.first, fit, along as f64, aside);
             x >= 0.0 && y >= 0.0 && x < SIDE as f64 && y < SIDE as f64 && self.picture.mask.has(x as usize, y as usize)
         };
+        if self.kind == Kind::Copies {
+            // The line may have had gaps; the last ink is the round end of the stroke.
+            let last = (0..=straight).rev().find(|&along| is_inked(along, 0.0)).unwrap_or(straight);
+            return vec![last as f64 - self.picture.stroke];
+        }
         let width = |along: usize| {
             let aside = |sign: f64| (1..SIDE).take_while(|&far| is_inked(along, sign * far as f64)).count();
             aside(1.0) + aside(-1.0)
@@ -271,8 +273,7 @@ impl GrowthSearch {
         if self.scale.unit >= 1.0 && self.covered(&branches).is_some() {
             let bases = std::iter::once(None).chain((0..letters).map(Some));
             let next = bases.flat_map(|from| self.branches_from(from, 0)).collect();
-            let plant = self.kept(branches, next);
-            self.open.push(plant);
+            self.open.push(Plant { branches, next });
         }
     }
 
@@ -285,38 +286,30 @@ impl GrowthSearch {
         bends.flat_map(|bend| kinds.iter().map(move |&is_leaf| Branch { from, turns: turns + bend, is_leaf })).collect()
     }
 
-    /// A plant with those of the next branches that stay on the ink.
-    fn kept(&mut self, branches: Vec<Branch>, next: Vec<Branch>) -> Plant {
-        let is_kept = |search: &mut Self, branch: &Branch| {
-            if branches.contains(branch) {
-                return false;
-            }
-            let from = search.end(&branches, branch.from);
-            let length = if branch.is_leaf { 0.0 } else { search.scale.step };
-            if !search.is_inked(from, length, branch.turns) {
-                return false;
-            }
-            let all: Vec<Branch> = branches.iter().copied().chain([*branch]).collect();
-            search.strokes(&all).is_some()
-        };
-        let next = next.into_iter().filter(|branch| is_kept(self, branch)).collect();
-        Plant { branches, next }
+    /// Whether a branch may grow on a plant, as far as its first straight line tells.
+    fn is_open(&self, branches: &[Branch], branch: Branch) -> bool {
+        let length = if branch.is_leaf { 0.0 } else { self.scale.step };
+        !branches.contains(&branch) && self.is_inked(self.end(branches, branch.from), length, branch.turns)
     }
 
     /// Grows each of the best branches on a plant.
-    fn grow(&mut self, plant: &Plant) {
-        if plant.branches.len() == MAX_LETTERS {
+    fn grow(&mut self, Plant { branches, next }: Plant) {
+        if branches.len() == MAX_LETTERS {
             return;
         }
-        let mut best: Vec<(usize, Branch)> = Vec::new();
-        for &branch in &plant.next {
-            let branches: Vec<Branch> = plant.branches.iter().copied().chain([branch]).collect();
-            best.extend(self.covered(&branches).map(|covered| (covered, branch)));
+        let with = |branch: Branch| -> Vec<Branch> { branches.iter().copied().chain([branch]).collect() };
+        // Those that stay on the ink, with the places that are covered then.
+        let mut kept: Vec<(usize, Branch)> = Vec::new();
+        for branch in next {
+            if self.is_open(&branches, branch) {
+                kept.extend(self.covered(&with(branch)).map(|covered| (covered, branch)));
+            }
         }
-        best.sort_by_key(|(covered, _)| Reverse(*covered));
-        best.truncate(MAX_BRANCHES);
-        for &(covered, branch) in best.iter().rev() {
-            let branches: Vec<Branch> = plant.branches.iter().copied().chain([branch]).collect();
+        let next: Vec<Branch> = kept.iter().map(|(_, branch)| *branch).collect();
+        kept.sort_by_key(|(covered, _)| Reverse(*covered));
+        kept.truncate(MAX_BRANCHES);
+        for &(covered, branch) in kept.iter().rev() {
+            let branches = with(branch);
             let word = self.word(&branches);
             if !self.seen.insert(word.clone()) {
                 continue;
@@ -326,9 +319,8 @@ impl GrowthSearch {
             }
             let new =
                 if branch.is_leaf { Vec::new() } else { self.branches_from(Some(branches.len() - 1), branch.turns) };
-            let next = plant.next.iter().copied().chain(new).collect();
-            let plant = self.kept(branches, next);
-            self.open.push(plant);
+            let next = next.iter().copied().chain(new).collect();
+            self.open.push(Plant { branches, next });
         }
     }
 

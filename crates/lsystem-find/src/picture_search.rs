@@ -16,6 +16,9 @@ use std::sync::Arc;
 const MAX_STEPS: u32 = 12;
 /// The number of systems that a family tries before the next family's turn.
 const SHARE: u64 = 256;
+/// The length of the shortest lines, in pixels, where the number of derivation steps is not known: what shorter ones draw
+/// is as well seen after fewer steps.
+const SHORTEST: f64 = 1.0;
 /// The number of systems that are tried between two questions whether the search is over.
 const UNASKED: u64 = 16;
 
@@ -187,9 +190,10 @@ impl PictureSearch {
         let (targets, picture) = (&self.targets, &self.picture);
         let mut best: Option<(f64, u32, usize, Fit)> = None;
         let mut work = 0;
+        let shortest = if self.known.steps.len() > 1 { SHORTEST } else { 0.0 };
         self.hulls.search(targets, system, &self.known.steps, |hulls, n, at, fit| {
             // Strokes on much ink take long.
-            if is_over() {
+            if is_over() || fit.unit < shortest {
                 return;
             }
             let target = &targets[at];

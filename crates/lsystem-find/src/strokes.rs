@@ -4,8 +4,10 @@ use crate::align::{self, aligned};
 use crate::hull::{Block, Fit, Headings, Hulls, Place, System, Target};
 use crate::picture::{LOOSE, NEAR_INK, Picture};
 use crate::projection::Projection;
+use lsystem_base::Mixer;
 use lsystem_render::mask::{Mask, SIDE};
 use std::collections::HashSet;
+use std::hash::BuildHasherDefault;
 
 /// The most strokes of one system.
 const MAX_STROKES: usize = 100_000;
@@ -61,7 +63,7 @@ struct Tracer<'a> {
     fit: Fit,
     strokes: Vec<[f64; 4]>,
     /// The parts that were traced: letter, steps, heading and place.
-    traced: HashSet<(u8, u8, u32, i32, i32)>,
+    traced: HashSet<(u8, u8, u32, i32, i32), BuildHasherDefault<Mixer>>,
     tested: f64,
     beside: f64,
 }
@@ -77,7 +79,7 @@ impl Strokes {
         fit: Fit,
     ) -> Option<Self> {
         let radii = (0..=n as usize).map(|n| hulls.level(n).iter().map(Block::radius).collect()).collect();
-        let (strokes, traced, tested, beside) = (Vec::new(), HashSet::new(), 0.0, 0.0);
+        let (strokes, traced, tested, beside) = (Vec::new(), HashSet::default(), 0.0, 0.0);
         let mut tracer = Tracer { system, hulls, radii, target, picture, fit, strokes, traced, tested, beside };
         tracer.word(system.axiom, n as usize, Place { x: 0.0, y: 0.0, turns: 0 })?;
         Some(Self(tracer.strokes))
@@ -312,9 +314,9 @@ impl Tracer<'_> {
     fn stroke(&mut self, stroke: [f64; 4]) -> Option<()> {
         let [x1, y1, x2, y2] = stroke;
         let length = libm::hypot(x2 - x1, y2 - y1) * self.fit.unit;
-        let tests = (length / APART).ceil().max(1.0);
-        for test in 0..=tests as usize {
-            let along = test as f64 / tests;
+        let tests = (length / APART) as usize + 1;
+        for test in 0..=tests {
+            let along = test as f64 / tests as f64;
             let [x, y] = pixel(self.target.first, self.fit, x1 + (x2 - x1) * along, y1 + (y2 - y1) * along);
             let is_inside = x >= 0.0 && y >= 0.0 && x < SIDE as f64 && y < SIDE as f64;
             self.tested += 1.0;
