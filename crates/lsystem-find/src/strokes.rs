@@ -20,6 +20,8 @@ const BESIDE: f64 = 0.03;
 const SOME: f64 = 8.0;
 /// Parts of a drawing whose places differ by less than this many pixels are the same part.
 const SAME: f64 = 0.25;
+/// More of these distances than from any place on a picture to another one, so that a cast cuts off on the same side.
+const FAR: f64 = 1e6;
 /// Of systems that agree less, only the nearest one is kept.
 pub(crate) const NEAR: f64 = 0.8;
 /// The fit is improved only from this agreement on; that of strokes that a projection has laid, from the second one.
@@ -211,14 +213,18 @@ pub(crate) fn for_runs(
     mut put: impl FnMut(usize, usize, usize),
 ) {
     let (dx, dy) = (x2 - x1, y2 - y1);
-    let length = libm::hypot(dx, dy);
+    let length = (dx * dx + dy * dy).sqrt();
     if !length.is_finite() {
         return;
     }
     // The pixels whose centres are between two places.
     let within = |low: f64, high: f64, side: usize| {
-        let (first, last) = ((low - 0.5).ceil().max(0.0), (high - 0.5).floor().min(side as f64 - 1.0));
-        (first <= last).then_some((first as usize, last as usize))
+        let (low, high) = ((low - 0.5).max(0.0), high - 0.5);
+        // Casts cut off; what has no pixels may be far away.
+        let first = low.min(side as f64) as usize;
+        let (first, last) =
+            (first + usize::from((first as f64) < low), (high.max(0.0) as usize).min(side.saturating_sub(1)));
+        (high >= 0.0 && first <= last && last < side).then_some((first, last))
     };
     let Some((top, bottom)) = within(y1.min(y2) - reach, y1.max(y2) + reach, height) else { return };
     // What is near a stroke has no gaps in a row: it is near an end, or beside the line between both.
@@ -294,7 +300,7 @@ impl Tracer<'_> {
         let radius = self.radii[n][usize::from(letter)];
         let (cos, sin, ..) = self.target.headings.all[place.turns];
         // Drawings that cross themselves, such as grids, have the same parts many times.
-        let cell = |at: f64| (at * self.fit.unit / SAME).round() as i32;
+        let cell = |at: f64| (at * self.fit.unit / SAME + FAR) as i32;
         let part = (letter, n as u8, place.turns as u32, cell(place.x), cell(place.y));
         if radius == 0.0 || !self.traced.insert(part) {
             return Some(());
@@ -313,7 +319,7 @@ impl Tracer<'_> {
 
     fn stroke(&mut self, stroke: [f64; 4]) -> Option<()> {
         let [x1, y1, x2, y2] = stroke;
-        let length = libm::hypot(x2 - x1, y2 - y1) * self.fit.unit;
+        let length = ((x2 - x1) * (x2 - x1) + (y2 - y1) * (y2 - y1)).sqrt() * self.fit.unit;
         let tests = (length / APART) as usize + 1;
         for test in 0..=tests {
             let along = test as f64 / tests as f64;
