@@ -27,6 +27,8 @@ mod specks;
 mod tests;
 #[cfg(test)]
 mod tests_pierce;
+#[cfg(test)]
+mod tests_touch;
 mod visible;
 
 use crate::options::PlotOptions;
@@ -36,7 +38,7 @@ use body::{Place, Sight};
 use grid::Grid;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Halt, Style, Work};
-use outline::{Edge, outline};
+use outline::{EXACT, Edge, outline};
 use pierce::Pierce;
 use scene::{Scene, Shape};
 use specks::Lines;
@@ -44,6 +46,12 @@ use visible::{On, Visible};
 
 /// A shorter line that ends where another body begins is left out, in pens: its ink is that of the body's outline.
 const SHORT: f64 = 0.5;
+
+/// The longest line between two ends whose ink leaves that of their round ends by at most [`EXACT`], in pens.
+pub(crate) fn touching() -> f64 {
+    // In the middle, half a pen aside of the line and half the line from an end.
+    2.0 * ((0.5 + EXACT) * (0.5 + EXACT) - 0.25).sqrt()
+}
 
 /// The visible lines of a drawing, with at most `most` strokes.
 ///
