@@ -8,8 +8,8 @@
 //! In space, the lines where polygons and tubes pass through each other are drawn, too (`pierce`, `meet`), but for bodies
 //! that are joined (`points`).
 //!
-//! Crossed lines hide nothing: only bodies broader than the pen do. Visible parts shorter than a pen that lie in ink of
-//! their colour are left out (`specks`).
+//! Crossed lines hide nothing: only strokes broader than the pen by more than twice [`EXACT`] and polygons do. Visible
+//! parts shorter than a pen that lie in ink of their colour are left out (`specks`).
 
 mod body;
 mod fill;
