@@ -25,11 +25,11 @@ const SHIFTED: u64 = 16;
 const LEAST: f64 = 1e-6;
 
 /// Improves the closed way through polylines whose ends are given in the order of the way: the first end of polyline k
-/// at 2k, the last at 2k + 1. The pen starts and ends at `start`. Returns the end at which each polyline is entered.
-pub(crate) fn improve(mut ends: Vec<Point>, start: Point, work: &mut dyn Work) -> Result<Vec<u32>, Halt> {
+/// at 2k, the last at 2k + 1. They are the points of the tree. The pen starts and ends at `start`. Returns the end at
+/// which each polyline is entered.
+pub(crate) fn improve(near: Near, mut ends: Vec<Point>, start: Point, work: &mut dyn Work) -> Result<Vec<u32>, Halt> {
     let count = ends.len() as u32 / 2;
     let mut left = EFFORT * u64::from(count);
-    let near = Near::new(ends.iter().copied());
     ends.extend([start, start]);
     let mut improve = Improve::new(near, ends, (0..count).map(|polyline| 2 * polyline).collect(), work)?;
     while left > 0

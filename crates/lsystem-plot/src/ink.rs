@@ -32,7 +32,8 @@ pub(crate) struct Ink {
     pub(crate) travel: f64,
     /// The length of the pieces, in millimetres.
     length: f64,
-    /// The length of the moves that may be drawn, in millimetres: what the cut saved. Infinite if it is unknown.
+    /// The length of the moves that may be drawn, in millimetres: what the cut saved, or specks in ink. Infinite if it is
+    /// unknown.
     pub(crate) spare: f64,
 }
 
@@ -41,7 +42,7 @@ impl Ink {
     fn new(pens: Pens, spots: Spots, work: &mut dyn Work) -> Result<Self, Halt> {
         let travel = pens.travel_home();
         let (pieces, length) = pens.strokes.finish(work)?;
-        Ok(Self { pieces, spots, colours: pens.colours, travel, length, spare: 0.0 })
+        Ok(Self { pieces, spots, colours: pens.colours, travel, length, spare: pens.spare })
     }
 }
 

@@ -7,8 +7,10 @@
 //!
 //! A move of at most a pen's width is drawn: the round ends of two lines touch there, and to raise the pen takes longer.
 //! So is a move of a few pens that leads over ink. All these moves together are no longer than the ink that the cut saved.
+//! Between visible lines, moves are drawn only as far as their ink is that of the round ends.
 
 use crate::cells::Cells;
+use crate::hide::touching;
 use crate::ink::Ink;
 use crate::merge::{JOINT, Piece};
 use crate::options::PlotOptions;
@@ -92,7 +94,9 @@ impl Polylines {
 
 /// Joins ink.
 pub(crate) fn join(ink: Ink, options: &PlotOptions, work: &mut dyn Work) -> Result<Polylines, Halt> {
-    let mut join = Join { pieces: ink.pieces, spots: ink.spots, spare: ink.spare, pen: options.pen, ..Join::default() };
+    let longest = options.pen * if options.hide { touching() } else { 1.0 };
+    let mut join = Join { pieces: ink.pieces, spots: ink.spots, spare: ink.spare, longest, ..Join::default() };
+    join.pen = options.pen;
     join.number(work)?;
     join.pair(work)?;
     join.list(work)?;
@@ -111,6 +115,8 @@ pub(crate) fn join(ink: Ink, options: &PlotOptions, work: &mut dyn Work) -> Resu
 struct Join {
     pieces: Vec<Piece>,
     pen: f64,
+    /// The longest move that is drawn wherever it leads, in millimetres.
+    longest: f64,
     spots: Spots,
     /// The length of the moves that may still be drawn.
     spare: f64,
@@ -180,8 +186,8 @@ impl Join {
     fn add_move(&mut self, nodes: [u32; 2]) {
         let [(from, layer), (to, _)] = nodes.map(|node| self.nodes[node as usize]);
         let length = distance(from, to);
-        let pens = length / self.pen;
-        if length <= self.spare && (pens <= 1.0 || pens <= OVER_INK && self.spots.has(layer, [from, to])) {
+        let is_over_ink = || length <= OVER_INK * self.pen && self.spots.has(layer, [from, to]);
+        if length <= self.spare && (length <= self.longest || is_over_ink()) {
             self.spare -= length;
             self.pieces.push(Piece { layer, ends: [from, to] });
             self.ends.push(nodes);

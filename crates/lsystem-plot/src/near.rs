@@ -77,9 +77,20 @@ impl Near {
         near
     }
 
-    /// The numbers of all points in the tree's order.
-    pub(crate) fn order(self) -> Vec<u32> {
-        self.points.into_iter().map(|(_, number)| number).collect()
+    /// Numbers the points in the tree's order: points near each other lie near each other in memory, too. Returns the
+    /// old numbers in this order.
+    pub(crate) fn number_in_order(&mut self) -> Vec<u32> {
+        let old = self.points.iter().map(|&(_, number)| number).collect();
+        self.renumber(&self.places.clone());
+        old
+    }
+
+    /// Gives the points new numbers, listed by the old ones.
+    pub(crate) fn renumber(&mut self, new: &[u32]) {
+        for (place, (_, number)) in (0..).zip(&mut self.points) {
+            *number = new[*number as usize];
+            self.places[*number as usize] = place;
+        }
     }
 
     fn leaf(&self, leaf: usize) -> core::ops::Range<usize> {
@@ -131,13 +142,22 @@ impl Near {
         work: &mut dyn Work,
     ) -> Result<Vec<[u32; N]>, Halt> {
         let mut all = vec![[u32::MAX; N]; self.points.len()];
-        // In the tree's order, searches that follow each other open the same boxes.
-        for place in 0..self.points.len() {
-            let mut meter = Meter::new(u64::MAX);
-            let (point, number) = self.points[place];
-            all[number as usize] =
-                self.nearest::<N>(point, &mut meter, |other| admits(number, other)).map(|(_, other)| other);
-            work.charge(meter.spent())?;
+        // In the tree's order, searches that follow each other open the same boxes. Each goes from the point's own box
+        // upwards: it passes by most boxes.
+        for leaf in 0..self.leaves {
+            for place in self.leaf(leaf) {
+                let (point, number) = self.points[place];
+                let admits = |other| admits(number, other);
+                let mut found = [(f64::INFINITY, u32::MAX); N];
+                let mut at = self.leaves + leaf;
+                let mut opened = 1 + self.search(at, point, &mut found, admits);
+                while at > 1 {
+                    opened += self.search(at ^ 1, point, &mut found, admits);
+                    at /= 2;
+                }
+                all[number as usize] = found.map(|(_, other)| other);
+                work.charge(opened)?;
+            }
         }
         Ok(all)
     }
@@ -150,17 +170,27 @@ impl Near {
         admits: impl Fn(u32) -> bool,
     ) -> [(f64, u32); N] {
         let mut found = [(f64::INFINITY, u32::MAX); N];
+        meter.charge(1 + self.search(1, from, &mut found, admits));
+        found.map(|(square, number)| (square.sqrt(), number))
+    }
+
+    /// Looks in a box for points nearer than those found so far, which have the squares of their distances. Returns the
+    /// number of boxes opened.
+    fn search<const N: usize>(
+        &mut self,
+        root: usize,
+        from: Point,
+        found: &mut [(f64, u32); N],
+        admits: impl Fn(u32) -> bool,
+    ) -> u64 {
+        let mut opened = 0;
         self.open.clear();
-        if self.points.is_empty() {
-            return found;
-        }
-        self.open.push((away(from, &self.boxes[1]), 1));
-        let mut work = 1;
+        self.open.push((away(from, &self.boxes[root]), root as u32));
         while let Some((least, at)) = self.open.pop() {
             if least >= found[N - 1].0 {
                 continue;
             }
-            work += 1;
+            opened += 1;
             let at = at as usize;
             if at < self.leaves {
                 let mut halves = [2 * at, 2 * at + 1].map(|half| (away(from, &self.boxes[half]), half as u32));
@@ -180,8 +210,7 @@ impl Near {
                 }
             }
         }
-        meter.charge(work);
-        found.map(|(square, number)| (square.sqrt(), number))
+        opened
     }
 }
 

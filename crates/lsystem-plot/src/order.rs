@@ -29,11 +29,13 @@ pub(crate) fn order(polylines: &Polylines, numbers: &[u32], start: Point, work: 
     };
     let (along, nearest) = (way(Some(&trails))?, way(None)?);
     let (way, _) = if along.1 < nearest.1 { along } else { nearest };
-    drop(near);
     // Numbered along the way, polylines that are compared lie near each other in memory, too.
-    let along: Vec<Point> = way.iter().flat_map(|&end| [end, end ^ 1]).map(|end| ends[end as usize]).collect();
-    drop(ends);
-    let improved = improve(along, start, work)?;
+    let along = || way.iter().flat_map(|&end| [end, end ^ 1]);
+    let mut new = vec![0; 2 * way.len()];
+    (0..).zip(along()).for_each(|(number, end)| new[end as usize] = number);
+    near.renumber(&new);
+    ends = along().map(|end| ends[end as usize]).collect();
+    let improved = improve(near, ends, start, work)?;
     let old = |end: u32| way[end as usize / 2] ^ (end % 2);
     Ok(improved.into_iter().map(old).map(|end| (numbers[end as usize / 2], end % 2 == 1)).collect())
 }

@@ -21,10 +21,9 @@ const NONE: u32 = u32::MAX;
 
 /// The pairs of an even number of points.
 pub(crate) fn pairs(points: &[Point], work: &mut dyn Work) -> Result<impl Iterator<Item = [u32; 2]> + use<>, Halt> {
-    // Numbered in the tree's order, points near each other lie near each other in memory, too.
-    let order = Near::new(points.iter().copied()).order();
-    let points: Vec<Point> = order.iter().map(|&point| points[point as usize]).collect();
     let mut near = Near::new(points.iter().copied());
+    let order = near.number_in_order();
+    let points: Vec<Point> = order.iter().map(|&point| points[point as usize]).collect();
     let neighbours = near.neighbours(|a, b| a != b, work)?;
     let mut pairs = Pairs { points: &points, neighbours, mates: vec![NONE; points.len()] };
     pairs.join(&mut near, work)?;

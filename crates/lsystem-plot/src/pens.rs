@@ -21,6 +21,8 @@ pub(crate) struct Pens {
     /// The end of the last stroke of each layer, and the travel so far in drawing order.
     last: Vec<Point>,
     travel: f64,
+    /// The length of ink left out since other ink covers it, in millimetres.
+    pub(crate) spare: f64,
 }
 
 impl Pens {
@@ -35,6 +37,7 @@ impl Pens {
             layers: HashMap::new(),
             last: Vec::new(),
             travel: 0.0,
+            spare: 0.0,
         }
     }
 

@@ -8,8 +8,8 @@
 //! In space, the lines where polygons and tubes pass through each other are drawn, too (`pierce`, `meet`), but for bodies
 //! that are joined (`points`).
 //!
-//! Crossed lines hide nothing: only bodies broader than the pen do. Visible parts shorter than a pen that lie in ink of
-//! their colour are left out (`specks`).
+//! Crossed lines hide nothing: only strokes broader than the pen by more than twice [`EXACT`] and polygons do. Visible
+//! parts shorter than a pen that lie in ink of their colour are left out (`specks`).
 
 mod body;
 mod fill;
@@ -27,6 +27,8 @@ mod specks;
 mod tests;
 #[cfg(test)]
 mod tests_pierce;
+#[cfg(test)]
+mod tests_touch;
 mod visible;
 
 use crate::options::PlotOptions;
@@ -36,7 +38,7 @@ use body::{Place, Sight};
 use grid::Grid;
 use lsystem_drawing::Drawing;
 use lsystem_syntax::{Halt, Style, Work};
-use outline::{Edge, outline};
+use outline::{EXACT, Edge, outline};
 use pierce::Pierce;
 use scene::{Scene, Shape};
 use specks::Lines;
@@ -44,6 +46,12 @@ use visible::{On, Visible};
 
 /// A shorter line that ends where another body begins is left out, in pens: its ink is that of the body's outline.
 const SHORT: f64 = 0.5;
+
+/// The longest line between two ends whose ink leaves that of their round ends by at most [`EXACT`], in pens.
+pub(crate) fn touching() -> f64 {
+    // In the middle, half a pen aside of the line and half the line from an end.
+    2.0 * ((0.5 + EXACT) * (0.5 + EXACT) - 0.25).sqrt()
+}
 
 /// The visible lines of a drawing, with at most `most` strokes.
 ///

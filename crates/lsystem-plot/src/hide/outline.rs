@@ -3,7 +3,7 @@
 use super::body::{Place, Tube};
 use core::f64::consts::{FRAC_PI_2, PI};
 
-/// The most by which a line leaves a round end, in pens.
+/// The most by which a line leaves a round end or the outline of a stroke, in pens.
 pub(super) const EXACT: f64 = 0.05;
 /// The most lines of half a round end.
 const MOST: f64 = 256.0;

@@ -3,6 +3,7 @@
 //! In the plane the depth is the place in the drawing order, so far apart that every mark is in front of all before.
 
 use super::body::{Facet, Place, Tube};
+use super::outline::EXACT;
 use super::runs::Runs;
 use crate::cells::Cells;
 use crate::merge::JOINT;
@@ -33,7 +34,7 @@ pub(super) struct Body {
 /// The shape of a body.
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
-    /// A stroke as broad as the pen's line, or narrower, which covers nothing.
+    /// A stroke as broad as the pen's line up to [`EXACT`] on each side, or narrower, which covers nothing.
     Line([Place; 2]),
     /// A broader stroke: the hull of the places of the pen's middle.
     Tube(Tube),
@@ -166,8 +167,8 @@ impl Scene {
 fn stroke(ends: [Place; 2], widths: [f64; 2], pen: f64) -> Shape {
     // The pen's line reaches the sides of the stroke.
     let radii = widths.map(|width| ((width - pen) / 2.0).clamp(0.0, WIDEST));
-    // A width that is not a number has no radius either.
-    if radii[0].max(radii[1]) > 0.0 { Shape::Tube(Tube { ends, radii }) } else { Shape::Line(ends) }
+    // An outline so near to the axis is drawn as the axis. A width that is not a number has no radius either.
+    if radii[0].max(radii[1]) > EXACT * pen { Shape::Tube(Tube { ends, radii }) } else { Shape::Line(ends) }
 }
 
 /// The middle of some points.
@@ -291,6 +292,24 @@ impl Joints {
 mod tests {
     use super::*;
     use lsystem_base::Meter;
+
+    #[test]
+    fn strokes_hardly_broader_than_the_pen_are_lines() {
+        let ends = [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]];
+        for (widths, is_line) in [
+            ([0.3, 0.5], true),
+            ([0.5, 0.5], true),
+            ([0.5, 0.549], true),
+            ([0.551, 0.3], false),
+            ([0.6, 0.6], false),
+            ([f64::NAN, f64::NAN], true),
+        ] {
+            let shape = stroke(ends, widths, 0.5);
+            assert_eq!(matches!(shape, Shape::Line(_)), is_line, "{widths:?}");
+            // Around the tube, the pen's middle leaves the axis by more.
+            assert!(is_line || matches!(shape, Shape::Tube(tube) if tube.widest() > EXACT * 0.5));
+        }
+    }
 
     #[test]
     fn in_space_strokes_at_one_place_of_the_sheet_are_equal_at_one_depth_only() {

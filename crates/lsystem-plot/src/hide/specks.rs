@@ -5,7 +5,7 @@
 
 use super::grid::cells_along;
 use crate::merge::Piece;
-use crate::page::Point;
+use crate::page::{Point, distance};
 use crate::pens::Pens;
 use core::hash::BuildHasherDefault;
 use lsystem_base::Mixer;
@@ -57,6 +57,7 @@ impl Lines {
             start = end;
             work.charge(2 * pieces.len() as u64)?;
             if is_speck && pieces.iter().all(|piece| cells(piece, side).all(|cell| ink.get(&cell) == Some(&true))) {
+                pens.spare += pieces.iter().map(|piece| distance(piece.ends[0], piece.ends[1])).sum::<f64>();
                 continue;
             }
             for piece in pieces {
@@ -104,7 +105,7 @@ mod tests {
     use super::super::tests::Chance;
     use super::*;
     use crate::options::PlotOptions;
-    use crate::page::{Page, distance};
+    use crate::page::Page;
     use crate::sheet::Sheet;
     use lsystem_base::{Limits, Meter};
     use lsystem_drawing::{System, draw};
