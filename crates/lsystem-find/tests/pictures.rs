@@ -309,6 +309,30 @@ fn the_rule_of_a_textbook_is_found_in_a_jpeg() {
     assert!(curled.is_some_and(|drawn| !drawn.is_same() && drawn.percent() > 98.0), "{found:?}");
 }
 
+/// In 256 pixels, lines that are as far apart as they are wide show by the greys between them only.
+#[test]
+fn small_pictures_tell_by_their_soft_edges() {
+    let flower = Definition {
+        axiom: "T".to_owned(),
+        rules: "T -> F[+T][-T]\nF -> FF".to_owned(),
+        iterations: 7,
+        angle: 120.0,
+        overrides: "T: draw".to_owned(),
+        ..Definition::default()
+    };
+    let picture = Arc::new(Picture::new(&photographed(&flower, 256, 1.5, 95), 256, 256).expect("lines"));
+    let question = Question { axiom: Some("T".to_owned()), angle: Some(120.0), n: Some(7), ..Question::default() };
+    let mut finder = Finder::new(&picture, &question, Share::WHOLE).expect("a search");
+    let mut left = MOST;
+    while left > 0 && !finder.is_same() && finder.step(10_000) == Searched::More {
+        left = left.saturating_sub(10_000);
+    }
+    let best = finder.found().first().expect("a system");
+    let large =
+        |definition: &Definition| Picture::new(&photographed(definition, 1200, 1.5, 95), 1200, 1200).expect("lines");
+    assert!(best.is_same() && large(&best.definition()).agreement(&large(&flower)) > 0.999, "{best:?}");
+}
+
 #[test]
 fn names_are_tried_for_what_is_known_only() {
     let grey = photographed(&textbook(), 600, 2.0, 90);
