@@ -523,6 +523,10 @@ symbol: string,
  */
 actions: string, 
 /**
+ * Whether the turtle does nothing at the symbol.
+ */
+idle: boolean, 
+/**
  * Whether a production replaces the symbol.
  */
 rewritten: boolean, };

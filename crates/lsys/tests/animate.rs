@@ -1,8 +1,11 @@
 //! Films, as `lsys animate` writes them.
 
+mod program;
+
+use program::output;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 
 const BUSH: &str = r#"{"name": "bush", "initial": "X", "angle_deg": 22.5, "num_iters": 4,
     "rules": {"X": "F-[[X]+X]+F[+FX]-X", "F": "FF"}}"#;
@@ -16,21 +19,14 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-fn lsys(folder: &Path, line: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    let command = command.args(line.split(' ')).current_dir(folder).stdin(Stdio::null());
-    command.output().expect("lsys runs")
-}
-
 fn done(folder: &Path, line: &str) -> Vec<u8> {
-    let Output { status, stdout, stderr } = lsys(folder, line);
+    let Output { status, stdout, stderr } = output(folder, line);
     assert!(status.success(), "{line}: {}", String::from_utf8_lossy(&stderr));
     stdout
 }
 
 fn refused(folder: &Path, line: &str) -> String {
-    let Output { status, stderr, .. } = lsys(folder, line);
+    let Output { status, stderr, .. } = output(folder, line);
     assert!(!status.success(), "{line}");
     String::from_utf8(stderr).expect("UTF-8")
 }

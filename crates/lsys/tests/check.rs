@@ -1,9 +1,12 @@
 //! Output of students' programs, as `lsys check` compares it.
 
+mod program;
+
 use expect_test::{Expect, expect};
+use program::command;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 const FILE: &str =
     r#"{"name": "dragon", "initial": "X", "angle_deg": 90, "num_iters": 3, "rules": {"X": "X+Y", "Y": "X-Y"}}"#;
@@ -20,10 +23,9 @@ fn told(line: &str, output: &str, code: i32, expected: &Expect) {
 
 /// Runs `lsys` in a folder, with a text as standard input. Returns the exit code and all that is printed.
 fn lsys(folder: &Path, line: &str, input: &str) -> (Option<i32>, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    let command = command.args(line.split(' ')).current_dir(folder).stdin(Stdio::piped());
-    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("lsys starts");
+    let mut command = command(folder, line.split(' '));
+    let mut child =
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("lsys starts");
     // A program that reads no input closes the pipe.
     let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
     let output = child.wait_with_output().expect("lsys ends");

@@ -1,37 +1,29 @@
 //! The program as a user runs it.
 
+mod program;
+
 use expect_test::{Expect, expect};
+use program::{command, output, root};
 use std::ffi::OsStr;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
 /// Runs `lsys` in the repository's root.
 fn lsys(arguments: &[impl AsRef<OsStr>]) -> Output {
-    command(arguments).output().expect("lsys starts")
-}
-
-fn command(arguments: &[impl AsRef<OsStr>]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    command.args(arguments).current_dir(root()).stdin(Stdio::null());
-    command
+    command(root(), arguments).output().expect("lsys starts")
 }
 
 /// Runs `lsys` with the words of `line`, which must succeed with empty standard error.
 fn good(line: &str) -> String {
-    let output = lsys(&line.split(' ').collect::<Vec<_>>());
+    let output = output(&root(), line);
     assert_eq!((text(&output.stderr), output.status.code()), (String::new(), Some(0)), "{line}");
     text(&output.stdout)
 }
 
 /// Runs `lsys` with the words of `line`, which must fail with `code` and this message.
 fn bad(line: &str, code: i32, expected: &Expect) {
-    let output = lsys(&line.split(' ').collect::<Vec<_>>());
+    let output = output(&root(), line);
     expected.assert_eq(&text(&output.stderr));
     assert_eq!((text(&output.stdout), output.status.code()), (String::new(), Some(code)), "{line}");
 }
@@ -102,7 +94,7 @@ fn a_seed_decides_and_decides_alike() {
 
 #[test]
 fn strings_beyond_memory_stream_until_the_reader_has_enough() {
-    let mut child = command(&["expand", "data_in/curves/koch-snowflake.json", "-n", "1000"])
+    let mut child = command(root(), ["expand", "data_in/curves/koch-snowflake.json", "-n", "1000"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
@@ -313,7 +305,7 @@ const NOTHING: &str = "No symbol of this system draws: use one that does (F in m
 fn an_empty_drawing_is_explained() {
     let said = |axiom: &str, rules: &str, format: &str| {
         let text_of = format!(r#"{{"initial": "{axiom}", "rules": ["{rules}"], "turtle": {{"dialect": "abop"}}}}"#);
-        let mut child = command(&["draw", "-", "--format", format])
+        let mut child = command(root(), ["draw", "-", "--format", format])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
@@ -355,7 +347,8 @@ fn every_file_of_the_gallery_is_drawn() {
 
 #[test]
 fn standard_input_is_read() {
-    let mut child = command(&["expand", "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("starts");
+    let mut child =
+        command(root(), ["expand", "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("starts");
     child.stdin.take().expect("piped").write_all(br#"{"initial": "F", "rules": {"F": "F+F"}}"#).expect("taken");
     assert_eq!(text(&child.wait_with_output().expect("ends").stdout), "F+F\n");
 }
@@ -556,7 +549,7 @@ fn full_disks_are_said() {
         ["expand data_in/abop/1.24a.json", "draw data_in/abop/1.24a.json --format svg", "info data_in/abop/1.24a.json"]
     {
         let full = std::fs::File::create("/dev/full").expect("a device of Linux");
-        let output = command(&line.split(' ').collect::<Vec<_>>()).stdout(full).output().expect("lsys starts");
+        let output = command(root(), line.split(' ')).stdout(full).output().expect("lsys starts");
         assert_eq!(text(&output.stderr), "error: standard output: No space left on device (os error 28)\n");
         assert_eq!(output.status.code(), Some(1));
     }

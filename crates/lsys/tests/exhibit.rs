@@ -1,17 +1,8 @@
 //! Exhibitions, as `lsys exhibit` writes them.
 
-use std::path::Path;
-use std::process::Command;
+mod program;
 
-fn lsys(folder: &Path, words: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_lsys"))
-        .env("LC_ALL", "C")
-        .args(words)
-        .current_dir(folder)
-        .output()
-        .expect("lsys runs");
-    (output.status.code(), String::from_utf8([output.stdout, output.stderr].concat()).expect("UTF-8"))
-}
+use program::{command, printed};
 
 /// The captions of a page, in order.
 fn captions(page: &str) -> Vec<&str> {
@@ -31,7 +22,8 @@ fn a_folder_becomes_a_page() {
     }
     std::fs::write(folder.path().join("votes.csv"), "name,votes\nc.json,2\na,1\nb,7\n").expect("written");
     let made = |words: &[&str]| {
-        let (code, text) = lsys(folder.path(), &[&["exhibit", "class", "--to", "page.html"], words].concat());
+        let (code, text) =
+            printed(&mut command(folder.path(), &[&["exhibit", "class", "--to", "page.html"], words].concat()));
         (code, text, std::fs::read_to_string(folder.path().join("page.html")).expect("a page"))
     };
     let (code, text, page) = made(&[]);
@@ -56,7 +48,7 @@ fn a_folder_becomes_a_page() {
         (&["exhibit", "votes", "--to", "x.html"][..], "votes"),
         (&["exhibit", "class", "--votes", "class/a.json", "--to", "x.html"], "no votes"),
     ] {
-        let (code, text) = lsys(folder.path(), words);
+        let (code, text) = printed(&mut command(folder.path(), words));
         assert!(code == Some(1) && text.contains(told), "{text}");
         assert!(!folder.path().join("x.html").exists());
     }

@@ -1,19 +1,17 @@
 //! Systems in the notations of other programs, as a user of `lsys` writes and reads them.
 
+mod program;
+
 use expect_test::{Expect, expect};
+use program::{command, outputs};
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 const BUSH: &str =
     "Koch {\n angle 6\n axiom f--f--f\n f=f+f--f+f\n}\nBush {\n angle 16\n axiom ++++f\n f=ff-[-f+f+f]+[+f-f-f]\n}\n";
 
 /// Runs `lsys` in a folder. Returns the exit code, standard output and standard error.
 fn lsys(folder: &Path, line: &str) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    let output = command.args(line.split(' ')).current_dir(folder).stdin(Stdio::null()).output().expect("lsys starts");
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
-    (output.status.code(), text(output.stdout), text(output.stderr))
+    outputs(&mut command(folder, line.split(' ')))
 }
 
 /// Runs `lsys`, and compares standard output and standard error.

@@ -1,22 +1,13 @@
 //! The program with malicious files, and with outputs that cannot be written.
 
+mod program;
+
+use program::{command, output, root};
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use tempfile::TempDir;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// The command `lsys` with the words of `line`, in the repository's root.
-fn command(line: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    command.args(line.split(' ')).current_dir(root()).stdin(Stdio::null());
-    command
-}
 
 /// Runs `script` in a shell; `$lsys` is the program.
 #[cfg(unix)]
@@ -30,10 +21,6 @@ fn shell(script: &str) -> Output {
         .current_dir(root())
         .stdin(Stdio::null());
     command.output().expect("a shell")
-}
-
-fn run(line: &str) -> Output {
-    command(line).output().expect("lsys starts")
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -75,7 +62,7 @@ fn escape_sequences_of_a_file_reach_no_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = hostile_file(&folder);
     for line in ["info", "expand", "draw --format svg", "info --json"] {
-        let output = run(&format!("{line} {file}"));
+        let output = output(&root(), &format!("{line} {file}"));
         assert_eq!(output.status.code(), Some(1), "{line}");
         assert!(text(&output.stderr).contains('␛'), "{line}");
         assert_harmless(&text(&output.stderr));
@@ -84,11 +71,11 @@ fn escape_sequences_of_a_file_reach_no_terminal() {
     let good = folder.path().join("good.json");
     let system = serde_json::json!({"name": ORDERS, "title": ORDERS, "initial": "F"});
     fs::write(&good, system.to_string()).expect("a file");
-    let facts = run(&format!("info {}", good.display()));
+    let facts = output(&root(), &format!("info {}", good.display()));
     assert!(text(&facts.stdout).starts_with("␛]0;owned␇␈␍␡\u{fffd}31m"), "{}", text(&facts.stdout));
     assert_harmless(&text(&facts.stdout));
     // In JSON the title keeps every character.
-    let facts = run(&format!("info --json {}", good.display()));
+    let facts = output(&root(), &format!("info --json {}", good.display()));
     assert_harmless(&text(&facts.stdout));
     let facts: serde_json::Value = serde_json::from_slice(&facts.stdout).expect("JSON");
     assert_eq!(facts["title"], ORDERS);
@@ -99,7 +86,7 @@ fn escape_sequences_of_arguments_are_shown() {
     for line in
         ["info \u{1b}[2J\u{202e}.json", "draw \u{9b}.json --format \u{1b}c", "info x --set \u{1b}", "info -n \u{7}"]
     {
-        let output = run(line);
+        let output = output(&root(), line);
         assert_ne!(output.status.code(), Some(0), "{line:?}");
         assert_harmless(&text(&output.stderr));
     }
@@ -107,7 +94,7 @@ fn escape_sequences_of_arguments_are_shown() {
 
 #[test]
 fn settings_that_make_no_sense_are_shown() {
-    let output = run("info data_in/abop/1.24a.json --set width=\u{1b}[31m");
+    let output = output(&root(), "info data_in/abop/1.24a.json --set width=\u{1b}[31m");
     assert_eq!(output.status.code(), Some(1));
     assert!(text(&output.stderr).contains("␛[31m"));
     assert_harmless(&text(&output.stderr));
@@ -122,7 +109,7 @@ fn files_of_any_size_are_refused_soon() {
         let mut file = File::create(&path).expect("a file");
         file.write_all(start.as_bytes()).expect("written");
         file.set_len(10 << 30).expect("a file with holes");
-        let output = run(&format!("info {}", path.display()));
+        let output = output(&root(), &format!("info {}", path.display()));
         assert_eq!(output.status.code(), Some(1), "{start}");
         assert!(output.stdout.is_empty() && text(&output.stderr).starts_with("error: "), "{start}");
         assert_harmless(&text(&output.stderr));
@@ -157,7 +144,11 @@ fn closed_output_is_a_failure() {
         }
         // Python and Node.js open `/dev/null` so for a program whose output is discarded.
         let null = File::options().read(true).write(true).open("/dev/null").expect("a device");
-        assert_eq!(command(words).stdout(null).status().expect("lsys starts").code(), Some(0), "{words}");
+        assert_eq!(
+            command(root(), words.split(' ')).stdout(null).status().expect("lsys starts").code(),
+            Some(0),
+            "{words}"
+        );
     }
     // A command that prints nothing needs no standard output.
     let folder = tempfile::tempdir().expect("a folder");
@@ -196,7 +187,7 @@ fn signals_leave_nothing() {
         let base = folder.path().join("koch").display().to_string();
         // The string is written quickly; the picture takes long.
         let line = format!("draw data_in/curves/koch-snowflake.json {base} -n 9");
-        let mut child = command(&line).stderr(Stdio::null()).spawn().expect("lsys starts");
+        let mut child = command(root(), line.split(' ')).stderr(Stdio::null()).spawn().expect("lsys starts");
         while names(folder.path()).is_empty() {
             std::thread::yield_now();
         }
@@ -215,7 +206,7 @@ fn a_signal_leaves_only_whole_files_of_many() {
     let folder = tempfile::tempdir().expect("a folder");
     let base = folder.path().display();
     let line = format!("draw data_in/curves/koch-snowflake.json data_in/abop/1.27.json --out-dir {base} -n 9");
-    let mut child = command(&line).stderr(Stdio::null()).spawn().expect("lsys starts");
+    let mut child = command(root(), line.split(' ')).stderr(Stdio::null()).spawn().expect("lsys starts");
     while names(folder.path()).is_empty() {
         std::thread::yield_now();
     }
@@ -258,7 +249,7 @@ fn a_drawing_stays_within_the_memory_that_it_may_take() {
     let folder = tempfile::tempdir().expect("a folder");
     let draw = |memory: &str| {
         let to = folder.path().join("tree");
-        run(&format!("draw data_in/abop/1.27.json {} --format svg -n 8 --memory {memory}", to.display()))
+        output(&root(), &format!("draw data_in/abop/1.27.json {} --format svg -n 8 --memory {memory}", to.display()))
     };
     let refused = draw("1M");
     assert_eq!(refused.status.code(), Some(1));
@@ -397,10 +388,8 @@ fn signals_leave_nothing_of_ours_in_a_pyramid() {
     use std::os::unix::process::ExitStatusExt;
     for (name, number) in [("HUP", 1), ("INT", 2), ("TERM", 15)] {
         let folder = desk();
-        let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-        command.env("LC_ALL", "C");
-        let command = command.args("tiles a.json p --levels 0..20 -n 9".split(' ')).current_dir(folder.path());
-        let mut child = command.stdin(Stdio::null()).stderr(Stdio::null()).spawn().expect("lsys starts");
+        let mut command = command(folder.path(), "tiles a.json p --levels 0..20 -n 9".split(' '));
+        let mut child = command.stderr(Stdio::null()).spawn().expect("lsys starts");
         while !folder.path().join("p/tiles_files/9").exists() {
             std::thread::yield_now();
         }
@@ -416,10 +405,8 @@ fn signals_leave_nothing_of_ours_in_a_pyramid() {
 #[test]
 fn what_a_killed_program_left_is_removed_by_the_next() {
     let folder = desk();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    let command = command.args("animate a.json --to a.gif -n 9".split(' ')).current_dir(folder.path());
-    let mut child = command.stdin(Stdio::null()).stderr(Stdio::null()).spawn().expect("lsys starts");
+    let mut command = command(folder.path(), "animate a.json --to a.gif -n 9".split(' '));
+    let mut child = command.stderr(Stdio::null()).spawn().expect("lsys starts");
     let rest = || names(folder.path()).into_iter().find(|name| name.starts_with(".lsys-"));
     while rest().is_none_or(|rest| names(&folder.path().join(rest)).len() < 2) {
         std::thread::yield_now();

@@ -1,18 +1,16 @@
 //! Files of other programs, as a user of `lsys` reads and converts them.
 
+mod program;
+
 use expect_test::expect;
+use program::{command, outputs};
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 const TWO: &str = "Koch {\n angle 6\n axiom f--f--f\n f=f+f--f+f\n}\nBush {\n angle 8\n axiom f\n f=f[+f]\n what\n}\n";
 
 /// Runs `lsys` in a folder. Returns the exit code, standard output and standard error.
 fn lsys(folder: &Path, line: &str) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    let output = command.args(line.split(' ')).current_dir(folder).stdin(Stdio::null()).output().expect("lsys starts");
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
-    (output.status.code(), text(output.stdout), text(output.stderr))
+    outputs(&mut command(folder, line.split(' ')))
 }
 
 fn files(folder: &Path) -> Vec<String> {

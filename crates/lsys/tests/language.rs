@@ -1,12 +1,11 @@
 //! The language of messages and help.
 
-use expect_test::expect_file;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod program;
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
+use expect_test::expect_file;
+use program::root;
+use std::path::Path;
+use std::process::{Command, Output};
 
 /// Runs `lsys` in the repository's root with one variable for the language, or none.
 fn lsys(words: &str, variable: Option<(&str, &str)>) -> Output {

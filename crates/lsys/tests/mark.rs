@@ -1,21 +1,11 @@
 //! Answers to an exercise, as `lsys mark` marks them.
 
+mod program;
+
 use expect_test::{Expect, expect};
 use lsystem::Definition;
 use lsystem::course::{Exercise, Given};
-use std::path::Path;
-use std::process::Command;
-
-fn lsys(folder: &Path, words: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_lsys"))
-        .env("LC_ALL", "C")
-        .args(words)
-        .current_dir(folder)
-        .output()
-        .expect("lsys runs");
-    let text = [output.stdout, output.stderr].concat();
-    (output.status.code(), String::from_utf8(text).expect("UTF-8"))
-}
+use program::{command, printed};
 
 fn koch() -> Exercise {
     let target = Definition {
@@ -54,7 +44,7 @@ fn told(words: &[&str], expected: &Expect) {
     std::fs::write(folder.path().join("answers.csv"), rows.join("\r\n")).expect("written");
     let file = r#"{"name": "own", "initial": "F", "angle_deg": 60, "num_iters": 3, "rules": {"F": "F+F--F+F"}}"#;
     std::fs::write(folder.path().join("own.json"), file).expect("written");
-    let (code, text) = lsys(folder.path(), words);
+    let (code, text) = printed(&mut command(folder.path(), words));
     let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap_or_default();
     if words.contains(&"--html") {
         assert!(page.contains("<h1>The &lt;first&gt; curve</h1>") && page.contains("=1+1 &lt;b&gt;"), "{page}");

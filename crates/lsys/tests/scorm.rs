@@ -1,24 +1,15 @@
 //! Packages for learning systems, as `lsys scorm` writes them.
 
+mod program;
+
 use flate2::read::DeflateDecoder;
 use lsystem::Definition;
 use lsystem::course::Exercise;
+use program::{command, printed};
 use std::io::Read;
-use std::path::Path;
-use std::process::Command;
 
 const STEPS: &str =
     "<!doctype html>\n<html lang=\"en\"><title>T</title><h1>T</h1><!-- steps -->S<!-- /steps --></html>";
-
-fn lsys(folder: &Path, words: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_lsys"))
-        .env("LC_ALL", "C")
-        .args(words)
-        .current_dir(folder)
-        .output()
-        .expect("lsys runs");
-    (output.status.code(), String::from_utf8([output.stdout, output.stderr].concat()).expect("UTF-8"))
-}
 
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
@@ -42,12 +33,13 @@ fn links_and_files_with_links_become_a_package() {
     std::fs::write(folder.path().join("second.txt"), format!("Here:\n{}\n", exercise("Second"))).expect("written");
     let words =
         ["scorm", &exercise("First"), "second.txt", "--pages", "site", "--to", "week.zip", "--standard", "2004"];
-    let (code, text) = lsys(folder.path(), &words);
+    let (code, text) = printed(&mut command(folder.path(), &words));
     assert_eq!(code, Some(0), "{text}");
     assert!(text.starts_with("week.zip, ") && text.contains("can be forged"), "{text}");
     let zip = std::fs::read(folder.path().join("week.zip")).expect("written");
     assert!(zip.starts_with(b"PK\x03\x04"));
-    let (code, text) = lsys(folder.path(), &["scorm", "--lesson", "--pages", "site", "--to", "lesson.zip"]);
+    let (code, text) =
+        printed(&mut command(folder.path(), &["scorm", "--lesson", "--pages", "site", "--to", "lesson.zip"]));
     assert_eq!(code, Some(0), "{text}");
     assert!(folder.path().join("lesson.zip").is_file());
 }
@@ -71,7 +63,7 @@ fn a_package_is_in_the_language_of_its_maker() {
     let (first, second) = (exercise("Koch curve"), exercise(""));
     let package = |language: &str| {
         let words = ["scorm", &first, &second, "--pages", "site", "--to", "week.zip", "--language", language];
-        let (code, text) = lsys(folder.path(), &words);
+        let (code, text) = printed(&mut command(folder.path(), &words));
         assert_eq!(code, Some(0), "{text}");
         std::fs::read(folder.path().join("week.zip")).expect("written")
     };
@@ -118,7 +110,7 @@ fn what_cannot_be_packed_is_told_and_nothing_is_written() {
         (&["scorm", "#v=1&x=AAAA", "--to", "a.zip", "--pages", "site"], "damaged"),
         (&["scorm", &first, "--to", "site", "--pages", "site"], "site"),
     ] {
-        let (code, text) = lsys(folder.path(), words);
+        let (code, text) = printed(&mut command(folder.path(), words));
         assert!(code != Some(0) && text.contains(said), "{words:?}: {code:?} {text}");
         assert!(!folder.path().join("a.zip").exists(), "{words:?}");
     }

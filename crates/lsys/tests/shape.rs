@@ -1,21 +1,14 @@
 //! Outlines and meshes as shapes, as a user of `lsys` makes them.
 
-use std::path::Path;
-use std::process::{Command, Stdio};
+mod program;
+
+use program::{command, outputs};
 
 /// Runs `lsys shape` with a file of this content. Returns the exit code, standard output and standard error.
 fn shape(name: &str, content: &[u8]) -> (Option<i32>, String, String) {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join(name), content).expect("written");
-    lsys(folder.path(), &["shape", name])
-}
-
-fn lsys(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    let output = command.args(arguments).current_dir(folder).stdin(Stdio::null()).output().expect("lsys starts");
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
-    (output.status.code(), text(output.stdout), text(output.stderr))
+    outputs(&mut command(folder.path(), ["shape", name]))
 }
 
 const PYRAMID: &str = "# a pyramid\nv 0 0 0\nv 2 0 0\nv 2 0 2\nv 0 0 2\nv 1 1 1\nf 1 2 3 4\nf 2 1 5\nf 3/1 2/2 5/3\nf 4 3 5\nf -5 -2 -1\n";
@@ -34,7 +27,7 @@ fn outlines_and_meshes_are_lines_of_rules() {
     let rules = format!("{line}\\nA -> B(inside(a, 0, 4, 0), inside(a, 9, 4, 0), distance(a, 0, 13, 0))");
     let system = format!("{{\"axiom\": \"A\", \"rules\": \"{rules}\", \"iterations\": 1}}");
     std::fs::write(folder.path().join("s.json"), system).expect("written");
-    let (code, text, words) = lsys(folder.path(), &["expand", "s.json"]);
+    let (code, text, words) = outputs(&mut command(folder.path(), ["expand", "s.json"]));
     assert_eq!((code, &*text), (Some(0), "B(1,0,3)\n"), "{words}");
 }
 

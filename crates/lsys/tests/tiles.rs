@@ -1,16 +1,16 @@
 //! Pyramids of tiles, made by one process and by several.
 
+mod program;
+
+use program::{command, root};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 fn tiles(folder: &Path, more: &str) -> Command {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lsys"));
-    command.env("LC_ALL", "C");
-    command.args(["tiles", "data_in/abop/1.24f.json"]).arg(folder).args(more.split_whitespace());
-    command.current_dir(root).stdin(Stdio::null());
+    let mut command = command(root(), ["tiles", "data_in/abop/1.24f.json"]);
+    command.arg(folder).args(more.split_whitespace());
     command
 }
 

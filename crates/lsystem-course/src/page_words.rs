@@ -1,8 +1,7 @@
 //! The words that pages show: a catalogue without the texts that do not stand in them, and single files with their own.
 
-use lsystem_base::words::said;
-use serde_json::{Map, Value};
-use std::collections::HashMap;
+use core::mem::take;
+use lsystem_base::{sorted::sort, words::said};
 
 /// The length of the shortest part of a text that is searched, in bytes.
 const SHORTEST: usize = 4;
@@ -54,58 +53,102 @@ fn without_scripts(page: &str) -> String {
 /// The catalogue of the texts that stand in the files of a page: in scripts, markup, wasm or JSON. Catalogues are JSON.
 ///
 /// An entry may be too much, if the parts of its text stand in the files at several places; none is missing. `None` if
-/// the catalogue is damaged.
+/// the catalogue is no object or has no end.
 #[must_use]
 pub fn words_in(catalogue: &str, files: &[&[u8]]) -> Option<String> {
-    let mut words: Map<String, Value> = serde_json::from_str(catalogue).ok()?;
-    let mut missing: HashMap<[u8; SHORTEST], Vec<Vec<u8>>> = HashMap::new();
-    for part in words.keys().flat_map(|text| parts(text)) {
-        missing.entry(start(&part)).or_default().push(part);
+    let mut entries = entries(catalogue)?;
+    let mut missing = Vec::new();
+    for (entry, [key, _]) in entries.iter().enumerate() {
+        missing.extend(parts(key).map(|part| (part, entry)));
     }
+    sort(&mut missing);
     // One pass for all parts: there are thousands, and files have megabytes.
     for file in files {
-        let file: Vec<u8> = plain(file).collect();
-        for (at, start) in file.array_windows().enumerate() {
-            if let Some(parts) = missing.get_mut(start) {
-                parts.retain(|part| !file[at..].starts_with(part));
+        let file = plain(file);
+        for (at, start) in file.windows(SHORTEST).enumerate() {
+            let mut next = missing.partition_point(|(part, _)| part.as_slice() < start);
+            while let Some((part, _)) = missing.get(next).filter(|(part, _)| part.starts_with(start)) {
+                if file[at..].starts_with(part) {
+                    missing.remove(next);
+                } else {
+                    next += 1;
+                }
             }
         }
     }
-    let is_missing = |part: &Vec<u8>| missing.get(&start(part)).is_some_and(|parts| parts.contains(part));
-    words.retain(|text, _| !parts(text).iter().any(is_missing));
-    serde_json::to_string(&words).ok()
+    for (_, entry) in missing {
+        entries[entry][0].clear();
+    }
+    let mut words = String::from('{');
+    for [key, value] in entries.iter().filter(|[key, _]| !key.is_empty()) {
+        for text in [key, ":", value, ","] {
+            words += text;
+        }
+    }
+    words.truncate(words.trim_end_matches(',').len());
+    Some(words + "}")
 }
 
-fn start(part: &[u8]) -> [u8; SHORTEST] {
-    part.first_chunk().copied().unwrap_or_default()
+/// The keys and values of a JSON object as they are written, without white space between texts.
+fn entries(json: &str) -> Option<Vec<[String; 2]>> {
+    let inside = json.trim().strip_prefix('{')?.strip_suffix('}')?;
+    let (mut entries, mut key, mut written) = (Vec::new(), String::new(), String::new());
+    let (mut depth, mut is_text, mut is_escaped) = (0, false, false);
+    for character in inside.chars().chain([',']) {
+        match character {
+            _ if is_escaped => is_escaped = false,
+            '\\' => is_escaped = true,
+            '"' => is_text = !is_text,
+            _ if is_text => {}
+            ':' if depth == 0 => {
+                key = take(&mut written);
+                continue;
+            }
+            ',' if depth == 0 => {
+                entries.push([take(&mut key), take(&mut written)]);
+                continue;
+            }
+            '{' | '[' => depth += 1,
+            '}' | ']' => depth -= 1,
+            ' ' | '\t' | '\r' | '\n' => continue,
+            _ => {}
+        }
+        written.push(character);
+    }
+    // Without an end of a text or value, the last comma is in it.
+    written.is_empty().then_some(entries)
 }
 
-/// The parts of a text that stand in a file as they are: between values, line ends, marks that scripts, markup and JSON
-/// escape, and characters that are not ASCII. Short parts say nothing.
-fn parts(text: &str) -> Vec<Vec<u8>> {
-    let ends =
-        |c: char| matches!(c, '{' | '}' | '`' | '\'' | '"' | '\\' | '$' | '&' | '<' | '>') || !(' '..='~').contains(&c);
-    // The number of a value stands in braces.
-    let parts = text.split(ends).filter(|part| !part.bytes().all(|byte| byte.is_ascii_digit()));
-    parts.map(|part| plain(part.as_bytes()).collect()).filter(|part: &Vec<u8>| part.len() >= SHORTEST).collect()
+/// The parts of a key, as it is written in JSON, that stand in a file as they are: between values, line ends, marks that
+/// scripts, markup and JSON escape, and characters that are not ASCII. Short parts say nothing.
+fn parts(key: &str) -> impl Iterator<Item = Vec<u8>> {
+    // How many characters of an escape follow.
+    let mut escaped = 0;
+    let ends = move |c| {
+        let is_end = escaped > 0 || matches!(c, '{' | '}' | '`' | '\'' | '"' | '\\' | '$' | '&' | '<' | '>');
+        escaped = match (escaped, c) {
+            (0, '\\') => 1,
+            (1, 'u') => 4,
+            _ => escaped.max(1) - 1,
+        };
+        is_end || !(' '..='~').contains(&c)
+    };
+    key.split(ends).map(|part| plain(part.as_bytes())).filter(|part| part.len() >= SHORTEST)
 }
 
 /// The bytes of a file with one blank for white space, also where a script escapes a line end.
-fn plain(bytes: &[u8]) -> impl Iterator<Item = u8> {
-    let (mut at, mut last) = (0, 0);
-    core::iter::from_fn(move || {
-        loop {
-            let byte = *bytes.get(at)?;
-            let is_end = bytes[at..].starts_with(b"\\n");
-            at += if is_end { 2 } else { 1 };
-            let byte = if is_end || byte.is_ascii_whitespace() { b' ' } else { byte };
-            let is_again = byte == b' ' && last == b' ';
-            last = byte;
-            if !is_again {
-                return Some(byte);
-            }
+fn plain(mut bytes: &[u8]) -> Vec<u8> {
+    let mut plain = Vec::with_capacity(bytes.len());
+    while let Some((&byte, rest)) = bytes.split_first() {
+        let end = bytes.strip_prefix(b"\\n");
+        bytes = end.unwrap_or(rest);
+        if end.is_none() && !byte.is_ascii_whitespace() {
+            plain.push(byte);
+        } else if plain.last() != Some(&b' ') {
+            plain.push(b' ');
         }
-    })
+    }
+    plain
 }
 
 /// JSON in ASCII without `<`, which stands in a page as it is.
@@ -127,6 +170,8 @@ fn ascii(json: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+    use serde_json::{Map, Value};
 
     const PAGE: &str = "<!doctype html>\n<html lang=\"en\" data-theme=\"light\"><head>\
         <meta content=\"default-src 'none'; connect-src 'self'; base-uri 'none'\"><title>T</title></head>\n\
@@ -184,9 +229,60 @@ mod tests {
         }
     }
 
+    /// What [`words_in`] gives, from decoded keys, by one search for each part.
+    fn naive(catalogue: &str, file: &str) -> Map<String, Value> {
+        let blank = |text: &str| {
+            let mut text = text.replace("\\n", " ").replace(|c: char| c.is_ascii_whitespace(), " ");
+            while text.contains("  ") {
+                text = text.replace("  ", " ");
+            }
+            text
+        };
+        let file = blank(file);
+        let mut words: Map<String, Value> = serde_json::from_str(catalogue).unwrap();
+        words.retain(|key, _| {
+            let mut parts = key.split(|c| "{}`'\"\\$&<>".contains(c) || !(' '..='~').contains(&c)).map(blank);
+            parts.all(|part| part.len() < SHORTEST || file.contains(&part))
+        });
+        words
+    }
+
+    #[test]
+    fn keys_are_read_as_by_a_reader_of_json() {
+        let page = concat!(include_str!("../../../www/index.html"), include_str!("../../../www/js/main.js"));
+        for code in ["de", "fr"] {
+            let file = format!("{}/../../www/lang/{code}/words.json", env!("CARGO_MANIFEST_DIR"));
+            let catalogue = std::fs::read_to_string(file).unwrap();
+            let words = naive(&catalogue, page);
+            assert!((10..1000).contains(&words.len()), "{}", words.len());
+            let found = words_in(&catalogue, &[page.as_bytes()]).unwrap();
+            assert_eq!(found, serde_json::to_string(&words).unwrap());
+        }
+    }
+
+    proptest! {
+        #![proptest_config(test_effort::config())]
+
+        #[test]
+        fn any_texts_are_read_as_by_a_reader_of_json(
+            texts in prop::collection::btree_map("(four|abcd|n|u00| |[\"\\\\\n\t{}\\[\\]:,é…\u{1}😀]){0,6}", "[a\"\\\\{},:é]{0,4}", 0..6),
+            file in "(four|abcd|n|u00| |\\\\n|\n){0,9}",
+        ) {
+            let list = texts.iter().map(|(key, value)| (key.clone(), serde_json::json!({ "one": value, "other": [value] })));
+            let catalogue = Value::from_iter(list);
+            for catalogue in [catalogue.to_string(), format!("{catalogue:#}\n")] {
+                let found = words_in(&catalogue, &[file.as_bytes()]).unwrap();
+                prop_assert_eq!(found, serde_json::to_string(&naive(&catalogue, &file)).unwrap());
+            }
+        }
+    }
+
     #[test]
     fn what_is_no_page_or_no_catalogue_gets_nothing() {
         assert!(PageWords { language: "de", catalogue: "{}" }.give_to("<p>", "").is_none());
-        assert!(PageWords { language: "de", catalogue: "[" }.give_to(PAGE, "").is_none());
+        for catalogue in ["", "[", "[]", "{", r#"{"a": "b"#, r#"{"a": "b\"}"#, r#"{"a": {"b": "c"}"#, "{}}"] {
+            assert!(PageWords { language: "de", catalogue }.give_to(PAGE, "").is_none(), "{catalogue}");
+        }
+        assert_eq!(words_in(" {\n} ", &[]).unwrap(), "{}");
     }
 }

@@ -14,6 +14,8 @@ pub struct LegendEntry {
     pub module: String,
     /// The turtle's actions, in words.
     pub actions: String,
+    /// Whether the turtle does nothing at the symbol.
+    pub idle: bool,
     /// Whether a production replaces the symbol.
     pub rewritten: bool,
 }
@@ -62,6 +64,7 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
                     Some(query) => format!("{query}{names}"),
                     None => format!("{symbol}{names}"),
                 },
+                idle: query.is_none() && actions.is_empty(),
                 actions: match query {
                     Some(query) => said(query.words()),
                     None if actions.is_empty() => say!("draws nothing"),
@@ -320,7 +323,9 @@ mod tests {
             ..lsystem_syntax::Definition::default()
         };
         let system = System::new(&definition).0.unwrap();
-        legend(&system).into_iter().map(|entry| (entry.module, entry.actions)).collect()
+        let entries = legend(&system);
+        assert!(entries.iter().all(|entry| entry.idle == (entry.actions == "draws nothing")), "{entries:?}");
+        entries.into_iter().map(|entry| (entry.module, entry.actions)).collect()
     }
 
     #[test]

@@ -75,6 +75,8 @@ pub struct Legend {
     pub symbol: String,
     /// The turtle's actions, in words.
     pub actions: String,
+    /// Whether the turtle does nothing at the symbol.
+    pub idle: bool,
     /// Whether a production replaces the symbol.
     pub rewritten: bool,
 }
@@ -90,6 +92,7 @@ impl Report {
         let legend = legend(system).into_iter().map(|entry| Legend {
             symbol: entry.module,
             actions: entry.actions,
+            idle: entry.idle,
             rewritten: entry.rewritten,
         });
         Self {

@@ -10,9 +10,6 @@ import { say } from '../words.js';
 /** @typedef {import('../engine.js').Report} Report */
 /** @typedef {import('../state.js').FieldName} FieldName */
 
-/** What the report says of a symbol without actions. */
-const SILENT = say`draws nothing`;
-
 /** @param {import('../store.js').Store} store */
 export function turtlePanel(store) {
     const settle = () => store.settle();
@@ -84,7 +81,7 @@ export function turtlePanel(store) {
     /** Tells letters that draw nothing, which many courses let draw. @param {Report['legend']} legend */
     function showHint(legend) {
         const silent = legend
-            .filter(({ symbol, actions }) => actions === SILENT && /^[A-Za-z]/.test(symbol))
+            .filter(({ symbol, idle }) => idle && /^[A-Za-z]/.test(symbol))
             .map(({ symbol }) => symbol.charAt(0));
         html('legend-hint').hidden = silent.length === 0 || store.state.dialect === 'every-letter';
         const [names, last = ''] = [silent.slice(0, -1).join(', '), silent.at(-1)];
