@@ -39,6 +39,17 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 }
 
 #[test]
+fn the_page_has_the_language_of_its_maker() {
+    let folder = tempfile::tempdir().unwrap();
+    for (language, level) in [("en", "Level {} of {}"), ("de", "Ebene {} von {}"), ("fr", "Niveau {} sur {}")] {
+        let folder = folder.path().join(language);
+        run(&folder, &format!("--levels 0..0 -n 4 --language {language}"));
+        let page = fs::read_to_string(folder.join("index.html")).expect("a page");
+        assert!(page.contains(&format!("\"language\":\"{language}\"")) && page.contains(level), "{language}: {page}");
+    }
+}
+
+#[test]
 fn workers_make_what_one_makes() {
     let folder = tempfile::tempdir().unwrap();
     let [alone, shared] = ["alone", "shared"].map(|name| folder.path().join(name));

@@ -1,6 +1,8 @@
 //! The files of a pyramid: their paths, and the files that describe it.
 
 use crate::cli::{Scheme, TileOptions};
+use crate::language;
+use lsystem::base::say;
 use lsystem::render::TilePlace;
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -71,6 +73,14 @@ impl Layout<'_> {
             "background": format!("#{r:02x}{g:02x}{b:02x}"),
             // The part of the picture that is shown first: its left and upper side and its width.
             "start": [under.0.x as f64 * width, under.0.y as f64 * width, width],
+            "language": language::code(),
+            "words": {
+                "canvas": say!("{}. Arrow keys move, plus and minus zoom, 0 shows all.", self.name),
+                "level": say!("Level {} of {}", "{}", "{}"),
+                "out": { "ariaLabel": say!("Zoom out"), "title": say!("Zoom out (-)") },
+                "in": { "ariaLabel": say!("Zoom in"), "title": say!("Zoom in (+)") },
+                "fit": { "textContent": say!("Fit"), "title": say!("Show all (0)") },
+            },
         });
         // `<` cannot end the script.
         let configuration = configuration.to_string().replace('<', "\\u003c");
