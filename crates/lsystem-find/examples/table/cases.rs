@@ -111,12 +111,12 @@ impl Random {
     }
 }
 
-/// Random systems whose successors together have 5 to 12 symbols.
+/// Random systems whose successors together have 5 to 10 symbols.
 fn random(count: usize, rules: usize, seed: u64) -> Vec<Case> {
     let mut random = Random(seed);
     let mut cases = Vec::new();
     while cases.len() < count {
-        let length = 5 + random.below(8);
+        let length = 5 + random.below(6);
         let letters = ['X', 'F'];
         let rules = match rules {
             1 => format!("F -> {}", random.word(&['F'], length)),
