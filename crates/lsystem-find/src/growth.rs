@@ -82,6 +82,7 @@ pub(crate) struct GrowthSearch {
     row: usize,
     /// The words of the present trunk that are still to grow, and those that were seen.
     open: Vec<Plant>,
+    growing: Option<Growing>,
     seen: HashSet<Vec<Symbol>>,
     /// The words that cover the ink.
     covering: Vec<Vec<Symbol>>,
@@ -130,6 +131,16 @@ struct Plant {
     next: Vec<Branch>,
 }
 
+/// A plant on which branches are tried.
+#[derive(Clone, Debug)]
+struct Growing {
+    plant: Plant,
+    /// How many of the next branches were tried.
+    tried: usize,
+    /// Those that stay on the ink, with the places that are covered then.
+    kept: Vec<(usize, Branch)>,
+}
+
 impl Kind {
     /// The kind of a family whose axiom is one letter.
     fn of(family: &Family) -> Option<Self> {
@@ -171,6 +182,7 @@ impl GrowthSearch {
             tried: HashSet::new(),
             row: 0,
             open: Vec::new(),
+            growing: None,
             seen: HashSet::new(),
             covering: Vec::new(),
             tested: 0,
@@ -213,9 +225,14 @@ impl GrowthSearch {
             if let Some(word) = self.covering.pop() {
                 return Advance::Word(word);
             }
+            if let Some(growing) = self.growing.take() {
+                self.grow(growing);
+                continue;
+            }
             if let Some(plant) = self.open.pop().filter(|_| self.left > 0) {
                 self.left -= 1;
-                self.grow(plant);
+                let is_growing = plant.branches.len() < MAX_LETTERS;
+                self.growing = is_growing.then(|| Growing { plant, tried: 0, kept: Vec::new() });
                 continue;
             }
             let open = self.trunks.iter().enumerate().filter(|(_, (trunks, _))| !trunks.is_empty());
@@ -292,24 +309,25 @@ impl GrowthSearch {
         !branches.contains(&branch) && self.is_inked(self.end(branches, branch.from), length, branch.turns)
     }
 
-    /// Grows each of the best branches on a plant.
-    fn grow(&mut self, Plant { branches, next }: Plant) {
-        if branches.len() == MAX_LETTERS {
+    /// Tries the next branch on a plant; after the last one, grows each of the best.
+    fn grow(&mut self, mut growing: Growing) {
+        let with =
+            |plant: &Plant, branch: Branch| -> Vec<Branch> { plant.branches.iter().copied().chain([branch]).collect() };
+        if let Some(&branch) = growing.plant.next.get(growing.tried) {
+            growing.tried += 1;
+            if self.is_open(&growing.plant.branches, branch) {
+                let covered = self.covered(&with(&growing.plant, branch));
+                growing.kept.extend(covered.map(|covered| (covered, branch)));
+            }
+            self.growing = Some(growing);
             return;
         }
-        let with = |branch: Branch| -> Vec<Branch> { branches.iter().copied().chain([branch]).collect() };
-        // Those that stay on the ink, with the places that are covered then.
-        let mut kept: Vec<(usize, Branch)> = Vec::new();
-        for branch in next {
-            if self.is_open(&branches, branch) {
-                kept.extend(self.covered(&with(branch)).map(|covered| (covered, branch)));
-            }
-        }
+        let Growing { plant, mut kept, .. } = growing;
         let next: Vec<Branch> = kept.iter().map(|(_, branch)| *branch).collect();
         kept.sort_by_key(|(covered, _)| Reverse(*covered));
         kept.truncate(MAX_BRANCHES);
         for &(covered, branch) in kept.iter().rev() {
-            let branches = with(branch);
+            let branches = with(&plant, branch);
             let word = self.word(&branches);
             if !self.seen.insert(word.clone()) {
                 continue;

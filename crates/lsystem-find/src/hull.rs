@@ -223,8 +223,10 @@ impl Target {
         let both = dot(reach, &self.shape);
         let Moments { mean, x, y, own } = *moments;
         let [usual_off, furthest_off] = self.apart;
-        let least = self.square - both * both / own;
-        if both <= 0.0 || least > usual_off * usual_off * count {
+        // A polygon may be a circle in these directions: then its mean alone tells how large it is.
+        let is_round = own == 0.0;
+        let least = if is_round { self.square } else { self.square - both * both / own };
+        if (both <= 0.0 && !is_round) || least > usual_off * usual_off * count {
             return [None, None];
         }
         let Moments { mean: wanted, x: wanted_x, y: wanted_y, .. } = self.moments;
@@ -242,7 +244,7 @@ impl Target {
         };
         let weight = count / 2.0 * mean;
         let usual = (both + weight * (wanted - self.stroke)) / (own + weight * mean);
-        [fit(usual), fit(both / own)]
+        [fit(usual), if is_round { None } else { fit(both / own) }]
     }
 }
 
@@ -360,7 +362,7 @@ impl Hulls {
             };
             let reach = &whole.reach[..headings.cos.len()];
             let moments = Moments::of(reach, headings);
-            if reach[0] <= NOWHERE / 2.0 || moments.own == 0.0 {
+            if reach[0] <= NOWHERE / 2.0 || moments.mean <= 0.0 {
                 continue;
             }
             let fits =

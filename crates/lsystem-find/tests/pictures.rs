@@ -333,6 +333,14 @@ fn small_pictures_tell_by_their_soft_edges() {
     assert!(best.is_same() && large(&best.definition()).agreement(&large(&flower)) > 0.999, "{best:?}");
 }
 
+/// The hull of a polygon with twelve sides is a circle in the twelve directions of its turns.
+#[test]
+fn polygons_are_found() {
+    let lines = walk(&derive("F", &[('F', "+F-F-")], 8), "F", 30.0, 90.0);
+    let (found, _) = best(drawn(&lines, 3.0), "F", 30.0, &[8]);
+    assert!(found.is_some_and(|found| found.is_same()));
+}
+
 #[test]
 fn names_are_tried_for_what_is_known_only() {
     let grey = photographed(&textbook(), 600, 2.0, 90);

@@ -75,7 +75,7 @@ fn run(case: &Case, input: &str, known: &str, seconds: f64) -> (bool, f64, Strin
         Ok(finder) => finder,
         Err(why) => return (false, 0.0, why.to_owned()),
     };
-    while !finder.is_found() && now() - begin < seconds && finder.step(2048) == Searched::More {}
+    while !finder.is_same() && now() - begin < seconds && finder.step(2048) == Searched::More {}
     let time = now() - begin;
     let Some(best) = finder.found().first() else { return (false, time, finder.searched()) };
     let rules = best.found.text().replace('\n', "; ");
