@@ -246,13 +246,7 @@ pub(crate) fn families(axiom: &str, order: usize) -> Result<Vec<Family>, &'stati
             if !DRAWN.contains(&a) {
                 for draws in [false, true] {
                     // By custom, X and Y do not draw.
-                    let rank = if !draws {
-                        2
-                    } else if UNDRAWN.contains(&a) {
-                        8
-                    } else {
-                        2
-                    };
+                    let rank = if draws && UNDRAWN.contains(&a) { 8 } else { 2 };
                     let rule = if draws { say!("a rule for {}, which draws", a) } else { say!("a rule for {}", a) };
                     let pair = vec![(a, draws, Rule::Free), (drawn, true, doubled(1))];
                     add(rank, say!("{} and {}", format!("{drawn} -> {drawn}{drawn}"), rule), pair, true);

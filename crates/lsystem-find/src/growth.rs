@@ -82,6 +82,7 @@ pub(crate) struct GrowthSearch {
     row: usize,
     /// The words of the present trunk that are still to grow, and those that were seen.
     open: Vec<Plant>,
+    /// The plant on which branches are tried now.
     growing: Option<Growing>,
     seen: HashSet<Vec<Symbol>>,
     /// The words that cover the ink.

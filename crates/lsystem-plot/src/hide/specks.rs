@@ -103,6 +103,7 @@ fn cells(&Piece { layer, ends }: &Piece, side: f64) -> impl Iterator<Item = (u32
 #[cfg(test)]
 mod tests {
     use super::super::tests::Chance;
+    use super::super::tests_touch::away;
     use super::*;
     use crate::options::PlotOptions;
     use crate::page::Page;
@@ -120,18 +121,6 @@ mod tests {
         assert_eq!([0, 1].map(|layer| pens.layer([layer; 3])), [0, 1]);
         lines.draw(1.0, &mut pens, &mut Meter::new(0)).unwrap();
         pens.strokes.finish(&mut Meter::new(0)).unwrap().0
-    }
-
-    fn away(pieces: &[Piece], layer: u32, point: Point) -> f64 {
-        let far = |piece: &Piece| {
-            let [from, to] = piece.ends;
-            let way = [to[0] - from[0], to[1] - from[1]];
-            let own = [point[0] - from[0], point[1] - from[1]];
-            let part = (own[0] * way[0] + own[1] * way[1]) / (way[0] * way[0] + way[1] * way[1]);
-            let part = part.clamp(0.0, 1.0);
-            distance(point, [0, 1].map(|axis| from[axis] + part * way[axis]))
-        };
-        pieces.iter().filter(|piece| piece.layer == layer).map(far).fold(f64::INFINITY, f64::min)
     }
 
     #[test]

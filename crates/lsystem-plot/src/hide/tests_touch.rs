@@ -12,7 +12,7 @@ use lsystem_drawing::{System, draw};
 use lsystem_syntax::Definition;
 
 /// The distance of a point from the nearest piece of a layer.
-fn away(pieces: &[Piece], layer: u32, point: Point) -> f64 {
+pub(super) fn away(pieces: &[Piece], layer: u32, point: Point) -> f64 {
     let far = |piece: &Piece| {
         let [from, to] = piece.ends;
         let (way, own) = ([to[0] - from[0], to[1] - from[1]], [point[0] - from[0], point[1] - from[1]]);
