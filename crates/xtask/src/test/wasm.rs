@@ -58,11 +58,11 @@ pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Re
         capabilities["goog:chromeOptions"]["binary"] = browser.chromium.to_string_lossy().into();
         let capabilities_file = temporary.path().join("webdriver.json");
         files::write(&capabilities_file, capabilities.to_string())?;
+        let runner = workspace.target.join("debug/wasm-test-runner").with_extension(std::env::consts::EXE_EXTENSION);
         programs.iter().try_for_each(|(program, folder)| {
             let start = Instant::now();
             let ran = workspace.run(
-                Command::new(std::env::current_exe()?)
-                    .arg("wasm-bindgen-test-runner")
+                Command::new(&runner)
                     .arg(program)
                     .current_dir(folder)
                     .env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", &capabilities_file)
