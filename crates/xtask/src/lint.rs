@@ -1,8 +1,6 @@
 //! Formatting, clippy, documentation, biome for scripts and styles, and actionlint for workflows: warnings are errors.
 
-use crate::package::LIBRARY;
 use crate::report::Report;
-use crate::wasms::PACKAGES;
 use crate::workspace::Workspace;
 use crate::{files, page, tools};
 use anyhow::{Result, ensure};
@@ -17,7 +15,6 @@ pub(crate) fn lint(workspace: &Workspace) -> Result<()> {
     scripts(workspace, &report);
     workflows(workspace, &report);
     native(workspace, &report);
-    wasm(workspace, &report);
     report.finish()
 }
 
@@ -61,15 +58,4 @@ pub(crate) fn clippy(workspace: &Workspace, packages: &[&str]) -> Result<()> {
     let which = packages.iter().flat_map(|name| ["--package", name]);
     let all = packages.is_empty().then_some("--workspace");
     workspace.run(workspace.cargo(["clippy", "--all-targets"]).args(which).args(all).args(STRICT))
-}
-
-/// Clippy for the crates that are compiled for the browser. In the profile of the tests there, so that they share the
-/// libraries that run while compiling.
-pub(crate) fn wasm(workspace: &Workspace, report: &Report) {
-    report.step(workspace, "clippy for wasm", |workspace, _| {
-        tools::wasm_target()?;
-        let packages = PACKAGES.into_iter().chain([LIBRARY, "bench"]).flat_map(|name| ["--package", name]);
-        let words = ["clippy", "--lib", "--tests", "--profile=draft", "--target", tools::WASM_TARGET];
-        workspace.run(workspace.cargo(words.into_iter().chain(packages)).args(STRICT))
-    });
 }

@@ -3,11 +3,13 @@
 mod bench;
 mod bindgen;
 mod build;
+mod child;
 mod esbuild;
 mod files;
 mod fuzz;
 mod html;
 mod joined;
+mod ledger;
 mod lint;
 mod monkey;
 mod mutants;
@@ -22,7 +24,6 @@ mod python;
 mod report;
 mod serve;
 mod server;
-mod size;
 mod steps_page;
 mod test;
 mod tools;
@@ -31,7 +32,6 @@ mod workspace;
 
 use anyhow::Result;
 use clap::Parser;
-use std::ffi::OsStr;
 use std::process::ExitCode;
 use workspace::Workspace;
 
@@ -53,6 +53,8 @@ enum Command {
     Test(test::TestOptions),
     /// Formatting, clippy and documentation; warnings are errors
     Lint,
+    /// What the project costs its users and developers, beside its limits: crates/xtask/ledger.md
+    Ledger(ledger::LedgerOptions),
     /// Open files of all formats with programs of other people, and compare what they find with what lsys tells
     Outside,
     /// The npm package: target/npm/node_modules/lsystem/; the crates as for the registry: target/package/; their
@@ -91,12 +93,6 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<()> {
-    // Cargo and the tests run this for wasm test binaries, in the tested crate's folder (.cargo/config.toml).
-    let mut words = std::env::args_os();
-    let program = words.next().unwrap_or_default();
-    if std::env::args_os().nth(1).as_deref() == Some(OsStr::new("wasm-bindgen-test-runner")) {
-        return bindgen::test_runner([program].into_iter().chain(words.skip(1)));
-    }
     let command = Command::parse();
     let workspace = &Workspace::find()?;
     match command {
@@ -105,6 +101,7 @@ fn run() -> Result<()> {
         Command::Serve(options) => serve::serve(workspace, &options),
         Command::Test(options) => test::test(workspace, &options),
         Command::Lint => lint::lint(workspace),
+        Command::Ledger(options) => ledger::ledger(workspace, &options),
         Command::Outside => test::test(workspace, &test::TestOptions::only(test::Part::Outside)),
         Command::Package(options) => package::package(workspace, &options),
         Command::Python => python::python(workspace),

@@ -1,12 +1,13 @@
 //! The repository's folders, and the running of other programs.
 
+use crate::child::{self, Spent, words};
 use anyhow::{Context, Result, bail};
-use std::ffi::OsStr;
 use std::fmt::Display;
 use std::fs::{File, OpenOptions};
 use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::Command;
+use std::time::Duration;
 
 /// The folders of this repository, and where programs write.
 #[derive(Clone)]
@@ -16,6 +17,10 @@ pub(crate) struct Workspace {
     pub(crate) target: PathBuf,
     /// The file for what programs and steps write; without one they write to the screen.
     log: Option<PathBuf>,
+    /// How long a program may run before it is ended.
+    pub(crate) deadline: Duration,
+    /// The processor time of the programs that have run.
+    pub(crate) spent: Spent,
 }
 
 impl Workspace {
@@ -23,7 +28,8 @@ impl Workspace {
     pub(crate) fn find() -> Result<Self> {
         let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
         let root = root.ancestors().nth(2).context("xtask is not in crates/")?.to_owned();
-        let mut workspace = Self { target: PathBuf::new(), root, log: None };
+        let (deadline, spent) = (Duration::MAX, Spent::default());
+        let mut workspace = Self { target: PathBuf::new(), root, log: None, deadline, spent };
         let target = workspace.metadata()?["target_directory"].as_str().context("cargo names no target folder")?.into();
         workspace.target = target;
         Ok(workspace)
@@ -35,10 +41,11 @@ impl Workspace {
         Ok(serde_json::from_str(&text)?)
     }
 
-    /// The same folders; programs write to a new file.
-    pub(crate) fn logging_to(&self, file: PathBuf) -> Result<Self> {
+    /// The same folders for a step: programs write to a new file, are ended after a deadline, and their processor time is
+    /// summed anew.
+    pub(crate) fn for_step(&self, file: PathBuf, deadline: Duration) -> Result<Self> {
         crate::files::write(&file, "")?;
-        Ok(Self { log: Some(file), ..self.clone() })
+        Ok(Self { log: Some(file), deadline, spent: Spent::default(), ..self.clone() })
     }
 
     pub(crate) fn www(&self) -> PathBuf {
@@ -58,25 +65,16 @@ impl Workspace {
             writeln!(log, "$ {}", words(command))?;
             command.stdout(log.try_clone()?).stderr(log);
         }
-        let status = command.status().with_context(|| format!("starting `{}`", words(command)))?;
+        let status = child::status(command, self.deadline, &self.spent)?;
         if !status.success() {
             bail!("`{}` failed ({status})", words(command));
         }
         Ok(())
     }
 
-    /// Runs a program to its end, and returns its standard output. Its errors go where programs write.
+    /// Runs a program to its end, and returns its standard output. What it writes else is in the error.
     pub(crate) fn output(&self, command: &mut Command) -> Result<String> {
-        if let Some(log) = self.open()? {
-            command.stderr(log);
-        } else {
-            command.stderr(std::process::Stdio::inherit());
-        }
-        let output = command.output().with_context(|| format!("starting `{}`", words(command)))?;
-        if !output.status.success() {
-            bail!("`{}` failed ({})", words(command), output.status);
-        }
-        Ok(String::from_utf8(output.stdout)?)
+        child::output(command, self.deadline, &self.spent)
     }
 
     /// Writes a line where programs write.
@@ -98,18 +96,5 @@ impl Workspace {
 
 /// Runs a program to its end and returns its standard output. The error contains all that the program wrote.
 pub(crate) fn output(command: &mut Command) -> Result<String> {
-    let output = command.output().with_context(|| format!("starting `{}`", words(command)))?;
-    if !output.status.success() {
-        let [out, err] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text).into_owned());
-        bail!("`{}` failed ({})\n{out}{err}", words(command), output.status);
-    }
-    Ok(String::from_utf8(output.stdout)?)
-}
-
-/// The command line for messages, without the program's folder and without quotes.
-fn words(command: &Command) -> String {
-    let program = PathBuf::from(command.get_program());
-    let name = program.file_name().unwrap_or(OsStr::new("?"));
-    let words: Vec<_> = [name].into_iter().chain(command.get_args()).map(OsStr::to_string_lossy).collect();
-    words.join(" ")
+    child::output(command, Duration::MAX, &Spent::default())
 }

@@ -1,7 +1,7 @@
 //! `cargo xtask test`: all checks before a merge, or the quick ones while working.
 //!
-//! Two lanes compile side by side, since Cargo locks a folder for each target: the native one (tests, clippy,
-//! documentation) and the one for wasm (the shipped page, the tests in the browser). Then the tests run.
+//! Two lanes run side by side: the native one compiles, checks and tests natively; the other one builds the page, and
+//! tests it and the wasm in the browser.
 
 mod native;
 mod passed;
@@ -9,9 +9,10 @@ mod quick;
 mod wasm;
 
 use crate::build::{self, Kind};
+use crate::ledger::{self, LedgerOptions};
 use crate::report::Report;
 use crate::workspace::Workspace;
-use crate::{fuzz, lint, monkey, outside, package, page, size, tools};
+use crate::{fuzz, lint, monkey, outside, package, page, tools};
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use native::Built;
@@ -36,8 +37,8 @@ pub(crate) enum Part {
     Fuzz,
     /// The wasm in the browser.
     Wasm,
-    /// The sizes of the shipped wasms.
-    Size,
+    /// Bytes, lines, packages and processor seconds beside their limits.
+    Ledger,
     /// The built page.
     Page,
 }
@@ -75,41 +76,32 @@ pub(crate) fn test(workspace: &Workspace, options: &TestOptions) -> Result<()> {
     let all = options.all || options.thorough || std::env::var_os("CI").is_some();
     let passed = Passed::read(workspace.target.join("test/passed.txt"), all);
     let report = Report::new(workspace, "test");
+    let report = if options.thorough { report.patient() } else { report };
     if options.has(Part::Quick) {
         quick::run(workspace, &passed, &report)?;
         return report.finish();
     }
-    let (built, site) = thread::scope(|scope| {
-        let wasm = scope.spawn(|| compile_wasm(workspace, options, &report));
-        let built = compile(workspace, options, &report);
-        (built, wasm.join().unwrap_or(false))
+    // Only a whole run that compiles everything tells what the test costs.
+    let is_cold = all && options.parts.is_empty() && !workspace.target.join(tools::WASM_TARGET).exists();
+    thread::scope(|scope| {
+        scope.spawn(|| browser_lane(workspace, options, &passed, &report));
+        native_lane(workspace, options, &passed, &report);
     });
-    let step = |name: &str, step: &dyn Fn(&Workspace) -> Result<()>| {
-        report.step(workspace, name, |workspace, _| step(workspace))
-    };
-    if let Some(built) = &built {
-        run_native(workspace, options, built, &passed, &report);
+    if is_cold {
+        report.keep(workspace)?;
     }
-    if options.has(Part::Wasm) {
-        report.step(workspace, wasm::TESTS, |workspace, _| wasm::run(workspace, &passed, &report));
-    }
-    if options.has(Part::Size) && site {
-        step("size of the wasm", &size::check);
-    }
-    if options.has(Part::Page) && site {
-        run_page(workspace, options, &passed, &report);
+    if options.has(Part::Ledger) {
+        report.step(workspace, "ledger", |workspace, _| ledger::ledger(workspace, &LedgerOptions::default()));
     }
     report.finish()
 }
 
-/// The native lane. The compiled programs, if they are needed and could be compiled.
-fn compile(workspace: &Workspace, options: &TestOptions, report: &Report) -> Option<Built> {
-    let mut built = None;
+/// What is compiled natively, and its tests.
+fn native_lane(workspace: &Workspace, options: &TestOptions, passed: &Passed, report: &Report) {
     if options.has(Part::Lint) {
         lint::formatting(workspace, report);
-        lint::scripts(workspace, report);
-        lint::workflows(workspace, report);
     }
+    let mut built = None;
     if options.has(Part::Native) || options.has(Part::Outside) || options.has(Part::Fuzz) {
         report.step(workspace, "compiling natively", |workspace, _| {
             built = Some(native::build(workspace)?);
@@ -119,28 +111,31 @@ fn compile(workspace: &Workspace, options: &TestOptions, report: &Report) -> Opt
     if options.has(Part::Lint) {
         lint::native(workspace, report);
     }
-    built
+    if let Some(built) = &built {
+        run_native(workspace, options, built, passed, report);
+    }
 }
 
-/// The lane for wasm. Returns whether the page is built.
-fn compile_wasm(workspace: &Workspace, options: &TestOptions, report: &Report) -> bool {
+/// What is compiled for the browser, and its tests.
+fn browser_lane(workspace: &Workspace, options: &TestOptions, passed: &Passed, report: &Report) {
+    if options.has(Part::Lint) {
+        lint::scripts(workspace, report);
+        lint::workflows(workspace, report);
+    }
     let mut site = false;
-    if options.has(Part::Size) || options.has(Part::Page) {
+    if options.has(Part::Ledger) || options.has(Part::Page) {
         site = report.step(workspace, "building the page", |workspace, _| build::build(workspace, Kind::Shipped, None));
     }
     if options.has(Part::Page) {
+        report.step(workspace, "types of the page", |workspace, _| page::types(workspace));
         report.step(workspace, "compiling the npm package", |workspace, _| package::compile(workspace));
     }
+    if options.has(Part::Page) && site {
+        run_page(workspace, options, passed, report);
+    }
     if options.has(Part::Wasm) {
-        report.step(workspace, "compiling for the browser", |workspace, _| wasm::build(workspace).map(drop));
+        report.step(workspace, wasm::TESTS, |workspace, _| wasm::run(workspace, passed, report));
     }
-    if options.has(Part::Lint) {
-        lint::wasm(workspace, report);
-    }
-    if options.has(Part::Page) {
-        report.step(workspace, "types of the page", |workspace, _| page::types(workspace));
-    }
-    site
 }
 
 fn run_native(workspace: &Workspace, options: &TestOptions, built: &Built, passed: &Passed, report: &Report) {

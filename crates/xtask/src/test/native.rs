@@ -1,6 +1,7 @@
 //! The native tests: Cargo compiles them all at once, and groups of them run side by side, the longest first.
 
 use super::passed::{Passed, fingerprint, fingerprint_of};
+use crate::child;
 use crate::report::{Report, measure};
 use crate::workspace::{Workspace, output};
 use anyhow::{Context, Result, bail};
@@ -132,7 +133,7 @@ pub(super) fn run(
             scope.spawn(|| {
                 while let Some(group) = next() {
                     bar.set_message(group.name.clone());
-                    let (result, time) = group.run(cases);
+                    let (result, time) = group.run(workspace, cases);
                     report.time(&group.name, time);
                     bar.inc(1);
                     let noted = result.and_then(|()| passed.note(&group.name, &group.print, time.as_secs_f64()));
@@ -153,7 +154,7 @@ pub(super) fn run(
 
 impl Group {
     /// Runs the tests one after the other. The error contains what they print.
-    fn run(&self, cases: Option<&str>) -> (Result<()>, Duration) {
+    fn run(&self, workspace: &Workspace, cases: Option<&str>) -> (Result<()>, Duration) {
         let mut command = Command::new(&self.program);
         command.arg("--exact").args(&self.tests).current_dir(&self.folder);
         command.env("CARGO_MANIFEST_DIR", &self.folder).env("RUST_TEST_THREADS", "1");
@@ -163,7 +164,7 @@ impl Group {
             None => command.env("PROPTEST_RNG_SEED", "1"),
         };
         let start = Instant::now();
-        let result = output(&mut command).map(drop);
+        let result = child::output(&mut command, workspace.deadline, &workspace.spent).map(drop);
         (result, start.elapsed())
     }
 }
