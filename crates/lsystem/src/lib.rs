@@ -39,13 +39,18 @@
 
 // All items, by phase.
 pub use lsystem_base as base;
+#[cfg(feature = "course")]
 pub use lsystem_course as course;
 pub use lsystem_derive as derive;
 pub use lsystem_drawing as drawing;
 pub use lsystem_files as files;
+#[cfg(feature = "film")]
 pub use lsystem_film as film;
+#[cfg(feature = "find")]
 pub use lsystem_find as find;
+#[cfg(feature = "import")]
 pub use lsystem_import as import;
+#[cfg(feature = "invent")]
 pub use lsystem_invent as invent;
 pub use lsystem_plot as plot;
 pub use lsystem_render as render;

@@ -5,10 +5,9 @@
 //!   SITE, and completes links to exercises in `course.html` there.
 //! - `site words ROOT SITE` writes the catalogues of the languages into SITE, without the texts that the pages there
 //!   do not show. All other files must be in SITE.
-//! - `site documents ROOT SITE [LANGUAGE]` writes the pages of `docs/`, in English or in a language of `www/lang`. All other pages must be in SITE, because documents link to
-//!   them.
-//! - `site landing ROOT SITE ADDRESS [LANGUAGE]` writes the pages of the gallery for a site with this address, first those
-//!   in English.
+//! - `site documents ROOT SITE` writes the pages of `docs/`, in English and in the languages of `www/lang`. All other
+//!   pages must be in SITE, because documents link to them.
+//! - `site landing ROOT SITE ADDRESS` writes the pages of the gallery in all languages, for a site with this address.
 
 mod docs;
 mod exercises;
@@ -27,31 +26,32 @@ fn main() -> Result<()> {
     match words.as_slice() {
         [what, root, site] if what == Path::new("systems") => systems(root, site),
         [what, root, site] if what == Path::new("words") => catalogues(root, site),
-        [what, root, site] if what == Path::new("documents") => documents(root, site, None),
-        [what, root, site, language] if what == Path::new("documents") => {
-            let folder = root.join("www/lang").join(language);
-            words::choose(&folder)?;
-            documents(root, site, Some(&folder.join("docs")))
+        [what, root, site] if what == Path::new("documents") => {
+            let (docs, template) = (&root.join("docs"), &root.join("www/docs/page.html"));
+            in_all_languages(root, |told| docs::write_pages(&docs::Folders { docs, told, template, site }))
         }
-        [what, root, site, address, language @ ..] if what == Path::new("landing") => {
+        [what, root, site, address] if what == Path::new("landing") => {
             let address = address.to_str().context("an address that is not UTF-8")?;
-            let folder = &root.join("www/lang");
-            if let Some(language) = language.first() {
-                words::choose(&folder.join(language))?;
-            }
-            let languages = &lsystem_catalogue::languages(folder)?;
-            println!("{}", landing::write(&landing::Sources { root, site, address, languages })?);
-            Ok(())
+            let languages = &lsystem_catalogue::languages(&root.join("www/lang"))?;
+            in_all_languages(root, |_| {
+                println!("{}", landing::write(&landing::Sources { root, site, address, languages })?);
+                Ok(())
+            })
         }
         _ => bail!(
-            "usage: site systems ROOT SITE, site words ROOT SITE, site documents ROOT SITE [LANGUAGE], or site landing ROOT SITE ADDRESS [LANGUAGE]"
+            "usage: site systems ROOT SITE, site words ROOT SITE, site documents ROOT SITE, or site landing ROOT SITE ADDRESS"
         ),
     }
 }
 
-fn documents(root: &Path, site: &Path, told: Option<&Path>) -> Result<()> {
-    let (docs, template) = (&root.join("docs"), &root.join("www/docs/page.html"));
-    docs::write_pages(&docs::Folders { docs, told, template, site })
+/// Makes pages in English, then in each language of `www/lang`, with the folder of its documents.
+fn in_all_languages(root: &Path, make: impl Fn(Option<&Path>) -> Result<()>) -> Result<()> {
+    make(None)?;
+    let folder = root.join("www/lang");
+    lsystem_catalogue::languages(&folder)?.iter().try_for_each(|language| {
+        words::choose(&folder.join(language))?;
+        make(Some(&folder.join(language).join("docs")))
+    })
 }
 
 fn catalogues(root: &Path, site: &Path) -> Result<()> {

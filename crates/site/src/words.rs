@@ -1,28 +1,34 @@
 //! The language of the pages.
 
-use anyhow::Result;
+use anyhow::{Result, anyhow};
 use fs_err as fs;
 use lsystem_catalogue::Catalogue;
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::RwLock;
 
-/// The language, if it is not English.
-static CATALOGUE: OnceLock<Catalogue> = OnceLock::new();
+/// The language of the pages that are being made, if it is not English.
+static CATALOGUE: RwLock<Option<&'static Catalogue>> = RwLock::new(None);
 
-/// Chooses the language of all pages, a folder of `www/lang`.
+fn catalogue() -> Option<&'static Catalogue> {
+    CATALOGUE.read().map_or(None, |own| *own)
+}
+
+/// Chooses the language of all pages that follow, a folder of `www/lang`.
 pub(crate) fn choose(folder: &Path) -> Result<()> {
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
-    let _ = CATALOGUE.set(Catalogue::new(&name, &fs::read_to_string(folder.join("words.json"))?)?);
-    lsystem_base::words::set_reader(|text, number| CATALOGUE.get()?.find(text, number));
+    // Few, and each until the end of the program.
+    let own = Box::leak(Box::new(Catalogue::new(&name, &fs::read_to_string(folder.join("words.json"))?)?));
+    *CATALOGUE.write().map_err(|_| anyhow!("a thread has panicked"))? = Some(own);
+    lsystem_base::words::set_reader(|text, number| catalogue()?.find(text, number));
     Ok(())
 }
 
 /// The language's code, as in `lang` of HTML.
 pub(crate) fn language() -> &'static str {
-    CATALOGUE.get().map_or("en", Catalogue::code)
+    catalogue().map_or("en", Catalogue::code)
 }
 
 /// What the names of pages have before `.html`: nothing in English, else a point and the language.
 pub(crate) fn ending() -> String {
-    CATALOGUE.get().map_or_else(String::new, |own| format!(".{}", own.code()))
+    catalogue().map_or_else(String::new, |own| format!(".{}", own.code()))
 }

@@ -64,27 +64,59 @@ pub(crate) fn build(workspace: &Workspace, kind: Kind, address: Option<&Address>
     bundle(workspace, kind, address)
 }
 
-/// Builds the site from the compiled core, and replaces its folder as a whole, so that readers find either the old site
-/// or the new one.
-pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address>) -> Result<()> {
+/// The page and its engine alone, as a draft: what a reader needs until all else has been built.
+pub(crate) fn first(workspace: &Workspace) -> Result<()> {
+    wasms::compile_first(workspace, Kind::Draft)?;
+    in_new_folder(workspace, Kind::Draft, |site| {
+        let (www, esbuild) = (workspace.www(), Esbuild::of(&workspace.www())?);
+        page(&www, site)?;
+        scripts(&esbuild, site)?;
+        for words in files::list(&www.join("lang"), |path| path.extension().is_none() || path.ends_with("words.json"))?
+        {
+            files::write(&site.join(words.strip_prefix(&www)?), fs::read(&words)?)?;
+        }
+        wasms::write_first(workspace, Kind::Draft, &esbuild, site)?;
+        joined::join(site, "index.html", &esbuild).map(drop)
+    })
+}
+
+/// Makes a site in a new folder, and replaces the old one as a whole, so that readers find either the old site or the new
+/// one.
+fn in_new_folder(workspace: &Workspace, kind: Kind, make: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     let place = kind.folder(workspace);
     let parent = place.parent().context("a folder without a parent")?;
     let new = tempfile::Builder::new().prefix(".dist-").tempdir_in(parent)?;
-    let (www, site) = (workspace.www(), new.path().join("site"));
+    let site = new.path().join("site");
+    make(&site)?;
+    replace(&site, &place, &new.path().join("old"))
+}
+
+fn scripts(esbuild: &Esbuild, site: &Path) -> Result<()> {
+    SCRIPTS.iter().try_for_each(|name| files::write(&site.join(name), esbuild.script(name)?))
+}
+
+/// Builds the site from the compiled core.
+pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address>) -> Result<()> {
+    in_new_folder(workspace, kind, |site| fill(workspace, kind, address, site))
+}
+
+/// Makes all files of the site.
+fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Path) -> Result<()> {
+    let www = workspace.www();
     let esbuild = Esbuild::of(&www)?;
-    page(&www, &site)?;
+    page(&www, site)?;
     let folder = workspace.target.join(if kind == Kind::Draft { "draft" } else { "debug" });
     let core = folder.join("site").with_extension(std::env::consts::EXE_EXTENSION);
-    let make = |what| workspace.run(Command::new(&core).arg(what).arg(&workspace.root).arg(&site));
+    let make = |what| workspace.run(Command::new(&core).arg(what).arg(&workspace.root).arg(site));
     thread::scope(|scope| {
         let scripts = scope.spawn(|| {
-            SCRIPTS.iter().try_for_each(|name| files::write(&site.join(name), esbuild.script(name)?))?;
+            scripts(&esbuild, site)?;
             make("systems")
         });
-        wasms::write(workspace, kind, &esbuild, &site)?;
+        wasms::write(workspace, kind, &esbuild, site)?;
         joined(scripts)
     })?;
-    files::write(&site.join(steps_page::NAME), steps_page::make(&site, "course.html")?)?;
+    files::write(&site.join(steps_page::NAME), steps_page::make(site, "course.html")?)?;
     let (index, embed) = ("index.html", site.join("embed.html"));
     let whole = fs::read_to_string(site.join(index))?;
     let exercise = site.join("exercise.html");
@@ -100,7 +132,7 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address
     let all = [of("lsystem"), of("tools"), vec!["gallery.json".to_owned(), "exercises.json".to_owned()]].concat();
     let marking = [of("lsystem"), of("course"), vec!["exercises.json".to_owned()]].concat();
     let (drawing, playing) = (of("lsystem"), of("film"));
-    let maker = &one_file::Maker { site: &site, bundler: &esbuild };
+    let maker = &one_file::Maker { site, bundler: &esbuild };
     let single = [
         (index, "playground.html", all, Alone::Always),
         ("embed.html", "embed.html", drawing, Alone::Elsewhere),
@@ -117,35 +149,24 @@ pub(crate) fn bundle(workspace: &Workspace, kind: Kind, address: Option<&Address
     })?;
     // Nobody fetches what the page of films carries.
     playing.iter().try_for_each(|name| fs::remove_file(site.join(name)))?;
-    stable::write(&site)?;
+    stable::write(site)?;
     make("documents")?;
-    let languages = lsystem_catalogue::languages(&www.join("lang"))?;
-    for language in &languages {
-        let [what, language] = ["documents", language];
-        workspace.run(Command::new(&core).arg(what).arg(&workspace.root).arg(&site).arg(language))?;
-    }
     let documents = site.join("docs");
     if let Some(address) = address {
-        let landing = || {
-            let mut command = Command::new(&core);
-            command.arg("landing").arg(&workspace.root).arg(&site).arg(address.as_str());
-            command
-        };
-        workspace.run(&mut landing())?;
-        languages.iter().try_for_each(|language| workspace.run(landing().arg(language)))?;
-        address.name(&site)?;
+        let landing = ["landing".as_ref(), workspace.root.as_os_str(), site.as_os_str(), address.as_str().as_ref()];
+        workspace.run(Command::new(&core).args(landing))?;
+        address.name(site)?;
     }
     [&documents, &site.join("gallery")].into_iter().try_for_each(|folder| {
         let pages = files::list(folder, |path| path.extension().is_some_and(|ending| ending == "html"))?;
         pages.iter().try_for_each(|file| include_index(file))
     })?;
     files::write(&documents.join("docs.css"), esbuild.styles(&DOCUMENT_STYLES.map(str::to_owned))?)?;
-    let scripts = joined::join(&site, index, &esbuild)?;
+    let scripts = joined::join(site, index, &esbuild)?;
     make("words")?;
     let carried = notices::notices(workspace, &wasms::PACKAGES, tools::WASM_TARGET, true)?;
     files::write(&site.join(notices::FILE), carried)?;
-    offline::list_files(&site, &scripts)?;
-    replace(&site, &place, &new.path().join("old"))
+    offline::list_files(site, &scripts)
 }
 
 /// The result of a thread.

@@ -2,7 +2,7 @@
 
 use crate::build::{self, Kind};
 use crate::files;
-use crate::server::{Server, Version};
+use crate::server::{Gate, Server, Version};
 use crate::workspace::Workspace;
 use anyhow::{Context, Result};
 use std::net::TcpListener;
@@ -23,23 +23,33 @@ pub(crate) struct ServeOptions {
     watch: bool,
 }
 
-/// Serves until the program is stopped.
+/// Serves until the program is stopped. What takes longer to build than the page and its engine is built while the page is
+/// served already: requests for other files wait for it.
 pub(crate) fn serve(workspace: &Workspace, options: &ServeOptions) -> Result<()> {
     let before = Times::now(workspace)?;
-    build::build(workspace, Kind::Draft, None)?;
+    build::first(workspace)?;
     let listener = listen(options.port)?;
     println!("http://{}/", listener.local_addr()?);
-    let server =
-        Server { folder: Kind::Draft.folder(workspace), mount: "/", version: options.watch.then(Version::default) };
-    if let Some(version) = &server.version {
-        thread::scope(|scope| {
-            scope.spawn(|| server.run(&listener));
-            watch(workspace, version, before)
-        })
-    } else {
-        server.run(&listener);
-        Ok(())
-    }
+    let server = Server {
+        folder: Kind::Draft.folder(workspace),
+        mount: "/",
+        version: options.watch.then(Version::default),
+        whole: Gate::default(),
+    };
+    thread::scope(|scope| {
+        scope.spawn(|| server.run(&listener));
+        let start = Instant::now();
+        let built = build::build(workspace, Kind::Draft, None);
+        server.whole.open();
+        match built {
+            Ok(()) => println!("tools, gallery and documents: {:.0} s later", start.elapsed().as_secs_f64()),
+            Err(error) => eprintln!("error: {error:#}"),
+        }
+        match &server.version {
+            Some(version) => watch(workspace, version, before),
+            None => Ok(()),
+        }
+    })
 }
 
 /// Builds after each change, without end. A build that fails is told, and the last page stays.

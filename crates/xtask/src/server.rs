@@ -21,6 +21,31 @@ pub(crate) struct Server {
     pub(crate) mount: &'static str,
     /// Counts the builds, if browsers shall reload after each.
     pub(crate) version: Option<Version>,
+    /// Open when all files are there. Until then, requests for missing files wait.
+    pub(crate) whole: Gate,
+}
+
+/// What is closed at first, and opened once.
+#[derive(Default)]
+pub(crate) struct Gate {
+    is_open: Mutex<bool>,
+    opened: Condvar,
+}
+
+impl Gate {
+    pub(crate) fn opened() -> Self {
+        Self { is_open: Mutex::new(true), opened: Condvar::new() }
+    }
+
+    pub(crate) fn open(&self) {
+        *self.is_open.lock().unwrap_or_else(PoisonError::into_inner) = true;
+        self.opened.notify_all();
+    }
+
+    fn wait(&self) {
+        let is_open = self.is_open.lock().unwrap_or_else(PoisonError::into_inner);
+        drop(self.opened.wait_while(is_open, |is_open| !*is_open));
+    }
 }
 
 /// The number of a build, for which browsers wait.
@@ -104,6 +129,9 @@ impl Server {
         let Some(mut file) = below.and_then(|path| locate(&self.folder, path)) else {
             return plain("404 Not Found", "");
         };
+        if !file.exists() {
+            self.whole.wait();
+        }
         if file.is_dir() {
             if !path.ends_with('/') {
                 // The address of a folder must end in `/`, because relative addresses in the page start from there.
@@ -165,7 +193,7 @@ mod tests {
         crate::files::write(&site.join("lsystem.wasm"), b"\0asm").unwrap();
         crate::files::write(&site.join("a b/ä.txt"), "far").unwrap();
         let (method, target) = request.split_once(' ').unwrap();
-        let server = Server { folder: site, mount: "/sub/path/", version: None };
+        let server = Server { folder: site, mount: "/sub/path/", version: None, whole: Gate::opened() };
         let (head, body) = server.respond(method, target);
         let answer = format!("{head}{}", String::from_utf8(body).unwrap());
         assert!(head.starts_with(&format!("HTTP/1.1 {status}")), "{request}: {head}");
@@ -206,7 +234,7 @@ mod tests {
         let listener = TcpListener::bind("127.0.0.1:0")?;
         let address = listener.local_addr()?;
         // The thread serves until the test process ends.
-        let server = Server { folder: folder.path().to_owned(), mount: "/", version: None };
+        let server = Server { folder: folder.path().to_owned(), mount: "/", version: None, whole: Gate::opened() };
         thread::spawn(move || server.run(&listener));
         for _ in 0..3 {
             let mut stream = TcpStream::connect(address)?;
@@ -219,11 +247,30 @@ mod tests {
     }
 
     #[test]
+    fn files_that_are_still_being_made_are_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("gallery.json");
+        let server = Server { folder: folder.path().to_owned(), mount: "/", version: None, whole: Gate::default() };
+        thread::scope(|scope| {
+            let waiting = scope.spawn(|| [server.respond("GET", "/gallery.json"), server.respond("GET", "/none")]);
+            fs::write(&file, "[]").unwrap();
+            server.whole.open();
+            let [found, missing] = waiting.join().unwrap();
+            assert!(found.1 == b"[]" && missing.0.starts_with("HTTP/1.1 404"));
+        });
+    }
+
+    #[test]
     fn pages_reload_after_the_next_build() {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("index.html"), "<head></head>").unwrap();
         fs::write(folder.path().join("service-worker.js"), "keep()").unwrap();
-        let server = Server { folder: folder.path().to_owned(), mount: "/", version: Some(Version::default()) };
+        let server = Server {
+            folder: folder.path().to_owned(),
+            mount: "/",
+            version: Some(Version::default()),
+            whole: Gate::opened(),
+        };
         let text = |target| String::from_utf8(server.respond("GET", target).1).unwrap();
         assert_eq!(text("/"), format!("<head>{RELOADING}</head>"));
         assert_eq!(text("/service-worker.js"), FORGETTING);

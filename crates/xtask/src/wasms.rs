@@ -25,7 +25,7 @@ pub(crate) struct Wasm {
 
 const TOOLS: &str = "lsystem-tools-wasm";
 
-/// All wasms: the core, the tools that few visits need, and the tools that pages in single files carry.
+/// All wasms: first the core, then the tools that few visits need, and the tools that pages in single files carry.
 pub(crate) const WASMS: [Wasm; 4] = [
     Wasm { package: "lsystem-wasm", feature: None, name: "lsystem", script: "worker.js", worker: "worker/worker.js" },
     Wasm { package: TOOLS, feature: None, name: "tools", script: "tools.js", worker: "worker/tools.js" },
@@ -50,6 +50,24 @@ impl Wasm {
         files::write(&site.join(self.script), esbuild.minified("glue.js", &glue)? + &esbuild.script(self.worker)?)
     }
 
+    fn compile(&self, workspace: &Workspace, kind: Kind) -> Result<()> {
+        tools::wasm_target()?;
+        compile_one(workspace, kind, self.package, self.feature)?;
+        let [written, kept] = self.compiled(workspace, kind);
+        fs::copy(written, kept)?;
+        Ok(())
+    }
+
+    /// Generates its JavaScript, and puts the wasm and its worker into the folder of the site.
+    fn generate(&self, workspace: &Workspace, kind: Kind, esbuild: &Esbuild, site: &Path) -> Result<()> {
+        let generated = generated(workspace);
+        let [_, file] = self.compiled(workspace, kind);
+        // Reading a wasm and writing it anew takes a second, so it is done only after a change.
+        let made_of = generated.join(format!("{}.made-of", self.name));
+        files::once(&file, &made_of, || bindgen::generate(&file, &generated, self.name))?;
+        self.write(esbuild, &generated, site)
+    }
+
     /// Where Cargo puts the compiled crate, and where it is kept, because with its next features it is put there, too.
     fn compiled(&self, workspace: &Workspace, kind: Kind) -> [PathBuf; 2] {
         let folder = workspace.target.join(tools::WASM_TARGET).join(profile(kind));
@@ -59,13 +77,12 @@ impl Wasm {
 
 /// Compiles the boundary crates, as wasms alone: Cargo does not optimise across crates what is a Rust library, too.
 pub(crate) fn compile(workspace: &Workspace, kind: Kind) -> Result<()> {
-    tools::wasm_target()?;
-    for wasm in &WASMS {
-        compile_one(workspace, kind, wasm.package, wasm.feature)?;
-        let [written, kept] = wasm.compiled(workspace, kind);
-        fs::copy(written, kept)?;
-    }
-    Ok(())
+    WASMS.iter().try_for_each(|wasm| wasm.compile(workspace, kind))
+}
+
+/// Compiles the core's boundary alone.
+pub(crate) fn compile_first(workspace: &Workspace, kind: Kind) -> Result<()> {
+    WASMS[0].compile(workspace, kind)
 }
 
 /// Compiles a boundary crate, with one feature or with all.
@@ -100,12 +117,10 @@ pub(crate) fn generated(workspace: &Workspace) -> PathBuf {
 
 /// Generates the JavaScript of the compiled crates, and puts wasms and workers into the folder of the site.
 pub(crate) fn write(workspace: &Workspace, kind: Kind, esbuild: &Esbuild, site: &Path) -> Result<()> {
-    let generated = generated(workspace);
-    WASMS.iter().try_for_each(|wasm| {
-        let [_, file] = wasm.compiled(workspace, kind);
-        // Reading a wasm and writing it anew takes a second, so it is done only after a change.
-        let made_of = generated.join(format!("{}.made-of", wasm.name));
-        files::once(&file, &made_of, || bindgen::generate(&file, &generated, wasm.name))?;
-        wasm.write(esbuild, &generated, site)
-    })
+    WASMS.iter().try_for_each(|wasm| wasm.generate(workspace, kind, esbuild, site))
+}
+
+/// As [`write()`], the core's boundary alone.
+pub(crate) fn write_first(workspace: &Workspace, kind: Kind, esbuild: &Esbuild, site: &Path) -> Result<()> {
+    WASMS[0].generate(workspace, kind, esbuild, site)
 }
