@@ -1,6 +1,6 @@
 //! Films, as `lsys animate` writes them.
 
-mod program;
+use crate::program;
 
 use program::output;
 use std::fs;

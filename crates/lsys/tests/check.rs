@@ -1,6 +1,6 @@
 //! Output of students' programs, as `lsys check` compares it.
 
-mod program;
+use crate::program;
 
 use expect_test::{Expect, expect};
 use program::command;

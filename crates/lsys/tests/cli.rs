@@ -1,6 +1,6 @@
 //! The program as a user runs it.
 
-mod program;
+use crate::program;
 
 use expect_test::{Expect, expect};
 use program::{command, output, root};

@@ -1,6 +1,6 @@
 //! Exhibitions, as `lsys exhibit` writes them.
 
-mod program;
+use crate::program;
 
 use program::{command, printed};
 

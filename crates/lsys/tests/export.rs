@@ -1,6 +1,6 @@
 //! Systems in the notations of other programs, as a user of `lsys` writes and reads them.
 
-mod program;
+use crate::program;
 
 use expect_test::{Expect, expect};
 use program::{command, outputs};

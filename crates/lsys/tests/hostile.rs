@@ -1,6 +1,6 @@
 //! The program with malicious files, and with outputs that cannot be written.
 
-mod program;
+use crate::program;
 
 use program::{command, output, root};
 use std::fs::{self, File};

@@ -1,6 +1,6 @@
 //! Files of other programs, as a user of `lsys` reads and converts them.
 
-mod program;
+use crate::program;
 
 use expect_test::expect;
 use program::{command, outputs};

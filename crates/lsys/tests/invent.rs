@@ -1,6 +1,6 @@
 //! New systems, as a user of `lsys` makes them.
 
-mod program;
+use crate::program;
 
 use lsystem::read_json;
 use program::output;

@@ -1,6 +1,6 @@
 //! The language of messages and help.
 
-mod program;
+use crate::program;
 
 use expect_test::expect_file;
 use program::root;

@@ -1,6 +1,6 @@
 //! Answers to an exercise, as `lsys mark` marks them.
 
-mod program;
+use crate::program;
 
 use expect_test::{Expect, expect};
 use lsystem::Definition;

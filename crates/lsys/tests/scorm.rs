@@ -1,6 +1,6 @@
 //! Packages for learning systems, as `lsys scorm` writes them.
 
-mod program;
+use crate::program;
 
 use flate2::read::DeflateDecoder;
 use lsystem::Definition;

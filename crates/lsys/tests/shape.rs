@@ -1,6 +1,6 @@
 //! Outlines and meshes as shapes, as a user of `lsys` makes them.
 
-mod program;
+use crate::program;
 
 use program::{command, outputs};
 

@@ -1,6 +1,6 @@
 //! Pyramids of tiles, made by one process and by several.
 
-mod program;
+use crate::program;
 
 use program::{command, root};
 use std::collections::BTreeMap;

@@ -1,6 +1,6 @@
 //! Exercises: what students see, how answers are marked, and hints.
 
-mod naive;
+use crate::naive;
 
 use lsystem_course::{Asks, Exercise, First, Given, Grade, Marker};
 use lsystem_syntax::{Definition, Dialect};

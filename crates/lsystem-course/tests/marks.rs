@@ -1,8 +1,7 @@
 //! Marks compared with brute force: every one-symbol edit of ten systems, and other rules with the same picture. Hints
 //! compared with the edits that caused them.
 
-mod hints;
-mod naive;
+use crate::naive;
 
 use lsystem_base::Limits;
 use naive::is_same;
