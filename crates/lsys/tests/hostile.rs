@@ -6,7 +6,7 @@ use program::{command, output, root};
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use tempfile::TempDir;
 
 /// Runs `script` in a shell; `$lsys` is the program.
@@ -22,6 +22,10 @@ fn shell(script: &str) -> Output {
         .stdin(Stdio::null());
     command.output().expect("a shell")
 }
+
+/// The signals that end the program, by name and number.
+#[cfg(unix)]
+const SIGNALS: [(&str, i32); 4] = [("HUP", 1), ("INT", 2), ("QUIT", 3), ("TERM", 15)];
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
@@ -173,28 +177,47 @@ fn files_over_the_limit_of_the_shell_leave_nothing() {
     assert_eq!(output.status.code(), Some(1));
 }
 
+/// Starts `lsys` with the default signals. Those that this test run ignores, as under `nohup`, are caught here: the
+/// program that is started ignores only what its parent ignores.
 #[cfg(unix)]
-#[test]
-fn signals_leave_nothing() {
-    use std::os::unix::process::ExitStatusExt;
-    // The program also ignores a signal that this test run was started to ignore, as by `nohup`.
+fn start(folder: &Path, line: &str) -> Child {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).map_or("0", str::trim);
     let ignored = u64::from_str_radix(mask, 16).expect("a mask of signals");
-    let all = [("HUP", 1), ("INT", 2), ("QUIT", 3), ("TERM", 15)];
-    for (name, number) in all.into_iter().filter(|(_, number)| ignored >> (number - 1) & 1 == 0) {
+    for (_, signal) in SIGNALS.into_iter().filter(|(_, signal)| ignored >> (signal - 1) & 1 == 1) {
+        signal_hook::flag::register(signal, std::sync::Arc::default()).expect("a signal that can be caught");
+    }
+    command(folder, line.split(' ')).stderr(Stdio::null()).spawn().expect("lsys starts")
+}
+
+/// Waits until something has been written by a program, which must still run then.
+#[cfg(unix)]
+fn wait_for(child: &mut Child, is_written: impl Fn() -> bool) {
+    while !is_written() {
+        assert_eq!(child.try_wait().expect("a state"), None, "the program has ended");
+        std::thread::yield_now();
+    }
+}
+
+/// Ends a program by a signal. Returns the signal of its exit status, which lets a shell stop its loop.
+#[cfg(unix)]
+fn end(mut child: Child, name: &str) -> Option<i32> {
+    use std::os::unix::process::ExitStatusExt;
+    let kill = Command::new("kill").args(["-s", name, &child.id().to_string()]).status().expect("kill");
+    assert!(kill.success());
+    child.wait().expect("ends").signal()
+}
+
+#[cfg(unix)]
+#[test]
+fn signals_leave_nothing() {
+    for (name, number) in SIGNALS {
         let folder = tempfile::tempdir().expect("a folder");
         let base = folder.path().join("koch").display().to_string();
         // The string is written quickly; the picture takes long.
-        let line = format!("draw data_in/curves/koch-snowflake.json {base} -n 9");
-        let mut child = command(root(), line.split(' ')).stderr(Stdio::null()).spawn().expect("lsys starts");
-        while names(folder.path()).is_empty() {
-            std::thread::yield_now();
-        }
-        let kill = Command::new("kill").args(["-s", name, &child.id().to_string()]).status().expect("kill");
-        assert!(kill.success());
-        // The exit status names the signal, so that a shell can stop its loop.
-        assert_eq!(child.wait().expect("ends").signal(), Some(number), "{name}");
+        let mut child = start(&root(), &format!("draw data_in/curves/koch-snowflake.json {base} -n 9"));
+        wait_for(&mut child, || !names(folder.path()).is_empty());
+        assert_eq!(end(child, name), Some(number), "{name}");
         assert_eq!(names(folder.path()), [""; 0], "{name}");
     }
 }
@@ -202,17 +225,12 @@ fn signals_leave_nothing() {
 #[cfg(unix)]
 #[test]
 fn a_signal_leaves_only_whole_files_of_many() {
-    use std::os::unix::process::ExitStatusExt;
     let folder = tempfile::tempdir().expect("a folder");
     let base = folder.path().display();
     let line = format!("draw data_in/curves/koch-snowflake.json data_in/abop/1.27.json --out-dir {base} -n 9");
-    let mut child = command(root(), line.split(' ')).stderr(Stdio::null()).spawn().expect("lsys starts");
-    while names(folder.path()).is_empty() {
-        std::thread::yield_now();
-    }
-    let kill = Command::new("kill").args(["-s", "TERM", &child.id().to_string()]).status().expect("kill");
-    assert!(kill.success());
-    assert_eq!(child.wait().expect("ends").signal(), Some(15));
+    let mut child = start(&root(), &line);
+    wait_for(&mut child, || !names(folder.path()).is_empty());
+    assert_eq!(end(child, "TERM"), Some(15));
     assert!(!names(folder.path()).iter().any(|name| name.ends_with(".tmp")), "{:?}", names(folder.path()));
 }
 
@@ -385,16 +403,11 @@ fn a_full_disk_leaves_every_output_as_it_was() {
 #[cfg(unix)]
 #[test]
 fn signals_leave_nothing_of_ours_in_a_pyramid() {
-    use std::os::unix::process::ExitStatusExt;
-    for (name, number) in [("HUP", 1), ("INT", 2), ("TERM", 15)] {
+    for (name, number) in SIGNALS {
         let folder = desk();
-        let mut command = command(folder.path(), "tiles a.json p --levels 0..20 -n 9".split(' '));
-        let mut child = command.stderr(Stdio::null()).spawn().expect("lsys starts");
-        while !folder.path().join("p/tiles_files/9").exists() {
-            std::thread::yield_now();
-        }
-        Command::new("kill").args(["-s", name, &child.id().to_string()]).status().expect("kill");
-        assert_eq!(child.wait().expect("ends").signal(), Some(number), "{name}");
+        let mut child = start(folder.path(), "tiles a.json p --levels 0..20 -n 9");
+        wait_for(&mut child, || folder.path().join("p/tiles_files/9").exists());
+        assert_eq!(end(child, name), Some(number), "{name}");
         let mut left = names(&folder.path().join("p"));
         left.sort();
         assert_eq!(left, ["index.html", "pyramid.json", "tiles.dzi", "tiles_files"], "{name}");
@@ -405,12 +418,9 @@ fn signals_leave_nothing_of_ours_in_a_pyramid() {
 #[test]
 fn what_a_killed_program_left_is_removed_by_the_next() {
     let folder = desk();
-    let mut command = command(folder.path(), "animate a.json --to a.gif -n 9".split(' '));
-    let mut child = command.stderr(Stdio::null()).spawn().expect("lsys starts");
+    let mut child = start(folder.path(), "animate a.json --to a.gif -n 9");
     let rest = || names(folder.path()).into_iter().find(|name| name.starts_with(".lsys-"));
-    while rest().is_none_or(|rest| names(&folder.path().join(rest)).len() < 2) {
-        std::thread::yield_now();
-    }
+    wait_for(&mut child, || rest().is_some_and(|rest| names(&folder.path().join(rest)).len() >= 2));
     // Beside a living program others leave its folder alone.
     assert_eq!(shell_in(&folder, "$lsys draw a.json a"), (Some(0), String::new()));
     assert!(rest().is_some());
