@@ -238,9 +238,9 @@ pub(crate) enum Verb {
         /// Letters that draw, for pictures
         #[arg(long, value_name = "LETTERS")]
         draws: Option<String>,
-        /// Seconds to search
-        #[arg(long, value_name = "S", default_value = "20")]
-        seconds: u32,
+        /// Seconds to search [default: counted work, equal on every machine]
+        #[arg(long, value_name = "S")]
+        seconds: Option<u32>,
         /// Print JSON
         #[arg(long)]
         json: bool,

@@ -16,9 +16,9 @@ use std::time::{Duration, Instant};
 
 /// The most symbols of all successors.
 const MOST: usize = 60;
-/// The symbols of work for each number of steps: some seconds.
-const WORK: usize = 60_000_000;
-/// The symbols of work between two looks at the clock.
+/// The symbols of work of all searches: 10 to 20 s on a laptop, as on the page.
+const WORK: usize = 1 << 28;
+/// The symbols of work before the first look at the clock, and between two.
 const PIECE: usize = 1 << 16;
 /// The steps that are tried where their number is not known.
 const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
@@ -54,7 +54,15 @@ pub(crate) struct Known {
     pub(crate) heading: Option<f64>,
     /// The letters that draw.
     pub(crate) draws: Option<String>,
-    pub(crate) seconds: u32,
+    /// The time of a search; without one, its work is counted.
+    pub(crate) seconds: Option<u32>,
+}
+
+impl Known {
+    /// The end of a search that begins now, by the clock.
+    fn end(&self) -> Option<Instant> {
+        self.seconds.map(|seconds| Instant::now() + Duration::from_secs(seconds.into()))
+    }
 }
 
 /// Finds rules that derive the string in a file, or the string itself, or that draw the picture or the segments
@@ -98,20 +106,27 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
         return Err(CommandFailure::Words(say!("a string with letters is expected, or --axiom")));
     }
     let steps = known.n.map_or(STEPS.to_vec(), |n| vec![n]);
-    let (begin, limit) = (Instant::now(), Duration::from_secs(known.seconds.into()));
-    let mut searches = (axioms.len() * steps.len()) as u32;
+    let (end, mut work, mut searches) = (known.end(), WORK, axioms.len() * steps.len());
     let (mut found, mut searched): (Vec<(&str, Found)>, Vec<String>) = (Vec::new(), Vec::new());
     for (axiom, &n) in axioms.iter().flat_map(|axiom| steps.iter().map(move |n| (axiom, n))) {
         let search = Search::new(axiom, text, n, &known.constants, MOST);
         let mut search = search.map_err(|why| CommandFailure::Words(said(why)))?;
-        // All searches that are left share the time that is left.
-        let end = begin.elapsed() + limit.saturating_sub(begin.elapsed()) / searches;
-        searches -= 1;
-        let mut left = WORK / axioms.len();
-        let is_open = |search: &Search| search.found().is_empty() && begin.elapsed() < end;
-        while left > 0 && is_open(&search) && search.step(PIECE) == Searched::More {
-            left = left.saturating_sub(PIECE);
+        // All searches that are left share the work and the time that are left.
+        let end = end.map(|end| {
+            let now = Instant::now();
+            now + end.saturating_duration_since(now) / searches as u32
+        });
+        let most = if end.is_some() { usize::MAX } else { work / searches };
+        let mut spent = PIECE;
+        while search.step(PIECE) == Searched::More
+            && search.found().is_empty()
+            && spent < most
+            && !end.is_some_and(is_over)
+        {
+            spent += PIECE;
         }
+        work = work.saturating_sub(spent);
+        searches -= 1;
         found.extend(search.found().iter().map(|found| (axiom.as_str(), found.clone())));
         let from = if axioms.len() > 1 { format!("{axiom}, ") } else { String::new() };
         searched.push(format!("{from}{}", searched_words(n, &search.searched())));
@@ -146,6 +161,11 @@ pub(crate) fn find(wanted: &str, known: &Known, json: bool) -> Result<(), Comman
         }
     })?;
     if found.is_empty() { Err(CommandFailure::Said) } else { Ok(()) }
+}
+
+/// Whether the time is over that a search may take.
+fn is_over(end: Instant) -> bool {
+    Instant::now() >= end
 }
 
 /// The letters of a string, each as an axiom.

@@ -98,7 +98,7 @@ fn rules_of_pictures_are_found() {
         let told: serde_json::Value = serde_json::from_slice(&told).expect("JSON");
         assert_eq!((code, told["candidates"][0]["rules"][0].as_str()), (Some(0), Some("F -> F[+F]F")), "{told}");
     }
-    let (code, told) = output(&["find", name, "--axiom", "F+F", "--angle", "90", "-n", "4", "--seconds", "1"]);
+    let (code, told) = output(&["find", name, "--axiom", "F+F", "--angle", "90", "-n", "4", "--seconds", "0"]);
     let told = String::from_utf8(told).expect("UTF-8");
     assert!(code == Some(1) && told.contains("Searched: angle 90°; n = 4: from F+F: one rule for F up to"), "{told}");
     std::fs::write(&file, &picture[..picture.len() / 2]).expect("a file");
@@ -132,15 +132,17 @@ fn pictures_have_bounds() {
 }
 
 #[test]
-fn no_time_finds_nothing() {
+fn without_time_a_part_is_searched() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("lines.csv");
-    std::fs::write(&file, "0,0,1,0\n1,0,1,1\n1,1,2,1\n").expect("a file");
-    for text in ["ABAABABA", file.to_str().expect("UTF-8")] {
-        let (code, told) = output(&["find", text, "--axiom", "F", "--seconds", "0"]);
-        let told = String::from_utf8(told).expect("UTF-8");
-        assert!(code == Some(1) && told.starts_with("Nothing found."), "{text}: {told}");
-    }
+    std::fs::write(&file, "0,0,1,0\n1,0,1,7\n1,7,3,2\n").expect("a file");
+    let (code, told) = output(&["find", file.to_str().expect("UTF-8"), "--axiom", "F", "--seconds", "0"]);
+    let told = String::from_utf8(told).expect("UTF-8");
+    assert!(code == Some(1) && told.contains("from F: one rule for F up to"), "{told}");
+    let (code, told) = output(&["find", "ABAABABA", "--axiom", "A", "-n", "4", "--seconds", "0"]);
+    assert!(code == Some(0) && told.starts_with(b"A -> AB\nB -> A\n"));
+    let (code, told) = output(&["find", "+", "--axiom", "F", "-n", "1", "--constants", "F", "--seconds", "0"]);
+    assert!(code == Some(1) && told.starts_with(b"Nothing found. Searched: n = 1: one rule"));
 }
 
 #[test]
@@ -214,7 +216,7 @@ fn pictures_of_all_formats_of_the_page_are_read_and_those_of_the_gallery_named()
     let bytes = encoded(&grey, image::ImageFormat::Jpeg);
     for end in [bytes.len() / 8, 4] {
         std::fs::write(&file, &bytes[..end]).expect("a file");
-        let (code, told) = output(&["find", name, "--axiom", "F--F--F", "--angle", "60", "-n", "3", "--seconds", "1"]);
+        let (code, told) = output(&["find", name, "--axiom", "F--F--F", "--angle", "60", "-n", "3", "--seconds", "0"]);
         let told = String::from_utf8(told).expect("UTF-8");
         assert!(code == Some(1) && !told.contains("The same picture"), "{told}");
     }

@@ -1,7 +1,7 @@
 //! The rules of a picture, searched with all cores.
 
 use super::pixels::grey;
-use super::{Known, MAX_LISTED, gallery};
+use super::{Known, MAX_LISTED, gallery, is_over};
 use crate::{CommandFailure, cores, print, say};
 use lsystem::base::counted;
 use lsystem::base::words;
@@ -10,7 +10,7 @@ use lsystem::find::{Drawn, FOUND, Finder, Photograph, Picture, Question, Searche
 use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// The systems that are tried in one step.
 const SHARE: u64 = 4096;
@@ -33,6 +33,8 @@ const OTHER: [&str; 11] = [
 /// The systems that all cores together have tried after the first round. Each further round tries as many systems as
 /// all rounds before it.
 const FIRST: u64 = 1 << 16;
+/// The systems after which a search without a time ends: 2 to 20 s with two cores.
+const MOST: u64 = 1 << 22;
 /// The rounds after the one in which a system that is the same was found, for shorter ones; and after the one in which
 /// a system that is nearly the same was found, for one that is the same.
 const AFTER_SAME: u32 = 1;
@@ -133,7 +135,7 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
     let parts = (0..cores).map(|part| Finder::new(&picture, &question, Share { index: part, count: cores }));
     let mut parts = parts.collect::<Result<Vec<_>, _>>().map_err(said)?;
     parts.iter_mut().for_each(|part| part.try_first(gallery::systems()));
-    search(&mut parts, Duration::from_secs(known.seconds.into()));
+    search(&mut parts, known.end());
     let (mut kept, searched) = merged(&parts.iter().collect::<Vec<_>>());
     let is_found = kept.first().is_some_and(|drawn| drawn.agreement >= FOUND);
     kept.truncate(MAX_LISTED);
@@ -193,10 +195,8 @@ fn find_rules(name: &str, picture: Picture, known: &Known, json: bool) -> Result
 }
 
 /// Searches until a system is found, and some rounds more for a better one. The finders have tried the same systems at
-/// the end of a round, so that the result depends on the machine only if the time runs out.
-fn search(finders: &mut [Finder], limit: Duration) {
-    let begin = Instant::now();
-    let is_over = move || begin.elapsed() >= limit;
+/// the end of a round, so that the result depends on the machine only if the reader's time runs out.
+fn search(finders: &mut [Finder], end: Option<Instant>) {
     let (mut until, mut rounds) = (FIRST, None);
     loop {
         let (is_more, workers) = (AtomicBool::new(false), finders.len());
@@ -204,10 +204,10 @@ fn search(finders: &mut [Finder], limit: Duration) {
         let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
         cores::side_by_side(workers, || {
             while let Some(finder) = next() {
-                is_more.fetch_or(go_on(finder, until, is_over), Ordering::Relaxed);
+                is_more.fetch_or(go_on(finder, until, end), Ordering::Relaxed);
             }
         });
-        if !is_more.into_inner() || rounds == Some(0) || is_over() {
+        if !is_more.into_inner() || rounds == Some(0) || end.map_or(until >= MOST, is_over) {
             return;
         }
         let granted = match () {
@@ -220,12 +220,17 @@ fn search(finders: &mut [Finder], limit: Duration) {
     }
 }
 
-/// Searches to the end of a round. Returns whether there is more to search.
-fn go_on(finder: &mut Finder, until: u64, is_over: impl Fn() -> bool) -> bool {
-    while finder.tried() < until && !is_over() {
-        if finder.step_until(SHARE, &is_over) == Searched::All {
+/// Searches to the end of a round, or to that of the time, but not before a family was begun. Returns whether there is
+/// more to search.
+fn go_on(finder: &mut Finder, until: u64, end: Option<Instant>) -> bool {
+    loop {
+        let is_begun = finder.tried() > 0;
+        let is_over = || end.is_some_and(is_over);
+        if finder.tried() >= until || is_begun && is_over() {
+            return true;
+        }
+        if finder.step_until(SHARE, &|| is_begun && is_over()) == Searched::All {
             return false;
         }
     }
-    true
 }
