@@ -8,13 +8,15 @@ use std::path::{Path, PathBuf};
 /// Compares the answers with what `lsys` tells. Returns what was found, in words.
 type Compare = Box<dyn Fn(&[Value]) -> Result<String>>;
 
+/// A check that is done: the output, the program that opens it, and the result in words.
+pub(crate) type Done = (String, &'static str, Result<String>);
+
 /// The checks so far. Python starts once for all questions, since its libraries take seconds to load.
 pub(crate) struct Asked<'a> {
     pub(crate) programs: &'a Programs,
     /// The output, the program that opens it, the numbers of its questions, and the comparison.
     checks: Vec<(String, &'static str, Vec<usize>, Compare)>,
-    /// Checks that are done: the output, the program, and the result.
-    done: Vec<(String, &'static str, Result<String>)>,
+    done: Vec<Done>,
     questions: Vec<Value>,
     /// glTF files, with the output's name and the comparison.
     gltf: Vec<(PathBuf, String, Compare)>,
@@ -54,8 +56,9 @@ impl<'a> Asked<'a> {
         self.done.push((output.into(), by, result));
     }
 
-    /// Asks all questions, and prints a line for each check. Returns the numbers of right and of wrong outputs.
-    pub(crate) fn finish(self) -> Result<(usize, usize)> {
+    /// Asks all questions, and prints a line for each check and each of `others`, which run meanwhile. Returns the numbers
+    /// of right and of wrong outputs.
+    pub(crate) fn finish(self, others: impl FnOnce() -> Result<Vec<Done>>) -> Result<(usize, usize)> {
         let answers = self.programs.look(&self.questions)?;
         let files: Vec<PathBuf> = self.gltf.iter().map(|check| check.0.clone()).collect();
         let reports = self.programs.validate_gltf(&files)?;
@@ -67,6 +70,7 @@ impl<'a> Asked<'a> {
         for ((_, output, compare), report) in self.gltf.into_iter().zip(reports) {
             done.push((output, "gltf-validator", compared(&[report], &compare)));
         }
+        done.extend(others()?);
         let mut wrong = 0;
         for (output, by, result) in &done {
             match result {

@@ -3,11 +3,12 @@
 //!
 //! - `outside check ROOT FOLDER LSYS` makes and checks the files. ROOT is the repository, FOLDER is for files and for
 //!   Python's libraries, and LSYS is the program.
+//! - `outside wheel ROOT FOLDER LSYS` does the same, and compiles the Python package for a wheel, which is installed.
 //! - `outside plots ROOT FOLDER LSYS` prints plots of `lsys` beside those of vpype.
 //!
 //! `lsys` makes files of a few systems ([`made`]). The checks ask programs for figures of these files and compare them
 //! ([`plane`], [`paper`], [`space`], [`film`], [`data`]). The Python package is
-//! built, installed and tested ([`python`]). Node.js and Python libraries are installed
+//! tested beside them ([`python`]). Node.js and Python libraries are installed
 //! ([`programs`]); a program of the system that is missing is named as not checked.
 
 mod asked;
@@ -28,6 +29,7 @@ use made::Made;
 use programs::Programs;
 use std::path::PathBuf;
 use std::process::Command;
+use std::thread;
 
 /// What to do, and where.
 #[derive(Parser)]
@@ -44,6 +46,8 @@ struct Options {
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum What {
     Check,
+    /// The same, with the Python package in a wheel.
+    Wheel,
     Plots,
 }
 
@@ -62,7 +66,7 @@ impl Options {
 fn main() -> Result<()> {
     let options = Options::parse();
     match options.what {
-        What::Check => check(&options),
+        What::Check | What::Wheel => check(&options),
         What::Plots => plots::compare(&options),
     }
 }
@@ -72,13 +76,15 @@ fn check(options: &Options) -> Result<()> {
     let programs = Programs::get(options)?;
     let made = Made::new(options)?;
     let mut asked = Asked::new(&programs);
-    plane::ask(&made, &mut asked)?;
-    paper::ask(&made, &mut asked)?;
-    space::ask(&made, &mut asked)?;
-    film::ask(&made, &mut asked)?;
-    data::ask(&made, &mut asked)?;
-    python::ask(options, &mut asked)?;
-    let (right, wrong) = asked.finish()?;
+    let (right, wrong) = thread::scope(|scope| -> Result<_> {
+        let package = scope.spawn(|| python::check(options, programs.python()));
+        plane::ask(&made, &mut asked)?;
+        paper::ask(&made, &mut asked)?;
+        space::ask(&made, &mut asked)?;
+        film::ask(&made, &mut asked)?;
+        data::ask(&made, &mut asked)?;
+        asked.finish(|| package.join().unwrap_or_else(|_| bail!("the tests of the package panicked")))
+    })?;
     programs.missing().iter().for_each(|line| println!("not checked: {line}"));
     println!("{right} outputs are read as `lsys` tells");
     if wrong > 0 {

@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use std::path::Path;
 use std::process::Command;
 
-/// Runs the program `outside`: `what` is `check` or `plots`. `lsys` makes the files.
+/// Runs the program `outside`: `what` is `check`, `wheel` or `plots`. `lsys` makes the files.
 pub(crate) fn run(workspace: &Workspace, program: &Path, what: &str, lsys: &Path) -> Result<()> {
     page::packages(&workspace.root.join("crates/outside"))
         .context("installing the glTF validator, which needs the npm registry")?;

@@ -159,10 +159,11 @@ fn run_native(workspace: &Workspace, options: &TestOptions, built: &Built, passe
         let name = "files opened with other programs";
         report.step(workspace, name, |workspace, _| {
             let (program, lsys) = (built.program("outside")?, built.program("lsys")?);
+            let what = if options.thorough { "wheel" } else { "check" };
             let beside = ["crates/outside", "crates/lsystem-python", "docs/books", "data_in"]
                 .map(|name| workspace.root.join(name));
             let print = fingerprint([program, lsys].into_iter().chain(beside.iter().map(PathBuf::as_path)))?;
-            passed.once(report, name, &print, || outside::run(workspace, program, "check", lsys))
+            passed.once(report, name, &print, || outside::run(workspace, program, what, lsys))
         });
     }
 }
