@@ -6,6 +6,8 @@ declare const FILES: Record<string, string>;
 declare const SIZES: Record<string, number>;
 /** The paths of the files that the first screen needs. */
 declare const FIRST: string[];
+/** The paths of the files that the page fetches after its first picture. */
+declare const SOON: string[];
 
 /** Files that an installed page is asked to open. */
 interface Window {

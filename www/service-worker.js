@@ -1,7 +1,7 @@
 /**
  * Keeps the page for use without a network. The build writes lines in front of this script: BUILD, the name of this
- * version; FILES, the SHA-256 of each file by path ('' is the page itself); SIZES, their bytes; and FIRST, the files that
- * the first screen needs.
+ * version; FILES, the SHA-256 of each file by path ('' is the page itself); SIZES, their bytes; FIRST, the files that
+ * the first screen needs; and SOON, those that the page fetches after it.
  *
  * The first screen is kept at the first visit, other files when they are first used or when the reader asks for all.
  * A new version also keeps what the old one had. The first screen of a version is kept completely or not at all, and a
@@ -76,7 +76,7 @@
                 (await caches.open(other).then((cache) => cache.keys())).map((request) => pathOf(request)),
             ),
         );
-        const wanted = new Set([...FIRST, ...had.flat().filter((path) => path !== null)]);
+        const wanted = new Set([...FIRST, ...SOON, ...had.flat().filter((path) => path !== null)]);
         try {
             await keep([...wanted], others);
         } catch (error) {

@@ -3,8 +3,9 @@
  * (crates/xtask/src/one_file.rs).
  */
 
-/** The compiled core, and the worker's script. */
+/** The compiled core: what most first pictures need, and the rest. And the worker's script. */
 export const WASM = 'lsystem.wasm';
+export const REST = 'lsystem-rest.wasm';
 export const WORKER = 'worker.js';
 
 /** @param {string} name */

@@ -82,8 +82,9 @@ export {};
 /** A new definition, in the frame of the former drawing if `still`; only the first `upto` segments are shown, or all if null. @typedef {{type: 'define', id: number, definition: Definition & {still?: boolean}, upto: bigint | null}} Define */
 /** A new view; `camera` is for drawings in space. @typedef {{type: 'view', id: number, view: View, camera: Camera | null, upto: bigint | null} & Canvas} ViewMessage */
 /**
- * From the page to a worker. `pong` answers `ping`; `mates` lists the ports of all current mates.
- * @typedef {Init | {type: 'ping'} | {type: 'mates', ports: MessagePort[]} | Define | ViewMessage | Question} ToWorker
+ * From the page to a worker. `rest`: the rest of the core, which a worker that has only the first part calls by
+ * stopping; `pong` answers `ping`; `mates` lists the ports of all current mates.
+ * @typedef {Init | {type: 'rest', wasm: WebAssembly.Module} | {type: 'ping'} | {type: 'mates', ports: MessagePort[]} | Define | ViewMessage | Question} ToWorker
  */
 
 /** The ids of the definition and view that the worker draws, and of the question that it answers, or 0. @typedef {{type: 'at', define: number, view: number, question: number}} At */

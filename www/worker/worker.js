@@ -31,6 +31,8 @@ import { setWords } from './words.js';
     let work = null;
     /** Sets the mates. @type {(ports: MessagePort[]) => void} */
     let setMates = () => {};
+    /** What the rest of the core imports: the exports of its first part. @type {WebAssembly.ModuleImports} */
+    let core = {};
     let awake = false;
     let dead = false;
 
@@ -38,6 +40,8 @@ import { setWords } from './words.js';
         // The answer shows that the worker returns to its event loop.
         if (data.type === 'ping') return page.postMessage({ type: 'pong' });
         if (data.type === 'init') return guard(() => start(data));
+        // The rest fills the places of its functions in the table of the first part.
+        if (data.type === 'rest') return guard(() => void new WebAssembly.Instance(data.wasm, { '': core }));
         if (data.type === 'mates') return guard(() => setMates(data.ports));
         if (data.type === 'define') inbox.define = data;
         else if (data.type === 'view') inbox.view = data;
@@ -53,6 +57,7 @@ import { setWords } from './words.js';
     /** @param {import('../js/protocol.js').Init} init */
     function start({ wasm, words, master }) {
         const instance = wasm_bindgen.initSync({ module: wasm });
+        core = /** @type {any} */ (instance);
         setWords(words);
         const memory = () => instance.memory.buffer.byteLength;
         const playground = new wasm_bindgen.Playground(canvas);

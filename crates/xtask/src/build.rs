@@ -6,7 +6,7 @@ mod stable;
 use crate::esbuild::{Bundler as _, Esbuild};
 use crate::one_file::Alone;
 use crate::workspace::Workspace;
-use crate::{files, html, joined, notices, offline, one_file, steps_page, tools, wasms};
+use crate::{files, html, joined, notices, offline, one_file, split, steps_page, tools, wasms};
 pub(crate) use address::Address;
 use anyhow::{Context, Result, bail};
 use fs_err as fs;
@@ -76,6 +76,7 @@ pub(crate) fn first(workspace: &Workspace) -> Result<()> {
             files::write(&site.join(words.strip_prefix(&www)?), fs::read(&words)?)?;
         }
         wasms::write_first(workspace, Kind::Draft, &esbuild, site)?;
+        split::split_core(workspace, Kind::Draft, site)?;
         joined::join(site, "index.html", &esbuild).map(drop)
     })
 }
@@ -116,6 +117,7 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
         wasms::write(workspace, kind, &esbuild, site)?;
         joined(scripts)
     })?;
+    split::split_core(workspace, kind, site)?;
     files::write(&site.join(steps_page::NAME), steps_page::make(site, "course.html")?)?;
     let (index, embed) = ("index.html", site.join("embed.html"));
     let whole = fs::read_to_string(site.join(index))?;
@@ -129,9 +131,10 @@ fn fill(workspace: &Workspace, kind: Kind, address: Option<&Address>, site: &Pat
         let found = wasms::WASMS.iter().filter(|wasm| wasm.name == name);
         found.flat_map(|wasm| [wasm.script.to_owned(), wasm.file()]).collect()
     };
-    let all = [of("lsystem"), of("tools"), vec!["gallery.json".to_owned(), "exercises.json".to_owned()]].concat();
-    let marking = [of("lsystem"), of("course"), vec!["exercises.json".to_owned()]].concat();
-    let (drawing, playing) = (of("lsystem"), of("film"));
+    let engine = || [of("lsystem"), vec![split::REST.to_owned()]].concat();
+    let all = [engine(), of("tools"), vec!["gallery.json".to_owned(), "exercises.json".to_owned()]].concat();
+    let marking = [engine(), of("course"), vec!["exercises.json".to_owned()]].concat();
+    let (drawing, playing) = (engine(), of("film"));
     let maker = &one_file::Maker { site, bundler: &esbuild };
     let single = [
         (index, "playground.html", all, Alone::Always),

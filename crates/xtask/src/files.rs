@@ -31,9 +31,9 @@ pub(crate) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<()> {
     Ok(fs::write(path, bytes)?)
 }
 
-/// Makes something of a file, unless it was made of the same file before. `made_of` is a file that tells of which one.
-pub(crate) fn once(file: &Path, made_of: &Path, make: impl FnOnce() -> Result<()>) -> Result<()> {
-    let print = fingerprint(file)?;
+/// Makes something of files, unless it was made of the same files before. `made_of` is a file that tells of which ones.
+pub(crate) fn once(files: &[&Path], made_of: &Path, make: impl FnOnce() -> Result<()>) -> Result<()> {
+    let print = files.iter().map(|file| fingerprint(file)).collect::<Result<String>>()?;
     if made_of.is_file() && fs::read_to_string(made_of)? == print {
         return Ok(());
     }

@@ -24,6 +24,7 @@ mod python;
 mod report;
 mod serve;
 mod server;
+mod split;
 mod steps_page;
 mod test;
 mod tools;

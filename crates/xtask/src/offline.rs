@@ -1,6 +1,7 @@
 //! The list of files that the page keeps for offline use. The list becomes the head of the service worker.
 
 use crate::files::{self, hex};
+use crate::split;
 use anyhow::{Context, Result, ensure};
 use fs_err as fs;
 use serde_json::{Map, Value, json};
@@ -17,6 +18,9 @@ const BEGINNINGS_LEFT_OUT: [&str; 2] = ["gallery/", "icons/screen-"];
 const FIRST: [&str; 6] =
     ["page.css", "js/early.js", "worker.js", "lsystem.wasm", "icons/icon.svg", "manifest.webmanifest"];
 
+/// What the page fetches after the first picture, without being asked.
+const SOON: [&str; 1] = [split::REST];
+
 /// Completes the service worker in the folder of the site. All other files must be in place. `scripts` are those that the
 /// page runs from the start.
 pub(crate) fn list_files(site: &Path, scripts: &[String]) -> Result<()> {
@@ -32,16 +36,18 @@ pub(crate) fn list_files(site: &Path, scripts: &[String]) -> Result<()> {
         hashes.insert(path, files::fingerprint(&file)?.into());
     }
     let first: Vec<&str> = [""].into_iter().chain(FIRST).chain(scripts.iter().map(String::as_str)).collect();
-    for path in &first {
+    for path in first.iter().chain(&SOON) {
         ensure!(hashes.contains_key(*path), "the first screen needs `{path}`, which is not there");
     }
-    let (list, sizes, first) = (Value::Object(hashes).to_string(), Value::Object(sizes), json!(first));
+    let (list, sizes, first, soon) =
+        (Value::Object(hashes).to_string(), Value::Object(sizes), json!(first), json!(SOON));
     let worker = site.join(WORKER);
     let text = fs::read_to_string(&worker)?;
     // A change of the worker itself makes a new version, too.
     let build = &hex(&Sha256::digest(format!("{list}{text}")))[..16];
-    let head =
-        format!("const BUILD = \"{build}\";\nconst FILES = {list};\nconst SIZES = {sizes};\nconst FIRST = {first};\n");
+    let head = format!(
+        "const BUILD = \"{build}\";\nconst FILES = {list};\nconst SIZES = {sizes};\nconst FIRST = {first};\nconst SOON = {soon};\n"
+    );
     files::write(&worker, head + &text)
 }
 
@@ -64,7 +70,7 @@ mod tests {
         }
         let list_files = |site: &Path| list_files(site, &["page.js".to_owned()]);
         assert!(list_files(site).is_err(), "what the first screen needs is missing");
-        FIRST.iter().for_each(|name| files::write(&site.join(name), "").unwrap());
+        FIRST.iter().chain(&SOON).for_each(|name| files::write(&site.join(name), "").unwrap());
         list_files(site).unwrap();
         let worker = fs::read_to_string(site.join(WORKER)).unwrap();
         // The first two are published examples of SHA-256.
@@ -75,7 +81,7 @@ mod tests {
             "const SIZES = {\"\":0,",
             "\"page.js\":3",
             "const FIRST = [\"\",\"page.css\",",
-            "\"page.js\"];\n",
+            "\"page.js\"];\nconst SOON = [\"lsystem-rest.wasm\"];\n",
         ] {
             assert!(worker.contains(part), "{part}: {worker}");
         }

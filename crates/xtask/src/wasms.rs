@@ -64,7 +64,7 @@ impl Wasm {
         let [_, file] = self.compiled(workspace, kind);
         // Reading a wasm and writing it anew takes a second, so it is done only after a change.
         let made_of = generated.join(format!("{}.made-of", self.name));
-        files::once(&file, &made_of, || bindgen::generate(&file, &generated, self.name))?;
+        files::once(&[&file], &made_of, || bindgen::generate(&file, &generated, self.name))?;
         self.write(esbuild, &generated, site)
     }
 

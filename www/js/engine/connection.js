@@ -1,18 +1,21 @@
 /**
- * The connection to the drawing worker: starts the worker, hands over the wasm, watches that it answers, and requests
+ * The connection to the drawing worker: starts the worker, hands over the core, watches that it answers, and requests
  * files that did not load again. The engine handles the worker's messages and decides whether a stopped worker is
  * replaced.
+ *
+ * A worker starts with the first part of the core, and gets the rest after its first picture. A worker that stops without
+ * the rest has probably called it: the next worker starts with the whole core and the same state.
  */
 
 import { ours } from '../words.js';
-import { core, forgetCore, hire } from './core.js';
+import { core, forgetCore, hire, restOfCore } from './core.js';
 import { SILENCE, STARTUP, createWatchdog } from './watchdog.js';
 import { say } from '../words.js';
 
 /** @typedef {import('./core.js').Hired} Hired */
 /** @typedef {import('../protocol.js').FromWorker} FromWorker */
 /** @typedef {import('../protocol.js').ToWorker} ToWorker */
-/** The mates, which help with slow pictures. @typedef {{help: (worker: Hired, wasm: WebAssembly.Module) => void, leave: () => void}} Mates */
+/** The mates, which help with slow pictures. @typedef {{help: (worker: Hired, wasm: WebAssembly.Module, rest: WebAssembly.Module) => void, leave: () => void}} Mates */
 
 /**
  * @typedef {object} ConnectionEvents
@@ -37,6 +40,8 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
     let worker = null;
     /** Whether the worker has sent any message, has been sent the wasm, and has started the wasm. */
     let [hasSpoken, ready, started] = [false, false, false];
+    /** Whether the worker has the rest of the core, and whether the next one starts with it. */
+    let [isWhole, startsWhole] = [false, false];
     /** The timer of the next load attempt. */
     let retry = 0;
     const attempts = createAttempts();
@@ -58,10 +63,11 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
             event.preventDefault();
             if (worker === fresh) fail(event.message || say`the worker did not start`);
         };
-        core().then(
-            (wasm) => {
+        Promise.all([core(), startsWhole ? restOfCore() : null]).then(
+            ([wasm, rest]) => {
                 if (worker !== fresh) return;
                 fresh.postMessage({ type: 'init', wasm, words: ours });
+                if (rest) join(fresh, rest);
                 ready = true;
                 begun();
             },
@@ -70,12 +76,31 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         watchdog.watch();
     }
 
+    /** Hands over the rest of the core. @param {Hired} fresh @param {WebAssembly.Module} wasm */
+    function join(fresh, wasm) {
+        fresh.postMessage({ type: 'rest', wasm });
+        isWhole = true;
+    }
+
+    /** Completes the core of the worker. If the rest does not load, it is requested again with the next picture. */
+    function complete() {
+        const fresh = worker;
+        if (!fresh || isWhole) return;
+        restOfCore().then(
+            (wasm) => {
+                startsWhole = true;
+                if (worker === fresh && !isWhole) join(fresh, wasm);
+            },
+            () => {},
+        );
+    }
+
     function leave() {
         help.leave();
         watchdog.leave();
         worker?.terminate();
         worker = null;
-        [hasSpoken, ready, started] = [false, false, false];
+        [hasSpoken, ready, started, isWhole] = [false, false, false, false];
         left();
     }
 
@@ -88,13 +113,16 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
             attempts.loaded();
         }
         received(message);
+        if (message.type === 'done') complete();
         if (message.type === 'fatal') fail(message.message);
     }
 
     /** @param {string} message */
     function fail(message) {
-        if (started) stopped('crashed', message);
-        else failLoading(message);
+        if (!started) return failLoading(message);
+        if (isWhole) return stopped('crashed', message);
+        startsWhole = true;
+        start();
     }
 
     /** The worker or its wasm did not load. @param {string} message */
@@ -102,6 +130,8 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         leave();
         forgetCore();
         const delay = attempts.loadFailed();
+        // The first part alone draws most states.
+        if (delay === undefined) startsWhole = false;
         if (delay !== undefined) retry = window.setTimeout(start, delay);
         loadFailed(delay === undefined ? 'unloadable' : 'loading', message);
     }
@@ -194,8 +224,8 @@ function createHelp(worker) {
     /** Lets mates help with the next picture. */
     async function help() {
         const helped = worker();
-        const wasm = await core();
-        if (helped && worker() === helped) mates?.help(helped, wasm);
+        const [wasm, rest] = await Promise.all([core(), restOfCore()]);
+        if (helped && worker() === helped) mates?.help(helped, wasm, rest);
     }
 
     return {

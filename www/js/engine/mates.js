@@ -41,8 +41,8 @@ export function createMates(count) {
         master = null;
     }
 
-    /** Hires a mate. @param {WebAssembly.Module} wasm @returns the port to the mate */
-    function hireMate(wasm) {
+    /** Hires a mate. @param {WebAssembly.Module} wasm @param {WebAssembly.Module} rest @returns the port to the mate */
+    function hireMate(wasm, rest) {
         const mate = hire();
         const { port1, port2 } = new MessageChannel();
         let hasSpoken = false;
@@ -67,19 +67,20 @@ export function createMates(count) {
             if (data.type === 'fatal') dismiss();
         };
         mate.postMessage({ type: 'init', wasm, master: port2 }, [port2]);
+        mate.postMessage({ type: 'rest', wasm: rest });
         hired.push({ mate, watchdog });
         watchdog.watch();
         return port1;
     }
 
     return {
-        /** A worker's picture was slow. @param {Hired} worker @param {WebAssembly.Module} wasm */
-        help(worker, wasm) {
+        /** A worker's picture was slow. @param {Hired} worker @param {WebAssembly.Module} wasm @param {WebAssembly.Module} rest of the core */
+        help(worker, wasm, rest) {
             if (worker !== master) {
                 leave();
                 master = worker;
                 try {
-                    const ports = Array.from({ length: count }, () => hireMate(wasm));
+                    const ports = Array.from({ length: count }, () => hireMate(wasm, rest));
                     worker.postMessage({ type: 'mates', ports }, ports);
                 } catch {
                     // Some pages may not start more workers.

@@ -39,15 +39,19 @@ const WORKS = [
  * @param {{definition: object, zoom: number, turns: number, count: number}} work
  */
 async function measure({ definition, zoom, turns, count }) {
-    const bytes = await (await fetch('lsystem.wasm')).arrayBuffer();
+    const [wasm, rest] = await Promise.all(
+        ['lsystem.wasm', 'lsystem-rest.wasm'].map((name) => WebAssembly.compileStreaming(fetch(name))),
+    );
     const workers = Array.from({ length: 1 + count }, () => new Worker('worker.js'));
     const [worker, ...mates] = /** @type {[Worker, ...Worker[]]} */ (workers);
     const ports = mates.map((mate) => {
         const { port1, port2 } = new MessageChannel();
-        mate.postMessage({ type: 'init', wasm: bytes, master: port2 }, [port2]);
+        mate.postMessage({ type: 'init', wasm, master: port2 }, [port2]);
+        mate.postMessage({ type: 'rest', wasm: rest });
         return port1;
     });
-    worker.postMessage({ type: 'init', wasm: bytes });
+    worker.postMessage({ type: 'init', wasm });
+    worker.postMessage({ type: 'rest', wasm: rest });
     let id = 0;
     worker.postMessage({ type: 'define', id: ++id, definition, upto: null });
     /** Draws at a slightly larger zoom, and waits for the finished picture. */

@@ -42,7 +42,9 @@ const WORKS = [
  */
 async function measure({ definition, turns, most }) {
     const worker = new Worker('worker.js');
-    const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
+    const [wasm, joining] = await Promise.all(
+        ['lsystem.wasm', 'lsystem-rest.wasm'].map((name) => WebAssembly.compileStreaming(fetch(name))),
+    );
     /** @type {(message: any) => void} */
     let heard = () => {};
     worker.onmessage = ({ data }) => heard(data);
@@ -58,7 +60,8 @@ async function measure({ definition, turns, most }) {
             };
         });
     const ready = next(({ type }) => type === 'ready');
-    worker.postMessage({ type: 'init', wasm }, [wasm]);
+    worker.postMessage({ type: 'init', wasm });
+    worker.postMessage({ type: 'rest', wasm: joining });
     await ready;
     let id = 0;
     const camera = { azimuth: 0, elevation: 12, zoom: 1, x: 0, y: 0, z: 0, perspective: true, fade: 0 };

@@ -8,7 +8,9 @@ test('every system of the gallery reads back from its saved files', () =>
     withPage({ before: withModules }, async (page) => {
         const { checked, wrong } = await page.evaluate(async () => {
             const worker = new Worker('worker.js');
-            const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
+            const [wasm, rest] = await Promise.all(
+                ['lsystem.wasm', 'lsystem-rest.wasm'].map((name) => WebAssembly.compileStreaming(fetch(name))),
+            );
             const { createExports } = await import(new URL('js/save/exports.js', document.baseURI).href);
             const { make } = createExports();
             const { clean, definitionOf, same } = await import(new URL('js/state.js', document.baseURI).href);
@@ -23,6 +25,7 @@ test('every system of the gallery reads back from its saved files', () =>
                     worker.postMessage({ ...request, id: ++id });
                 });
             await ask({ type: 'init', wasm }, 'ready');
+            worker.postMessage({ type: 'rest', wasm: rest });
             worker.postMessage({
                 type: 'view',
                 id: ++id,

@@ -18,7 +18,9 @@ const LEAF = '#v=1&axiom=F&rules=F%20-%3E%20F%5B+F%5DF&n=4&angle=25';
  * @param {{definition: object, lost?: boolean, drags?: number}} work
  */
 async function compare({ definition, lost = false, drags = 0 }) {
-    const wasm = await (await fetch('lsystem.wasm')).arrayBuffer();
+    const [wasm, rest] = await Promise.all(
+        ['lsystem.wasm', 'lsystem-rest.wasm'].map((name) => WebAssembly.compileStreaming(fetch(name))),
+    );
     const [worker, mate] = [new Worker('worker.js'), new Worker('worker.js')];
     const [near, far] = [new MessageChannel(), new MessageChannel()];
     let [made, stopped] = [0, 0];
@@ -34,6 +36,7 @@ async function compare({ definition, lost = false, drags = 0 }) {
     };
     mate.postMessage({ type: 'init', wasm, master: far.port2 }, [far.port2]);
     worker.postMessage({ type: 'init', wasm });
+    for (const each of [worker, mate]) each.postMessage({ type: 'rest', wasm: rest });
     let id = 0;
     worker.postMessage({ type: 'define', id: ++id, definition, upto: null });
     /** @param {number} zoom */

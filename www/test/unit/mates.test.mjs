@@ -58,21 +58,21 @@ test('mates stay while pictures are slow and end with their worker', () =>
     inPage(() => {
         const mates = createMates(3);
         const [first, second] = [master(), master()];
-        mates.help(first.worker, WASM);
-        mates.help(first.worker, WASM);
+        mates.help(first.worker, WASM, WASM);
+        mates.help(first.worker, WASM, WASM);
         assert.equal(live().size, 3);
         assert.deepEqual(first.told, [3]);
-        mates.help(second.worker, WASM);
+        mates.help(second.worker, WASM, WASM);
         assert.equal(live().size, 3);
         assert.deepEqual([first.told, second.told], [[3, 0], [3]]);
         mock.timers.tick(29_000);
-        mates.help(second.worker, WASM);
+        mates.help(second.worker, WASM, WASM);
         mock.timers.tick(29_000);
         assert.equal(live().size, 3);
         mock.timers.tick(2000);
         assert.equal(live().size, 0);
         assert.deepEqual(second.told, [3, 0]);
-        mates.help(second.worker, WASM);
+        mates.help(second.worker, WASM, WASM);
         assert.equal(live().size, 3);
         mates.leave();
         assert.equal(live().size, 0);
@@ -81,7 +81,7 @@ test('mates stay while pictures are slow and end with their worker', () =>
 test('a failed mate is removed, and a page that may not start workers works without mates', () => {
     inPage(() => {
         const mates = createMates(2);
-        mates.help(master().worker, WASM);
+        mates.help(master().worker, WASM, WASM);
         const [broken, trapped] = [...live()];
         broken.onerror({ preventDefault() {} });
         assert.equal(live().size, 1);
@@ -94,8 +94,8 @@ test('a failed mate is removed, and a page that may not start workers works with
     inPage(() => {
         const { worker, told } = master();
         const mates = createMates(2);
-        mates.help(worker, WASM);
-        mates.help(worker, WASM);
+        mates.help(worker, WASM, WASM);
+        mates.help(worker, WASM, WASM);
         assert.deepEqual(told, [0]);
         mates.leave();
     }, true);

@@ -27,7 +27,7 @@ fn compressed(workspace: &Workspace) -> Result<BTreeMap<String, f64>> {
         return Ok(BTreeMap::new());
     }
     let (kept, build) = (workspace.target.join("test/brotli.txt"), workspace.target.join("test/brotli.of"));
-    files::once(&site.join("service-worker.js"), &build, || {
+    files::once(&[&site.join("service-worker.js")], &build, || {
         files::write(&kept, output(Command::new(tools::node()?).args(["-e", SCRIPT]).arg(&site))?)
     })?;
     let text = fs::read_to_string(&kept)?;
