@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { COLOURS, violations } from './axe.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
-import { RULES, STATES, TREE, tab } from './states.mjs';
+import { RULES, STATES, TREE, inStates, tab } from './states.mjs';
 
 after(close);
 
@@ -17,19 +17,6 @@ const barriers = async (page, rules) =>
     (await violations(page, rules))
         .filter(({ impact }) => impact === 'serious' || impact === 'critical')
         .map(({ words }) => words);
-
-/** Closes everything and shows the tree again. @param {Page} page */
-async function leave(page) {
-    while (await page.isVisible('dialog[open]')) await page.keyboard.press('Escape');
-    if (await page.isVisible('#nothing-here')) await page.click('#nothing-here-fit');
-    for (const close of ['#close-reader', '#close-playback']) if (await page.isVisible(close)) await page.click(close);
-    if ((await page.inputValue('#rules')) === RULES && (await page.inputValue('#axiom')) === 'A(1)') return;
-    await until(async () => {
-        // The address of an edit may still be that of the tree, and is set a moment later.
-        await page.evaluate((hash) => (location.hash = hash), TREE);
-        return (await page.inputValue('#rules')) === RULES && page.isVisible('#stage.inked');
-    }, 'the tree is shown again');
-}
 
 /** The states that are checked in other sizes and colours. */
 const SOME = ['as it opens', 'mistakes', 'gallery'];
@@ -67,12 +54,9 @@ for (const [
     ['zoomed to 400 %', { viewport: { width: 320, height: 256 } }, [], [...SOME, 'refused on the drawing', 'growth']],
 ])) {
     test(`axe-core finds no violation: ${[name, ...colours.map((each) => each.name)].join('; ')}`, async () => {
-        const entered = Object.entries(STATES).filter(([state]) => !states || states.includes(state));
-        assert.equal(entered.length, states?.length ?? Object.keys(STATES).length);
         await withPage({ hash: TREE, options: { ...options, ...PLAIN } }, async (page) => {
             const plain = await paper(page);
-            for (const [state, enter] of entered) {
-                await enter(page);
+            await inStates(page, TREE, states ?? Object.keys(STATES), async (state) => {
                 assert.deepEqual(await barriers(page), [], state);
                 for (const { name, media, states } of colours) {
                     if (states && !states.includes(state)) continue;
@@ -81,8 +65,7 @@ for (const [
                     assert.deepEqual(await barriers(page, COLOURS), [], `${state}, ${name}`);
                     await page.emulateMedia(PLAIN);
                 }
-                await leave(page);
-            }
+            });
         });
     });
 }

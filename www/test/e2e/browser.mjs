@@ -2,41 +2,17 @@
 
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
 import { FORMATS } from '../../js/late-tables.js';
+import { newTab, returnTab, takeTab } from './tabs.mjs';
+
+export { close } from './tabs.mjs';
 
 export const ADDRESS = process.env.LSYSTEM_URL ?? 'http://127.0.0.1:8080/';
-
-const ARGUMENTS = [
-    '--headless',
-    '--no-sandbox',
-    '--disable-gpu',
-    '--disable-quic',
-    '--no-first-run',
-    '--disable-background-networking',
-    '--disable-component-update',
-    '--disable-sync',
-];
 
 export const DESKTOP = { viewport: { width: 1280, height: 800 } };
 export const PHONE = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 /** @typedef {import('playwright-core').Page} Page */
-
-/** @type {Promise<import('playwright-core').Browser> | undefined} */
-let browser;
-
-/** @returns {Promise<import('playwright-core').Browser>} */
-const launch = () =>
-    (browser ??= chromium.launch({
-        executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell',
-        args: ARGUMENTS,
-    }));
-
-export async function close() {
-    await (await browser)?.close();
-    browser = undefined;
-}
 
 /** Waits for the first picture. @param {Page | import('playwright-core').Frame} page @param {string} [drawing] */
 export async function ready(page, drawing = '#stage.inked') {
@@ -73,10 +49,12 @@ export async function withPage(
     { address = ADDRESS, also = address, drawing = '#stage.inked', hash = '', expected, options = DESKTOP, before },
     use,
 ) {
-    const context = await (await launch()).newContext({ reducedMotion: 'reduce', acceptDownloads: true, ...options });
+    const how = { reducedMotion: /** @type {const} */ ('reduce'), acceptDownloads: true, ...options };
+    // What `before` changes in a tab may stay, and pages of other addresses are not forgotten.
+    const own = before || address !== ADDRESS || also !== ADDRESS;
+    const page = await (own ? newTab(how, count) : takeTab(how, count));
+    let passed = false;
     try {
-        await context.addInitScript(count);
-        const page = await context.newPage();
         /** @type {string[]} */
         const wrong = [];
         page.on(
@@ -92,32 +70,15 @@ export async function withPage(
             if (!url.startsWith(address) && !url.startsWith(also) && !/^(blob|data):/.test(url))
                 wrong.push(`a request left the site: ${url}`);
         });
-        waitsForParts(page);
         await before?.(page);
         await page.goto(address + hash);
         if (drawing) await ready(page, drawing);
         await use(page);
         assert.deepEqual(wrong, []);
+        passed = true;
     } finally {
-        await context.close();
-    }
-}
-
-/**
- * Makes input wait for the part of the page that it opens: parts load late, and what they show is not there at once.
- * @param {Page} page
- */
-function waitsForParts(page) {
-    for (const [owner, name] of /** @type {[any, string][]} */ ([
-        [page, 'click'],
-        [page, 'tap'],
-        [page.keyboard, 'press'],
-    ])) {
-        const input = owner[name].bind(owner);
-        owner[name] = async (/** @type {any[]} */ ...words) => {
-            await input(...words);
-            await page.waitForSelector(':root:not([data-opening])', { state: 'attached' });
-        };
+        if (own || !passed) await page.context().close();
+        else await returnTab(page, how, `${ADDRESS}llms.txt`);
     }
 }
 

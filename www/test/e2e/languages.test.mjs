@@ -6,7 +6,7 @@ import { after, test } from 'node:test';
 import { collect } from '../words/collect.mjs';
 import { plainWords, pseudo } from '../words/pseudo.mjs';
 import { ADDRESS, DESKTOP, PHONE, close, until, withPage } from './browser.mjs';
-import { STATES, TREE, tab } from './states.mjs';
+import { STATES, TREE, inStates, tab } from './states.mjs';
 
 after(close);
 
@@ -72,7 +72,7 @@ const tooWide = (page) =>
 const ENGLISH = new Set(['a symbol traced', 'gallery with cards without pictures', 'rules found']);
 
 /**
- * Enters each state of the page, in a browser of its own, and lists what `look` finds there.
+ * Enters the states of the page, and lists what `look` finds there.
  * @param {string} language
  * @param {(page: Page) => Promise<unknown[]>} look
  * @param {Pick<import('./browser.mjs').How, 'options' | 'before'>} how
@@ -80,14 +80,13 @@ const ENGLISH = new Set(['a symbol traced', 'gallery with cards without pictures
 async function inAllStates(language, look, how) {
     /** @type {Record<string, unknown>} */
     const all = {};
-    for (const [name, enter] of Object.entries(STATES)) {
-        if (ENGLISH.has(name)) continue;
-        await withPage({ address: `${ADDRESS}?lang=${language}`, also: ADDRESS, hash: OWN, ...how }, async (page) => {
-            await enter(page);
+    const names = Object.keys(STATES).filter((name) => !ENGLISH.has(name));
+    await withPage({ address: `${ADDRESS}?lang=${language}`, also: ADDRESS, hash: OWN, ...how }, (page) =>
+        inStates(page, OWN, names, async (name) => {
             const found = await look(page);
             if (found.length) all[name] = found;
-        });
-    }
+        }),
+    );
     return all;
 }
 

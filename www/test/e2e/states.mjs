@@ -1,5 +1,6 @@
 /** The page's states that differ in what can be seen and reached. */
 
+import assert from 'node:assert/strict';
 import { until } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -144,3 +145,33 @@ export const STATES = {
         await page.waitForSelector('#playback:visible');
     },
 };
+
+/**
+ * Enters states one after another in an open page, and returns to its drawing after each.
+ * @param {Page} page
+ * @param {string} hash the address of the drawing, with the axiom and the rules of the tree
+ * @param {string[]} names
+ * @param {(name: string) => Promise<unknown>} look
+ */
+export async function inStates(page, hash, names, look) {
+    for (const name of names) {
+        const enter = STATES[name];
+        assert.ok(enter, name);
+        await enter(page);
+        await look(name);
+        await leave(page, hash);
+    }
+}
+
+/** Closes everything and shows the tree again. @param {Page} page @param {string} hash */
+async function leave(page, hash) {
+    while (await page.isVisible('dialog[open]')) await page.keyboard.press('Escape');
+    if (await page.isVisible('#nothing-here')) await page.click('#nothing-here-fit');
+    for (const close of ['#close-reader', '#close-playback']) if (await page.isVisible(close)) await page.click(close);
+    if ((await page.inputValue('#rules')) === RULES && (await page.inputValue('#axiom')) === 'A(1)') return;
+    await until(async () => {
+        // The address of an edit may still be that of the tree, and is set a moment later.
+        await page.evaluate((address) => (location.hash = address), hash);
+        return (await page.inputValue('#rules')) === RULES && page.isVisible('#stage.inked');
+    }, 'the tree is shown again');
+}
