@@ -29,8 +29,8 @@ pub(crate) struct PackageOptions {
 
 /// Makes and tests the npm package, and packs, compares and documents the crates.
 pub(crate) fn package(workspace: &Workspace, options: &PackageOptions) -> Result<()> {
-    compile(workspace)?;
-    npm(workspace)?;
+    compile(workspace, Kind::Shipped)?;
+    npm(workspace, Kind::Shipped)?;
     if options.npm {
         println!("npm package: {}", folder(workspace).display());
         return Ok(());
@@ -49,21 +49,21 @@ fn folder(workspace: &Workspace) -> PathBuf {
 }
 
 /// Compiles the wasm of the npm package.
-pub(crate) fn compile(workspace: &Workspace) -> Result<()> {
+pub(crate) fn compile(workspace: &Workspace, kind: Kind) -> Result<()> {
     tools::wasm_target()?;
-    wasms::compile_one(workspace, Kind::Shipped, LIBRARY, None)
+    wasms::compile_one(workspace, kind, LIBRARY, None)
 }
 
 /// The compiled wasm of the npm package.
-pub(crate) fn compiled(workspace: &Workspace) -> PathBuf {
-    let folder = workspace.target.join(tools::WASM_TARGET).join("wasm");
+pub(crate) fn compiled(workspace: &Workspace, kind: Kind) -> PathBuf {
+    let folder = workspace.target.join(tools::WASM_TARGET).join(wasms::profile(kind));
     folder.join(format!("{}.wasm", LIBRARY.replace('-', "_")))
 }
 
 /// Makes the npm package from the compiled wasm, and tests it in a project of its own, as its users have it.
-pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
+pub(crate) fn npm(workspace: &Workspace, kind: Kind) -> Result<()> {
     let source = workspace.root.join("crates").join(LIBRARY).join("npm");
-    make(workspace, &source)?;
+    make(workspace, kind, &source)?;
     let project = tempfile::tempdir()?;
     let npm = |words: &[&str], folder: &Path| {
         workspace.run(Command::new(tools::npm()?).args(words).args(["--offline", "--silent"]).current_dir(folder))
@@ -88,12 +88,12 @@ pub(crate) fn npm(workspace: &Workspace) -> Result<()> {
 }
 
 /// Makes the folder of the npm package.
-fn make(workspace: &Workspace, source: &Path) -> Result<()> {
+fn make(workspace: &Workspace, kind: Kind, source: &Path) -> Result<()> {
     let package = folder(workspace);
     if package.is_dir() {
         fs::remove_dir_all(&package)?;
     }
-    bindgen::generate_module(&compiled(workspace), &package, "lsystem")?;
+    bindgen::generate_module(&compiled(workspace, kind), &package, "lsystem")?;
     for path in files::list(source, |path| !TESTS.iter().any(|name| path.ends_with(name)))? {
         copy(&path, &package.join(path.strip_prefix(source)?))?;
     }

@@ -102,7 +102,8 @@ pub(crate) fn cargo<'a>(workspace: &Workspace, words: impl IntoIterator<Item = &
     command
 }
 
-fn profile(kind: Kind) -> &'static str {
+/// The profile in which a wasm is compiled.
+pub(crate) fn profile(kind: Kind) -> &'static str {
     match kind {
         Kind::Shipped => "wasm",
         Kind::Draft => "draft",

@@ -16,6 +16,7 @@ use crate::{fuzz, lint, monkey, outside, package, page, tools};
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use native::Built;
+pub(crate) use native::CRATES;
 use passed::{Passed, fingerprint};
 use std::path::PathBuf;
 use std::thread;
@@ -128,7 +129,8 @@ fn browser_lane(workspace: &Workspace, options: &TestOptions, passed: &Passed, r
     }
     if options.has(Part::Page) {
         report.step(workspace, "types of the page", |workspace, _| page::types(workspace));
-        report.step(workspace, "compiling the npm package", |workspace, _| package::compile(workspace));
+        // As a draft, whose libraries the tests in the browser share. `cargo xtask package` tests it as it is published.
+        report.step(workspace, "compiling the npm package", |workspace, _| package::compile(workspace, Kind::Draft));
     }
     if options.has(Part::Page) && site {
         run_page(workspace, options, passed, report);
@@ -176,8 +178,10 @@ fn run_page(workspace: &Workspace, options: &TestOptions, passed: &Passed, repor
     let step = |name: &str, reads: &[&str], step: &dyn Fn(&Workspace) -> Result<()>| {
         report.step(workspace, name, |workspace, _| passed.once(report, name, &below(reads)?, || step(workspace)));
     };
-    let library = package::compiled(workspace).to_string_lossy().into_owned();
-    step("npm package", &[&library, "crates/lsystem-library-wasm/npm"], &package::npm);
+    let library = package::compiled(workspace, Kind::Draft).to_string_lossy().into_owned();
+    step("npm package", &[&library, "crates/lsystem-library-wasm/npm"], &|workspace| {
+        package::npm(workspace, Kind::Draft)
+    });
     step(page::UNIT, &["www", "data_in"], &|workspace| page::unit(workspace, options.cases()));
     step("end-to-end tests of the page", &["www", "dist", "crates/lsystem/tests/data"], &|workspace| {
         page::end_to_end(workspace, Kind::Shipped, &[], report)

@@ -15,7 +15,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// What Cargo is told to compile: everything but the measurements, so that all crates share their libraries.
-pub(super) const CRATES: [&str; 3] = ["--workspace", "--exclude", "bench"];
+pub(crate) const CRATES: [&str; 3] = ["--workspace", "--exclude", "bench"];
 /// The programs that tests run, and the library of the Python package. Not this one, which would be linked anew while it
 /// runs.
 const PROGRAMS: [&str; 6] = ["build", "--lib", "--bin=lsys", "--bin=lsystem-fuzz", "--bin=outside", "--bin=site"];

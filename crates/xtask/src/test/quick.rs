@@ -28,7 +28,7 @@ pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Re
     if changed.is_empty() {
         report.skip("native tests: no crate has changed since they passed".to_owned());
     } else {
-        let packages: Vec<&str> = changed.iter().map(|(package, _)| package.as_str()).collect();
+        let packages: Vec<&str> = changed.iter().flat_map(|(package, _)| ["--package", package.as_str()]).collect();
         is_right &= report.step(workspace, "compiling natively, and native tests", |workspace, bar| {
             let built = native::build(workspace)?;
             native::run(workspace, &built, passed, None, true, (report, bar))
