@@ -91,12 +91,22 @@ const plane = /** @type {{definition: Definition}[]} */ (JSON.parse(String(galle
 for (const tick of [0.01, 3]) {
     const drawing = hire(tick);
     drawing({ type: 'init', wasm: module, words: { language: 'de', words: {} } });
-    const size = { width: 800, height: 600, ratio: 1 };
-    drawing({ type: 'view', id: ++id, view: { x: 0, y: 0, zoom: 1 }, camera: null, upto: null, ...size });
+    const canvas = { width: 800, height: 600, ratio: 1 };
+    /** @param {number} zoom @param {number} [x] @param {number} [y] @returns {ToWorker} */
+    const look = (zoom, x = 0, y = 0) => ({
+        type: 'view',
+        id: ++id,
+        view: { x, y, zoom },
+        camera: null,
+        upto: null,
+        ...canvas,
+    });
     for (const definition of plane) {
-        // As it is, with the look of systems without one, and while it grows.
+        drawing(look(1));
+        // As it is, with the look of systems without one, while it grows, and near by.
         const grown = [0, 1, 2].map((iterations) => ({ ...definition, iterations, growth: 0.4, still: true }));
-        for (const variant of [definition, { ...definition, auto: true }, ...grown]) drawing(define(variant));
+        for (const variant of [...grown, { ...definition, auto: true }, definition]) drawing(define(variant));
+        for (const zoom of [2, 40]) drawing(look(zoom, 0.1, 0.05));
         const { axiom, rules, overrides } = definition;
         drawing({ type: 'notation', id: ++id, texts: { axiom, rules, overrides } });
     }

@@ -50,8 +50,9 @@ export function createEngine(events) {
         loadFailed,
         owes: () => outbox.owes || questions.size > 0,
         doubted: (silent) => fallback.doubt(silent),
+        unanswerable: (id, error) => questions.refuseOne(id, error),
     });
-    const questions = createQuestions({ post: connection.post, nextId });
+    const questions = createQuestions({ post: connection.ask, nextId });
     const outbox = createOutbox(newest, {
         post: connection.post,
         ready: () => connection.ready,

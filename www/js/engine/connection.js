@@ -3,8 +3,9 @@
  * files that did not load again. The engine handles the worker's messages and decides whether a stopped worker is
  * replaced.
  *
- * A worker starts with the first part of the core, and gets the rest after its first picture. A worker that stops without
- * the rest has probably called it: the next worker starts with the whole core and the same state.
+ * A worker starts with the first part of the core, and gets the rest after its first picture or before a question. A
+ * worker that stops without the rest has probably called it: the next worker starts with the whole core and the same
+ * state.
  */
 
 import { ours } from '../words.js';
@@ -25,6 +26,7 @@ import { say } from '../words.js';
  * @property {(how: 'silent' | 'crashed', message: string) => void} stopped
  * @property {(how: 'loading' | 'unloadable', message: string) => void} loadFailed the worker's files did not load; `loading`: the files are requested again
  * @property {(silent: number) => void} doubted the worker has been silent for this many milliseconds, within its limit
+ * @property {(id: number, error: Error) => void} unanswerable a question needs files that did not load
  * @property {() => boolean} owes whether the worker owes a picture or an answer
  */
 
@@ -35,7 +37,7 @@ const DELAYS = [500, 1500, 4000];
 const MOST_FAILURES = 4;
 
 /** @param {ConnectionEvents} events */
-export function createConnection({ begun, received, left, stopped, loadFailed, doubted, owes }) {
+export function createConnection({ begun, received, left, stopped, loadFailed, doubted, unanswerable, owes }) {
     /** @type {Hired | null} */
     let worker = null;
     /** Whether the worker has sent any message, has been sent the wasm, and has started the wasm. */
@@ -82,17 +84,26 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         isWhole = true;
     }
 
-    /** Completes the core of the worker. If the rest does not load, it is requested again with the next picture. */
-    function complete() {
+    /** Completes the core of the worker. */
+    async function complete() {
         const fresh = worker;
-        if (!fresh || isWhole) return;
-        restOfCore().then(
-            (wasm) => {
-                startsWhole = true;
-                if (worker === fresh && !isWhole) join(fresh, wasm);
-            },
-            () => {},
-        );
+        const wasm = await restOfCore();
+        startsWhole = true;
+        if (fresh && worker === fresh && !isWhole) join(fresh, wasm);
+    }
+
+    /**
+     * Asks a question. Most of them need the whole core.
+     * @param {import('../protocol.js').Question} question
+     */
+    async function ask(question) {
+        const asked = worker;
+        try {
+            if (question.type !== 'notation' && !isWhole) await complete();
+            if (worker === asked) asked?.postMessage(question);
+        } catch (error) {
+            unanswerable(question.id, error instanceof Error ? error : new Error(String(error)));
+        }
     }
 
     function leave() {
@@ -113,7 +124,8 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
             attempts.loaded();
         }
         received(message);
-        if (message.type === 'done') complete();
+        // If the rest does not load, it is requested again with the next picture.
+        if (message.type === 'done' && !isWhole) complete().catch(() => {});
         if (message.type === 'fatal') fail(message.message);
     }
 
@@ -130,8 +142,6 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         leave();
         forgetCore();
         const delay = attempts.loadFailed();
-        // The first part alone draws most states.
-        if (delay === undefined) startsWhole = false;
         if (delay !== undefined) retry = window.setTimeout(start, delay);
         loadFailed(delay === undefined ? 'unloadable' : 'loading', message);
     }
@@ -154,6 +164,7 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
 
         /** @param {ToWorker} message */
         post: (message) => worker?.postMessage(message),
+        ask,
 
         /** Starts watching that the worker answers. */
         watch: watchdog.watch,
@@ -171,6 +182,8 @@ export function createConnection({ begun, received, left, stopped, loadFailed, d
         /** New input or a question: starts a worker again after the last failure. */
         revive() {
             if (worker) return;
+            // The new state may need the first part only.
+            startsWhole = false;
             attempts.renew();
             start();
         },

@@ -83,10 +83,10 @@ export function createQuestions({ post, nextId }) {
             return asked !== undefined;
         },
 
-        /** The worker stopped while answering a question. @param {number} id @returns {Asked | undefined} the type of the question, if the id is open */
-        refuseOne(id) {
+        /** The worker stopped while answering a question, or the question needs what is missing. @param {number} id @param {Error} [error] @returns {Asked | undefined} the type of the question, if the id is open */
+        refuseOne(id, error = new Stopped(say`it stopped answering and was given up`)) {
             const type = open.get(id)?.question.type;
-            refuse((question) => question.id === id, new Stopped(say`it stopped answering and was given up`));
+            refuse((question) => question.id === id, error);
             return type;
         },
 

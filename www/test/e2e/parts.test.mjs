@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { answered, close, nextPicture, stillPicture, until, withPage } from './browser.mjs';
+import { answered, close, nextPicture, quiet, sameAgain, stillPicture, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -94,7 +94,7 @@ for (const [what, hash] of /** @type {const} */ ([
     });
 }
 
-test('a question before the rest is there is answered by another worker with the whole core', async () => {
+test('a question waits for the rest', async () => {
     let release = () => {};
     await withPage(
         {
@@ -105,15 +105,14 @@ test('a question before the rest is there is answered by another worker with the
         },
         async (page) => {
             const before = await stillPicture(page);
-            const box = await page.locator('#drawing').boundingBox();
-            assert.ok(box);
-            await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-            await until(async () => (await counted(page))[0] === 2, 'another worker starts');
+            await page.click('#open-reader');
+            await quiet(200, 'a worker without the rest would stop');
             release();
-            await answered(page);
-            assert.equal((await counted(page))[1], 1);
-            assert.equal((await stillPicture(page)).digest, before.digest);
+            await until(async () => (await page.innerText('#reader-text')).includes('F'), 'the string is read');
+            assert.deepEqual((await counted(page)).slice(0, 2), [1, 1]);
             assert.ok(await page.isHidden('#trouble'), 'nothing was wrong');
+            await page.click('#open-reader');
+            await sameAgain(page, before);
         },
     );
 });
@@ -121,7 +120,7 @@ test('a question before the rest is there is answered by another worker with the
 test('a drawing in space is drawn by the whole core', () =>
     withPage({ hash: SOLID, before: counting }, async (page) => {
         assert.ok((await stillPicture(page)).ink > 0.001);
-        assert.equal((await counted(page))[1], 1);
+        assert.ok((await counted(page))[1] > 0);
         assert.ok(await page.isHidden('#trouble'));
     }));
 
@@ -136,10 +135,10 @@ test('without the rest pictures in the plane are drawn, and the others say what 
             await page.waitForSelector('#trouble:visible');
             assert.match(await page.innerText('#trouble'), /could not be loaded/);
             await page.fill('#rules', 'F -> F[+F]F');
-            await until(async () => (await stillPicture(page)).digest === plane.digest, 'the plane is drawn again');
+            await sameAgain(page, plane);
             await page.unroute(REST);
             await page.fill('#rules', 'F -> F[&F]F');
             await nextPicture(page, plane);
-            assert.ok(await page.isHidden('#trouble'));
+            await page.waitForSelector('#trouble', { state: 'hidden' });
         },
     ));
