@@ -14,9 +14,7 @@ import { page } from './page.js';
  * @param {(question: number) => void} worker.tellAt
  */
 export function createThumbs({ playground, waiting, tellAt }) {
-    /** After this many steps an unfinished picture is sent as it is. */
-    const MOST_STEPS = 40;
-    /** The picture being drawn; `missing` tells why there will be none. While `framing`, the drawing that has its frame is made. @type {{request: Question<'thumb'>, small: Playground, canvas: OffscreenCanvas, bitmap: ImageBitmap | null, steps: number, missing: string | null, framing: boolean} | null} */
+    /** The picture being drawn; `missing` tells why there will be none. While `framing`, the drawing that has its frame is made. @type {{request: Question<'thumb'>, small: Playground, canvas: OffscreenCanvas, bitmap: ImageBitmap | null, missing: string | null, framing: boolean} | null} */
     let making = null;
 
     /** @param {Question<'thumb'>} request @returns {NonNullable<typeof making>} */
@@ -26,15 +24,7 @@ export function createThumbs({ playground, waiting, tellAt }) {
         const small = wasm_bindgen.Playground.small(canvas);
         if (request.frame) small.define(request.frame);
         const missing = request.frame ? null : take(small, request);
-        return {
-            request,
-            small,
-            canvas,
-            bitmap: null,
-            steps: missing ? 0 : MOST_STEPS,
-            missing,
-            framing: !!request.frame,
-        };
+        return { request, small, canvas, bitmap: null, missing, framing: !!request.frame };
     }
 
     /** Begins the picture itself. Returns why there will be none, or null. @param {Playground} small @param {Question<'thumb'>} request */
@@ -67,20 +57,20 @@ export function createThumbs({ playground, waiting, tellAt }) {
             if (!request) return;
             tellAt(request.id);
             const thumb = (making ??= begin(request));
-            const { drawn, idle } = thumb.steps > 0 ? thumb.small.step() : { drawn: null, idle: true };
-            thumb.steps -= 1;
+            // The limits of small pictures end each of them, and no clock does.
+            const { drawn, idle } = thumb.missing === null ? thumb.small.step() : { drawn: null, idle: true };
             if (thumb.framing) {
-                if (!idle && thumb.steps > 0) return;
+                if (!idle) return;
                 thumb.framing = false;
                 thumb.small.hold(true);
                 thumb.missing = take(thumb.small, request);
-                if (thumb.missing === null && thumb.steps > 0) return;
+                if (thumb.missing === null) return;
             }
             if (drawn) {
                 thumb.bitmap?.close();
                 thumb.bitmap = thumb.canvas.transferToImageBitmap();
             }
-            if (!idle && !drawn?.complete && thumb.steps > 0) return;
+            if (!idle && !drawn?.complete) return;
             making = null;
             thumb.small.free();
             const { bitmap } = thumb;

@@ -233,7 +233,8 @@ export function createPackage({ id, standard, tasks, above, restored }) {
         });
         task.addEventListener('mark', (event) => {
             const { solved, agreement, link, touched } = /** @type {CustomEvent} */ (event).detail;
-            if (touched) answered(key, solved ? 'solved' : Math.floor(100 * agreement), fieldsIn(link));
+            // The page shows a solved step as done, so that is kept in any case.
+            if (touched || solved) answered(key, solved ? 'solved' : Math.floor(100 * agreement), fieldsIn(link));
         });
     }
     again.addEventListener('click', () => {

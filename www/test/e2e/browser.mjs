@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { FORMATS } from '../../js/late-tables.js';
-import { newTab, returnTab, takeTab } from './tabs.mjs';
+import { DEADLINE, newTab, returnTab, takeTab } from './tabs.mjs';
 
 export { close } from './tabs.mjs';
 
@@ -88,6 +88,7 @@ export async function withPage(
  */
 function count() {
     const site = /** @type {any} */ (globalThis);
+    site.deadline = 120_000;
     site.pictures = 0;
     site.asked = 0;
     const canvas = ImageBitmapRenderingContext.prototype;
@@ -116,15 +117,14 @@ function count() {
 }
 
 /**
- * Repeats `check` until it neither throws nor returns false. The patience is for a busy machine: a fast one never waits
- * so long.
+ * Repeats `check` until it neither throws nor returns false. A test that still waits at the deadline hangs.
  * @template T
  * @param {() => Promise<T> | T} check
  * @param {string} what
  * @returns {Promise<NonNullable<T>>}
  */
-export async function until(check, what, patience = 20_000) {
-    const end = Date.now() + patience;
+export async function until(check, what) {
+    const end = Date.now() + DEADLINE;
     for (;;) {
         let last;
         try {
@@ -133,7 +133,7 @@ export async function until(check, what, patience = 20_000) {
         } catch (error) {
             last = error;
         }
-        if (Date.now() > end) throw new Error(`not so in ${patience} ms: ${what}`, { cause: last });
+        if (Date.now() > end) throw new Error(`not so in ${DEADLINE / 1000} s: ${what}`, { cause: last });
         await new Promise((resolve) => setTimeout(resolve, 30));
     }
 }

@@ -278,8 +278,8 @@ test('strings stand beside each other, with what differs', () =>
 test('the lesson works from a disk', () =>
     withPage({ address: new URL('course.html', DIST).href, also: DIST.href, drawing: null }, async (page) => {
         await page.click('#onward');
-        await page.frameLocator('.step.now iframe').locator('#rules').fill('F -> FF', { timeout: 15_000 });
-        await until(async () => /Done/.test((await page.textContent('#told')) ?? ''), 'the first step is done', 15_000);
+        await page.frameLocator('.step.now iframe').locator('#rules').fill('F -> FF');
+        await until(async () => /Done/.test((await page.textContent('#told')) ?? ''), 'the first step is done');
     }));
 
 test('what a program printed is compared with the system', () =>
@@ -376,13 +376,9 @@ for (const [name, options] of /** @type {const} */ ([
             for (const [at, [field, text]] of fills.entries()) {
                 assert.match((await page.textContent('.step.now h2')) ?? '', new RegExp(`^${at + 1}\\. `));
                 const frame = page.frameLocator('.step.now iframe');
-                await frame.locator(field).fill(text, { timeout: 15_000 });
+                await frame.locator(field).fill(text);
                 await frame.locator(field).press('Tab');
-                await until(
-                    async () => /Done/.test((await page.textContent('#told')) ?? ''),
-                    `step ${at + 1} is done`,
-                    15_000,
-                );
+                await until(async () => /Done/.test((await page.textContent('#told')) ?? ''), `step ${at + 1} is done`);
                 if (at < fills.length - 1) await page.click('#onward');
             }
             assert.equal(await page.locator('.places .done').count(), 12);

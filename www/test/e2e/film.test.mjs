@@ -31,10 +31,7 @@ async function write(page, film) {
 
 /** Saves the film. @param {Page} page @param {string} kind */
 async function saved(page, kind) {
-    const [file] = await Promise.all([
-        page.waitForEvent('download', { timeout: 120_000 }),
-        page.click(`[data-film="${kind}"]`),
-    ]);
+    const [file] = await Promise.all([page.waitForEvent('download'), page.click(`[data-film="${kind}"]`)]);
     if (process.env.FILM_KEEP) await file.saveAs(`${process.env.FILM_KEEP}/${file.suggestedFilename()}`);
     return readFile(await file.path());
 }

@@ -9,9 +9,6 @@ after(close);
 
 /** @typedef {import('playwright-core').Page} Page */
 
-/** A search may take this long on a busy machine, in milliseconds. */
-const PATIENCE = 90_000;
-
 /** @param {Page} page @param {string} selector */
 const text = async (page, selector) => (await page.textContent(selector)) ?? '';
 
@@ -115,7 +112,6 @@ const found = (page) =>
     until(
         async () => /draws? (this|the same) picture\./.test(await text(page, '#find-verdict.found')),
         'a system is found',
-        PATIENCE,
     );
 
 test('a photograph is straightened, and can be searched as it is', () =>
@@ -263,7 +259,7 @@ test('a picture that is nearly the same is told so, and the differences are show
         await page.waitForSelector('#find-picture:visible');
         await ask(page, { axiom: 'F', angle: '60', n: '3' });
         await page.click('#find-start');
-        await page.waitForSelector('.find-differences', { timeout: PATIENCE });
+        await page.waitForSelector('.find-differences');
         await page.click('#find-stop');
         assert.match(await text(page, '#find-verdict'), /^Nearly the same: 9\d\.\d %$/);
         assert.ok(await page.isVisible('#find-legend'));
@@ -294,34 +290,24 @@ test('the page answers while the search runs, and the search stops at once', () 
         });
         await page.waitForSelector('#find-picture:visible');
         await page.click('#find-start');
-        await page.waitForSelector('#find-results:visible', { timeout: PATIENCE });
-        const longest = await page.evaluate(
-            () =>
-                new Promise((resolve) => {
-                    let [last, longest, left] = [performance.now(), 0, 60];
-                    const frame = () => {
-                        const now = performance.now();
-                        [longest, last] = [Math.max(longest, now - last), now];
-                        if (--left > 0) requestAnimationFrame(frame);
-                        else resolve(longest);
-                    };
-                    requestAnimationFrame(frame);
-                }),
-        );
-        assert.ok(Number(longest) < 1000, `a frame took ${longest} ms`);
-        const took = await page.evaluate(async () => {
-            const start = performance.now();
-            document.getElementById('find-stop')?.click();
-            return document.getElementById('find-stop')?.hidden ? performance.now() - start : Infinity;
+        await page.waitForSelector('#find-results:visible');
+        // A search on the page's own thread would end before the frames.
+        await page.evaluate(async () => {
+            for (let left = 60; left > 0; left--) await new Promise(requestAnimationFrame);
         });
-        assert.ok(took < 100, `stopping took ${took} ms`);
+        assert.ok(await page.isVisible('#find-stop'), 'the search still runs');
+        const isStopped = await page.evaluate(() => {
+            document.getElementById('find-stop')?.click();
+            return document.getElementById('find-stop')?.hidden;
+        });
+        assert.ok(isStopped, 'the search stops at once');
         const work = await text(page, '#find-work');
         assert.match(work, /[\d,]+ systems tried/);
         assert.match(await text(page, '#find-verdict'), /None of the searched systems/);
         await quiet(600, 'a worker that searches on would tell its work');
         assert.equal(await text(page, '#find-work'), work);
         await page.click('#find-longer');
-        await until(async () => (await text(page, '#find-work')) !== work, 'the search goes on', PATIENCE);
+        await until(async () => (await text(page, '#find-work')) !== work, 'the search goes on');
         await page.keyboard.press('Escape');
         assert.ok(await page.isHidden('#find'));
     }));
@@ -334,11 +320,7 @@ test('a string is searched for the shortest rules', () =>
         await page.check('#find-of-string', { force: true });
         await page.fill('#find-string', 'ABAABABA\nABAAB');
         await page.click('#find-start');
-        await until(
-            async () => /derives? the string/.test(await text(page, '#find-verdict.found')),
-            'rules are found',
-            PATIENCE,
-        );
+        await until(async () => /derives? the string/.test(await text(page, '#find-verdict.found')), 'rules are found');
         assert.equal(await text(page, '.find-rules >> nth=0'), 'A -> AB\nB -> A');
         assert.match(await text(page, '#find-searched'), /from A/);
         await page.click('.find-card >> nth=0 >> text=Open');
@@ -366,7 +348,6 @@ test('what cannot be searched is told where it stands', () =>
             await until(
                 async () => /** @type {RegExp} */ (said).test(await text(page, '#find-problem')),
                 `${field} ${value}`,
-                PATIENCE,
             );
         }
         await page.fill('#find-axiom', 'F');
@@ -446,7 +427,6 @@ test('hostile pictures get a clear answer, and nothing of them runs or loads', (
             await until(
                 async () => said.test(await text(page, '#find-problem')),
                 `${name}: ${await text(page, '#find-problem')}`,
-                20_000,
             );
             assert.ok(await page.isVisible('#find-empty'), name);
         }
@@ -476,7 +456,7 @@ test('a search that does not load is told, and tried again', () =>
         await page.waitForSelector('#find-picture:visible');
         await ask(page, { axiom: 'F', angle: '60', n: '3' });
         await page.click('#find-start');
-        await until(async () => (await text(page, '#find-problem')) !== '', 'the reason', PATIENCE);
+        await until(async () => (await text(page, '#find-problem')) !== '', 'the reason');
         await page.unroute(/tools\.wasm$/);
         await page.click('#find-start');
         await found(page);
@@ -489,11 +469,7 @@ test('an exercise is searched for other answers', () =>
         await page.click('#make-exercise');
         await page.waitForSelector('#maker-made:visible');
         await page.click('#maker-unique');
-        await until(
-            async () => /shorter than yours/.test(await text(page, '#maker-unique-words')),
-            'the answers',
-            PATIENCE,
-        );
+        await until(async () => /shorter than yours/.test(await text(page, '#maker-unique-words')), 'the answers');
         assert.match(await text(page, '#maker-unique-words'), /Searched: [\d,]+ systems tried/);
         assert.match(await text(page, '#maker-unique-cards .find-rules >> nth=0'), /^F -> F\[\+F\]$/);
         await page.fill('#maker-title', 'Another weed');

@@ -131,7 +131,6 @@ test('every card has a picture or says why it has none', () =>
         await until(
             async () => (await states()).every(({ inked, why }) => inked !== (why !== '')),
             'all cards are done',
-            30_000,
         );
         const without = (await states()).filter(({ inked }) => !inked);
         const systems = without.filter(({ path }) => path !== null);

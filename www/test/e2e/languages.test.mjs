@@ -135,7 +135,7 @@ test('frames of the lesson have the language of the reader', () =>
             await page.waitForSelector('html[lang=de]');
             await page.locator('.places a').nth(1).click();
             const frame = page.frameLocator('.step.now iframe');
-            await frame.locator('html[lang=de] #mark-percent:not(:empty)').waitFor({ timeout: 20_000 });
+            await frame.locator('html[lang=de] #mark-percent:not(:empty)').waitFor();
             assert.match((await frame.locator('#ask-hint').textContent()) ?? '', /^Hinweis/);
         },
     ));

@@ -125,9 +125,11 @@ test('each student gets a variant by name, and the answers are marked by it', ()
                 variants.add(words.replace(/,.*/, ''));
                 // One of the two ways round solves it, at the angle that is given.
                 const rules = ['X -> F[+X]F[-X]+X\nF -> FF', 'X -> F[-X]F[+X]-X\nF -> FF'];
+                const percent = () => page.textContent('#mark-percent');
+                const blank = await until(percent, 'the mark of no rules');
                 await page.fill('#rules', rules[0] ?? '');
                 const isSolved = async () => (await page.locator('#mark.solved').count()) > 0;
-                await page.waitForTimeout(800);
+                await until(async () => (await percent()) !== blank, 'the mark of the first way');
                 if (!(await isSolved())) await page.fill('#rules', rules[1] ?? '');
                 await page.waitForSelector('#mark.solved');
                 answers.push(page.url());

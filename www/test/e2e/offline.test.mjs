@@ -159,7 +159,7 @@ test('kept completely, the page, gallery, exports, embedded drawings, course pag
             await page.click('#open-offline');
             await page.waitForSelector('#keep-words:has-text("MB")');
             await page.click('#keep-all');
-            await page.waitForSelector('#keep-words:has-text("Everything is kept")', { timeout: 60_000 });
+            await page.waitForSelector('#keep-words:has-text("Everything is kept")');
             assert.equal(await page.isVisible('#keep-all'), false);
             await page.click('#close-offline');
             down = true;
@@ -179,16 +179,12 @@ test('kept completely, the page, gallery, exports, embedded drawings, course pag
             await ready(page);
             await page.goto(`${origin}course.html`);
             // Drawings out of view wait.
-            await until(
-                async () => {
-                    const frames = page.frames().filter((frame) => frame.url().includes('exercise.html'));
-                    return (await Promise.all(frames.map((frame) => frame.locator('#stage.inked').count()))).some(
-                        (count) => count > 0,
-                    );
-                },
-                'a drawing of the course page is there',
-                15_000,
-            );
+            await until(async () => {
+                const frames = page.frames().filter((frame) => frame.url().includes('exercise.html'));
+                return (await Promise.all(frames.map((frame) => frame.locator('#stage.inked').count()))).some(
+                    (count) => count > 0,
+                );
+            }, 'a drawing of the course page is there');
             await page.goto(`${origin}docs/lesson.html`);
             await page.frameLocator('iframe').first().locator('#stage.inked').waitFor();
             await page.click('text=About');

@@ -77,7 +77,7 @@ test('a first picture needs only the files that are weighed as such', async () =
 
 test('the page says when lines are not exact, until they are exact again', () =>
     withPage({ hash: '#v=1&axiom=A&rules=A%20-%3E%20F%5B+A%5D%5B-A%5D&n=40&angle=20' }, async (page) => {
-        await until(() => page.isVisible('#rough'), 'it is told', 60_000);
+        await until(() => page.isVisible('#rough'), 'it is told');
         await page.fill('#iterations', '5');
         await page.press('#iterations', 'Enter');
         await until(async () => !(await page.isVisible('#rough')), 'the finer picture is there');
@@ -157,14 +157,15 @@ test('every system of the gallery draws or says why it does not', () =>
                 const wrong = [];
                 let before = digest();
                 for (const path of paths) {
-                    const pictures = /** @type {any} */ (globalThis).pictures;
+                    const site = /** @type {any} */ (globalThis);
+                    const { pictures } = site;
                     element(`.card[data-path="${path}"]`).click();
                     const begun = performance.now();
                     let now = before;
                     do {
                         await new Promise(requestAnimationFrame);
-                        if (/** @type {any} */ (globalThis).pictures > pictures) now = digest();
-                    } while (now === before && !isEmpty() && performance.now() - begun < 20_000);
+                        if (site.pictures > pictures) now = digest();
+                    } while (now === before && !isEmpty() && performance.now() - begun < site.deadline);
                     if (now === before && !isEmpty()) wrong.push(`${path} is not drawn`);
                     if (document.querySelector('.problems .error')) wrong.push(`${path} has errors`);
                     before = now;

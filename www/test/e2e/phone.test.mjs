@@ -123,7 +123,6 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
                             return top >= 0 && bottom <= innerHeight && at(top + 4) && at(bottom - 4);
                         }, id),
                     `${id} is whole on the screen`,
-                    5000,
                 );
                 assert.ok(!(await page.isVisible('#open-gallery')), 'the header makes room');
                 assert.ok(!(await page.isVisible('#tab-look')));

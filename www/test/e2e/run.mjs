@@ -17,6 +17,8 @@ const FILES_AT_ONCE = 2;
 const LONGEST = ['access', 'shares', 'exercises', 'page', 'find', 'embed', 'docs', 'svg', 'watchdog'].map(
     (name) => `${name}.test.mjs`,
 );
+/** A file that has not ended after this time hangs: it is ended, and named. In milliseconds. */
+const DEADLINE = 900_000;
 /** How many of the slowest tests are told. */
 const TOLD = 10;
 
@@ -36,7 +38,7 @@ let failures = 0;
 const ended = ({ name, file = '', details }) =>
     times.push({ seconds: details.duration_ms / 1000, name: `${basename(file)}: ${name}` });
 
-const events = run({ files: chosen.map((name) => join(folder, name)), concurrency: FILES_AT_ONCE });
+const events = run({ files: chosen.map((name) => join(folder, name)), concurrency: FILES_AT_ONCE, timeout: DEADLINE });
 events.on('test:pass', ended);
 events.on('test:fail', (event) => {
     failures += 1;

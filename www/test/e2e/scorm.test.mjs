@@ -209,10 +209,14 @@ const outer = (page) => page.frameLocator('iframe').first();
 const inner = (page) => outer(page).frameLocator('.step.now iframe');
 /** @param {Page} page */
 const told = async (page) => (await outer(page).locator('#learning').textContent()) ?? '';
-/** @param {Page} page @param {string} rules */
-async function answer(page, rules) {
-    await inner(page).locator('#rules').fill(rules, { timeout: 20_000 });
+/** Types rules into the shown step, once its exercise or its drawing is there. @param {Page | import('playwright-core').FrameLocator} place @param {string} rules */
+async function type(place, rules) {
+    const frame = place.frameLocator('.step.now iframe');
+    await frame.locator('#mark-percent:not(:empty), body:not(.exercising) #stage.inked').first().waitFor();
+    await frame.locator('#rules').fill(rules);
 }
+/** @param {Page} page @param {string} rules */
+const answer = (page, rules) => type(outer(page), rules);
 /** @param {Page} page @param {string} name @param {string} value */
 const becomes = (page, name, value) => until(async () => (await stored(page))[name] === value, `${name} is ${value}`);
 /** @param {Page} page @param {RegExp} words */
@@ -246,11 +250,7 @@ for (const [name, options] of /** @type {const} */ ([
             await becomes(page, 'cmi.core.score.raw', '0');
             assert.equal((await stored(page))['cmi.core.lesson_status'], 'incomplete');
             await page.reload();
-            await until(
-                async () => (await inner(page).locator('#rules').inputValue()) === WRONG,
-                'the draft is there',
-                30_000,
-            );
+            await until(async () => (await inner(page).locator('#rules').inputValue()) === WRONG, 'the draft is there');
             await answer(page, RIGHT);
             await becomes(page, 'cmi.core.score.raw', '100');
             await says(page, /^Saved in the learning system\./);
@@ -268,7 +268,6 @@ for (const [name, options] of /** @type {const} */ ([
             await until(
                 async () => (await inner(page).locator('#rules').inputValue()) === RIGHT,
                 'the solution is there',
-                30_000,
             );
             assert.equal((await stored(page))['cmi.core.lesson_status'] ?? 'passed', 'passed');
             await brokeNothing(page);
@@ -349,11 +348,7 @@ test('without an answer of the learning system, answers stay in the browser and 
         const links = await outer(page).locator('#learning textarea').inputValue();
         assert.match(links, /^#v=1&x=[\w-]+&mark=solved&rules=F%20-%3E%20F%2BF--F%2BF$/);
         await page.reload();
-        await until(
-            async () => (await inner(page).locator('#rules').inputValue()) === RIGHT,
-            'the answer is there',
-            30_000,
-        );
+        await until(async () => (await inner(page).locator('#rules').inputValue()) === RIGHT, 'the answer is there');
     }));
 
 test('answers without the learning system are offered once it answers', () =>
@@ -361,11 +356,7 @@ test('answers without the learning system are offered once it answers', () =>
         await answer(page, RIGHT);
         await inner(page).locator('#mark.solved').waitFor();
         await page.reload();
-        await until(
-            async () => (await inner(page).locator('#rules').inputValue()) === RIGHT,
-            'the answer is there',
-            30_000,
-        );
+        await until(async () => (await inner(page).locator('#rules').inputValue()) === RIGHT, 'the answer is there');
         await page.evaluate('provide()');
         await says(page, /earlier answers that the learning system does not have/);
         await outer(page).locator('#learning button:text("Use my earlier answers")').click();
@@ -388,7 +379,6 @@ for (const [name, faults] of /** @type {[string, Partial<Faults>][]} */ ([
                 await until(
                     async () => (await inner(page).locator('#rules').inputValue()) === RIGHT,
                     'the answer is there',
-                    30_000,
                 );
             } else {
                 await becomes(page, 'cmi.core.lesson_status', 'passed');
@@ -411,11 +401,7 @@ for (const [name, faults] of /** @type {[string, Partial<Faults>][]} */ ([
             );
             assert.equal((await stored(page))['cmi.core.score.raw'], '0');
             await page.reload();
-            await until(
-                async () => (await inner(page).locator('#rules').inputValue()) === long,
-                'the text is there',
-                30_000,
-            );
+            await until(async () => (await inner(page).locator('#rules').inputValue()) === long, 'the text is there');
         }));
 
 test('a learning system that forgot everything can have the earlier answers', () =>
@@ -427,7 +413,7 @@ test('a learning system that forgot everything can have the earlier answers', ()
         await says(page, /earlier answers that the learning system does not have/);
         await outer(page).locator('#learning button:text("Use my earlier answers")').click();
         await becomes(page, 'cmi.core.lesson_status', 'passed');
-        assert.equal(await inner(page).locator('#rules').inputValue(), RIGHT);
+        await until(async () => (await inner(page).locator('#rules').inputValue()) === RIGHT, 'the answer is shown');
     }));
 
 test('a preview saves nothing, and says so', () =>
@@ -459,7 +445,7 @@ test('the opener of a window of its own may be the learning system', () =>
             return route.fulfill({ body: filesOf('one 1.2').get(name) ?? '', contentType: 'text/html; charset=utf-8' });
         });
         await opened.reload();
-        await opened.frameLocator('.step.now iframe').locator('#rules').fill(RIGHT, { timeout: 20_000 });
+        await type(opened, RIGHT);
         await becomes(page, 'cmi.core.lesson_status', 'passed');
     }));
 
@@ -475,11 +461,7 @@ test('the lesson keeps its place, its answers and the own plant', () =>
         await until(async () => /k=own/.test((await stored(page))['cmi.suspend_data'] ?? ''), 'the plant is kept');
         assert.equal(await inner(page).locator('#open').isVisible(), false, 'no way to a playground');
         await page.reload();
-        await until(
-            async () => (await inner(page).locator('#rules').inputValue()) === plant,
-            'the plant is there',
-            30_000,
-        );
+        await until(async () => (await inner(page).locator('#rules').inputValue()) === plant, 'the plant is there');
         assert.equal(await outer(page).locator('.places .done').count(), 2);
         assert.equal((await stored(page))['cmi.core.lesson_status'] ?? 'incomplete', 'incomplete');
         const links = await outer(page)
@@ -531,7 +513,7 @@ test('a package opens from a disk, alone and in a frame', async () => {
         await writeFile(join(folder, 'player.html'), player('1.2', {}, false));
         const address = pathToFileURL(folder).href;
         await withPage({ address, hash: '/package/index.html', drawing: null }, async (page) => {
-            await page.frameLocator('.step.now iframe').locator('#rules').fill(RIGHT, { timeout: 20_000 });
+            await type(page, RIGHT);
             await until(async () => (await page.locator('.places .done').count()) === 1, 'the first is done');
             assert.match((await page.textContent('#learning')) ?? '', /No learning system answers here/);
             await page.reload();

@@ -147,7 +147,7 @@ const machine = (cores) => (/** @type {import('playwright-core').Page} */ page) 
     }, cores);
 
 /** @param {import('playwright-core').Page} page */
-const patient = (page) => until(() => stillPicture(page), 'a picture', 30_000);
+const patient = (page) => until(() => stillPicture(page), 'a picture');
 
 test('the page hires mates for a slow picture, and the picture is the same without mates', async () => {
     /** @type {string[][]} */
@@ -168,7 +168,7 @@ test('the page hires mates for a slow picture, and the picture is the same witho
                     .forEach((/** @type {Worker} */ mate) => mate.terminate()),
             );
             await page.keyboard.press('Shift+ArrowRight');
-            await until(async () => (await picture(page)).digest === first.digest, 'the first picture again', 30_000);
+            await until(async () => (await picture(page)).digest === first.digest, 'the first picture again');
             await page.evaluate((next) => (location.hash = next), LEAF);
             await nextPicture(page, first);
         });

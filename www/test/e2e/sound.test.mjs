@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
-import { close, stillPicture, until, withPage } from './browser.mjs';
+import { close, stillPicture, quiet, until, withPage } from './browser.mjs';
 
 after(close);
 
@@ -118,7 +118,7 @@ test('branches sound together by length, with their places marked', () =>
         await page.click('#play');
         const part = await page.inputValue('#play-slider');
         const before = (await tones(page)).length;
-        await page.waitForTimeout(300);
+        await quiet(300, 'it would play on');
         assert.deepEqual([await page.inputValue('#play-slider'), (await tones(page)).length], [part, before]);
         await page.click('#play');
         await until(async () => (await tones(page)).length > before, 'it goes on');

@@ -210,11 +210,7 @@ test('a turning drawing fills the stage with fewer pixels, and has all pixels at
                 );
             }
             await page.click('#turntable');
-            await until(
-                async () => (await page.getAttribute('#stage', 'aria-busy')) !== 'true',
-                'it is at rest',
-                30_000,
-            );
+            await until(async () => (await page.getAttribute('#stage', 'aria-busy')) !== 'true', 'it is at rest');
             const { shown, pixels } = await sizes();
             assert.deepEqual(pixels, shown);
         },

@@ -78,7 +78,7 @@ export const STATES = {
         await tab('rules')(page);
         await page.click('#section-rules [data-opens=find]');
         await page.click('[data-example=hexerode]');
-        await page.waitForSelector('#find-verdict.found', { timeout: 90_000 });
+        await page.waitForSelector('#find-verdict.found');
         await page.waitForSelector('.find-card .thumb.inked');
     },
     shortcuts: (page) => page.keyboard.press('?'),

@@ -145,15 +145,15 @@ test('the mathematics is told in words, a plot, a matrix, a table and files', ()
         await until(async () => /by 2\./.test((await page.textContent('#math-words')) ?? ''), 'it follows');
     }));
 
-test('playing goes on while the slider has the focus', () =>
+test('the keys of the slider go from one generation to the next', () =>
     withPage({ hash: ALGAE }, async (page) => {
         await page.click('#open-steps');
         await says(page, /Generation/);
         await page.focus('#steps-at');
         await page.keyboard.press('Home');
-        await says(page, /Generation 0/);
+        await says(page, /^Generation 0:/);
         assert.ok(await page.isDisabled('#steps-back'));
         await page.keyboard.press('ArrowRight');
-        await says(page, /Generation 1/);
+        await says(page, /^Generation 1:/);
         assert.ok(await page.isEnabled('#steps-back'));
     }));

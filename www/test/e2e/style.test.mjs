@@ -7,7 +7,7 @@ after(close);
 const PLANT = `#v=1&title=Plant&axiom=X&rules=${encodeURIComponent('X -> F[+X][-X]FX\nF -> FF')}&n=5&angle=25`;
 
 /** @param {import('playwright-core').Page} page @param {string} name */
-const tab = (page, name) => page.click(`#tab-${name}`, { timeout: 2000 }).catch(() => {});
+const tab = (page, name) => page.click(`#tab-${name}`);
 
 test('colours follow the choice of Colour by', () =>
     withPage({ hash: PLANT }, async (page) => {

@@ -16,6 +16,8 @@ const ARGUMENTS = [
     '--disable-sync',
 ];
 
+/** Whoever waits for longer than this waits for ever, also on a busy machine. In milliseconds. */
+export const DEADLINE = 120_000;
 /** What tests listen to. */
 const EVENTS = /** @type {const} */ (['console', 'pageerror', 'request', 'dialog']);
 
@@ -38,6 +40,7 @@ export async function newTab(options, script) {
         args: ARGUMENTS,
     });
     const context = await (await browser).newContext(options);
+    context.setDefaultTimeout(DEADLINE);
     await context.addInitScript(script);
     const page = await context.newPage();
     waitsForParts(page);

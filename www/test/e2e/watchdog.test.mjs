@@ -347,7 +347,6 @@ for (const way of WAYS) {
                                 () => document.querySelector('#stage.inked')?.getAttribute('aria-busy') === 'false',
                             ),
                         'the drawing',
-                        20_000,
                     );
                     const before = await picture(frame);
                     /** @param {object} message */
