@@ -19,7 +19,7 @@ import { dice, randomState } from './random.mjs';
 
 /** @typedef {import('./junk.mjs').Roll} Roll */
 
-const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
+const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 200);
 
 /** The maximum JSON size of a state: the longest texts with six characters per character, and the rest. */
 const LARGEST_STATE = 700_000;

@@ -9,7 +9,7 @@ import { DEFAULTS, clean } from '../../js/state.js';
 import { DAMAGED, SCRIPTS } from './hostile.mjs';
 import { dice, randomState } from './random.mjs';
 
-const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
+const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 200);
 /** The memory that a hostile link may use, in bytes. */
 const MOST_MEGABYTES = 64;
 

@@ -6,7 +6,7 @@ import { numberField, optionalField } from '../../js/controls/number-field.js';
 import { damaged, junkText, pick, whole } from './junk.mjs';
 import { dice } from './random.mjs';
 
-const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 500);
+const ROUNDS = Number(process.env.LSYSTEM_CASES ?? 200);
 
 /** A fake input element for a number field. */
 class Field {
