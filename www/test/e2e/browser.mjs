@@ -50,8 +50,8 @@ export async function withPage(
     use,
 ) {
     const how = { reducedMotion: /** @type {const} */ ('reduce'), acceptDownloads: true, ...options };
-    // What `before` changes in a tab may stay, and pages of other addresses are not forgotten.
-    const own = before || address !== ADDRESS || also !== ADDRESS;
+    // What `before` changes in a tab may stay, and pages of other sites are not forgotten.
+    const own = before || !address.startsWith(ADDRESS);
     const page = await (own ? newTab(how, count) : takeTab(how, count));
     let passed = false;
     try {
