@@ -3,6 +3,8 @@
  * (crates/xtask/src/one_file.rs).
  */
 
+import { fromBase64 } from './base64.js';
+
 /** The compiled core: what most first pictures need, and the rest. And the worker's script. */
 export const WASM = 'lsystem.wasm';
 export const REST = 'lsystem-rest.wasm';
@@ -49,7 +51,7 @@ export function scriptAddress(name) {
  */
 export async function responseOf(name, anew = false) {
     const here = embedded(name);
-    if (here) return new Response(decode(here.textContent ?? ''));
+    if (here) return new Response(contentOf(here));
     const response = anew ? await fetch(name, { cache: 'reload' }) : await fetch(name);
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
     return response;
@@ -60,9 +62,9 @@ export async function jsonOf(name) {
     return (await responseOf(name)).json();
 }
 
-/** The bytes of a file in the page: the lower halves of its characters. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
-function decode(text) {
-    const bytes = new Uint8Array(text.length);
-    for (let at = 0; at < text.length; at++) bytes[at] = text.charCodeAt(at);
-    return bytes;
+/** A file in the page: a text, or compressed as in long links. @param {Element} element */
+function contentOf(element) {
+    const text = element.textContent ?? '';
+    if (element.getAttribute('type') !== 'text/zlib') return text;
+    return new Blob([fromBase64(text)]).stream().pipeThrough(new DecompressionStream('deflate'));
 }

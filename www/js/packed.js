@@ -3,6 +3,7 @@
  * checksum detects damaged links.
  */
 
+import { fromBase64, toBase64 } from './base64.js';
 import { LONGEST, PACKED, escapeLeast, readLink, writeFields, writeLink } from './link.js';
 import { say } from './words.js';
 
@@ -104,19 +105,4 @@ function wordsOf(error) {
     if (typeof DecompressionStream !== 'function')
         return say`This browser cannot read compressed links. Use a newer browser.`;
     return say`The compressed part of the link is damaged or cut off and was not read.`;
-}
-
-/** @param {Uint8Array} bytes */
-function toBase64(bytes) {
-    let text = '';
-    for (let at = 0; at < bytes.length; at += 8192) text += String.fromCharCode(...bytes.subarray(at, at + 8192));
-    return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-}
-
-/** @param {string} text */
-function fromBase64(text) {
-    if (!/^[\w-]*$/.test(text)) throw new SyntaxError('not base64url');
-    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (character) =>
-        character.charCodeAt(0),
-    );
 }

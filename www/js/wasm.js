@@ -1,6 +1,6 @@
 /** Compiling the site's wasms. */
 
-import { responseOf } from './files.js';
+import { isCarried, responseOf } from './files.js';
 import { say } from './words.js';
 
 /**
@@ -9,6 +9,8 @@ import { say } from './words.js';
  * @param {boolean} anew whether to bypass the browser's cache
  */
 export async function compile(name, anew) {
+    if (isCarried(name) && typeof DecompressionStream !== 'function')
+        throw new Error(say`This browser cannot read compressed pages. Use a newer browser.`);
     const response = await responseOf(name, anew);
     const streams = response.headers.get('content-type') === 'application/wasm';
     try {

@@ -2,7 +2,10 @@
 
 use core::mem::take;
 use lsystem_base::{sorted::sort, words::said};
+use lsystem_files::packed::unpack;
 
+/// The largest file that is searched in a page, in bytes: seven times a draft of the largest wasm.
+const LARGEST: usize = 64 << 20;
 /// The length of the shortest part of a text that is searched, in bytes.
 const SHORTEST: usize = 4;
 /// What lets a page of the site fetch words. Pages that leave the site have theirs inside, or are English.
@@ -25,13 +28,27 @@ impl PageWords<'_> {
     /// page has no title or the catalogue is damaged.
     #[must_use]
     pub fn give_to(&self, page: &str, also: &str) -> Option<String> {
-        let words = words_in(self.catalogue, &[page.as_bytes(), also.as_bytes()])?;
+        let carried = carried(page);
+        let files: Vec<&[u8]> = carried.iter().map(Vec::as_slice).chain([page.as_bytes(), also.as_bytes()]).collect();
+        let words = words_in(self.catalogue, &files)?;
         let file = format!("lang/{}/words.json", self.language);
-        let element = format!("\n<script type=\"text/bytes\" data-file=\"{file}\">{}</script>", ascii(&words));
+        let element = format!("\n<script type=\"text/plain\" data-file=\"{file}\">{}</script>", ascii(&words));
         let (head, body) = page.split_at(page.find("</title>")? + "</title>".len());
         let head = head.replacen("<html lang=\"en\"", &format!("<html lang=\"{}\"", self.language), 1);
         Some(without_requests(&head) + &element + &without_scripts(body))
     }
+}
+
+/// The files that a single file carries compressed (`crates/xtask/src/one_file.rs`). A damaged one is left out.
+fn carried(page: &str) -> Vec<Vec<u8>> {
+    let elements = page.split("<script type=\"text/zlib\" ").skip(1);
+    elements
+        .filter_map(|element| {
+            let (_, text) = element.split_once('>')?;
+            let (text, _) = text.split_once('<')?;
+            unpack(text, LARGEST).ok()
+        })
+        .collect()
 }
 
 /// A page that leaves the site: its policy forbids all requests.
@@ -190,7 +207,7 @@ mod tests {
             }"#,
         );
         let (head, rest) =
-            page.split_once("</title>\n<script type=\"text/bytes\" data-file=\"lang/de/words.json\">").unwrap();
+            page.split_once("</title>\n<script type=\"text/plain\" data-file=\"lang/de/words.json\">").unwrap();
         assert!(head.contains("<html lang=\"de\" data-theme=\"light\">"), "{head}");
         assert!(head.contains("default-src 'none'; base-uri 'none'"), "{head}");
         let (words, rest) = rest.split_once("</script>").unwrap();
@@ -204,6 +221,16 @@ mod tests {
             "Grow": "Wachse"
         });
         assert_eq!(words, told);
+    }
+
+    #[test]
+    fn compressed_files_of_a_page_are_searched() {
+        let element = |text: &str| format!("<script type=\"text/zlib\" data-file=\"a.wasm\">{text}</script>");
+        let packed = lsystem_files::packed::pack(b"\0Nothing grows\xff");
+        let page = PAGE.to_owned() + &element("damaged!") + &element(&packed);
+        let words = PageWords { language: "de", catalogue: r#"{"Nothing grows": "A", "Nothing else": "B"}"# };
+        let page = words.give_to(&page, "").unwrap();
+        assert!(page.contains(r#"{"Nothing grows":"A"}"#), "{page}");
     }
 
     #[test]

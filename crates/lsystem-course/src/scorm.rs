@@ -299,11 +299,11 @@ mod tests {
         let pages = ScormPages { steps: STEPS_PAGE, exercise, words };
         let scorm = Scorm { title: "", exercises: &[], standard: ScormStandard::Scorm12 };
         let files = files(&scorm_package(&scorm, &pages).unwrap());
-        let steps = "<script type=\"text/bytes\" data-file=\"lang/de/words.json\">{\"lesson\":\"Lektion\"}</script>";
+        let steps = "<script type=\"text/plain\" data-file=\"lang/de/words.json\">{\"lesson\":\"Lektion\"}</script>";
         assert!(files[1].1.contains("<html lang=\"de\" data-package=\"lesson\""), "{}", files[1].1);
         assert!(files[1].1.contains(steps), "{}", files[1].1);
         assert!(
-            files[2].1.starts_with("<html lang=\"de\"><title>E</title>\n<script type=\"text/bytes\""),
+            files[2].1.starts_with("<html lang=\"de\"><title>E</title>\n<script type=\"text/plain\""),
             "{}",
             files[2].1
         );
