@@ -12,6 +12,9 @@ import { ours, say } from './words.js';
 /** @typedef {import('./protocol.js').FromTool} FromTool */
 /** @typedef {{resolve: (value: any) => void, reject: (error: unknown) => void, progress?: ((value: any) => void) | undefined}} Waiting */
 
+/** How long a worker may be silent that hears nothing while it answers, in milliseconds: it tells its progress between pieces. */
+const STRAIGHT = 30_000;
+
 /** The reason of calls whose worker was silent for too long. */
 export const SILENT = say`the tool did not answer`;
 
@@ -38,7 +41,7 @@ export function createTool(tool, { isStraight = false } = {}) {
     /** @type {Map<number, Waiting>} */
     const waiting = new Map();
     const watchdog = createWatchdog({
-        patience: () => (!worker || waiting.size === 0 ? 0 : hasSpoken ? SILENCE : STARTUP),
+        patience: () => (!worker || waiting.size === 0 ? 0 : !hasSpoken ? STARTUP : isStraight ? STRAIGHT : SILENCE),
         ping: () => post({ type: 'ping' }),
         stopped: () => end(SILENT),
     });
