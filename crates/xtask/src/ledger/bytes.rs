@@ -38,13 +38,25 @@ fn compressed(workspace: &Workspace) -> Result<BTreeMap<String, f64>> {
     rows.collect()
 }
 
+/// Pages that are kept, packed and sent as single files. What they carry is compressed inside.
+const SINGLE: [&str; 5] = ["embed.html", "exercise.html", "film.html", "package.html", "playground.html"];
+
 /// The bytes of the site. Files in folders and parts of the page are summed, because they are many and small.
 pub(super) fn site(workspace: &Workspace) -> Result<Measured> {
     let mut rows = Measured::new();
     for (path, bytes) in compressed(workspace)? {
-        *rows.entry(row_of(&path)).or_default() += bytes;
+        if !SINGLE.contains(&path.as_str()) {
+            *rows.entry(row_of(&path)).or_default() += bytes;
+        }
     }
     Ok(rows)
+}
+
+/// The bytes of pages in single files, as they are.
+pub(super) fn single(workspace: &Workspace) -> Result<Measured> {
+    let site = Kind::Shipped.folder(workspace);
+    let files = SINGLE.iter().map(|name| (name, site.join(name))).filter(|(_, file)| file.is_file());
+    files.map(|(name, file)| Ok(((*name).to_owned(), fs::metadata(file)?.len() as f64))).collect()
 }
 
 /// The row of a file: its folder; for a part of the page, whose name ends in a hash, all parts; else itself.

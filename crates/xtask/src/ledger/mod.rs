@@ -32,8 +32,9 @@ struct Kind {
     measure: fn(&Workspace) -> Result<Measured>,
 }
 
-const KINDS: [Kind; 8] = [
+const KINDS: [Kind; 9] = [
     Kind { title: "Bytes of the site", margin: 0.03, measure: bytes::site },
+    Kind { title: "Bytes of single files", margin: 0.03, measure: bytes::single },
     Kind { title: "Bytes before the first picture", margin: 0.03, measure: bytes::first },
     Kind { title: "Lines of Rust that are shipped", margin: 0.03, measure: lines::shipped },
     Kind { title: "Lines of Rust for developers", margin: 0.03, measure: lines::tools },
