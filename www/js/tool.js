@@ -13,7 +13,7 @@ import { ours, say } from './words.js';
 /** @typedef {{resolve: (value: any) => void, reject: (error: unknown) => void, progress?: ((value: any) => void) | undefined}} Waiting */
 
 /** How long a worker may be silent that hears nothing while it answers, in milliseconds: it tells its progress between pieces. */
-const STRAIGHT = 30_000;
+const STRAIGHT = 12_000;
 
 /** The reason of calls whose worker was silent for too long. */
 export const SILENT = say`the tool did not answer`;

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-/// Crates of the developer, which are not shipped: measurements in the browser, and the build.
-const DEVELOPMENT: [&str; 2] = ["bench", "xtask"];
+/// Crates of the developer, which are not shipped: measurements and tests in the browser, and the build.
+const DEVELOPMENT: [&str; 3] = ["bench", "wasm-test-runner", "xtask"];
 
 #[test]
 fn only_boundary_crates_depend_on_wasm_bindgen() {

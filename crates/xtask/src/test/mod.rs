@@ -9,10 +9,9 @@ mod quick;
 mod wasm;
 
 use crate::build::{self, Kind};
-use crate::ledger::{self, LedgerOptions};
 use crate::report::Report;
 use crate::workspace::Workspace;
-use crate::{fuzz, lint, monkey, outside, package, page, tools};
+use crate::{fuzz, ledger, lint, monkey, outside, package, page, tools};
 use anyhow::{Context, Result};
 use clap::ValueEnum;
 use native::Built;
@@ -92,7 +91,7 @@ pub(crate) fn test(workspace: &Workspace, options: &TestOptions) -> Result<()> {
         report.keep(workspace)?;
     }
     if options.has(Part::Ledger) {
-        report.step(workspace, "ledger", |workspace, _| ledger::ledger(workspace, &LedgerOptions::default()));
+        report.step(workspace, "ledger", |workspace, _| ledger::without_times(workspace));
     }
     report.finish()
 }

@@ -18,7 +18,8 @@ use std::time::{Duration, Instant};
 pub(crate) const CRATES: [&str; 3] = ["--workspace", "--exclude", "bench"];
 /// The programs that tests run, and the library of the Python package. Not this one, which would be linked anew while it
 /// runs.
-const PROGRAMS: [&str; 6] = ["build", "--lib", "--bin=lsys", "--bin=lsystem-fuzz", "--bin=outside", "--bin=site"];
+const PROGRAMS: [&str; 7] =
+    ["build", "--lib", "--bin=lsys", "--bin=lsystem-fuzz", "--bin=outside", "--bin=site", "--bin=wasm-test-runner"];
 /// What native tests read beside what is compiled into them.
 const DATA: [&str; 8] = [
     "data_in",

@@ -47,6 +47,8 @@ pub(super) fn build(workspace: &Workspace) -> Result<Vec<(PathBuf, PathBuf)>> {
 pub(super) fn run(workspace: &Workspace, passed: &Passed, report: &Report) -> Result<()> {
     let native = ["test", "--test=same_bits"].into_iter().chain(CRATES);
     workspace.run(workspace.cargo(native).env("LSYSTEM_SAME_BITS_FILE", digests(workspace)))?;
+    let runner = ["build", "--bin=wasm-test-runner"].into_iter().chain(CRATES);
+    workspace.run(&mut workspace.cargo(runner))?;
     let programs = build(workspace)?;
     let print = fingerprint(programs.iter().map(|program| program.0.as_path()))?;
     passed.once(report, TESTS, &print, || {
