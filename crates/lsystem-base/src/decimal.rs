@@ -6,7 +6,7 @@
 use core::cmp::Ordering;
 
 /// The most digits that are kept. Any double or midpoint of two doubles has fewer significant digits.
-const MOST_DIGITS: usize = 800;
+const MAX_DIGITS: usize = 800;
 
 /// The powers of ten that are exact doubles.
 const EXACT: [f64; 23] = [
@@ -30,7 +30,7 @@ pub fn read(text: &str) -> Option<f64> {
     }
     let written = before.bytes().chain(after.bytes());
     let leading = written.clone().take_while(|&digit| digit == b'0').count();
-    let mut digits: Vec<u8> = written.clone().skip(leading).take(MOST_DIGITS).map(|digit| digit - b'0').collect();
+    let mut digits: Vec<u8> = written.clone().skip(leading).take(MAX_DIGITS).map(|digit| digit - b'0').collect();
     // If a digit left out is not zero, the last digit kept must not be zero, so that rounding sees a remainder.
     let rest = written.skip(leading + digits.len());
     let left_out = rest.clone().count();

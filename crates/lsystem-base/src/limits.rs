@@ -15,6 +15,8 @@ pub enum LimitName {
     PlotStrokes,
     /// Parts of a drawing that are read for a plotter ([`MAX_PLOT_BLOCKS`](crate::MAX_PLOT_BLOCKS)).
     PlotBlocks,
+    /// Comparisons of lines with what may hide them ([`MAX_COMPARISONS`](crate::MAX_COMPARISONS)).
+    Comparisons,
     /// Segments and vertices of polygons that a mesh writes out.
     Mesh,
     /// Segments and vertices of polygons that a viewer of a mesh draws, copies included.
@@ -73,6 +75,7 @@ impl Limits {
             LimitName::Segments | LimitName::PlotStrokes | LimitName::Mesh => self.segments,
             LimitName::MeshCopies => MAX_MESH_COPIES,
             LimitName::PlotBlocks => MAX_PLOT_BLOCKS,
+            LimitName::Comparisons => MAX_COMPARISONS,
             LimitName::Work => self.work,
             LimitName::Memory => self.memory,
             LimitName::Iterations => u64::from(MAX_ITERATIONS),
@@ -124,6 +127,10 @@ pub const MAX_PICTURE_PIXELS: u32 = 100_000_000;
 
 /// The most blocks of a drawing that are read for a plotter: some seconds.
 pub const MAX_PLOT_BLOCKS: u64 = 100_000_000;
+
+/// The most comparisons of a plot's lines with what may hide them: some seconds, and ten times as
+/// many as a large tree of broad strokes takes.
+pub const MAX_COMPARISONS: u64 = 300_000_000;
 
 /// The most different symbols in a system: a letter's number has 16 bits.
 pub const MAX_LETTERS: usize = 1 << 16;

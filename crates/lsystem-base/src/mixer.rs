@@ -1,4 +1,4 @@
-//! A fast hash without protection against chosen keys: who chooses bad keys slows only their own picture.
+//! A fast hash. Chosen keys can make it slow, but an attacker can only slow down their own picture.
 
 use core::hash::Hasher;
 

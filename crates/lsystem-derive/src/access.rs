@@ -23,7 +23,7 @@ pub struct Word<'a> {
 }
 
 /// The most units of work for the counts, about ten milliseconds.
-const MOST: u64 = 1 << 20;
+const MAX: u64 = 1 << 20;
 
 /// A symbol's ancestor in one generation: its place and the production that made it.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +47,7 @@ pub struct Ancestor {
 /// The part of a generation that derives from one symbol of an earlier generation. Positions and segments are 0-based
 /// and saturating.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct DerivedPart {
     /// The positions of the derived symbols.
     pub symbols: Range<u128>,
     /// The segments that these symbols draw, in drawing order.
@@ -121,7 +121,7 @@ impl<'a> Word<'a> {
     /// - The counts would take more than 16 MiB or 2^20 units of work.
     #[must_use]
     pub fn new(rules: &'a Rules, seed: u32, n: u32, drawn: Option<&[u64]>) -> (Option<Self>, u64) {
-        let mut meter = Meter::new(MOST);
+        let mut meter = Meter::new(MAX);
         (Self::within(rules, seed, n, drawn, &mut meter), meter.spent())
     }
 
@@ -233,7 +233,7 @@ impl<'a> Word<'a> {
     /// The part of this generation that derives from the symbol at `index` of `generation`, at most `n`; `None` if
     /// there is no such symbol.
     #[must_use]
-    pub fn part(&self, generation: u32, index: u128) -> Option<Part> {
+    pub fn part(&self, generation: u32, index: u128) -> Option<DerivedPart> {
         let mut word = self.rules.axiom.letters.as_slice();
         let mut skip = index;
         let (mut symbols, mut segments) = (0_u128, 0_u128);
@@ -251,7 +251,7 @@ impl<'a> Word<'a> {
             })?;
             if steps == 0 {
                 let letter = *held;
-                return Some(Part {
+                return Some(DerivedPart {
                     symbols: symbols..symbols.saturating_add(self.symbols.get(depth, letter)),
                     segments: segments..segments.saturating_add(self.segments.get(depth, letter)),
                 });

@@ -22,7 +22,7 @@ pub trait Interpretation: Send + Sync {
     ///
     /// # Errors
     /// As [`Rewriter::image`].
-    fn step(&mut self, rewriter: &Rewriter, answers: &mut Vec<Answer>, meter: &mut Meter) -> Result<bool, Fault>;
+    fn step(&mut self, rewriter: &Rewriter, answers: &mut Vec<QueryAnswer>, meter: &mut Meter) -> Result<bool, Fault>;
 
     /// The work beyond the walk so far, in modules: it counts towards the limit of the derivation.
     fn work(&self) -> u64;
@@ -33,7 +33,7 @@ pub trait Interpretation: Send + Sync {
 
 /// The answer to one query module.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Answer {
+pub struct QueryAnswer {
     /// The index of the module's first argument in the word.
     pub argument: usize,
     /// The number of arguments that are answered.
@@ -62,7 +62,7 @@ impl PartialEq for Interpreter {
 /// An interpretation under way, with its answers so far.
 pub(crate) struct Asking {
     interpretation: Box<dyn Interpretation>,
-    answers: Vec<Answer>,
+    answers: Vec<QueryAnswer>,
 }
 
 impl fmt::Debug for Asking {
@@ -93,7 +93,7 @@ impl Asking {
 
     /// Puts the answers into the arguments of a word. An answer that is not finite leaves an argument as it is.
     pub(crate) fn fill(&self, arguments: &mut [f64]) {
-        for Answer { argument, count, values } in &self.answers {
+        for QueryAnswer { argument, count, values } in &self.answers {
             let places = arguments.iter_mut().skip(*argument).take(usize::from(*count));
             for (place, value) in places.zip(values).filter(|(_, value)| value.is_finite()) {
                 *place = *value;
@@ -108,6 +108,6 @@ impl Asking {
 
     /// The bytes of its memory.
     pub(crate) fn bytes(&self) -> u64 {
-        self.interpretation.bytes() + (self.answers.capacity() * size_of::<Answer>()) as u64
+        self.interpretation.bytes() + (self.answers.capacity() * size_of::<QueryAnswer>()) as u64
     }
 }

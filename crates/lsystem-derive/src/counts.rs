@@ -6,6 +6,9 @@
 use crate::{LetterId, Rewrite, Rules, Tally};
 use lsystem_base::{MAX_COUNTING, Meter, Progress};
 
+/// The most units of work of [`Counter::finish`].
+const MAX_WORK: u64 = 1 << 27;
+
 /// A count of a generation, made in resumable steps. It holds no references, so that callers may store it between two
 /// steps.
 #[derive(Clone, Debug)]
@@ -74,10 +77,11 @@ impl Counter {
         self.spent
     }
 
-    /// Counts to the end, and returns the count as [`Counter::count`] does.
+    /// Counts to the end, and returns the count as [`Counter::count`] does; `None` also if that takes more than
+    /// about a second.
     #[must_use]
     pub fn finish(mut self) -> Option<Tally> {
-        while self.step(u64::MAX) == Progress::More {}
+        self.step(MAX_WORK);
         self.count.flatten()
     }
 

@@ -38,7 +38,7 @@ impl Key {
     /// A number from -1 to 1 for the variation of one length or angle of a module: the one at `slot` (0-based). The
     /// number does not depend on the step, so that a module that stays keeps its variation.
     #[must_use]
-    pub fn variation(self, seed: u32, varied: Varied, slot: u32) -> f64 {
+    pub fn variation(self, seed: u32, varied: Quantity, slot: u32) -> f64 {
         let slot = 1 << 63 | (varied as u64) << 32 | u64::from(slot);
         2.0 * unit(mix(mix(self.0, u64::from(seed) | 1 << 32), slot)) - 1.0
     }
@@ -46,7 +46,7 @@ impl Key {
 
 /// The quantities that vary from module to module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Varied {
+pub enum Quantity {
     /// The angle of a turn.
     Angle,
     /// The length of a step forward.

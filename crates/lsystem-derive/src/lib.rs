@@ -2,7 +2,7 @@
 //! pages, or only counted.
 //!
 //! [`Rules`] are the compiled grammar, in which letters are small integers. If every letter derives independently of
-//! its neighbours ([`Rules::is_plain`]), a generation is visited depth first ([`Walk`]), written from copied parts
+//! its neighbours ([`Rules::is_plain`]), a generation is visited depth first ([`DepthFirst`]), written from copied parts
 //! ([`derive_string`]), counted without being derived ([`Counter`]) and read at any position ([`Word`]). Otherwise a
 //! [`Rewriter`] makes one generation after another, and a [`History`] records the successors of every module. A random
 //! choice depends only on the place of its module ([`Key`]), so that all these methods give the same result.
@@ -41,15 +41,15 @@ mod rewriting;
 #[cfg(test)]
 mod testing;
 
-pub use access::{Ancestor, Part, Word};
-pub use asking::{Answer, Interpret, Interpretation, Interpreter};
+pub use access::{Ancestor, DerivedPart, Word};
+pub use asking::{Interpret, Interpretation, Interpreter, QueryAnswer};
 pub use counts::{Counter, weigh_until};
 pub use derivation::{derive_once, derive_string, derive_symbol, fault};
-pub use key::{Key, Varied};
+pub use key::{Key, Quantity};
 pub use rewrite::Rewrite;
 pub use rewriting::{Age, Fault, History, Image, Rewriter, between};
 pub use rules::{Letter, LetterId, Rule, Rules, Template};
 pub use tally::Tally;
-pub use walk::{Fate, Next, Walk};
+pub use walk::{DepthFirst, ModuleAge, Next};
 
 pub(crate) use rewrite::Alternative;

@@ -5,7 +5,7 @@ use crate::{Alternative, Key, LetterId, Rewrite, Rules};
 
 /// The state of a depth-first derivation. It holds no references, so that callers may store it between two calls.
 #[derive(Clone, Debug)]
-pub struct Walk {
+pub struct DepthFirst {
     n: u32,
     seed: u32,
     /// The words on the path from the axiom to the present letter, outermost first.
@@ -21,7 +21,7 @@ struct OpenWord {
     next: usize,
     /// The key of the letter that this word replaced.
     key: Key,
-    /// As [`Fate::since`], for the letter that this word replaced.
+    /// As [`ModuleAge::since`], for the letter that this word replaced.
     since: u32,
 }
 
@@ -34,7 +34,7 @@ enum WordSource {
 
 /// The key and the age of a module.
 #[derive(Clone, Copy, Debug)]
-pub struct Fate {
+pub struct ModuleAge {
     /// The module's key.
     pub key: Key,
     /// The derivation step that made the module, or the oldest ancestor in an unbroken line of the same letter; 0 for
@@ -46,7 +46,7 @@ pub struct Fate {
     pub grows: bool,
 }
 
-/// The result of [`Walk::next`].
+/// The result of [`DepthFirst::next`].
 pub enum Next {
     /// A letter of the last generation, or a known letter, and the number of derivation steps that remain for the
     /// letter.
@@ -57,7 +57,7 @@ pub enum Next {
     End,
 }
 
-impl Walk {
+impl DepthFirst {
     /// A walk at the start of generation `n`.
     #[must_use]
     pub fn new(n: u32, seed: u32) -> Self {
@@ -110,9 +110,11 @@ impl Walk {
         rules: &Rules,
         symbol: LetterId,
         mut continues: impl FnMut(LetterId, &[LetterId]) -> Option<usize>,
-    ) -> Fate {
+    ) -> ModuleAge {
         let generation = self.open.len().saturating_sub(1) as u32;
-        let Some(word) = self.open.last() else { return Fate { key: Key::root(0), since: 0, step: 0, grows: false } };
+        let Some(word) = self.open.last() else {
+            return ModuleAge { key: Key::root(0), since: 0, step: 0, grows: false };
+        };
         let index = word.next.saturating_sub(1);
         let grows = match word.source {
             WordSource::Successor(former, _) if generation == self.n => {
@@ -121,7 +123,7 @@ impl Walk {
             _ => false,
         };
         let (key, since) = (word.key(generation, index as u64), word.since(generation, symbol));
-        Fate { key, since, step: generation, grows }
+        ModuleAge { key, since, step: generation, grows }
     }
 }
 
@@ -134,7 +136,7 @@ impl OpenWord {
         }
     }
 
-    /// As [`Fate::since`], for a letter `symbol` of this word; `generation` is the generation of the word.
+    /// As [`ModuleAge::since`], for a letter `symbol` of this word; `generation` is the generation of the word.
     fn since(&self, generation: u32, symbol: LetterId) -> u32 {
         match self.source {
             WordSource::Successor(former, _) if former == symbol => self.since,

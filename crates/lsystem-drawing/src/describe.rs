@@ -5,7 +5,7 @@ use lsystem_base::sorted::set;
 use lsystem_base::words::{grouped, said, shown};
 use lsystem_base::{MAX_ITERATIONS, Meter, counted, say, word};
 use lsystem_derive::{LetterId, Rewrite, Tally, weigh_until};
-use lsystem_syntax::{Action, Grammar, Heading, Outline, Pattern, Production};
+use lsystem_syntax::{Action, Grammar, NumberForm, Pattern, Production};
 
 /// A symbol of a system and its actions, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,7 +48,7 @@ pub fn legend(system: &System) -> Vec<LegendEntry> {
             let names = parameters(mine.clone().next().map(|p| &p.predecessor), arity, own.first());
             let actions = if images(id).is_empty() {
                 let words = own.iter().enumerate().map(|(at, &action)| match names.first() {
-                    Some(name) if at == 0 => numbered_words(system, action, name),
+                    Some(name) if at == 0 => numbered_words(action, name),
                     _ => action_words(system, action),
                 });
                 words.reduce(|first, then| say!("{}, then {}", first, then)).unwrap_or_default()
@@ -84,16 +84,7 @@ fn place_of(pattern: &Pattern) -> (char, usize) {
 fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) -> Vec<String> {
     first.map_or_else(
         || {
-            let first = match action.map(|action| action.with(1.0)) {
-                Some(Action::SetWidth(_)) => "w",
-                Some(Action::SetColour(_)) => "c",
-                Some(Action::Draw(_) | Action::Move(_) | Action::DrawUnmarked(_) | Action::MoveUnmarked(_)) => "l",
-                Some(Action::Circle(_) | Action::Fill(Outline::Disc, _)) => "d",
-                Some(Action::Fill(..)) => "l",
-                Some(Action::Surface(..)) => "s",
-                Some(_) => "a",
-                None => "x",
-            };
+            let first = action.map_or("x", |action| action.with(1.0).row().letter);
             [first, "y", "z", "u", "v", "p", "q", "r"].into_iter().take(arity).map(str::to_owned).collect()
         },
         |pattern| pattern.parameters.clone(),
@@ -101,24 +92,10 @@ fn parameters(first: Option<&Pattern>, arity: usize, action: Option<&Action>) ->
 }
 
 /// An action whose number is the parameter `name`, in words.
-fn numbered_words(system: &System, action: Action, name: &str) -> String {
-    match action.with(1.0) {
-        Action::Draw(_) | Action::DrawUnmarked(_) => say!("draws {}", name),
-        Action::Move(_) | Action::MoveUnmarked(_) => say!("moves {}", name),
-        Action::TurnLeft(_) => say!("turns left by {}°", name),
-        Action::TurnRight(_) => say!("turns right by {}°", name),
-        Action::PitchDown(_) => say!("pitches down by {}°", name),
-        Action::PitchUp(_) => say!("pitches up by {}°", name),
-        Action::RollLeft(_) => say!("rolls left by {}°", name),
-        Action::RollRight(_) => say!("rolls right by {}°", name),
-        Action::SetColour(_) => say!("takes colour {}", name),
-        Action::SetWidth(_) => say!("draws {} steps wide", name),
-        Action::ScaleLength(_) => say!("multiplies lengths by {}", name),
-        Action::Circle(_) => say!("draws a circle with the diameter {}", name),
-        Action::Fill(Outline::Disc, _) => say!("fills a disc with the diameter {}", name),
-        Action::Fill(outline, _) => say!(leaf_words(outline), name),
-        Action::Surface(surface, _) => say!("draws the surface {}, {} in size", surface, name),
-        _ => action_words(system, action),
+fn numbered_words(action: Action, name: &str) -> String {
+    match action {
+        Action::Surface(surface, _) => say!(action.row().numbered, surface, name),
+        _ => say!(action.with(1.0).row().numbered, name),
     }
 }
 
@@ -137,56 +114,27 @@ pub fn kind(system: &System) -> String {
     if kinds.is_empty() { word!("deterministic").to_owned() } else { kinds.join(", ") }
 }
 
-/// What draws a leaf of a length, in words.
-fn leaf_words(outline: Outline) -> &'static str {
-    match outline {
-        Outline::Disc => word!("draws a disc of length {}"),
-        Outline::Lance => word!("draws a narrow leaf of length {}"),
-        Outline::Heart => word!("draws a heart-shaped leaf of length {}"),
-        Outline::Oak => word!("draws a lobed leaf of length {}"),
-        Outline::Needle => word!("draws a needle of length {}"),
-        Outline::Petal => word!("draws a petal of length {}"),
-    }
-}
-
 fn action_words(system: &System, action: Action) -> String {
     let figure = |value: f64| shown(&value.to_string());
-    let steps = |length: Option<f64>| length.map_or_else(|| say!("one step"), figure);
-    let degrees = |degrees: Option<f64>, own: Heading| figure(degrees.unwrap_or_else(|| own.degrees()));
+    let (row, number) = (action.row(), action.number().map(figure));
     match action {
-        Action::Draw(length) | Action::DrawUnmarked(length) => say!("draws {}", steps(length)),
-        Action::Move(length) | Action::MoveUnmarked(length) => say!("moves {}", steps(length)),
-        Action::OpenPolygon => say!("begins a filled polygon"),
-        Action::Vertex => say!("is a vertex of the polygon"),
-        Action::ClosePolygon => say!("fills the polygon"),
-        Action::OpenTube => say!("begins a smooth tube"),
-        Action::TubePoint => say!("draws the tube up to here"),
-        Action::CloseTube => say!("draws the tube up to here and ends it"),
-        Action::TurnLeft(angle) => say!("turns left by {}°", degrees(angle, system.turtle.left)),
-        Action::TurnRight(angle) => say!("turns right by {}°", degrees(angle, system.turtle.right)),
-        Action::PitchDown(angle) => say!("pitches down by {}°", degrees(angle, system.turtle.pitch_down)),
-        Action::PitchUp(angle) => say!("pitches up by {}°", degrees(angle, system.turtle.pitch_up)),
-        Action::RollLeft(angle) => say!("rolls left by {}°", degrees(angle, system.turtle.roll_left)),
-        Action::RollRight(angle) => say!("rolls right by {}°", degrees(angle, system.turtle.roll_right)),
-        Action::RollUpright => say!("rolls upright"),
-        Action::TurnRound => say!("turns round"),
-        Action::Cut => say!("cuts off the rest of its branch in the next step"),
-        Action::Push => say!("starts a branch"),
-        Action::Pop => say!("ends the branch"),
-        Action::SetColour(index) => say!("takes colour {}", index),
         Action::AddColour(1) => say!("takes the next colour"),
         Action::AddColour(-1) => say!("takes the previous colour"),
-        Action::AddColour(by) => say!("goes {} colours on", by),
-        Action::SetWidth(width) => say!("draws {} steps wide", figure(width)),
-        Action::ScaleWidth(factor) if factor < 1.0 => say!("draws thinner (x {})", shown(&format!("{factor:.3}"))),
-        Action::ScaleWidth(factor) => say!("draws thicker (x {})", shown(&format!("{factor:.3}"))),
-        Action::ScaleLength(factor) => say!("multiplies lengths by {}", figure(factor)),
-        Action::SwapTurns => say!("exchanges left and right turns"),
-        Action::Circle(diameter) => say!("draws a circle {} wide", steps(diameter)),
-        Action::Fill(Outline::Disc, diameter) => say!("fills a disc {} wide", steps(diameter)),
-        Action::Surface(surface, None) => say!("draws the surface {}", surface),
-        Action::Surface(surface, Some(size)) => say!("draws the surface {}, {} in size", surface, figure(size)),
-        Action::Fill(outline, length) => say!(leaf_words(outline), steps(length)),
+        Action::ScaleWidth(factor) => {
+            let text = if factor < 1.0 { word!("draws thinner (x {})") } else { word!("draws thicker (x {})") };
+            say!(text, shown(&format!("{factor:.3}")))
+        }
+        Action::Surface(surface, _) => match number {
+            None => say!(row.legend, surface),
+            Some(size) => say!(row.numbered, surface, size),
+        },
+        _ => match row.form {
+            NumberForm::Length(_) => say!(row.legend, number.unwrap_or_else(|| say!("one step"))),
+            NumberForm::Angle(_) => {
+                say!(row.legend, number.unwrap_or_else(|| figure(system.turtle.angle(action).degrees())))
+            }
+            _ => say!(row.legend, number.unwrap_or_default()),
+        },
     }
 }
 
@@ -195,7 +143,7 @@ fn action_words(system: &System, action: Action) -> String {
 #[must_use]
 pub fn why_empty(system: &System, n: u32) -> Option<String> {
     /// The most units of work for the search.
-    const MOST: u64 = 1 << 20;
+    const MAX: u64 = 1 << 20;
     if system.rules.is_cutting() {
         return None;
     }
@@ -209,7 +157,7 @@ pub fn why_empty(system: &System, n: u32) -> Option<String> {
             &system.rules,
             far.max(n),
             |symbol| drawn[usize::from(symbol)],
-            &mut Meter::new(MOST),
+            &mut Meter::new(MAX),
             |generation, drawn| {
                 let draws = drawn == Some(true);
                 at_first |= generation == 0 && draws;
@@ -322,7 +270,7 @@ mod tests {
             angle: 20.0,
             ..lsystem_syntax::Definition::default()
         };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         let entries = legend(&system);
         assert!(entries.iter().all(|entry| entry.idle == (entry.actions == "draws nothing")), "{entries:?}");
         entries.into_iter().map(|entry| (entry.module, entry.actions)).collect()

@@ -13,6 +13,7 @@ mod builder;
 mod bulk;
 mod drawer;
 mod extent;
+mod features;
 mod girth;
 mod hull;
 mod item_buffer;
@@ -23,7 +24,6 @@ mod pieces;
 mod projection;
 mod scene;
 mod segments;
-mod shape;
 mod share;
 mod simplify;
 mod solid;
@@ -37,6 +37,7 @@ pub use around::{Around, count_of};
 pub use block::{Block, BlockId, Item, Placed, Polygon, Space, Stroke};
 pub use bulk::SegmentArrays;
 pub use drawer::{Drawer, draw};
+pub use features::{BlockFeatures, Line};
 pub use hull::hull;
 pub use marks::Mark;
 pub use origin::Origin;
@@ -46,7 +47,6 @@ pub use projection::{Outlook, Projection};
 pub use scene::SceneSize;
 pub use segments::BlockFrame;
 pub(crate) use segments::SegmentIter;
-pub use shape::{Line, Shape};
 pub(crate) use solid_reader::{SolidMark, SolidReader};
 pub(crate) use unfold::TurtleInterpreter;
 
@@ -54,7 +54,7 @@ use self::block::Contents;
 
 use crate::Plane;
 use crate::chunks::Chunks;
-use crate::course::Course;
+use crate::exact_path::ExactPath;
 use crate::room::bytes_of;
 use crate::space::finite;
 use crate::style::{StyleChange, StyleId, Widths};
@@ -87,7 +87,7 @@ pub struct Drawing<S: Space = Plane> {
     /// The turtle's stroke width at the start, in multiples of the step length.
     pub width: f64,
     /// The ways to the places of a shared drawing in the plane.
-    pub(crate) course: Course<S>,
+    pub(crate) exact_path: ExactPath<S>,
     /// The words of the shared pieces.
     pub(crate) pieces: Pieces<S>,
     /// Whether blocks are shared.
@@ -219,7 +219,7 @@ impl<S: Space> Drawing<S> {
             + bytes_of(&self.places)
             + bytes_of(&self.depths)
             + self.pieces.bytes()
-            + self.course.bytes()
+            + self.exact_path.bytes()
             + self.scene.bytes(self.memoised)
     }
 

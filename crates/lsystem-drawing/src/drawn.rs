@@ -10,12 +10,9 @@ pub fn drawn_by_letter(system: &System) -> Option<Vec<u64>> {
     marks_by_letter(system, Action::segments)
 }
 
-/// As [`drawn_by_letter`], for segments, discs and ends of polygons.
+/// As [`drawn_by_letter`], for segments and filled areas.
 pub(crate) fn shown_by_letter(system: &System) -> Option<Vec<u64>> {
-    marks_by_letter(system, |action| match action {
-        Action::Fill(..) | Action::Surface(..) | Action::ClosePolygon => 1,
-        other => other.segments(),
-    })
+    marks_by_letter(system, Action::marks)
 }
 
 /// By letter: the sum of `marks` over the actions of the letter or its image.

@@ -13,7 +13,7 @@
 //! use lsystem_syntax::Definition;
 //!
 //! let koch = Definition { axiom: "F".into(), rules: "F -> F+F--F+F".into(), angle: 60.0, ..Definition::default() };
-//! let system = System::new(&koch).0.expect("no diagnostic is an error");
+//! let system = System::new(&koch).expect("the system has no errors");
 //! let figure = Figure::draw(&system, 40, &Limits::default()).unwrap();
 //! assert_eq!(figure.segment_count(), 1 << 80);
 //! assert!(figure.block_count() < 1_000);
@@ -23,15 +23,15 @@
 mod chunks;
 mod room;
 
-mod course;
+mod exact_path;
 mod plane;
 pub mod rotation;
 mod solid;
 mod space;
 mod style;
-mod sway;
 mod tube;
 mod turtle;
+mod wind;
 mod wireframe;
 
 mod look;
@@ -49,13 +49,13 @@ pub mod triangulate;
 mod describe;
 mod figure;
 
-pub use course::Spot;
 pub use describe::{kind, legend, why_empty};
 pub use drawing::{
-    Around, Block, BlockFrame, BlockId, Drawer, Drawing, Item, Line, Mark, Origin, Outlook, Placed, Polygon,
-    Projection, SceneSize, Segment, SegmentArrays, Shape, Space, Stroke, count_of, draw, hull,
+    Around, Block, BlockFeatures, BlockFrame, BlockId, Drawer, Drawing, Item, Line, Mark, Origin, Outlook, Placed,
+    Polygon, Projection, SceneSize, Segment, SegmentArrays, Space, Stroke, count_of, draw, hull,
 };
 pub use drawn::drawn_by_letter;
+pub use exact_path::Spot;
 pub use figure::{Figure, FigureDrawer};
 pub use look::Look;
 pub use mesh::{Material, Mesh, MeshForm, MeshOptions, MeshParts};
@@ -65,6 +65,6 @@ pub use solid::Solid;
 pub use space::{Geometry, exponent_of, finite, times};
 pub use strings::{count_segments, count_symbols, expand, expand_counted, expand_into, expand_once, expand_symbol};
 pub use style::{ColourChange, StyleChange, StyleId, WidthChange, Widths};
-pub use sway::Sway;
 pub use system::System;
-pub use turtle::{Colouring, Triangle, Turtle};
+pub use turtle::{AxisTurn, Colouring, Triangle, Turtle};
+pub use wind::Wind;

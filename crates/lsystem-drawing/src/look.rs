@@ -93,7 +93,6 @@ mod tests {
             style,
             ..Definition::default()
         })
-        .0
         .unwrap()
     }
 
@@ -136,6 +135,6 @@ mod tests {
     fn other_styles_are_kept() {
         let style = Style { width: 3.0, ..Style::default() };
         let definition = Definition { axiom: "F".into(), rules: "F -> F[+F]".into(), style, ..Definition::default() };
-        assert_eq!(System::new(&definition).0.unwrap().style, definition.style);
+        assert_eq!(System::new(&definition).unwrap().style, definition.style);
     }
 }

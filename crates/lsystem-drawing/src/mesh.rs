@@ -247,7 +247,7 @@ mod tests {
             style: style.clone(),
             ..Definition::default()
         };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         Mesh::new(&draw::<Solid>(&system, n, &Limits::default()).unwrap(), &style, 100_000).unwrap()
     }
 
@@ -310,7 +310,7 @@ mod tests {
     fn printed_leaves_have_a_volume() {
         let definition = Definition { axiom: "{f+f+f}".into(), angle: 90.0, ..Definition::default() };
         let style = Style { min_width: 102.4, ..Style::default() };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         let leaf = Mesh::for_printing(&draw::<Solid>(&system, 0, &Limits::default()).unwrap(), &style, 100).unwrap();
         check_closed(&leaf);
         // The least width is a tenth of the extent, which is 1; the outline is a square.
@@ -321,7 +321,7 @@ mod tests {
     #[test]
     fn printed_strokes_are_drawn_once() {
         let definition = Definition { axiom: "F[F]FF|FF".into(), ..Definition::default() };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         let drawing = draw::<Solid>(&system, 0, &Limits::default()).unwrap();
         let print = Mesh::for_printing(&drawing, &definition.style, 100).unwrap();
         check_closed(&print);

@@ -24,7 +24,7 @@ const LOOKS_PER_UNIT: u64 = 16;
 /// Cells in a unit of work.
 const CELLS_PER_UNIT: usize = 64;
 
-/// The number of other sites nearer than each site's radius, up to [`Crowd::MOST`].
+/// The number of other sites nearer than each site's radius, up to [`Crowd::MAX`].
 #[derive(Default)]
 pub(crate) struct Crowd {
     sites: Vec<Site>,
@@ -44,7 +44,7 @@ pub(crate) struct Crowd {
 
 impl Crowd {
     /// More are not counted.
-    pub(crate) const MOST: u32 = 100;
+    pub(crate) const MAX: u32 = 100;
 
     /// The question for these sites.
     pub(crate) fn new(sites: Vec<Site>) -> Self {
@@ -101,7 +101,7 @@ impl Crowd {
                 looked += 1;
                 let square = distance_2(self.sites[other as usize].at, site.at);
                 count += u32::from(other != own && square < site.size * site.size);
-                if count == Self::MOST {
+                if count == Self::MAX {
                     return (count, looked);
                 }
             }
@@ -146,7 +146,7 @@ const FADING: f64 = 0.5;
 /// The layers below a site that its shadow reaches: in the next, it would be below a thousandth.
 const LAYERS: usize = 8;
 /// The most cubes. If more were needed, cubes are larger.
-const MOST_CUBES: f64 = (1 << 22) as f64;
+const MAX_CUBES: f64 = (1 << 22) as f64;
 
 /// Cubes around all sites.
 #[derive(Default)]
@@ -169,7 +169,7 @@ impl Grid {
         let mut side = sizes.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
         let along = |side: f64| [0, 1, 2].map(|i| ((high[i] - low[i]) / side).floor() + 1.0);
         // Doubling ends: with infinitely large cubes there is one.
-        while along(side).iter().product::<f64>() > MOST_CUBES {
+        while along(side).iter().product::<f64>() > MAX_CUBES {
             side *= 2.0;
         }
         Self { low, side, count: along(side).map(|count| if count.is_finite() { count as usize } else { 1 }) }
@@ -286,7 +286,7 @@ mod tests {
                     let square = distance_2(site.at, all[own].at);
                     other != own && square < size * size
                 };
-                (all.iter().enumerate().filter(|&pair| near(pair)).count() as u32).min(Crowd::MOST)
+                (all.iter().enumerate().filter(|&pair| near(pair)).count() as u32).min(Crowd::MAX)
             };
             let mut crowd = Crowd::new(all.clone());
             finish(|meter| crowd.step(meter));

@@ -1,7 +1,7 @@
 //! Changes of the pen's style, and how they compose.
 
 use crate::space::finite;
-use lsystem_syntax::{ColourBy, Style};
+use lsystem_syntax::{ColourSource, Style};
 use std::collections::HashMap;
 
 /// The index of a style change in [`Drawing::styles`](crate::Drawing::styles).
@@ -61,11 +61,11 @@ impl StyleChange {
     pub fn seen(&self, style: &Style) -> (i32, u32) {
         let colours = style.palette.len().clamp(1, i32::MAX as usize) as i32;
         let seen = |index: i32| if style.holds() { index.clamp(0, colours - 1) } else { index.rem_euclid(colours) };
-        match style.colour_by {
+        match style.colour_by.source() {
             _ if style.is_faint(self.colour.of(0)) => (Style::FAINT, 0),
-            ColourBy::Single | ColourBy::Path | ColourBy::Density => (0, 0),
-            ColourBy::Symbol | ColourBy::Turn | ColourBy::Generation => (seen(self.colour.of(0)), 0),
-            ColourBy::Level => (0, seen(i32::try_from(self.level).unwrap_or(i32::MAX)).cast_unsigned()),
+            ColourSource::Constant | ColourSource::Along | ColourSource::Ink => (0, 0),
+            ColourSource::Index => (seen(self.colour.of(0)), 0),
+            ColourSource::Level => (0, seen(i32::try_from(self.level).unwrap_or(i32::MAX)).cast_unsigned()),
         }
     }
 

@@ -2,17 +2,18 @@
 
 use crate::drawing::TurtleInterpreter;
 use crate::space::Tropism;
-use crate::sway::Sway;
+use crate::wind::Wind;
 use crate::wireframe::wireframe;
-use crate::{Look, Turtle};
+use crate::{Look, Triangle, Turtle};
 use lsystem_base::sorted::{set, sort};
-use lsystem_base::{LimitName, MAX_LETTERS};
+use lsystem_base::{LimitName, MAX_LETTERS, say};
 use lsystem_derive::{Interpreter, Letter, Rules};
 use lsystem_syntax::lint::warnings;
 use lsystem_syntax::notation;
+use lsystem_syntax::overrides::Override;
 use lsystem_syntax::{
-    Action, Definition, Diagnostic, Dialect, Field, Grammar, Heading, Kind, Production, Style, parse_overrides,
-    parse_surfaces,
+    Action, Definition, Diagnostic, Diagnostics, Dialect, Field, Grammar, Heading, Production, Style, Surface,
+    parse_overrides, parse_surfaces,
 };
 use std::sync::Arc;
 
@@ -29,41 +30,35 @@ pub struct System {
     pub style: Style,
     /// The seed of all random choices and variations.
     pub seed: u32,
+    /// The warnings about the definition.
+    pub warnings: Vec<Diagnostic>,
 }
 
 impl System {
-    /// Checks and compiles `definition`. Returns all errors and warnings at once. The system is `None` if a diagnostic
-    /// is an error.
-    #[must_use]
-    pub fn new(definition: &Definition) -> (Option<Self>, Vec<Diagnostic>) {
+    /// Checks and compiles `definition`.
+    ///
+    /// # Errors
+    /// All errors and warnings at once, if one of them is an error.
+    pub fn new(definition: &Definition) -> Result<Self, Diagnostics> {
         let mut reading = notation::read(&definition.axiom, &definition.rules);
         let (overrides, overrides_diagnostics) = parse_overrides(&definition.overrides);
         let mut diagnostics = core::mem::take(&mut reading.diagnostics);
         diagnostics.extend(overrides_diagnostics);
         diagnostics.extend(definition.out_of_range());
         let surfaces = parse_surfaces(&definition.surfaces);
-        let surfaces = surfaces.unwrap_or_else(|(line, problem)| {
-            let kind = Kind::Surface { line, problem };
-            diagnostics.push(Diagnostic { kind, field: Field::Numbers, span: 0..0 });
+        let surfaces = surfaces.unwrap_or_else(|problem| {
+            diagnostics.push(problem);
             vec![]
         });
         if diagnostics.iter().any(Diagnostic::is_error) {
-            return (None, diagnostics);
+            return Err(Diagnostics(diagnostics));
         }
         if letters(&reading.grammar) > MAX_LETTERS {
-            let kind = Kind::Limit { limit: LimitName::Letters, value: MAX_LETTERS as u64, largest: None };
-            diagnostics.push(Diagnostic { kind, field: Field::Rules, span: 0..0 });
-            return (None, diagnostics);
+            let limit = Diagnostic::limit(LimitName::Letters, MAX_LETTERS as u64, None);
+            diagnostics.push(limit.at(Field::Rules, 0..0));
+            return Err(Diagnostics(diagnostics));
         }
-        let drawn = overrides.iter().flat_map(|own| &own.actions);
-        let unknown = drawn.filter_map(|action| match action {
-            Action::Surface(name, _) if surfaces.iter().all(|surface| surface.name != *name) => Some(*name),
-            _ => None,
-        });
-        diagnostics.extend(set(unknown).into_iter().map(|name| {
-            let kind = Kind::UnknownSurface { name };
-            Diagnostic { kind, field: Field::Overrides, span: 0..0 }
-        }));
+        diagnostics.extend(missing_surfaces(&overrides, &surfaces));
         // `parse_overrides` leaves each symbol at most one override.
         let mut order: Vec<(char, usize)> = overrides.iter().enumerate().map(|(at, o)| (o.symbol, at)).collect();
         sort(&mut order);
@@ -75,7 +70,9 @@ impl System {
         let places = reading.productions.iter().chain(&reading.images).map(|places| places.predecessor.clone());
         let apart = grammar.images.iter().any(|image| actions.are_many(image));
         // A failure here already has a diagnostic from `notation::read`.
-        let Ok(rules) = Rules::new(grammar, places.collect(), cuts, apart) else { return (None, diagnostics) };
+        let Ok(rules) = Rules::new(grammar, places.collect(), cuts, apart) else {
+            return Err(Diagnostics(diagnostics));
+        };
         let mut rules = Arc::new(rules);
         actions.polygons = rules.letters.iter().any(|&Letter { symbol, .. }| {
             let drawn = image_of(&reading.grammar, &images, symbol).map_or(&[][..], |image| &image.successor);
@@ -83,10 +80,6 @@ impl System {
             opens(symbol) || drawn.iter().any(|module| opens(module.symbol))
         });
         diagnostics.extend(warnings(&reading, &occurring(&rules), |symbol| actions.of(symbol)));
-        let angle =
-            |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
-        let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
-        let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
         let actions: Vec<Vec<Action>> = (rules.letters.iter())
             .map(|letter| actions.drawn(letter.symbol, image_of(grammar, &images, letter.symbol), !rules.is_plain()))
             .collect();
@@ -96,27 +89,7 @@ impl System {
         };
         let drawn = surfaces.iter().filter(|surface| draws(surface.name));
         let drawn = drawn.map(|surface| (surface.name, Arc::from(surface.triangles()))).collect();
-        let mut turtle = Turtle {
-            surfaces: drawn,
-            // A drawing without branches stands still.
-            sway: Sway::new(definition.sway).filter(|_| branch(&actions)),
-            actions,
-            left: Heading::from_degrees(definition.angle),
-            right: angle([right_angle, None]),
-            pitch_down: angle([pitch_down, None]),
-            pitch_up: angle([pitch_up, pitch_down]),
-            roll_left: angle([roll_left, None]),
-            roll_right: angle([roll_right, roll_left]),
-            tropism: (tropism.elasticity != 0.0 && tropism.vector != [0.0; 3]).then_some(tropism),
-            heading: Heading::from_degrees(definition.heading),
-            start: definition.start,
-            step: definition.step,
-            length_factor: definition.length_factor,
-            angle_variation: definition.angle_variation / 100.0,
-            length_variation: definition.length_variation / 100.0,
-            growth: definition.growth,
-            ..Turtle::default()
-        };
+        let mut turtle = turtle(definition, actions, drawn);
         turtle.take_style(&definition.style);
         let grammar = reading.grammar;
         if rules.asks()
@@ -124,7 +97,8 @@ impl System {
         {
             rules.interpreter = Some(Interpreter(Arc::new(TurtleInterpreter::new(&turtle))));
         }
-        let mut system = Self { grammar, rules, turtle, style: definition.style.clone(), seed: definition.seed };
+        let (style, seed) = (definition.style.clone(), definition.seed);
+        let mut system = Self { grammar, rules, turtle, style, seed, warnings: diagnostics };
         if system.style.auto {
             let style = system.look().applied(&system.style, &system.acting());
             system.style = style;
@@ -133,7 +107,22 @@ impl System {
         if system.style.shapes && !system.grammar.shapes.is_empty() {
             system.turtle.wires = wireframe(&system.grammar.shapes, system.is_solid()).into();
         }
-        (Some(system), diagnostics)
+        Ok(system)
+    }
+
+    /// As [`System::new`], with all errors and warnings added to `problems`.
+    pub fn read(definition: &Definition, problems: &mut Vec<Diagnostic>) -> Option<Self> {
+        let made = Self::new(definition);
+        problems.extend_from_slice(made.as_ref().map_or_else(|problems| &problems.0, |system| &system.warnings));
+        made.ok()
+    }
+
+    /// All errors and warnings of `definition`.
+    #[must_use]
+    pub fn problems(definition: &Definition) -> Vec<Diagnostic> {
+        let mut problems = vec![];
+        Self::read(definition, &mut problems);
+        problems
     }
 
     /// The system whose drawing has no wireframes of shapes.
@@ -193,6 +182,50 @@ impl System {
     }
 }
 
+/// Warnings about surfaces that actions name and the system lacks.
+fn missing_surfaces(overrides: &[Override], surfaces: &[Surface]) -> Vec<Diagnostic> {
+    let drawn = overrides.iter().flat_map(|own| &own.actions);
+    let unknown = drawn.filter_map(|action| match action {
+        Action::Surface(name, _) if surfaces.iter().all(|surface| surface.name != *name) => Some(*name),
+        _ => None,
+    });
+    let missing = set(unknown).into_iter().map(|name| {
+        Diagnostic::warning(say!("There is no surface `{}`", name))
+            .hint(say!("Add the line of `{}` to the surfaces.", name))
+            .at(Field::Overrides, 0..0)
+    });
+    missing.collect()
+}
+
+/// The turtle of a definition, without its style.
+fn turtle(definition: &Definition, actions: Vec<Vec<Action>>, surfaces: Vec<(char, Arc<[Triangle]>)>) -> Turtle {
+    let angle =
+        |own: [Option<f64>; 2]| Heading::from_degrees(own.into_iter().flatten().next().unwrap_or(definition.angle));
+    let Definition { right_angle, pitch_down, pitch_up, roll_left, roll_right, .. } = *definition;
+    let tropism = Tropism { vector: definition.tropism, elasticity: definition.elasticity };
+    Turtle {
+        surfaces,
+        // Wind moves branches only.
+        wind: Wind::new(definition.wind).filter(|_| branch(&actions)),
+        actions,
+        left: Heading::from_degrees(definition.angle),
+        right: angle([right_angle, None]),
+        pitch_down: angle([pitch_down, None]),
+        pitch_up: angle([pitch_up, pitch_down]),
+        roll_left: angle([roll_left, None]),
+        roll_right: angle([roll_right, roll_left]),
+        tropism: (tropism.elasticity != 0.0 && tropism.vector != [0.0; 3]).then_some(tropism),
+        heading: Heading::from_degrees(definition.heading),
+        start: definition.start,
+        step: definition.step,
+        length_factor: definition.length_factor,
+        angle_variation: definition.angle_variation / 100.0,
+        length_variation: definition.length_variation / 100.0,
+        growth: definition.growth,
+        ..Turtle::default()
+    }
+}
+
 /// Whether an action opens a branch.
 fn branch(actions: &[Vec<Action>]) -> bool {
     actions.iter().flatten().any(|action| *action == Action::Push)
@@ -221,7 +254,7 @@ fn letters(grammar: &Grammar) -> usize {
 }
 
 /// The most actions of an image that becomes one letter's actions.
-const MOST_OF_A_LETTER: usize = 1 << 14;
+const MAX_OF_A_LETTER: usize = 1 << 14;
 
 /// The actions of symbols, from the overrides and the dialect.
 struct Actions<'a> {
@@ -245,7 +278,7 @@ impl Actions<'_> {
 
     /// Whether an image has too many actions for one step of work. Such an image is drawn module by module.
     fn are_many(&self, image: &Production) -> bool {
-        image.successor.iter().map(|module| self.of(module.symbol).len()).sum::<usize>() > MOST_OF_A_LETTER
+        image.successor.iter().map(|module| self.of(module.symbol).len()).sum::<usize>() > MAX_OF_A_LETTER
     }
 
     /// The actions that draw `symbol`: those of all symbols of its image, unless images are drawn `apart`.

@@ -5,11 +5,11 @@ use crate::rotation::{Vector, cross, dot, minus, norm};
 /// The most vertices tested while the ears of a polygon are cut: enough for outlines of many thousand vertices. The
 /// rest of the outline is then cut as if it were convex. The bound is the reason for own code: libraries search
 /// outlines that cross themselves for as long as it takes (the crate `earcut`: 34 ms for 1,000 vertices, 1.7 s for 10,000).
-const MOST_TESTS: usize = 1 << 19;
+const MAX_TESTS: usize = 1 << 19;
 /// The vertices tested in a unit of work.
 const TESTS_PER_UNIT: usize = 8;
 /// The most cells of a grid along each axis.
-const MOST_CELLS: usize = 512;
+const MAX_CELLS: usize = 512;
 
 /// A polygon as triangles.
 #[derive(Clone, Debug, Default)]
@@ -29,7 +29,7 @@ pub fn triangulate(vertices: &[Vector]) -> Triangles {
     let mut outline = Outline::new(vertices, normal);
     let mut corners = Vec::with_capacity(vertices.len());
     let (mut left, mut first, mut at, mut misses) = (vertices.len(), 0, 0, 0);
-    while left > 3 && outline.tests < MOST_TESTS {
+    while left > 3 && outline.tests < MAX_TESTS {
         if misses == left {
             // An outline without an ear crosses itself or is flat; any corner will do.
             at = first;
@@ -135,7 +135,7 @@ impl Grid {
         let bounds = places.clone().fold([[f64::INFINITY, f64::NEG_INFINITY]; 2], |bounds, place| {
             [0, 1].map(|axis| [bounds[axis][0].min(place[axis]), bounds[axis][1].max(place[axis])])
         });
-        let side = vertices.len().isqrt().clamp(1, MOST_CELLS);
+        let side = vertices.len().isqrt().clamp(1, MAX_CELLS);
         // Conversion saturates, also of numbers that are not finite, and keeps the order.
         let cell = |value: f64, [low, high]: [f64; 2]| ((value - low) / (high - low) * side as f64) as usize;
         let cells = places.map(|place| [0, 1].map(|axis| cell(place[axis], bounds[axis]).min(side - 1)));

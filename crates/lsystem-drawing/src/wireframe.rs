@@ -16,7 +16,7 @@ type Curve<'a> = &'a dyn Fn(f64) -> Point;
 const PIECES: u32 = 96;
 
 /// The units of work for the wireframe of a combination, about 20 ms. A shape that takes more has none.
-const MOST_WORK: u64 = 1 << 22;
+const MAX_WORK: u64 = 1 << 22;
 
 /// The wireframes of shapes: in the plane z = 0, or in space.
 pub(crate) fn wireframe(shapes: &[NamedShape], is_solid: bool) -> Vec<[Point; 2]> {
@@ -31,7 +31,7 @@ fn wires(shape: &Shape, is_solid: bool) -> Vec<[Point; 2]> {
     if !reach.is_finite() || reach <= 0.0 {
         return vec![];
     }
-    let mut tracer = Tracer { shape, is_single: solids.len() == 1, reach, left: MOST_WORK, wires: vec![] };
+    let mut tracer = Tracer { shape, is_single: solids.len() == 1, reach, left: MAX_WORK, wires: vec![] };
     if is_solid {
         solids.iter().for_each(|solid| curves(solid, &mut |curve| tracer.trace(curve, &[])));
         for half in &solids {
@@ -415,7 +415,7 @@ mod tests {
         let rules = "shape s = box(-1, -1, -1, 1, 3, 1)\nA -> F(inside(s, 0, 0))A";
         let mut definition = Definition { axiom: "A".into(), rules: rules.into(), ..Definition::default() };
         let segments = |definition: &Definition| {
-            let system = crate::System::new(definition).0.unwrap();
+            let system = crate::System::new(definition).unwrap();
             let limits = lsystem_base::Limits::default();
             let drawing = crate::draw::<crate::Plane>(&system, 3, &limits).unwrap();
             (drawing.segment_count(), drawing.bounds().unwrap())

@@ -162,7 +162,7 @@ fn drawing(ring: &Ring, n: u32) -> Drawing {
     let rules: Vec<String> = ring.rules.iter().map(|(from, to)| format!("{from} -> {to}")).collect();
     let angle = 360.0 / ring.directions as f64 * ring.turn as f64;
     let definition = Definition { axiom: ring.axiom.into(), rules: rules.join("\n"), angle, ..Definition::default() };
-    draw::<Plane>(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap()
+    draw::<Plane>(&System::new(&definition).unwrap(), n, &Limits::default()).unwrap()
 }
 
 /// A number below `below`, from digits that look like chance.
@@ -295,4 +295,14 @@ fn no_near_segment_is_missing() {
             assert!(near > 2);
         }
     }
+}
+
+#[test]
+fn polygons_without_number_are_not_read_for_the_next_segment() {
+    let rules = "A -> AA{f+f+f}".to_owned();
+    let definition = Definition { axiom: "FA".into(), rules, angle: 90.0, ..Definition::default() };
+    let system = System::new(&definition).expect("a system");
+    let drawing: Drawing = draw(&system, 60, &Limits::default()).expect("a drawing");
+    assert_eq!((drawing.segments().count(), drawing.polygon_count()), (1, (1 << 60) - 1));
+    assert_eq!((drawing.heading_at(0), drawing.heading_at(1)), (Some(90.0), None));
 }

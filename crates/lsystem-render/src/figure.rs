@@ -1,6 +1,7 @@
 //! Places of a figure, whatever its space.
 
-use crate::plane::{self, Pick, Pointer};
+use crate::plane;
+use crate::search::{Pick, Pointer};
 use crate::{Camera, Vantage, Viewport, space};
 use core::ops::Range;
 use lsystem_drawing::Figure;

@@ -228,7 +228,7 @@ pub(crate) mod tests {
         for rules in ["A -> F[+FA][-FA]", "A -> F[&FA]/[&FA]", "A -> F[+FA]-A"] {
             let definition =
                 Definition { axiom: "A".into(), rules: rules.into(), angle: 40.0, ..Definition::default() };
-            let figure = Figure::draw(&System::new(&definition).0.unwrap(), 7, &Limits::default()).unwrap();
+            let figure = Figure::draw(&System::new(&definition).unwrap(), 7, &Limits::default()).unwrap();
             renderer.load(&figure);
             let mut paint = |upto, band| {
                 let (style, vantage, quality) = (Style::default(), Vantage::default(), Quality::BEST);
@@ -249,7 +249,7 @@ pub(crate) mod tests {
     #[test]
     fn a_pixel_takes_no_more_than_its_share() {
         let definition = Definition { axiom: "F".into(), rules: "F -> F+F".into(), ..Definition::default() };
-        let drawing = draw(&System::new(&definition).0.unwrap(), 5, &Limits::default()).unwrap();
+        let drawing = draw(&System::new(&definition).unwrap(), 5, &Limits::default()).unwrap();
         let [small, large] = [[2048, 64], [2048, 1088]].map(|[width, height]| Viewport { width, height, ratio: 1.0 });
         let each = Ink::ALL.map(|ink| {
             let palette = vec![Colour { rgb: [0; 3] }; MAX_PALETTE];

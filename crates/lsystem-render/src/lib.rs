@@ -14,7 +14,7 @@
 //! use lsystem_syntax::{Definition, Style};
 //!
 //! let line = Definition { axiom: "F".into(), rules: "F -> FF".into(), ..Definition::default() };
-//! let system = System::new(&line).0.expect("no diagnostic is an error");
+//! let system = System::new(&line).expect("the system has no errors");
 //! let mut renderer = FigureRenderer::new();
 //! renderer.load(&Figure::draw(&system, 100, &Limits::default()).unwrap());
 //! renderer.begin(PictureOptions {
@@ -32,19 +32,26 @@
 mod figure;
 mod figure_renderer;
 mod framing;
+mod ink;
 pub mod mask;
-mod page;
+mod page_view;
+mod pane;
 mod plane;
+mod search;
 mod space;
 mod vantage;
+mod viewport;
 
 pub use figure::{fitted_ends, fitted_outline, fitted_polygon, fitted_scale, opening_camera, pick};
 pub use figure_renderer::{BAND_PIXEL, FigureRenderer, Painted, PictureOptions};
 pub use framing::Framing;
-pub use page::{PageCamera, PageView};
+pub use page_view::{PageCamera, PageView};
+pub use pane::{Pane, Pass};
 pub use plane::{
-    Closeup, Detail, MAX_ZOOM, Near, Pane, Pass, Pick, Pointer, Pyramid, RenderStats, Renderer, Share, Target,
-    TilePlace, TileRenderer, Tiles, View, Viewport, fit, seen_from, segment_near,
+    Closeup, MAX_ZOOM, Near, Pyramid, RenderStats, Renderer, TilePlace, TileRenderer, TileShare, Tiles, View, fit,
+    seen_from, segment_near,
 };
+pub use search::{Pick, Pointer, Target};
 pub use space::{Camera, Effort, Quality, SolidRenderer, Spent, camera_axes};
 pub use vantage::Vantage;
+pub use viewport::{Detail, Viewport};

@@ -2,7 +2,7 @@
 
 use crate::notation::constants::{ConstantPlace, Constants};
 use crate::notation::read_with;
-use crate::notes::Notes;
+use crate::notes::DiagnosticList;
 use crate::overrides;
 use crate::{Class, Definition, Field};
 
@@ -32,10 +32,10 @@ pub struct Classes {
 pub fn classify(definition: &Definition) -> Classes {
     let Definition { axiom, rules, overrides, .. } = definition;
     let mut constants = Constants::default();
-    let mut notes = [Notes::classing(Field::Axiom, axiom), Notes::classing(Field::Rules, rules)];
+    let mut notes = [DiagnosticList::classing(Field::Axiom, axiom), DiagnosticList::classing(Field::Rules, rules)];
     read_with(axiom, rules, &mut constants, &mut notes);
-    let [axiom, rules] = notes.map(Notes::into_classes);
-    let mut notes = Notes::classing(Field::Overrides, overrides);
+    let [axiom, rules] = notes.map(DiagnosticList::into_classes);
+    let mut notes = DiagnosticList::classing(Field::Overrides, overrides);
     overrides::read(overrides, &mut notes);
     Classes { axiom, rules, overrides: notes.into_classes(), constants: constants.into_places() }
 }

@@ -13,7 +13,7 @@ use lsystem_base::number::number;
 pub struct Curve(Vec<[f64; 2]>);
 
 /// The most points of a curve.
-pub(crate) const MOST_POINTS: usize = 64;
+pub(crate) const MAX_POINTS: usize = 64;
 /// Halving the parameter this often leaves no number between its bounds.
 const HALVINGS: u32 = 60;
 
@@ -25,7 +25,7 @@ impl Curve {
         let [first, .., last] = points[..] else { return None };
         let finite = points.as_flattened().iter().all(|value| value.abs() <= 1e100);
         let ordered = points.is_sorted_by(|a, b| a[0] <= b[0]) && first[0] < last[0];
-        (finite && ordered && points.len() <= MOST_POINTS).then_some(Self(points))
+        (finite && ordered && points.len() <= MAX_POINTS).then_some(Self(points))
     }
 
     /// The points.

@@ -1,7 +1,7 @@
 //! An L-system as its author wrote it: one flat value that files, links, controls and undo share.
 
 use crate::fields::{FIELDS, field};
-use crate::{Diagnostic, Dialect, Field, Kind, Style};
+use crate::{Diagnostic, Dialect, Field, Style};
 use lsystem_base::say;
 use serde::de::{self, Deserialize, Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde::ser::{Serialize, Serializer};
@@ -46,8 +46,8 @@ pub struct Definition {
     pub tropism: [f64; 3],
     /// The bending of branches, in radians per segment for a `tropism` of length 1 across the heading; 0 for none.
     pub elasticity: f64,
-    /// The sway of branches in the wind: its strength and its phase, in degrees (`Sway`).
-    pub sway: [f64; 2],
+    /// The sway of branches in the wind: its strength and its phase, in degrees (`Wind`).
+    pub wind: [f64; 2],
     /// The table of the symbols' actions.
     pub dialect: Dialect,
     /// Custom symbols, one on each line: `G: move`, `B: turn left 90, draw 10`. They replace the dialect's actions.
@@ -98,8 +98,7 @@ impl Definition {
             "overrides" => Field::Overrides,
             _ => Field::Numbers,
         };
-        let kind = |spec: &crate::FieldSpec| Kind::Range { label: spec.label, expected: spec.expected };
-        wrong.map(|spec| Diagnostic { kind: kind(spec), field: place(spec.name), span: 0..0 }).collect()
+        wrong.map(|spec| spec.out_of_range().at(place(spec.name), 0..0)).collect()
     }
 }
 
@@ -176,7 +175,7 @@ impl Default for Definition {
             start: [0.0, 0.0],
             tropism: [0.0, -1.0, 0.0],
             elasticity: 0.0,
-            sway: [0.0, 0.0],
+            wind: [0.0, 0.0],
             dialect: Dialect::default(),
             overrides: String::new(),
             surfaces: String::new(),

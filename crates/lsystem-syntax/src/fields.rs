@@ -9,8 +9,9 @@ mod table;
 pub use table::FIELDS;
 
 use crate::value::Value;
-use crate::{Definition, Expected};
+use crate::{Definition, Diagnostic, Expected};
 use lsystem_base::say;
+use lsystem_base::words::said;
 
 /// One field: a row of [`FIELDS`].
 #[derive(Debug)]
@@ -140,10 +141,16 @@ impl FieldSpec {
         (self.optional && *value == Value::Nothing) || self.expected.admits_value(value)
     }
 
+    /// The error for a value that the field does not admit.
+    #[must_use]
+    pub fn out_of_range(&self) -> Diagnostic {
+        Diagnostic::error(say!("{} must be {}", said(self.label), self.expected.words()))
+    }
+
     /// The field's type and range in words.
     #[must_use]
     pub fn expected_words(&self) -> String {
-        let words = crate::message::expected_words(self.expected);
+        let words = self.expected.words();
         if self.optional { say!("{} or nothing", words) } else { words }
     }
 }

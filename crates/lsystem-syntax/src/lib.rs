@@ -43,8 +43,7 @@ pub mod overrides;
 pub mod print;
 
 mod diagnostic;
-mod fix;
-pub mod message;
+mod expected;
 pub mod notes;
 mod place;
 mod problem;
@@ -52,15 +51,16 @@ mod query;
 mod shape;
 mod work;
 
-pub use action::{Action, CIRCLE_SIDES, TUBE_STROKES};
+pub use action::{ACTIONS, Action, ActionRow, CIRCLE_SIDES, Motion, NumberForm, TUBE_STROKES, Vocabulary};
 pub use characters::look_alike;
 pub use class::Class;
 pub use classify::classify;
 pub use code::{Code, Meaning, Op, Unusable};
 pub use curve::Curve;
 pub use definition::Definition;
-pub use diagnostic::{Diagnostic, Expected, Field, JsonError, Kind, Severity, TikzObstacle};
+pub use diagnostic::{Diagnostic, Diagnostics, Field, Kind, Severity};
 pub use dialect::Dialect;
+pub use expected::Expected;
 pub use expr::{Expr, Function, Operator};
 pub use fields::{FIELDS, FieldSpec};
 pub use grammar::{Constant, Grammar, Module, Pattern, Production, Seen};
@@ -74,10 +74,10 @@ pub use place::{byte_offset, line_of, render_diagnostic, utf16_letters, utf16_sp
 pub use print::{print_axiom, print_module, print_rules};
 pub use problem::{Problem, problems};
 pub use query::Query;
-pub use shape::{MOST_SIDES, Shape};
-pub use style::{Colour, ColourBy, GRADIENT, Ink, Style, Tint};
-pub use surface::{Patch, SURFACE_STRIPS, Surface, SurfacePoint, SurfaceProblem, parse_surfaces, print_surfaces};
+pub use shape::{MAX_SIDES, Shape};
+pub use style::{Colour, ColourBy, ColourSource, GRADIENT, Ink, Style, Tint};
+pub use surface::{Patch, Surface, SurfacePoint, parse_surfaces, print_surfaces};
 pub use value::Value;
 pub use work::{Halt, Work, run_steps};
 
-pub(crate) use diagnostic::Role;
+pub(crate) use notation::expression::Role;

@@ -2,11 +2,12 @@
 //! never apply, and signs of other notations.
 
 use crate::notation::{Places, Reading};
-use crate::notes::Notes;
-use crate::{Action, Diagnostic, Field, Kind, Module, Production};
+use crate::notes::{DiagnosticList, named};
+use crate::{Action, Diagnostic, Field, Module, Production};
 use core::ops::Range;
-use lsystem_base::decimal;
 use lsystem_base::sorted::set;
+use lsystem_base::words::said;
+use lsystem_base::{counted, decimal, say, word};
 
 /// The warnings about texts without errors. `occurring` are the symbols that may occur in some generation, with their
 /// numbers of parameters, sorted; `actions` are those of a symbol.
@@ -16,11 +17,15 @@ pub fn warnings<'a>(
     actions: impl Fn(char) -> &'a [Action],
 ) -> Vec<Diagnostic> {
     let Reading { grammar, .. } = reading;
-    let mut axiom_notes = Notes::new(Field::Axiom);
-    let mut notes = Notes::new(Field::Rules);
+    let mut axiom_notes = DiagnosticList::new(Field::Axiom);
+    let mut notes = DiagnosticList::new(Field::Rules);
 
     if grammar.axiom.is_empty() {
-        axiom_notes.add(Kind::EmptyAxiom, 0..0);
+        axiom_notes.warn(
+            0..0,
+            say!("The axiom is empty, so there is nothing to derive"),
+            say!("Write the symbols to start from, as in `F`."),
+        );
     } else {
         note_idle(reading, occurring, &mut notes);
         note_arities(reading, &mut axiom_notes, &mut notes);
@@ -49,7 +54,8 @@ pub fn warnings<'a>(
             }
             if is_arrow(word, spans, at) && (follows_separator(word, at) || arrow_is_idle) {
                 let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
-                notes.add(Kind::ArrowOfSymbols, spans[at].start..spans[at + 1].end);
+                let message = say!("This arrow is read as two symbols");
+                notes.warn(spans[at].start..spans[at + 1].end, message, say!("Write each rule on a line of its own."));
             }
         }
     }
@@ -71,18 +77,27 @@ pub fn warnings<'a>(
             count += 1;
         }
         rest = &rest[count..];
-        let kind = if is_open { Kind::UnmatchedOpen { symbol } } else { Kind::UnmatchedClose { symbol } };
+        let warning = if is_open {
+            Diagnostic::warning(say!("This {} is never closed", named(symbol)))
+                .hint(say!("Close the branch where it ends."))
+        } else {
+            Diagnostic::warning(say!("This {} closes no branch and is ignored in the drawing", named(symbol)))
+                .hint(say!("Remove it, or open the branch before it."))
+        };
         let notes = if number == 0 { &mut axiom_notes } else { &mut notes };
-        notes.add(kind, spans[first].start..spans[first + count - 1].end);
+        notes.add(spans[first].start..spans[first + count - 1].end, warning.fix(String::new()));
     }
     let mut all = axiom_notes.finish();
     all.extend(notes.finish());
     all
 }
 
+/// The hint for marks without a meaning.
+const CUSTOM: &str = word!("A custom symbol of one character can mean this, as in `K: turn left 90, draw 5`.");
+
 /// Notes symbols that mean something else in other notations: digits behind a turn or another mark, and `@` with another
 /// character.
-fn note_foreign(word: &[Module], spans: &[Range<usize>], idle: impl Fn(char) -> bool, notes: &mut Notes) {
+fn note_foreign(word: &[Module], spans: &[Range<usize>], idle: impl Fn(char) -> bool, notes: &mut DiagnosticList) {
     let mut at = 0;
     while let Some(module) = word.get(at) {
         let first = at + 1;
@@ -98,8 +113,15 @@ fn note_foreign(word: &[Module], spans: &[Range<usize>], idle: impl Fn(char) -> 
         let digits: String = (first..word.len()).take_while(|&i| digit(i)).map(|i| word[i].symbol).collect();
         if decimal::read(&digits).is_some() {
             at += digits.len();
-            let kind = Kind::DigitsBehind { symbol: module.symbol, digits };
-            notes.add(kind, spans[first].start..spans[at - 1].end);
+            let span = spans[first].start..spans[at - 1].end;
+            let warning = Diagnostic::warning(say!("The digits after {} are read as symbols", named(module.symbol)));
+            let warning = match module.symbol {
+                '@' | '~' | '?' => warning.hint(said(CUSTOM)),
+                symbol => warning
+                    .hint(say!("A number stands in parentheses, as in `{}({})`.", symbol, digits))
+                    .fix(format!("({digits})")),
+            };
+            notes.add(span, warning);
         } else if module.symbol == '@'
             && spans[first - 1].len() == 1
             && idle('@')
@@ -107,7 +129,8 @@ fn note_foreign(word: &[Module], spans: &[Range<usize>], idle: impl Fn(char) -> 
             && spans[first].start == spans[first - 1].end
             && second.symbol.is_ascii_alphanumeric()
         {
-            notes.add(Kind::TwoCharacters { second: second.symbol }, spans[first - 1].start..spans[first].end);
+            let span = spans[first - 1].start..spans[first].end;
+            notes.warn(span, say!("`@{}` is read as two symbols", second.symbol), said(CUSTOM));
         }
     }
 }
@@ -136,10 +159,10 @@ fn has_production(reading: &Reading, symbol: char) -> bool {
 }
 
 /// The most letters that get a note of their own.
-const MOST_TOLD: usize = 100;
+const MAX_TOLD: usize = 100;
 
 /// Notes modules whose symbol has productions only for another number of parameters.
-fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
+fn note_arities(reading: &Reading, axiom_notes: &mut DiagnosticList, notes: &mut DiagnosticList) {
     let Reading { grammar, axiom, productions, .. } = reading;
     let rules = set(grammar.productions.iter().map(|p| (p.predecessor.symbol, p.predecessor.parameters.len())));
     let made = grammar.productions.iter().zip(productions);
@@ -152,17 +175,30 @@ fn note_arities(reading: &Reading, axiom_notes: &mut Notes, notes: &mut Notes) {
         if let Some(&(_, found)) = rules.get(from).filter(|rule| rule.0 == symbol)
             && rules.binary_search(&(symbol, parameters)).is_err()
             && !told.contains(&(symbol, parameters))
-            && told.len() < MOST_TOLD
+            && told.len() < MAX_TOLD
         {
             told.push((symbol, parameters));
             let notes = if is_axiom { &mut *axiom_notes } else { &mut *notes };
-            notes.add(Kind::NoRuleForArity { symbol, parameters, found }, span.clone());
+            let hint = match parameters {
+                2 => say!("Write decimals with a point, as in A(0.5); a comma separates arguments."),
+                _ => say!("A symbol with another number of parameters is another letter."),
+            };
+            let message = say!("No rule applies to this: those for {} have {}", named(symbol), or_none(found));
+            notes.warn(span.clone(), message, hint);
         }
     }
 }
 
+fn or_none(parameters: usize) -> String {
+    if parameters == 0 { say!("no parameters") } else { counted_parameters(parameters) }
+}
+
+fn counted_parameters(count: usize) -> String {
+    counted!(count, "{} parameter", "{} parameters")
+}
+
 /// Notes productions that never apply, because a symbol of their predecessor or contexts never occurs.
-fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) {
+fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut DiagnosticList) {
     let seen = reading.grammar.seen.ready();
     for (production, places) in productions(reading) {
         let spans = places.left.iter().chain([&places.predecessor]).chain(&places.right);
@@ -172,16 +208,28 @@ fn note_idle(reading: &Reading, occurring: &[(char, usize)], notes: &mut Notes) 
             let bracket = context && matches!(symbol, '[' | ']');
             let from = occurring.partition_point(|letter| *letter < (symbol, 0));
             let found = || occurring.get(from).filter(|letter| letter.0 == symbol);
-            let kind = if context && !bracket && !seen.contains(symbol) {
-                Kind::ContextUnseen { symbol }
+            let (message, hint) = if context && !bracket && !seen.contains(symbol) {
+                (
+                    say!("Contexts do not see {}, so this rule never applies", named(symbol)),
+                    say!("Take it out of the context, or change `ignore:` or `consider:`."),
+                )
             } else if bracket || occurring.binary_search(&(symbol, parameters)).is_ok() {
                 continue;
             } else if let Some(&(_, found)) = found() {
-                Kind::OtherArity { symbol, parameters, found }
+                (
+                    say!("This rule never applies: {} occurs with {} only", named(symbol), or_none(found)),
+                    say!(
+                        "A symbol with {} is another letter: give it as many everywhere.",
+                        counted_parameters(parameters)
+                    ),
+                )
             } else {
-                Kind::NeverOccurs { symbol }
+                (
+                    say!("{} never occurs, so this rule never applies", named(symbol)),
+                    say!("Use the symbol in the axiom or in a rule that applies, or remove this one."),
+                )
             };
-            notes.add(kind, span.clone());
+            notes.warn(span.clone(), message, hint);
             break;
         }
     }

@@ -1,12 +1,13 @@
 //! Diagnostics of a text while it is read.
 
-use crate::{Class, Diagnostic, Field, Kind};
+use crate::{Class, Diagnostic, Field};
 use core::ops::Range;
+use lsystem_base::say;
 
 /// The diagnostics of one text while it is read: at most 100, sorted by place at the end. Optionally also the class of
 /// each byte of the text.
 #[derive(Debug)]
-pub struct Notes {
+pub struct DiagnosticList {
     field: Field,
     list: Vec<Diagnostic>,
     left_out: usize,
@@ -17,9 +18,9 @@ pub struct Notes {
 }
 
 /// The most diagnostics of one text. More do not help the reader.
-const MOST: usize = 100;
+const MAX: usize = 100;
 
-impl Notes {
+impl DiagnosticList {
     /// An empty list for the text of a field.
     pub fn new(field: Field) -> Self {
         Self { field, list: Vec::new(), left_out: 0, look_alikes: Vec::new(), classes: Vec::new() }
@@ -42,10 +43,20 @@ impl Notes {
         self.classes
     }
 
-    /// Adds a diagnostic, or counts it if the list is full.
-    pub fn add(&mut self, kind: Kind, span: Range<usize>) {
-        let diagnostic = Diagnostic { kind, field: self.field, span };
-        if self.list.len() < MOST {
+    /// Adds an error with its remedy.
+    pub fn error(&mut self, span: Range<usize>, message: String, hint: String) {
+        self.add(span, Diagnostic::error(message).hint(hint));
+    }
+
+    /// Adds a warning with its remedy.
+    pub fn warn(&mut self, span: Range<usize>, message: String, hint: String) {
+        self.add(span, Diagnostic::warning(message).hint(hint));
+    }
+
+    /// Adds a diagnostic at this place of the text, or counts it if the list is full.
+    pub fn add(&mut self, span: Range<usize>, diagnostic: Diagnostic) {
+        let diagnostic = diagnostic.at(self.field, span);
+        if self.list.len() < MAX {
             self.list.push(diagnostic);
             return;
         }
@@ -62,7 +73,15 @@ impl Notes {
     pub fn look_alike(&mut self, found: char, read_as: char, span: Range<usize>) {
         if !self.look_alikes.contains(&found) {
             self.look_alikes.push(found);
-            self.add(Kind::LookAlike { found, read_as }, span);
+            let warning = if read_as == ' ' {
+                Diagnostic::warning(say!("An invisible character ({}) is read as white space", code(found)))
+            } else {
+                let mut literal = String::new();
+                crate::print::symbol(found, true, &mut literal);
+                Diagnostic::warning(say!("`{}` ({}) is read as `{}`", found, code(found), read_as))
+                    .hint(say!("For the character itself as a symbol write {}.", literal))
+            };
+            self.add(span, warning.fix(read_as.to_string()));
         }
     }
 
@@ -73,7 +92,7 @@ impl Notes {
 
     /// Whether the list is full, so that finding a hint for a further diagnostic may be wasted work.
     pub fn is_full(&self) -> bool {
-        self.list.len() >= MOST
+        self.list.len() >= MAX
     }
 
     /// The diagnostics in the order of the text.
@@ -85,9 +104,8 @@ impl Notes {
             self.list[at..=end].rotate_right(1);
         }
         if self.left_out > 0 {
-            let kind = Kind::More { left_out: self.left_out };
             let end = self.list.last().map_or(0, |d| d.span.end);
-            self.list.push(Diagnostic { kind, field: self.field, span: end..end });
+            self.list.push(Diagnostic::warning(say!("And {} more", self.left_out)).at(self.field, end..end));
         }
         self.list
     }
@@ -103,15 +121,28 @@ pub fn excerpt(text: &str) -> String {
     }
 }
 
+/// A symbol as shown in a sentence.
+pub(crate) fn named(symbol: char) -> String {
+    match symbol {
+        ' ' => say!("The space"),
+        _ if symbol.is_whitespace() || symbol.is_control() => code(symbol),
+        _ => format!("`{symbol}`"),
+    }
+}
+
+fn code(ch: char) -> String {
+    format!("U+{:04X}", u32::from(ch))
+}
+
 /// The candidate most similar to `word`, if one is similar enough. Only the first 256 candidates of a similar length
 /// are compared.
 pub fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word: Vec<char> = word.chars().map(|c| c.to_ascii_lowercase()).take(64).collect();
     /// The most candidates compared, among those of a similar length.
-    const MOST: usize = 256;
+    const MAX: usize = 256;
     let enough = (word.len() / 3).max(1);
     let like = candidates.into_iter().filter(|c| c.chars().take(64).count().abs_diff(word.len()) <= enough);
-    (like.take(MOST).map(|c| (distance(&word, c), c)))
+    (like.take(MAX).map(|c| (distance(&word, c), c)))
         .filter(|(d, c)| *d <= enough && *d < c.chars().count())
         .min_by_key(|(d, _)| *d)
         .map(|(_, c)| c)

@@ -27,19 +27,6 @@ impl Outline {
     /// All outlines.
     pub const ALL: [Self; 6] = [Self::Disc, Self::Lance, Self::Heart, Self::Oak, Self::Needle, Self::Petal];
 
-    /// The words of the action that fills it.
-    #[must_use]
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Disc => "disc",
-            Self::Lance => "leaf lance",
-            Self::Heart => "leaf heart",
-            Self::Oak => "leaf oak",
-            Self::Needle => "leaf needle",
-            Self::Petal => "leaf petal",
-        }
-    }
-
     /// The number of corners.
     #[must_use]
     pub fn sides(self) -> u32 {

@@ -53,8 +53,8 @@ pub fn utf16_letters(text: &str, classes: &[Class]) -> String {
 /// ```
 #[must_use]
 pub fn render_diagnostic(diagnostic: &Diagnostic, source: &str, text: &str) -> String {
-    let message = visible(&diagnostic.message());
-    let mut out = match diagnostic.severity() {
+    let message = visible(&diagnostic.message);
+    let mut out = match diagnostic.severity {
         Severity::Warning => say!("warning: {}", message),
         Severity::Error => say!("error: {}", message),
     };
@@ -71,8 +71,8 @@ pub fn render_diagnostic(diagnostic: &Diagnostic, source: &str, text: &str) -> S
         out.push_str(&format!("{blank} |\n{number} | {}\n", place.line));
         out.push_str(&format!("{blank} | {}{}\n", " ".repeat(place.indent), "^".repeat(place.carets)));
     }
-    if let Some(hint) = diagnostic.hint() {
-        out.push_str(&format!("{} = {}\n", " ".repeat(margin), say!("help: {}", visible(&hint))));
+    if let Some(hint) = &diagnostic.hint {
+        out.push_str(&format!("{} = {}\n", " ".repeat(margin), say!("help: {}", visible(hint))));
     }
     out
 }

@@ -32,13 +32,13 @@ pub fn problems(diagnostics: &[Diagnostic], definition: &Definition, file: &str)
         let span = utf16_span(definition.text(diagnostic.field).unwrap_or(file), diagnostic.span.clone());
         Problem {
             field: diagnostic.field.name(),
-            severity: match diagnostic.severity() {
+            severity: match diagnostic.severity {
                 Severity::Error => "error",
                 Severity::Warning => "warning",
             },
-            message: diagnostic.message(),
-            hint: diagnostic.hint(),
-            fix: diagnostic.fix(),
+            message: diagnostic.message.clone(),
+            hint: diagnostic.hint.clone(),
+            fix: diagnostic.fix.clone(),
             start: span.start,
             end: span.end,
         }

@@ -5,7 +5,7 @@
 use core::fmt;
 use lsystem_base::word;
 
-/// What a query module asks for.
+/// The question of a query module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Query {
     /// `?P(x,y,z)`: the turtle's position, in model units.
@@ -66,7 +66,7 @@ impl Query {
         (!symbol.is_ascii()).then(|| Self::ALL.into_iter().find(|query| query.symbol() == symbol)).flatten()
     }
 
-    /// What the module does, in words.
+    /// The module's question in words.
     #[must_use]
     pub fn words(self) -> &'static str {
         match self {

@@ -48,7 +48,7 @@ pub(crate) const SOLIDS: [(&str, Option<usize>); 7] = [
 ];
 
 /// The most triangles of a mesh, and the most corners of an outline: each distance looks at all of them.
-pub const MOST_SIDES: usize = 2000;
+pub const MAX_SIDES: usize = 2000;
 
 type Point = [f64; 3];
 
@@ -82,13 +82,13 @@ impl Shape {
             "half" => Self::Half(numbers.try_into().ok()?),
             "outline" => {
                 let (corners, rest) = numbers.as_chunks::<2>();
-                let fits = (3..=MOST_SIDES).contains(&corners.len()) && rest.is_empty();
+                let fits = (3..=MAX_SIDES).contains(&corners.len()) && rest.is_empty();
                 fits.then(|| Self::Outline(corners.to_vec()))?
             }
             "mesh" => {
                 let (corners, rest) = numbers.as_chunks::<3>();
                 let (triangles, odd) = corners.as_chunks::<3>();
-                let fits = (4..=MOST_SIDES).contains(&triangles.len()) && rest.is_empty() && odd.is_empty();
+                let fits = (4..=MAX_SIDES).contains(&triangles.len()) && rest.is_empty() && odd.is_empty();
                 fits.then(|| Self::Mesh(triangles.to_vec()))?
             }
             _ => return None,

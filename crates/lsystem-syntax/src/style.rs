@@ -37,15 +37,77 @@ pub enum ColourBy {
 impl ColourBy {
     /// All values, in the order of the page's list.
     pub const ALL: [Self; 7] =
-        [Self::Symbol, Self::Single, Self::Level, Self::Turn, Self::Generation, Self::Path, Self::Density];
+        [Self::Symbol, Self::Level, Self::Generation, Self::Path, Self::Turn, Self::Density, Self::Single];
 
-    /// The names in files, in the order of [`ColourBy::ALL`].
+    /// The names in files, in the order of the enum.
     pub const NAMES: [&str; 7] = ["symbol", "single", "level", "turn", "generation", "path", "density"];
 
     /// Its name in files.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::NAMES[self as usize]
+    }
+
+    /// What the page calls it, and a note for readers, in English.
+    #[must_use]
+    pub const fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::Symbol => ["colour symbols", ""],
+            Self::Level => ["branch level", "First colour for the stem, next colour for its branches, and so on."],
+            Self::Generation => [
+                "generation",
+                "Colour by the iteration that made a symbol. A symbol that a rule copies keeps its generation.",
+            ],
+            Self::Path => ["distance along path", "A gradient of all colours, from the first segment to the last."],
+            Self::Turn => [
+                "turns",
+                "First colour at the start, other colours after turns. Each branch restores the colour before it.",
+            ],
+            Self::Density => {
+                ["amount of ink", "Where ink adds up: a gradient of all colours, from the least ink to the most."]
+            }
+            Self::Single => ["one colour", ""],
+        }
+    }
+
+    /// The number that chooses a stroke's colour.
+    #[must_use]
+    pub fn source(self) -> ColourSource {
+        match self {
+            Self::Symbol | Self::Turn | Self::Generation => ColourSource::Index,
+            Self::Single => ColourSource::Constant,
+            Self::Level => ColourSource::Level,
+            Self::Path => ColourSource::Along,
+            Self::Density => ColourSource::Ink,
+        }
+    }
+}
+
+/// The number that chooses a stroke's colour. Code matches it without a wildcard: a new one leads to every place that
+/// must know it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ColourSource {
+    /// None: all strokes have the palette's first colour.
+    Constant,
+    /// The turtle's colour index.
+    Index,
+    /// The branch level.
+    Level,
+    /// The place along the path.
+    Along,
+    /// The amount of ink at a pixel; strokes have the palette's first colour.
+    Ink,
+}
+
+impl ColourSource {
+    /// Whether a block has the same colours wherever it stands on the path, but for what its surroundings add to index
+    /// and level. Only then can its copies share a picture.
+    #[must_use]
+    pub fn is_shared(self) -> bool {
+        match self {
+            Self::Constant | Self::Index | Self::Level | Self::Ink => true,
+            Self::Along => false,
+        }
     }
 }
 
@@ -193,7 +255,11 @@ impl Style {
 
     /// Whether a stroke has the faint colour, if it has this colour index.
     pub fn is_faint(&self, index: i32) -> bool {
-        index == Self::FAINT && !matches!(self.colour_by, ColourBy::Path | ColourBy::Density)
+        index == Self::FAINT
+            && match self.colour_by.source() {
+                ColourSource::Constant | ColourSource::Index | ColourSource::Level => true,
+                ColourSource::Along | ColourSource::Ink => false,
+            }
     }
 
     /// The colour of a stroke.
@@ -204,27 +270,30 @@ impl Style {
         }
         let wrapped = |index: i64| index.rem_euclid(self.palette.len().max(1) as i64) as u32;
         let held = |index: i64| if self.holds() { index.clamp(0, i64::from(u32::MAX)) as u32 } else { wrapped(index) };
-        self.ink(match self.colour_by {
-            ColourBy::Single | ColourBy::Density => 0,
-            ColourBy::Symbol | ColourBy::Turn => wrapped(i64::from(tint.index)),
-            ColourBy::Level => held(i64::from(tint.level)),
-            ColourBy::Generation => held(i64::from(tint.index)),
-            ColourBy::Path => gradient_step(tint.place),
+        self.ink(match self.colour_by.source() {
+            ColourSource::Constant | ColourSource::Ink => 0,
+            ColourSource::Index => held(i64::from(tint.index)),
+            ColourSource::Level => held(i64::from(tint.level)),
+            ColourSource::Along => gradient_step(tint.place),
         })
     }
 
     /// Whether indices beyond the palette take its last colour.
     pub fn holds(&self) -> bool {
-        self.palette_holds && matches!(self.colour_by, ColourBy::Level | ColourBy::Generation)
+        self.palette_holds
+            && match self.colour_by {
+                ColourBy::Level | ColourBy::Generation => true,
+                ColourBy::Symbol | ColourBy::Single | ColourBy::Turn | ColourBy::Path | ColourBy::Density => false,
+            }
     }
 
     /// The number of inks: colours that strokes may have.
     pub fn inks(&self) -> u32 {
         let palette = u32::try_from(self.palette.len()).unwrap_or(u32::MAX / 2).max(1);
-        match self.colour_by {
-            ColourBy::Single | ColourBy::Density => 1,
-            ColourBy::Path => GRADIENT,
-            _ => palette,
+        match self.colour_by.source() {
+            ColourSource::Constant | ColourSource::Ink => 1,
+            ColourSource::Along => GRADIENT,
+            ColourSource::Index | ColourSource::Level => palette,
         }
     }
 
@@ -233,10 +302,12 @@ impl Style {
         if number == Self::FAINT_INK {
             return self.faint();
         }
-        if self.colour_by == ColourBy::Path {
-            return self.gradient((f64::from(number) + 0.5) / f64::from(GRADIENT));
+        match self.colour_by.source() {
+            ColourSource::Along => self.gradient((f64::from(number) + 0.5) / f64::from(GRADIENT)),
+            ColourSource::Constant | ColourSource::Index | ColourSource::Level | ColourSource::Ink => {
+                self.entry(number as usize)
+            }
         }
-        self.entry(number as usize)
     }
 
     /// The palette's entry at `index` with its hue rotated, or the last entry for a larger index. All stroke colours

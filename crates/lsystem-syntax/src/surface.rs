@@ -8,9 +8,10 @@
 //! by row. A point has three numbers: ahead of the turtle, to its left, and up, for a surface of size 1. White space or
 //! commas separate the numbers. The turtle is at the origin.
 
+use crate::Diagnostic;
 use core::fmt::Write;
 use lsystem_base::number::number;
-use lsystem_base::{MAX_SURFACE_PATCHES, MAX_SURFACES, decimal};
+use lsystem_base::{MAX_SURFACE_PATCHES, MAX_SURFACES, decimal, say};
 
 /// A point or a direction: ahead, left and up.
 pub type SurfacePoint = [f64; 3];
@@ -20,10 +21,10 @@ pub type Patch = [SurfacePoint; 16];
 
 /// The number of strips of a patch in both directions: a patch has up to 72 triangles. Between the corners of a strip, a
 /// row of control points that turns by 90 degrees stays within 1/150 of its length of the true surface.
-pub const SURFACE_STRIPS: usize = 6;
+pub(crate) const SURFACE_STRIPS: usize = 6;
 
 /// The largest coordinate.
-const MOST: f64 = 1e6;
+const MAX: f64 = 1e6;
 
 /// A surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,62 +35,51 @@ pub struct Surface {
     pub patches: Vec<Patch>,
 }
 
-/// What is wrong with a line of surfaces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SurfaceProblem {
-    /// The line does not begin with a letter and a colon.
-    Name,
-    /// The name stands twice.
-    Twice(char),
-    /// A word is no number, or a number above a million.
-    Number,
-    /// The number of numbers, which is no multiple of 48.
-    Count(usize),
-    /// A surface has too many patches.
-    Patches,
-    /// There are too many surfaces.
-    Surfaces,
-}
-
 /// Reads surfaces.
 ///
 /// # Errors
-/// The first wrong line, from 1, and what is wrong with it.
-pub fn parse_surfaces(text: &str) -> Result<Vec<Surface>, (usize, SurfaceProblem)> {
+/// The first wrong line.
+pub fn parse_surfaces(text: &str) -> Result<Vec<Surface>, Diagnostic> {
     let mut found: Vec<Surface> = Vec::new();
     for (line, written) in text.lines().enumerate() {
         if written.trim().is_empty() {
             continue;
         }
-        let surface = surface(written).map_err(|problem| (line + 1, problem))?;
-        if found.iter().any(|other| other.name == surface.name) {
-            return Err((line + 1, SurfaceProblem::Twice(surface.name)));
-        }
-        if found.len() >= MAX_SURFACES {
-            return Err((line + 1, SurfaceProblem::Surfaces));
-        }
-        found.push(surface);
+        let surface = surface(written).and_then(|surface| match &found {
+            _ if found.iter().any(|other| other.name == surface.name) => {
+                Err(say!("the surface `{}` stands twice", surface.name))
+            }
+            _ if found.len() >= MAX_SURFACES => Err(say!("a system has at most {} surfaces", MAX_SURFACES)),
+            _ => Ok(surface),
+        });
+        found.push(surface.map_err(|problem| {
+            Diagnostic::error(say!("Line {} of the surfaces: {}", line + 1, problem))
+                .hint(say!("A surface is a letter, a colon, and 48 numbers for each patch."))
+        })?);
     }
     Ok(found)
 }
 
-fn surface(line: &str) -> Result<Surface, SurfaceProblem> {
-    let (name, numbers) = line.split_once(':').ok_or(SurfaceProblem::Name)?;
+/// Reads a line; the error is what is wrong with it.
+fn surface(line: &str) -> Result<Surface, String> {
+    let no_name = || say!("it does not begin with a letter and a colon");
+    let (name, numbers) = line.split_once(':').ok_or_else(no_name)?;
     let mut letters = name.trim().chars();
     let name = match (letters.next(), letters.next()) {
         (Some(name), None) if name.is_alphabetic() => name,
-        _ => return Err(SurfaceProblem::Name),
+        _ => return Err(no_name()),
     };
     let words = || numbers.split(|c: char| c.is_whitespace() || c == ',').filter(|word| !word.is_empty());
     let count = words().count();
     if count == 0 || count % 48 != 0 {
-        return Err(SurfaceProblem::Count(count));
+        return Err(say!("{} numbers are no multiple of 48", count));
     }
     if count / 48 > MAX_SURFACE_PATCHES {
-        return Err(SurfaceProblem::Patches);
+        return Err(say!("a surface has at most {} patches", MAX_SURFACE_PATCHES));
     }
-    let number = |word: &str| decimal::read(word).filter(|value| value.abs() <= MOST).ok_or(SurfaceProblem::Number);
-    let numbers = words().map(number).collect::<Result<Vec<f64>, _>>()?;
+    let number = |word: &str| decimal::read(word).filter(|value| value.abs() <= MAX);
+    let numbers = words().map(number).collect::<Option<Vec<f64>>>();
+    let numbers = numbers.ok_or_else(|| say!("a word is no number between -1,000,000 and 1,000,000"))?;
     let patch = |numbers: &[f64]| core::array::from_fn(|at| core::array::from_fn(|axis| numbers[3 * at + axis]));
     Ok(Surface { name, patches: numbers.chunks_exact(48).map(patch).collect() })
 }
@@ -168,17 +158,18 @@ mod tests {
         let many = (0..=MAX_SURFACES).map(|at| flat(char::from_u32(0x3b1 + at as u32).unwrap())).collect::<Vec<_>>();
         let long = format!("l:{}", " 1".repeat(48 * (MAX_SURFACE_PATCHES + 1)));
         for (text, line, problem) in [
-            ("l 1 2 3", 1, SurfaceProblem::Name),
-            ("2: 1", 1, SurfaceProblem::Name),
-            ("l: 1 2", 1, SurfaceProblem::Count(2)),
-            ("l:", 1, SurfaceProblem::Count(0)),
-            (&flat('l').replacen('0', "x", 1), 1, SurfaceProblem::Number),
-            (&flat('l').replacen('0', "1e7", 1), 1, SurfaceProblem::Number),
-            (&format!("{}\n{}", flat('l'), flat('l')), 2, SurfaceProblem::Twice('l')),
-            (&many.join("\n"), MAX_SURFACES + 1, SurfaceProblem::Surfaces),
-            (&long, 1, SurfaceProblem::Patches),
+            ("l 1 2 3", 1, "it does not begin with a letter and a colon"),
+            ("2: 1", 1, "it does not begin with a letter and a colon"),
+            ("l: 1 2", 1, "2 numbers are no multiple of 48"),
+            ("l:", 1, "0 numbers are no multiple of 48"),
+            (&flat('l').replacen('0', "x", 1), 1, "a word is no number between -1,000,000 and 1,000,000"),
+            (&flat('l').replacen('0', "1e7", 1), 1, "a word is no number between -1,000,000 and 1,000,000"),
+            (&format!("{}\n{}", flat('l'), flat('l')), 2, "the surface `l` stands twice"),
+            (&many.join("\n"), MAX_SURFACES + 1, "a system has at most 32 surfaces"),
+            (&long, 1, "a surface has at most 16 patches"),
         ] {
-            assert_eq!(parse_surfaces(text), Err((line, problem)), "{text}");
+            let error = parse_surfaces(text).unwrap_err();
+            assert_eq!(error.message, format!("Line {line} of the surfaces: {problem}"), "{text}");
         }
     }
 

@@ -20,7 +20,7 @@ pub(super) struct Scratch {
 
 /// The most work of the search for one module's production, in productions tried and neighbours visited. More work
 /// would take too long for one step.
-pub(super) const MOST_LOOKS: u64 = 3 << 16;
+pub(super) const MAX_LOOKS: u64 = 3 << 16;
 
 /// A module and its neighbours.
 pub(super) struct ModuleInContext<'a> {

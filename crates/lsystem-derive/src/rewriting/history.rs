@@ -9,7 +9,7 @@ mod making;
 use super::choices::{Choice, Choices};
 use super::modules::{Chance, Modules, NotFinite};
 use super::step::Rewriter;
-use crate::access::{Ancestor, Part};
+use crate::access::{Ancestor, DerivedPart};
 use crate::rules::{Letter, Rule, Rules};
 use core::ops::Range;
 use lsystem_base::{Limits, MAX_ITERATIONS, Meter, Progress};
@@ -294,7 +294,7 @@ impl History {
     /// The part of generation `later` that derives from the module at `index` of `generation`. Segments are known only
     /// in generation `n`, and are `0..0` otherwise. `None` if there is no such module, or a generation is not derived.
     #[must_use]
-    pub fn part(&self, generation: u32, index: u128, later: u32) -> Option<Part> {
+    pub fn part(&self, generation: u32, index: u128, later: u32) -> Option<DerivedPart> {
         let place = self.place(generation, index)?;
         let steps = self.steps.get(generation as usize..later as usize)?;
         let mut range = place..place + 1;
@@ -304,7 +304,7 @@ impl History {
         let segments = |place: usize| self.segments_before(place as u128);
         let segments = if later == self.n { segments(range.start).zip(segments(range.end)) } else { None };
         let (from, to) = segments.unwrap_or((0, 0));
-        Some(Part { symbols: range.start as u128..range.end as u128, segments: from..to })
+        Some(DerivedPart { symbols: range.start as u128..range.end as u128, segments: from..to })
     }
 
     /// The number of segments that the modules before position `index` of generation `n` draw; `None` if not counted

@@ -1,6 +1,6 @@
 //! The images of modules: productions below `draw:`, applied once before drawing (a homomorphism).
 
-use super::choose::{MOST_LOOKS, ModuleInContext, Scratch};
+use super::choose::{MAX_LOOKS, ModuleInContext, Scratch};
 use super::modules::{Chance, Modules, NotFinite};
 use super::step::{Fault, Rewriter};
 use crate::rules::Rule;
@@ -71,7 +71,7 @@ impl Rewriter {
     #[inline(never)]
     fn choose_image<'a>(&'a self, at: &ModuleInContext<'a>, scratch: &mut Scratch, work: &mut u64) -> Option<&'a Rule> {
         let letter = usize::from(self.word.letters[at.place]);
-        scratch.until = *work + MOST_LOOKS;
+        scratch.until = *work + MAX_LOOKS;
         at.choose(&self.plan.rules.images[letter], scratch, work)
     }
 }

@@ -3,7 +3,7 @@
 use super::scene::SceneSize;
 use crate::Plane;
 use crate::chunks::Chunks;
-use crate::course::Spot;
+use crate::exact_path::Spot;
 use crate::space::Geometry;
 use crate::style::{StyleId, WidthChange};
 use core::fmt::Debug;
@@ -79,6 +79,13 @@ pub enum Item<S: Space = Plane> {
     Block(Placed<S>),
 }
 
+impl<S: Space> Item<S> {
+    /// Whether the item is a polygon that is not closed, or has fewer than three vertices.
+    pub(crate) fn is_hollow(&self) -> bool {
+        matches!(self, Self::Polygon(Polygon { count: 0, .. }))
+    }
+}
+
 /// One segment, in block units.
 #[derive(Clone, Copy, Debug)]
 pub struct Stroke<S: Space = Plane> {
@@ -121,7 +128,7 @@ pub struct Placed<S: Space = Plane> {
     pub block: BlockId,
     /// The style at the placed block's entry, relative to the containing block's entry.
     pub style: StyleId,
-    /// The placed block's origin, in the frame of the containing block's piece; `None` where no course is kept. As an
+    /// The placed block's origin, in the frame of the containing block's piece; `None` where no exact path is kept. As an
     /// option it leaves room for the kind of the [`Item`], which would take eight bytes more.
     pub spot: Option<Spot>,
     /// The placed block's origin, in the containing block's units.

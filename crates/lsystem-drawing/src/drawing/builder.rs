@@ -1,9 +1,9 @@
 //! The making of blocks: exponent, hull, counts and widest stroke.
 use crate::Plane;
 use crate::chunks::Chunks;
-use crate::course::{Course, Spot};
 use crate::drawing::block::{Block, BlockId, Contents, Enclosed, HullInput, Item, Placed, Space, Stroke};
 use crate::drawing::scene::SceneSize;
+use crate::exact_path::{ExactPath, Spot};
 use crate::room::{bytes_for, bytes_of, reserve};
 use crate::space::times;
 use crate::style::{StyleChange, Styles, WidthChange};
@@ -17,7 +17,7 @@ pub(crate) struct Builder<S: Space = Plane> {
     /// The vertices of polygons; polygons share none.
     pub vertices: Vec<S::Point>,
     pub(crate) styles: Styles,
-    pub(crate) course: Course<S>,
+    pub(crate) exact_path: ExactPath<S>,
     pub directions: S::Directions,
     /// A reusable buffer for a hull's points.
     pub points: Vec<S::Point>,
@@ -48,7 +48,7 @@ impl<S: Space> Builder<S> {
             corners: vec![],
             vertices: vec![],
             styles: Styles::new(),
-            course: Course::new(),
+            exact_path: ExactPath::new(),
             directions: S::directions(),
             points: vec![],
         }
@@ -71,7 +71,7 @@ impl<S: Space> Builder<S> {
             + bytes_of(&self.vertices)
             + bytes_of(&self.points)
             + self.styles.bytes()
-            + self.course.bytes()
+            + self.exact_path.bytes()
     }
 
     /// Frees the unused capacity of the lists.
@@ -80,7 +80,7 @@ impl<S: Space> Builder<S> {
         self.items.shrink();
         self.corners.shrink_to_fit();
         self.vertices.shrink_to_fit();
-        self.course.legs.shrink_to_fit();
+        self.exact_path.legs.shrink_to_fit();
     }
 
     /// Makes room for a block with this many items. Returns false, and the builder is full, if memory does not suffice.
@@ -89,7 +89,7 @@ impl<S: Space> Builder<S> {
         let more = bytes_for(&self.blocks, 1)
             + self.items.bytes_for(items)
             + bytes_for(&self.corners, 64)
-            + self.course.bytes_for(items);
+            + self.exact_path.bytes_for(items);
         self.is_full |= more > 0 && self.bytes() + more > self.memory;
         if !self.is_full {
             reserve(&mut self.blocks, 1);

@@ -7,7 +7,7 @@ use super::pieces::Pieces;
 use super::share::Share;
 use super::task::{Made, Outcome, Task};
 use super::unfold::Unfold;
-use crate::course::Spot;
+use crate::exact_path::Spot;
 use crate::space::times;
 use crate::{ColourChange, Plane, StyleChange, System, Turtle};
 use lsystem_base::{LimitName, Limits, MAX_ITERATIONS, Meter, Progress};
@@ -72,7 +72,7 @@ impl<S: Space> Drawer<S> {
             Unfold::new(&task, None).map_or_else(Stage::Failed, Stage::Unfold)
         };
         let mut builder = Builder::within(limits.memory);
-        builder.course.keep(shares && S::LEVEL, task.score.exponent);
+        builder.exact_path.keep(shares && S::LEVEL, task.score.exponent);
         Self { task, shares, builder, symbols: None, stage, spent: 0 }
     }
 
@@ -144,7 +144,7 @@ impl<S: Space> Drawer<S> {
             step: self.task.score.step,
             width: self.task.score.width,
             pieces,
-            course: self.builder.course,
+            exact_path: self.builder.exact_path,
             memoised: self.shares,
             places: vec![],
             depths: vec![],
@@ -183,7 +183,7 @@ impl<S: Space> Drawer<S> {
             }
             Outcome::NotShareable(largest) => {
                 *shares = false;
-                builder.course.keep(false, 0);
+                builder.exact_path.keep(false, 0);
                 *stage = Unfold::new(task, largest).map_or_else(Stage::Failed, Stage::Unfold);
             }
             Outcome::Failed(diagnostic) => *stage = Stage::Failed(diagnostic),

@@ -7,10 +7,10 @@ use lsystem_syntax::Heading;
 /// Points are snapped to multiples of this before the hull is taken. The orientation of three points is then exact, and
 /// rounding cannot separate points that coincide or lie on a line.
 const GRID: f64 = 1.0 / (1_u64 << 48) as f64;
-/// The most by which one pass of pruning moves the edges of a hull with at most [`MOST`] corners outwards.
+/// The most by which one pass of pruning moves the edges of a hull with at most [`MAX`] corners outwards.
 const TOLERANCE: f64 = 1e-13;
 /// The most corners of a hull. More corners are pruned with a growing tolerance.
-const MOST: usize = 64;
+const MAX: usize = 64;
 /// With more corners than this the tolerance grows faster, so that few passes handle all of them.
 const MANY: usize = 4096;
 
@@ -87,11 +87,11 @@ fn drop_inner(points: &mut Vec<Point>) {
 }
 
 /// Replaces an edge by the meeting point of its neighbours' lines if that moves the hull outwards by at most the
-/// tolerance. The tolerance grows until at most [`MOST`] corners remain. Returns the largest movement and the units of
+/// tolerance. The tolerance grows until at most [`MAX`] corners remain. Returns the largest movement and the units of
 /// work.
 fn prune(corners: &mut Vec<Point>) -> (f64, u64) {
     let (mut tolerance, mut moved, mut work) = (TOLERANCE, 0.0, 0);
-    let exact = if corners.len() > MOST { corners.clone() } else { vec![] };
+    let exact = if corners.len() > MAX { corners.clone() } else { vec![] };
     loop {
         let before = corners.len();
         work += before as u64 / 2;
@@ -100,10 +100,10 @@ fn prune(corners: &mut Vec<Point>) -> (f64, u64) {
             // Within one pass, an edge is moved at most once.
             moved += tolerance;
         }
-        if corners.len() > MOST {
+        if corners.len() > MAX {
             // Every edge is within this tolerance, so rounding has bent the outline and more passes change nothing.
             if tolerance > 1.0 {
-                work += (exact.len() * MOST) as u64 / 4;
+                work += (exact.len() * MAX) as u64 / 4;
                 *corners = exact;
                 return (cap(corners), work);
             }
@@ -150,12 +150,12 @@ fn prune_once(corners: &mut Vec<Point>, tolerance: f64) {
     }
 }
 
-/// Replaces the hull by the polygon of [`MOST`] sides with equally spaced directions that touch the hull. Returns the
+/// Replaces the hull by the polygon of [`MAX`] sides with equally spaced directions that touch the hull. Returns the
 /// most by which that moves the hull outwards.
 fn cap(corners: &mut Vec<Point>) -> f64 {
-    let sides: Vec<(Point, f64)> = (0..MOST)
+    let sides: Vec<(Point, f64)> = (0..MAX)
         .map(|side| {
-            let (c, s) = Heading::from_degrees(360.0 * side as f64 / MOST as f64).cos_sin();
+            let (c, s) = Heading::from_degrees(360.0 * side as f64 / MAX as f64).cos_sin();
             let reach = corners.iter().map(|[x, y]| c * x + s * y).fold(f64::NEG_INFINITY, f64::max);
             // The margin keeps all corners inside in spite of rounding.
             ([c, s], reach + 4.0 * GRID)
@@ -251,7 +251,7 @@ mod tests {
             })
             .collect();
         let corners = hull_of(&circle);
-        assert!(corners.len() <= MOST);
+        assert!(corners.len() <= MAX);
         contains(&corners, &circle, 1e-13).unwrap();
         assert!(corners.iter().all(|[x, y]| (x * x + y * y).sqrt() < 0.905));
     }
@@ -272,7 +272,7 @@ mod tests {
                 .collect();
             let mut corners = points.clone();
             let (slack, _) = hull(&mut corners);
-            assert!(corners.len() <= MOST && slack < 0.1, "{degrees} {slack}");
+            assert!(corners.len() <= MAX && slack < 0.1, "{degrees} {slack}");
             contains(&corners, &points, 1e-13).unwrap();
         }
     }
@@ -282,7 +282,7 @@ mod tests {
         let needle: Vec<Point> = (0..1000).map(|at| [0.0008 * f64::from(at), 0.0001 * f64::from(at % 7)]).collect();
         let mut corners = needle.clone();
         let slack = cap(&mut corners);
-        assert!(corners.len() <= MOST && slack < 0.1, "{slack}");
+        assert!(corners.len() <= MAX && slack < 0.1, "{slack}");
         contains(&corners, &needle, 1e-13).unwrap();
     }
 
@@ -309,7 +309,7 @@ mod tests {
                 .map(|p| p.map(|c| c * 0.7)).collect();
             let mut corners = points.clone();
             let (slack, _) = hull(&mut corners);
-            prop_assert!(slack < 1e-11 && corners.len() <= MOST);
+            prop_assert!(slack < 1e-11 && corners.len() <= MAX);
             contains(&corners, &points, 1e-14)?;
             // In every direction the hull and the points have the same reach.
             for direction in 0..36 {

@@ -3,8 +3,8 @@
 use super::builder::Builder;
 use super::taper::{Flow, Taper, TaperItems};
 use crate::chunks::Chunks;
-use crate::course::{Course, Leg, Spot};
 use crate::drawing::block::{Item, Placed, Polygon, Space, Stroke};
+use crate::exact_path::{ExactPath, Leg, Spot};
 use crate::room::{bytes_of, reserve};
 use crate::space::{Geometry, minus};
 use crate::style::{StyleChange, Styles, WidthChange};
@@ -42,7 +42,7 @@ impl<S: Space> ItemBuffer<S> {
     /// Removes polygons that were never closed or have fewer than three vertices.
     pub(super) fn finish(&mut self) {
         self.open.clear();
-        self.items.retain(|item| !is_hollow(item));
+        self.items.retain(|item| !item.is_hollow());
     }
 
     /// The bytes that the buffer occupies. A list of vertices may have twice the capacity that it uses.
@@ -54,18 +54,13 @@ impl<S: Space> ItemBuffer<S> {
     }
 }
 
-/// Whether an item is a polygon that is not closed, or has fewer than three vertices.
-pub(super) fn is_hollow<S: Space>(item: &Item<S>) -> bool {
-    matches!(item, Item::Polygon(Polygon { count: 0, .. }))
-}
-
 /// The point at which an item begins.
 pub(super) fn origin<S: Space>(builder: &Builder<S>, item: &Item<S>) -> (S::Point, Spot) {
     match item {
-        Item::Stroke(stroke) => (stroke.from, builder.course.start(stroke.spot)),
+        Item::Stroke(stroke) => (stroke.from, builder.exact_path.start(stroke.spot)),
         Item::Polygon(polygon) => {
             let first = polygon.first as usize;
-            (builder.vertices[first], builder.course.vertices.get(first).copied().unwrap_or_default())
+            (builder.vertices[first], builder.exact_path.vertices.get(first).copied().unwrap_or_default())
         }
         Item::Block(placed) => (placed.at, placed.spot.unwrap_or_default()),
     }
@@ -94,7 +89,7 @@ pub(crate) struct ItemWriter<'a, S: Space> {
     pub made: &'a mut Chunks<Item<S>>,
     pub styles: &'a mut Styles,
     pub vertices: &'a mut Vec<S::Point>,
-    pub course: &'a mut Course<S>,
+    pub exact_path: &'a mut ExactPath<S>,
 }
 
 impl<S: Space> ItemWriter<'_, S> {
@@ -121,7 +116,7 @@ impl<S: Space> ItemWriter<'_, S> {
 
 impl<S: Space> Paper<S> for ItemWriter<'_, S> {
     fn go(&mut self, leg: Leg<S>) -> Spot {
-        self.course.go(leg)
+        self.exact_path.go(leg)
     }
 
     fn stroke(&mut self, ends: [S::Point; 2], spot: Spot, style: &StyleChange) {
@@ -167,7 +162,7 @@ impl<S: Space> Paper<S> for ItemWriter<'_, S> {
 
     fn vertex(&mut self, at: S::Point, spot: Spot) {
         if let Some((_, vertices)) = self.buffer.open.last_mut()
-            && vertices.last().is_none_or(|&(last, before)| last != at || before != spot && self.course.kept)
+            && vertices.last().is_none_or(|&(last, before)| last != at || before != spot && self.exact_path.kept)
         {
             vertices.push((at, spot));
             self.buffer.held += 1;
@@ -183,8 +178,8 @@ impl<S: Space> Paper<S> for ItemWriter<'_, S> {
             (polygon.first, polygon.count) = (self.vertices.len() as u32, vertices.len() as u32);
             reserve(self.vertices, vertices.len());
             self.vertices.extend(vertices.iter().map(|(at, _)| at));
-            if self.course.kept {
-                self.course.vertices.extend(vertices.iter().map(|(_, spot)| spot));
+            if self.exact_path.kept {
+                self.exact_path.vertices.extend(vertices.iter().map(|(_, spot)| spot));
             }
         }
     }

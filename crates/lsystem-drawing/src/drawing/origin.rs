@@ -5,7 +5,7 @@ use lsystem_base::decimal;
 use lsystem_base::fixed::Fixed;
 
 /// The most digits of a fraction that are written: all that an `f64` below 1 needs, with a few zeros in front.
-const MOST_DIGITS: usize = 24;
+const MAX_DIGITS: usize = 24;
 
 /// A place on a segment.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +35,7 @@ impl Origin {
         let is_plain = fraction.bytes().all(|byte| byte == b'.' || byte.is_ascii_digit());
         let along = match fraction {
             "" => 0.0,
-            _ => decimal::read(fraction).filter(|_| is_plain && fraction.len() <= MOST_DIGITS + 1)?,
+            _ => decimal::read(fraction).filter(|_| is_plain && fraction.len() <= MAX_DIGITS + 1)?,
         };
         Some(Self { segment: number.minus(&Fixed::units(1)), along })
     }
@@ -50,7 +50,7 @@ impl Origin {
             && text.len() + part.len() <= MAX_SEGMENT_DIGITS
         {
             text.push('.');
-            text.push_str(&decimals[..decimals.len().min(MOST_DIGITS)]);
+            text.push_str(&decimals[..decimals.len().min(MAX_DIGITS)]);
         }
         text
     }

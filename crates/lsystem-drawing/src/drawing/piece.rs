@@ -4,7 +4,7 @@ use super::block::{BlockId, Placed, Space};
 use super::builder::Builder;
 use super::taper::Flow;
 use crate::Plane;
-use crate::course::{By, Leg, Spot};
+use crate::exact_path::{By, Leg, Spot};
 use crate::space::{reach, times, unit_of};
 use crate::style::StyleChange;
 use crate::turtle::{Pen, Score};
@@ -85,7 +85,7 @@ pub(super) fn follow<S: Space>(
     let by = times(shifted(times(effect.at, factor), effect.exponent.saturating_sub(exponent)), pen.scale);
     pen.at = S::transform(&axes, pen.at, by);
     let (by, factor) = (By::Piece(effect.spot), factor * pen.scale);
-    pen.spot = builder.course.go(Leg { from: pen.spot, by, heading: pen.heading, factor });
+    pen.spot = builder.exact_path.go(Leg { from: pen.spot, by, heading: pen.heading, factor });
     pen.heading = S::then(pen.heading, effect.heading);
     pen.style = pen.style.then(&effect.style);
     pen.scale_by(effect.scale);

@@ -7,8 +7,8 @@ use super::pieces::Pieces;
 use super::segments::{BlockFrame, Cursor, ItemRef};
 use super::tree::Tree;
 use crate::Solid;
-use crate::course::{Course, Spot};
 use crate::drawing::block::{BlockId, Space};
+use crate::exact_path::{ExactPath, Spot};
 use crate::plane::Plane;
 use crate::rotation::dot;
 use crate::style::StyleChange;
@@ -248,7 +248,7 @@ impl Projection {
             step: drawing.step,
             width: drawing.width,
             pieces: Pieces::None,
-            course: Course::new(),
+            exact_path: ExactPath::new(),
             memoised: false,
             places,
             depths,

@@ -162,8 +162,13 @@ impl<S: Space> Cursor<S> {
     }
 
     /// Skips the next `count` strokes, and the polygons before the stroke that is then the next one.
-    pub(super) fn pass(&mut self, drawing: &Drawing<S>, mut count: u128) {
-        while count > 0 {
+    pub(super) fn pass(&mut self, drawing: &Drawing<S>, count: u128) {
+        self.go(drawing, count, false);
+    }
+
+    /// Skips the next `count` strokes, and then `to_stroke` what is not one.
+    fn go(&mut self, drawing: &Drawing<S>, mut count: u128, to_stroke: bool) {
+        while count > 0 || to_stroke {
             let Some((next, end, frame)) = self.open.last_mut() else { return };
             let items = &drawing.items[*next as usize..*end as usize];
             let (passed, left) = drawing.before(items, count);
@@ -203,10 +208,11 @@ impl<'a, S: Space> Strokes<'a, S> {
 
     /// The next stroke, and the frame of its block.
     fn next_placed(&mut self) -> Option<(&'a Stroke<S>, BlockFrame<S>)> {
-        loop {
-            if let (ItemRef::Stroke(stroke), frame) = self.next_part()? {
-                return Some((stroke, frame));
-            }
+        // Polygons may be so many that they are never read one by one.
+        self.cursor.go(self.drawing, 0, true);
+        match self.next_part()? {
+            (ItemRef::Stroke(stroke), frame) => Some((stroke, frame)),
+            (ItemRef::Polygon(_), _) => None,
         }
     }
 

@@ -7,7 +7,7 @@ use super::scene::SceneSize;
 use super::{BlockFrame, Drawing, Pieces};
 use crate::Solid;
 use crate::chunks::Chunks;
-use crate::course::{Course, Spot};
+use crate::exact_path::{ExactPath, Spot};
 use crate::room::bytes_of;
 use crate::rotation::Vector;
 use crate::style::{StyleChange, StyleId, Styles};
@@ -154,7 +154,7 @@ impl Simplifier {
             step: drawing.step,
             width: drawing.width,
             pieces: Pieces::None,
-            course: Course::new(),
+            exact_path: ExactPath::new(),
             memoised: drawing.memoised,
             places: vec![],
             depths: vec![],

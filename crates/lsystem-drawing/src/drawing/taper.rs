@@ -127,7 +127,7 @@ impl Taper {
         }
     }
 
-    /// What a piece with these items shows to its surroundings.
+    /// The ends of a piece with these items, as its surroundings see them.
     pub(super) fn flow(&self) -> Flow {
         let trail = self.waiting.first().filter(|waiting| waiting.depth == 0);
         Flow { lead: self.lead, trail: trail.map(|waiting| waiting.width) }
@@ -140,7 +140,7 @@ impl Taper {
             let ItemPlace::Buffer(index) = waiting.place else { return };
             let Some(before) = index.checked_sub(from) else { return };
             if let Some(passed) = buffer.get(from..index) {
-                let hollow = passed.iter().filter(|item| super::item_buffer::is_hollow(item)).count();
+                let hollow = passed.iter().filter(|item| item.is_hollow()).count();
                 waiting.place = ItemPlace::Made(number + (before - hollow) as u32);
                 self.first.get_or_insert(block);
             }

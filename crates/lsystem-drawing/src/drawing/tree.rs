@@ -1,10 +1,10 @@
 //! A tree of blocks of consecutive strokes: for drawings without shared pieces, and for the word of one piece.
 
 use super::builder::Builder;
-use super::item_buffer::{ItemBuffer, ItemWriter, is_hollow, origin, shift};
+use super::item_buffer::{ItemBuffer, ItemWriter, origin, shift};
 use super::taper::{Flow, TaperItems};
-use crate::course::Spot;
 use crate::drawing::block::{BlockId, Item, Placed, Space};
+use crate::exact_path::Spot;
 use crate::room::bytes_of;
 use crate::space::minus;
 use crate::style::{StyleChange, WidthChange};
@@ -67,8 +67,8 @@ impl<S: Space> Tree<S> {
     ) {
         // A string that is drawn symbol by symbol has fewer than 2^32 symbols.
         self.buffer.symbol = place as u32;
-        let Builder { styles, vertices, directions, items: made, course, .. } = builder;
-        act(&mut ItemWriter { buffer: &mut self.buffer, made, styles, vertices, course }, directions);
+        let Builder { styles, vertices, directions, items: made, exact_path, .. } = builder;
+        act(&mut ItemWriter { buffer: &mut self.buffer, made, styles, vertices, exact_path }, directions);
         self.settle(builder);
     }
 
@@ -80,8 +80,8 @@ impl<S: Space> Tree<S> {
         flow: &Flow,
         entry: WidthChange,
     ) {
-        let Builder { styles, vertices, items: made, course, .. } = builder;
-        ItemWriter { buffer: &mut self.buffer, made, styles, vertices, course }.place(placed, flow, entry);
+        let Builder { styles, vertices, items: made, exact_path, .. } = builder;
+        ItemWriter { buffer: &mut self.buffer, made, styles, vertices, exact_path }.place(placed, flow, entry);
         self.settle(builder);
     }
 
@@ -136,7 +136,7 @@ impl<S: Space> Tree<S> {
         let count = if left < 2 * self.bottom && !self.is_word { left } else { left.min(self.bottom) };
         self.run.clear();
         let next = &self.buffer.items[self.done..self.done + count];
-        self.run.extend(next.iter().filter(|item| !is_hollow(item)));
+        self.run.extend(next.iter().filter(|item| !item.is_hollow()));
         let from = self.done;
         self.done += count;
         let made = self.run.first().map(|item| origin(builder, item)).and_then(|(origin, spot)| {

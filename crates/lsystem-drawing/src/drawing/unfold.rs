@@ -95,11 +95,13 @@ impl<S: Space> Unfold<S> {
             }
             Stage::Generations(generations) => match generations.step(task, builder, meter) {
                 Outcome::Ended(root) => return made(root, generations.symbols()),
-                Outcome::Failed(mut diagnostic) => {
-                    if let Kind::Limit { largest, .. } = &mut diagnostic.kind {
-                        *largest = (*largest).max(self.shared);
-                    }
-                    return Outcome::Failed(diagnostic);
+                Outcome::Failed(diagnostic) => {
+                    return Outcome::Failed(match diagnostic.kind {
+                        Kind::Limit { limit, value, largest } => {
+                            Diagnostic::limit(limit, value, largest.max(self.shared))
+                        }
+                        _ => diagnostic,
+                    });
                 }
                 Outcome::Paused | Outcome::NotShareable(_) => {}
             },

@@ -4,12 +4,14 @@
 //! amount of ink there. The shading fades out continuously where strokes become larger and where they do not pile up, so
 //! that there is no seam while the view or n changes.
 
+use super::RenderStats;
 use super::density::Density;
-use super::fineness::{Fineness, Shading};
+use super::fineness::Fineness;
 use super::opaque::Opaque;
-use super::picture::Plan;
+use super::opaque_picture::Plan;
 use super::shape::Shapes;
-use super::{Pass, RenderStats};
+use crate::ink::Shading;
+use crate::pane::Pass;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::Ink;
@@ -163,9 +165,11 @@ impl Blend {
 
 #[cfg(test)]
 mod tests {
+    use crate::pane::Pass;
     use crate::plane::sample::Sample;
     use crate::plane::tests::{close_up, difference, hard, picture, put};
-    use crate::plane::{Pass, Renderer, View, Viewport};
+    use crate::plane::{Renderer, View};
+    use crate::viewport::Viewport;
     use lsystem_base::Progress;
     use lsystem_drawing::Drawing;
     use lsystem_syntax::{Ink, Style};
@@ -234,11 +238,12 @@ mod tests {
 
     #[test]
     fn films_have_no_seam() {
-        for (name, sample, n) in [
+        let all = [
             ("plant", Sample::abop("F", &[('F', "F[+F]F[-F][F]")], 22.0), 11),
             ("dragon", Sample::abop("F", &[('F', "F+G"), ('G', "F-G")], 90.0), 20),
             ("bush", Sample::abop("F", &[('F', "FF-[-F+F+F]+[+F-F-F]")], 22.5), 8),
-        ] {
+        ];
+        for (name, sample, n) in test_effort::sampled(all, 3, 0) {
             // From silhouettes to single strokes. What is shaded changes more than what is flat, but evenly: a seam would
             // be one frame that changes more than those around it.
             let drawing = Arc::new(sample.draw(n));
@@ -264,7 +269,7 @@ mod tests {
         let at = close_up(&drawing, 64.0);
         let mut renderer = Renderer::new();
         renderer.load(drawing);
-        for ink in [Ink::Auto, Ink::Density] {
+        for ink in test_effort::sampled([Ink::Auto, Ink::Density], 2, 0) {
             let style = Style { ink, ..Style::default() };
             let mut film = |views: &mut dyn Iterator<Item = View>| -> Vec<_> {
                 let mut frame = |view| {

@@ -1,9 +1,10 @@
 //! Views deeper than coordinates in `f64` reach: what lies around a segment, drawn by itself.
 
+use super::View;
 use super::exact::FittedFrame;
 use super::view::{PlaneFraming, root_bounds};
 use super::wide::Wide;
-use super::{View, Viewport};
+use crate::viewport::Viewport;
 use lsystem_drawing::{Around, Drawing, Origin, exponent_of};
 use std::sync::Arc;
 

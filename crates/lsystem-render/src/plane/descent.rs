@@ -1,12 +1,12 @@
 //! The descent through a drawing's graph: the places of blocks on a canvas, and the pen there.
 
 use super::bottom_up::Part;
-use super::inks::{Choice, Shade};
 use super::path::{Path, Span};
 use super::pen::Pen;
 use super::shape::Shape;
 use super::view::ViewTransform;
 use super::wide::Wide;
+use crate::ink::{Choice, Shade};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Directions;
 use lsystem_drawing::{BlockId, Drawing, Geometry, Item, Placed, Plane, Widths};
@@ -99,7 +99,7 @@ pub(super) struct Visit<'a> {
 }
 
 /// The most items that are visited to estimate how much is done: small beside the 100,000 steps of the probe.
-const MOST_ITEMS: usize = 1 << 14;
+const MAX_ITEMS: usize = 1 << 14;
 
 /// The state of leaving out the last segments, for the block on top of the stack.
 #[derive(Clone, Copy, Debug)]
@@ -239,7 +239,7 @@ impl Descent {
         for node in stack.iter().take_while(|node| node.canvas == 0) {
             let (mut all, mut after, mut own) = (0.0, 0.0, 0.0);
             looked_at += drawing.items_of(node.block).len();
-            if looked_at > MOST_ITEMS {
+            if looked_at > MAX_ITEMS {
                 return None;
             }
             for index in drawing.blocks[node.block.0 as usize].items.clone() {

@@ -51,7 +51,7 @@ pub(crate) fn fitted_polygon(drawing: &Drawing, number: u128) -> Vec<Fitted> {
 }
 
 /// The corners that are collected before they are reduced to their hull, to bound the memory.
-const MOST_CORNERS: usize = 4096;
+const MAX_CORNERS: usize = 4096;
 
 /// Reduces points to the corners of their hull. The points are scaled first, so that points near to each other keep
 /// their hull.
@@ -154,7 +154,7 @@ impl<'a> Locator<'a> {
             for &corner in &drawing.corners[corners.start as usize..corners.end as usize] {
                 self.add_corner(place, corner);
             }
-            if self.corners.len() > MOST_CORNERS {
+            if self.corners.len() > MAX_CORNERS {
                 reduce_to_hull(&mut self.corners);
             }
             return;

@@ -1,11 +1,11 @@
 //! How long and how wide the strokes of a drawing are in a picture: strokes that are finer than a hairline pile up, and
 //! the picture shows their amount.
 
-use super::picture::Plan;
+use super::opaque_picture::Plan;
 use super::shape::Shape;
-use super::sweep::{BlockVisitor, Sweep};
 use super::view::ViewTransform;
-use super::{Amount, smooth};
+use crate::ink::{Amount, BlockVisitor, Shading, Sweep, smooth};
+
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, Drawing, Item};
 
@@ -57,15 +57,6 @@ pub(super) struct Fineness {
     block: Strokes,
     /// The length that was met last, and its strokes: many neighbours have the same length.
     last: (f64, Strokes),
-}
-
-/// The parts, 0 to 1, to which the amount of ink shades a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Shading {
-    /// Where strokes pile up.
-    pub piled: f64,
-    /// Where single strokes lie. Without long strokes these places are the edges of piles.
-    pub single: f64,
 }
 
 impl Fineness {

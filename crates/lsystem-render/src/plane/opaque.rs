@@ -2,7 +2,7 @@
 
 use super::RenderStats;
 use super::canvas::resolve::Output;
-use super::picture::{Picture, Plan};
+use super::opaque_picture::{Picture, Plan};
 use super::shape::Shape;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;

@@ -5,12 +5,12 @@ use super::canvas::Canvas;
 use super::canvas::cone::Cone;
 use super::canvas::polygon::Filling;
 use super::descent::{Node, Place};
-use super::inks::InkTable;
 use super::pen::Pen;
 use super::seen::Seen;
 use super::shape::Shape;
 use super::top_down::tile;
 use super::view::{Measure, TINY};
+use crate::ink::InkTable;
 use lsystem_base::Meter;
 use lsystem_drawing::Drawing;
 

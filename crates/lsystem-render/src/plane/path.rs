@@ -3,12 +3,12 @@
 //! A block recurs at many positions of the path, so tiles hold no path colours. On the picture a block that is shorter
 //! than a step of the gradient has the colour of its middle. A longer block is looked into.
 
-use super::amount::Amount;
-use super::sweep::{BlockVisitor, Sweep};
+use crate::ink::Amount;
+use crate::ink::{BlockVisitor, Sweep};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, BlockId, Drawing, Item};
+use lsystem_syntax::Style;
 use lsystem_syntax::style::{gradient_step, is_one_step};
-use lsystem_syntax::{ColourBy, Style};
 
 /// A part of the path.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +51,7 @@ impl Path {
 
     /// Goes on counting, if colours follow the path.
     pub(super) fn prepare(&mut self, drawing: &Drawing, style: &Style, meter: &mut Meter) -> Progress {
-        if style.colour_by != ColourBy::Path {
+        if style.colour_by.source().is_shared() {
             self.clear();
             return Progress::Done;
         }

@@ -1,6 +1,6 @@
 //! The turtle's colour and width inside a picture.
 
-use super::inks::{Choice, Shade};
+use crate::ink::{Choice, Shade};
 use lsystem_drawing::{StyleChange, Widths};
 
 /// The turtle's state apart from its position.

@@ -1,10 +1,11 @@
 //! Picking: the segment or the polygon at a place of a picture in the plane.
 
 use super::descent::{Descent, Node};
-use super::inks::Choice;
-use super::search::{Aim, Order, Pick, Pointer, Sight, covers, nearest_on, search};
 use super::seen::Seen;
-use super::view::{View, ViewTransform, Viewport};
+use super::view::{View, ViewTransform};
+use crate::ink::Choice;
+use crate::search::{Aim, Order, Pick, Pointer, Sight, covers, nearest_on, search};
+use crate::viewport::Viewport;
 use lsystem_base::fixed::Fixed;
 use lsystem_drawing::{BlockId, Drawing, Item, Placed, Plane, Polygon, Stroke, count_of};
 
@@ -174,11 +175,11 @@ impl Sight<Plane> for PlaneSight<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::search::Target;
     use super::super::tests::{hard, picture};
     use super::super::{fitted_ends, fitted_outline, fitted_scale};
     use super::*;
     use crate::Renderer;
+    use crate::search::Target;
     use lsystem_syntax::{ColourBy, Style};
     use std::sync::Arc;
 

@@ -1,18 +1,18 @@
 //! The memory that a picture takes, computed before the picture is made.
 
+use super::Renderer;
 use super::bottom_up::PART_WORDS;
-use super::density::{Grid, tile_bytes};
+use super::density::tile_bytes;
 use super::seen::SEEN_BYTES;
 use super::shape::Shape;
 use super::top_down::tile::TILE_BYTES;
-use super::{Detail, Renderer, Viewport};
+use crate::ink::{Grid, TONE_BYTES};
+use crate::viewport::{Detail, Viewport};
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{ColourBy, Ink, Style};
+use lsystem_syntax::{ColourSource, Ink, Style};
 
 /// The bytes of all lists without a limit of their own: the stack of nodes, the polygon being filled.
 const LISTS: u64 = 2 << 20;
-/// The bytes of the tables of tones.
-pub(crate) const TONE_BYTES: u64 = 2 << 20;
 
 impl Renderer {
     /// The most bytes that a renderer takes for pictures of this size in this detail, without the drawing. Only rich
@@ -54,5 +54,8 @@ fn density(ink: Ink, colours: usize, viewport: Viewport, detail: Detail) -> u64 
 
 /// The number of colours in use.
 fn colours(style: &Style) -> usize {
-    if style.colour_by == ColourBy::Single { 1 } else { style.palette.len() }
+    match style.colour_by.source() {
+        ColourSource::Constant => 1,
+        ColourSource::Index | ColourSource::Level | ColourSource::Along | ColourSource::Ink => style.palette.len(),
+    }
 }

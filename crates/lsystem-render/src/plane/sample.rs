@@ -1,7 +1,8 @@
 //! Sample systems and a brute-force picture for the tests.
 
+use super::View;
 use super::view::ViewTransform;
-use super::{View, Viewport};
+use crate::viewport::Viewport;
 use lsystem_base::Limits;
 use lsystem_drawing::{BlockId, Drawing, Item, StyleChange, System, Widths, draw};
 use lsystem_syntax::{Colour, Definition, Dialect, Ink, Style, Tint};
@@ -32,8 +33,7 @@ impl Sample {
     }
 
     pub(super) fn draw(&self, n: u32) -> Drawing {
-        let (system, diagnostics) = System::new(&self.0);
-        let system = system.unwrap_or_else(|| panic!("{diagnostics:?}"));
+        let system = System::new(&self.0).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}"));
         draw(&system, n, &Limits::default()).unwrap_or_else(|d| panic!("{d:?}"))
     }
 }

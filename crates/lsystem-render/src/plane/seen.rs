@@ -6,11 +6,11 @@ use lsystem_base::Mixer;
 /// Slots at first: 512 KiB.
 const FIRST_SLOTS: usize = 1 << 16;
 /// The most slots: 2 MiB. On a lattice far more blocks coincide than 512 KiB can hold.
-const MOST_SLOTS: usize = 1 << 18;
+const MAX_SLOTS: usize = 1 << 18;
 /// The memory grows when so many times its slots have been filled: a larger one is slower, and most pictures take less.
 const FULL: usize = 4;
 /// The most bytes of the memory.
-pub(super) const SEEN_BYTES: u64 = (MOST_SLOTS * size_of::<u64>()) as u64;
+pub(super) const SEEN_BYTES: u64 = (MAX_SLOTS * size_of::<u64>()) as u64;
 /// Coordinates are rounded to a subsample divided by this, because exact repeats differ by rounding alone.
 const STEPS: f64 = 65_536.0;
 
@@ -51,8 +51,8 @@ impl Seen {
         let slot = (hash >> 20) as usize & (self.slots.len() - 1);
         let is_new = core::mem::replace(&mut self.slots[slot], hash) != hash;
         self.count += usize::from(is_new);
-        if self.count > FULL * self.slots.len() && self.slots.len() < MOST_SLOTS {
-            self.slots.resize(MOST_SLOTS, 0);
+        if self.count > FULL * self.slots.len() && self.slots.len() < MAX_SLOTS {
+            self.slots.resize(MAX_SLOTS, 0);
         }
         is_new
     }

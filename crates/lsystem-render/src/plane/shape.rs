@@ -1,6 +1,6 @@
 //! Facts about a block that the renderer uses before it looks inside.
 
-use super::sweep::{BlockVisitor, Sweep};
+use crate::ink::{BlockVisitor, Sweep};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, Drawing, Item, Line, StyleChange};
 

@@ -5,7 +5,7 @@ use super::top_down::{Context, TopDown};
 /// The steps of the probe: a top-down picture is judged after this many. Most pictures take fewer.
 const PROBE: u64 = 100_000;
 /// The most steps of a top-down picture in full detail: about a second, the longest wait that the reader is given.
-pub(super) const MOST_STEPS: u64 = 1_000_000;
+pub(super) const MAX_STEPS: u64 = 1_000_000;
 /// A picture is crowded if more than 1 in 20 steps led to a covered block. A long picture with fewer covered blocks has
 /// blocks on a lattice: they coincide exactly, and a bottom-up picture would tear them apart.
 const CROWDED: u64 = 20;
@@ -28,13 +28,13 @@ impl Default for Strategy {
 impl Strategy {
     /// The number of steps at which a top-down picture that has taken `steps` is judged next.
     pub(super) fn next_judgement(steps: u64) -> u64 {
-        if steps < PROBE { PROBE } else { MOST_STEPS }
+        if steps < PROBE { PROBE } else { MAX_STEPS }
     }
 
     /// The strategy for the rest of a picture that has been made top-down for `steps`.
     pub(super) fn judge(top_down: &TopDown, context: &mut Context<'_>, steps: u64) -> Self {
         let is_crowded = || top_down.covered * CROWDED > steps;
-        if steps > MOST_STEPS || is_crowded() && is_hopeless(top_down.done(context), steps) {
+        if steps > MAX_STEPS || is_crowded() && is_hopeless(top_down.done(context), steps) {
             Self::BottomUp
         } else {
             Self::default()
@@ -42,9 +42,9 @@ impl Strategy {
     }
 }
 
-/// Whether a picture will take more than [`MOST_STEPS`]. The part that is done grows with the square of the steps: the
+/// Whether a picture will take more than [`MAX_STEPS`]. The part that is done grows with the square of the steps: the
 /// fuller the canvas, the larger are the blocks that are covered as a whole.
 fn is_hopeless(done: Option<f64>, steps: u64) -> bool {
-    let part = steps as f64 / MOST_STEPS as f64;
+    let part = steps as f64 / MAX_STEPS as f64;
     done.is_some_and(|done| done < part * part)
 }

@@ -1,11 +1,16 @@
 use super::sample::{Sample, brute_force, brute_force_until};
 use super::wide::Wide;
 use super::*;
-use lsystem_drawing::Item;
-use lsystem_syntax::{ColourBy, Ink};
+use crate::pane::{Pane, Pass};
+use crate::viewport::{Detail, Viewport};
+use lsystem_base::Progress;
+use lsystem_drawing::{Drawing, Item};
+use lsystem_syntax::{ColourBy, Ink, Style};
+use std::sync::Arc;
+use test_effort::sampled;
 
 /// The most steps of 100,000 units of work for one picture.
-const MOST_STEPS: usize = 5_000;
+const MAX_STEPS: usize = 5_000;
 
 pub(super) fn picture(renderer: &mut Renderer, style: &Style, viewport: Viewport, view: View) {
     renderer.begin(style, viewport, view);
@@ -26,7 +31,7 @@ pub(super) fn difference(a: &[u8], b: &[u8], width: usize) -> (f64, f64) {
 }
 
 /// The opaque picture in the making.
-fn opaque(renderer: &mut Renderer) -> &mut picture::Picture {
+fn opaque(renderer: &mut Renderer) -> &mut opaque_picture::Picture {
     &mut renderer.blend.opaque.picture
 }
 
@@ -61,7 +66,7 @@ fn the_picture_is_that_of_every_segment_stroked_in_order() {
     let viewport = Viewport { width: 320, height: 200, ratio: 1.0 };
     let mut renderer = Renderer::new();
     let mut failures = vec![];
-    for (name, sample, n) in samples() {
+    for (name, sample, n) in sampled(samples(), 3, 0) {
         let drawing = Arc::new(sample.draw(n));
         for (colour_by, zoom) in [
             (ColourBy::Symbol, 1.0),
@@ -218,7 +223,7 @@ fn what_is_broad_and_in_one_colour_takes_few_of_its_strokes() {
     let mut renderer = Renderer::new();
     let drawing = Arc::new(sample.draw(6));
     renderer.load(drawing.clone());
-    for zoom in [3.0, 4.0, 10.0] {
+    for zoom in sampled([3.0, 4.0, 10.0], 3, 2) {
         let view = close_up(&drawing, zoom);
         let mut strokes = [0; 2];
         for (strokes, colour_by) in strokes.iter_mut().zip([ColourBy::Single, ColourBy::Path]) {
@@ -317,7 +322,7 @@ fn the_fitted_scale_is_that_of_the_view() {
 
 /// Steps a picture with a bound on the number of steps, so that endless work shows.
 fn finishes(renderer: &mut Renderer) -> bool {
-    (0..MOST_STEPS).any(|_| renderer.step(100_000) == Progress::Done)
+    (0..MAX_STEPS).any(|_| renderer.step(100_000) == Progress::Done)
 }
 
 /// With odd views and sizes pictures end, have the right size, and are opaque.
@@ -430,7 +435,7 @@ fn a_bottom_up_picture_is_the_same() {
         ("simple", Sample::lowercase("g", &[('g', "g[+g][-g]")], 20.0), 8),
         ("fork", Sample::abop("X", &[('X', "F[+X][-X]")], 25.0), 10),
     ];
-    for (name, sample, n) in samples().into_iter().chain(crowds) {
+    for (name, sample, n) in sampled(samples().into_iter().chain(crowds), 3, 1) {
         let drawing = Arc::new(sample.draw(n));
         renderer.load(drawing.clone());
         for (colour_by, zoom) in [(ColourBy::Symbol, 1.0), (ColourBy::Level, 1.0), (ColourBy::Symbol, 4.0)] {
@@ -550,7 +555,7 @@ pub(super) fn check_small_steps([mut whole, mut stepped]: [Renderer; 2], ink: In
         let style = Style { ink, ..sample.0.style.clone() };
         whole.load(drawing.clone());
         stepped.load(drawing);
-        for detail in [Detail::Fine, Detail::Coarse] {
+        for detail in [Detail::Fine, Detail::Coarse, Detail::Sketch] {
             whole.begin_with(&style, viewport, View::default(), detail, None);
             while whole.step(usize::MAX) == Progress::More {}
             // A picture given up half-way leaves no trace.
@@ -687,16 +692,18 @@ fn a_coarse_picture_has_the_ink_of_the_fine_one_where_that_has_it() {
         for zoom in [1.0, 10.0] {
             let view = if zoom == 1.0 { View::default() } else { close_up(&drawing, zoom) };
             picture(&mut fine, &sample.0.style, viewport, view);
-            coarse.begin_with(&sample.0.style, viewport, view, Detail::Coarse, None);
-            while coarse.step(10_000) == Progress::More {}
-            assert_eq!(coarse.pixels().len(), fine.pixels().len());
-            // One sample stands for sixteen; the errors even out over some pixels.
-            let (blurred, truth) = (tiles(coarse.pixels(), 320), tiles(fine.pixels(), 320));
-            let differences = blurred.iter().zip(&truth).map(|(a, b)| (a - b).abs());
-            let worst = differences.clone().fold(0.0, f64::max);
-            let mean = differences.sum::<f64>() / truth.len() as f64;
-            println!("{name:12} {zoom:5} mean {mean:.2} worst {worst:.2}");
-            assert!(mean < 8.0 && worst < 48.0, "{name} {zoom}: mean {mean:.2} worst {worst:.2}");
+            for detail in [Detail::Coarse, Detail::Sketch] {
+                coarse.begin_with(&sample.0.style, viewport, view, detail, None);
+                while coarse.step(10_000) == Progress::More {}
+                assert_eq!(coarse.pixels().len(), fine.pixels().len());
+                // One sample stands for sixteen; the errors even out over some pixels.
+                let (blurred, truth) = (tiles(coarse.pixels(), 320), tiles(fine.pixels(), 320));
+                let differences = blurred.iter().zip(&truth).map(|(a, b)| (a - b).abs());
+                let worst = differences.clone().fold(0.0, f64::max);
+                let mean = differences.sum::<f64>() / truth.len() as f64;
+                println!("{name:12} {zoom:5} {detail:?} mean {mean:.2} worst {worst:.2}");
+                assert!(mean < 8.0 && worst < 48.0, "{name} {zoom} {detail:?}: mean {mean:.2} worst {worst:.2}");
+            }
         }
     }
 }
@@ -743,7 +750,7 @@ fn slow_zooms_and_pans_neither_shimmer_nor_pop() {
         let far = |pixel: &[u8]| (0..3).map(|c| f64::from(pixel[c].abs_diff(style.background.rgb[c]))).sum::<f64>();
         pixels.chunks(4).map(far).sum::<f64>() / (pixels.len() / 4 * 3) as f64
     };
-    for (name, sample, n) in samples() {
+    for (name, sample, n) in sampled(samples(), 3, 2) {
         let drawing = Arc::new(sample.draw(n));
         let style = &sample.0.style;
         let series = [1.0, 10.0].map(|zoom| (zoom, steady_views(&drawing, zoom)));

@@ -1,55 +1,11 @@
 //! The part of the drawing that a picture shows.
 
-use super::Pane;
 use super::pen::Pen;
 use super::wide::Wide;
-use lsystem_base::{MAX_PICTURE_PIXELS, MAX_PICTURE_SIDE};
+use crate::ink::Grid;
+use crate::pane::Pane;
+use crate::viewport::Viewport;
 use lsystem_drawing::{Block, Drawing, Widths};
-use lsystem_syntax::Style;
-
-/// Empty space around a fitted drawing, as a part of the viewport's shorter side.
-const MARGIN: f64 = 0.06;
-
-/// The size of a picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Viewport {
-    /// The width in device pixels.
-    pub width: u32,
-    /// The height in device pixels.
-    pub height: u32,
-    /// Device pixels in one CSS pixel.
-    pub ratio: f64,
-}
-
-impl Viewport {
-    /// The viewport, cut at the right and at the bottom to at most [`MAX_PICTURE_SIDE`] pixels each way and
-    /// [`MAX_PICTURE_PIXELS`] in all.
-    #[must_use]
-    pub fn within_limits(self) -> Self {
-        let Self { width, height, .. } = self.within_sides();
-        Self { height: height.min(MAX_PICTURE_PIXELS / width.max(1)), width, ..self }
-    }
-
-    /// The viewport, cut to at most [`MAX_PICTURE_SIDE`] pixels each way: the size of a picture that is made in panes.
-    #[must_use]
-    pub fn within_sides(self) -> Self {
-        let [width, height] = [self.width, self.height].map(|side| side.min(MAX_PICTURE_SIDE));
-        Self { width, height, ..self }
-    }
-
-    /// The width and the height without the margins, in device pixels.
-    pub(crate) fn usable(self) -> [f64; 2] {
-        let [width, height] = [self.width, self.height].map(f64::from);
-        let margin = 2.0 * MARGIN * width.min(height);
-        [width - margin, height - margin]
-    }
-
-    /// The least width of strokes, in device pixels.
-    pub(crate) fn least_width(self, style: &Style) -> f64 {
-        let width = (style.min_width * self.ratio).max(1.0);
-        if width.is_finite() { width } else { 1.0 }
-    }
-}
 
 /// A place and a magnification, relative to the fitted drawing, so that the view stays when the drawing changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,26 +88,6 @@ pub(super) fn root_bounds(drawing: &Drawing) -> (f64, Rect) {
     let [x, y] = if low[0].is_finite() && low[1].is_finite() { low } else { [0.0; 2] };
     let side = libm::scalbn(1.0, -root.exponent);
     (unit, Rect { x: x - side / 2.0, y: y - side / 2.0, width: side, height: side })
-}
-
-/// The subsamples of a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Detail {
-    /// 4x4 subsamples in a pixel: smooth edges.
-    #[default]
-    Fine,
-    /// One subsample in a pixel: rough edges, in a fraction of the time.
-    Coarse,
-}
-
-impl Detail {
-    /// Subsamples along one side of a pixel.
-    pub(super) const fn samples(self) -> usize {
-        match self {
-            Self::Fine => 4,
-            Self::Coarse => 1,
-        }
-    }
 }
 
 /// The sizes of strokes in a picture. A sample is a subsample of opaque ink, or the place of one sum of ink that adds
@@ -303,6 +239,12 @@ impl ViewTransform {
     pub(super) fn of_pane(self, pane: Pane, samples: f64) -> Self {
         let [x, y] = [pane.x, pane.y].map(|corner| f64::from(corner) * samples);
         Self { middle: [self.middle[0] - x, self.middle[1] - y], ..self }
+    }
+
+    /// The transform with the origin in the upper left corner of a pane's first place of sums.
+    pub(super) fn of_grid(self, grid: Grid, pane: Pane) -> Self {
+        let transform = self.of_pane(pane, grid.samples());
+        Self { middle: transform.middle.map(|middle| middle + f64::from(grid.margin)), ..transform }
     }
 
     /// The place of a point of the root block's frame, in subsamples.

@@ -4,7 +4,8 @@
 //! large, and less the more it fades into the background.
 
 use super::setup::Setup;
-use crate::plane::{Amount, Grid, Pass, Pigment, Print, Sheet, Tone};
+use crate::ink::{Amount, Grid, Pigment, Print, Sheet, Tone};
+use crate::pane::Pass;
 use crate::{Detail, Pane, Viewport};
 use lsystem_base::{Meter, Progress};
 use lsystem_syntax::{Ink, Style};

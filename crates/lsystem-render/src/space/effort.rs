@@ -1,12 +1,12 @@
 //! The budget of a picture in space, and the work that the picture should take.
 
-use super::Quality;
+use super::quality::Quality;
 use crate::Viewport;
 
 /// The most times that a picture is made again with a larger budget.
-const MOST_RETRIES: u8 = 4;
+const MAX_RETRIES: u8 = 4;
 /// The most that a budget grows at a time, as a factor.
-const MOST_GROWTH: f32 = 8.0;
+const MAX_GROWTH: f32 = 8.0;
 /// A picture is made again only if it took less than its work divided by this.
 const LEAST_GROWTH: f32 = 1.6;
 
@@ -61,10 +61,10 @@ impl Effort {
     /// budget that is needed cannot be known before. Returns whether the picture is to be made again.
     pub fn is_too_small(&mut self, spent: Spent) -> bool {
         let missing = self.work as f32 / spent.work.max(1.0) as f32;
-        if !spent.poor || self.retries == MOST_RETRIES || missing < LEAST_GROWTH {
+        if !spent.poor || self.retries == MAX_RETRIES || missing < LEAST_GROWTH {
             return false;
         }
-        self.budget *= (0.8 * missing).min(MOST_GROWTH);
+        self.budget *= (0.8 * missing).min(MAX_GROWTH);
         self.retries += 1;
         true
     }

@@ -9,13 +9,14 @@ use super::lanes::{LANES, Lanes};
 use super::light::Light;
 use super::occlusion::{Around, Occlusion};
 use super::picture::Picture;
+use super::plan::Plan;
+use super::quality::Quality;
 use super::samples::{APART, SampleRow, Surface};
 use super::scene::Scene;
 use super::setup::Setup;
 use super::size::SAMPLE_BYTES;
 use super::sun::Sun;
 use super::tile::ScreenTile;
-use super::{Plan, Quality};
 use crate::Viewport;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Solid};
@@ -28,11 +29,11 @@ mod tests;
 const ALL: f32 = (LANES * LANES) as f32;
 const _: () = assert!(Quality::FINEST.samples() == LANES && Quality::BEST.samples() == LANES);
 /// The most cells of the depth picture from the eye.
-const MOST_CELLS: f64 = (1 << 19) as f64;
+const MAX_CELLS: f64 = (1 << 19) as f64;
 /// How many times the budget is larger if the sun does not see all of the drawing, but more of it than the eye does.
 const PARTIAL: f32 = 2.0;
 /// The most cells along a side.
-const MOST_SIDE: f64 = 2048.0;
+const MAX_SIDE: f64 = 2048.0;
 /// The part of the sunlight that shadows take, by channel: shade is cool.
 const SHADOW: Lanes = Lanes([0.88, 0.86, 0.8, 0.0]);
 /// The part of all light that occlusion takes, by channel.
@@ -46,7 +47,7 @@ const EXPOSURE: f32 = 1.07;
 /// The colour of full shade on the ground.
 const SHADE: Lanes = Lanes([34.0, 40.0, 62.0, 0.0]);
 /// The most that shade on the ground covers.
-const MOST_SHADE: f32 = 0.6;
+const MAX_SHADE: f32 = 0.6;
 /// Pixels along the side of a block, which share the light at depths near each other. Tiles begin at blocks.
 const BLOCK: usize = 2;
 /// Pixels along the side of a square that shares the mean surfaces around it.
@@ -93,7 +94,7 @@ impl Lighting {
         let size = Self::size(viewport);
         let [width, height] = [viewport.width, viewport.height].map(u64::from);
         // At most 1.5 times the diagonal, which is at most the sum of the sides.
-        let sun = (3 * (width + height) / 2 + 16).min(Sun::MOST_SIDE);
+        let sun = (3 * (width + height) / 2 + 16).min(Sun::MAX_SIDE);
         let room = size.map(|side| (side as u64).max(sun) + 16);
         Occlusion::bytes(size) + sun * sun * TEXEL + room[0] * room[1] * SAMPLE_BYTES
     }
@@ -101,7 +102,7 @@ impl Lighting {
     /// Pixels along the side of a cell of the depth picture from the eye.
     fn cell(viewport: Viewport) -> f64 {
         let [width, height] = [viewport.width, viewport.height].map(f64::from);
-        (width * height / MOST_CELLS).sqrt().max(width.max(height) / MOST_SIDE).max(2.0)
+        (width * height / MAX_CELLS).sqrt().max(width.max(height) / MAX_SIDE).max(2.0)
     }
 
     /// The width and the height of the depth picture from the eye, in cells.
@@ -280,7 +281,7 @@ impl Lighting {
             if first + last > 0.0 {
                 for column in at..end {
                     let part = (column % STRIDE) as f32 * (1.0 / STRIDE as f32);
-                    shades[column - left] = MOST_SHADE * (first + part * (last - first));
+                    shades[column - left] = MAX_SHADE * (first + part * (last - first));
                 }
             }
             at = end;

@@ -7,7 +7,7 @@ use super::place::Place;
 use super::scene::{Scene, SceneNode, WIDTH};
 use super::setup::Setup;
 use super::shares::{UNLIMITED, shares, weight};
-use crate::plane::Shade;
+use crate::ink::Shade;
 use lsystem_drawing::Widths;
 use lsystem_drawing::rotation::dot;
 

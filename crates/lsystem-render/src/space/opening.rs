@@ -69,7 +69,7 @@ mod tests {
         let dialect = Dialect::Abop;
         let definition =
             Definition { axiom: axiom.into(), rules: rules.into(), angle: 90.0, dialect, ..Definition::default() };
-        match Figure::draw(&System::new(&definition).0.unwrap(), n, &Limits::default()).unwrap() {
+        match Figure::draw(&System::new(&definition).unwrap(), n, &Limits::default()).unwrap() {
             Figure::Plane(_) => panic!("in the plane"),
             Figure::Space(drawing) => opening_camera(&drawing).azimuth,
         }

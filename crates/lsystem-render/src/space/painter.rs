@@ -8,7 +8,7 @@ use super::setup::Setup;
 use super::stroke::{Dot, Painted, Stick};
 use super::tile::ScreenTile;
 use crate::RenderStats;
-use crate::plane::Amount;
+use crate::ink::Amount;
 use lsystem_base::Meter;
 use lsystem_drawing::Widths;
 use lsystem_drawing::rotation::{Vector, cross, dot, minus, norm};

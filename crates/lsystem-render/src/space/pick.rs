@@ -1,7 +1,7 @@
 //! Picking: the segment or the polygon of a drawing in space under a pointer.
 
 use super::camera::{Camera, Lens, NEAR};
-use crate::plane::{Aim, Order, Sight, covers, nearest_on, search};
+use crate::search::{Aim, Order, Sight, covers, nearest_on, search};
 use crate::{Pick, Pointer, Viewport};
 use lsystem_drawing::BlockFrame;
 use lsystem_drawing::rotation::{Vector, combine, cross, dot, minus, norm};

@@ -1,6 +1,5 @@
 //! The descent through a scene, tile by tile and from front to back. An explicit stack lets the descent stop anywhere.
 
-use super::Plan;
 use super::effort::Spent;
 use super::light::LightKind;
 use super::lighting::Lighting;
@@ -8,11 +7,13 @@ use super::open_node::{Entry, OpenNode};
 use super::painter::{LINE_WORK, TilePainter};
 use super::pixels::Pixels;
 use super::place::Place;
+use super::plan::Plan;
 use super::scene::{MainLine, Scene, SceneNode};
 use super::setup::Setup;
 use super::shares::UNLIMITED;
 use super::stand_in::{self, Disc};
-use crate::plane::{Pane, Pass, Pigment, Shade};
+use crate::ink::{Pigment, Shade};
+use crate::pane::{Pane, Pass};
 use crate::{RenderStats, Viewport};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::rotation::{combine, minus};
@@ -27,7 +28,7 @@ const LARGEST_DOT: f32 = 2.0;
 /// shows.
 const ALWAYS_DRAWN: f32 = 16_000.0;
 /// After this many layers of primitives over a whole tile, nodes get no budget. After twice as many the tile ends.
-const MOST_LAYERS: f64 = 16.0;
+const MAX_LAYERS: f64 = 16.0;
 /// The units of work for a node.
 const NODE_WORK: i64 = 8;
 /// Samples of a tile that are emptied, or turned into pixels, in a unit of work.
@@ -256,7 +257,7 @@ impl Picture {
     /// of this tile alone must have the same pixels.
     fn exceeds_work(&self, setup: &Setup, times: u8) -> bool {
         let most = 2 * setup.effort.work * i64::from(times);
-        most > 0 && self.work - self.before > most || self.painter.layers > MOST_LAYERS * f64::from(times)
+        most > 0 && self.work - self.before > most || self.painter.layers > MAX_LAYERS * f64::from(times)
     }
 
     /// Goes on with a tile.

@@ -8,14 +8,14 @@ pub(super) use node::direction;
 
 use super::light::Bundle;
 use super::path::Stretch;
-use crate::plane::{Amount, Choice, Shade};
+use crate::ink::{Amount, Choice, Shade};
 use core::ops::Range;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::SceneSize;
 use lsystem_drawing::rotation::{Vector, combine, cross, dot, minus, norm};
 use lsystem_drawing::triangulate::triangulate;
 use lsystem_drawing::{BlockId, ColourChange, Drawing, Item, Placed, Solid, StyleChange, WidthChange, Widths};
-use lsystem_syntax::{ColourBy, Style};
+use lsystem_syntax::Style;
 
 /// The most contents of a node.
 pub(super) const WIDTH: usize = SceneSize::WIDTH;
@@ -89,7 +89,7 @@ pub(super) struct Summary {
     /// The change of the width at entry to an upper bound of all widths inside.
     pub(super) widest: WidthChange,
     pub(super) main_line: MainLine,
-    /// The strokes and nodes inside, counted as often as they occur; at most [`MOST_NEED`].
+    /// The strokes and nodes inside, counted as often as they occur; at most [`MAX_NEED`].
     pub(super) need: f32,
     /// The mean length of the sample strokes.
     pub(super) sampled: f32,
@@ -233,9 +233,9 @@ pub(super) const SAMPLE_STROKES: usize = SceneSize::samples(true);
 /// Contents that are compared for a sample stroke.
 const TRIES: usize = 2;
 /// The greatest need that is counted, so that sums stay finite.
-const MOST_NEED: f32 = 1e30;
+const MAX_NEED: f32 = 1e30;
 /// The most mean colours that are remembered: 24 MiB.
-const MOST_MEANS: usize = 1 << 21;
+const MAX_MEANS: usize = 1 << 21;
 
 /// The stage of a scene.
 #[derive(Debug, Default)]

@@ -1,9 +1,9 @@
 //! The settings of a picture in space.
 
-use super::Quality;
 use super::camera::{Camera, Lens};
 use super::effort::Effort;
 use super::light::{Light, LightKind};
+use super::quality::Quality;
 use crate::{Pane, Viewport};
 use lsystem_drawing::{Drawing, Solid, Widths};
 use lsystem_syntax::{Ink, Style};

@@ -1,10 +1,10 @@
 //! The memory that a picture in space takes, computed before the picture is made.
 
-use super::SolidRenderer;
 use super::lighting::Lighting;
+use super::renderer::SolidRenderer;
 use super::scene::{Link, SampleStroke, SceneLine, SceneNode};
 use crate::Viewport;
-use crate::plane::TONE_BYTES;
+use crate::ink::TONE_BYTES;
 use lsystem_drawing::{Drawing, SceneSize, Solid};
 
 // The sizes with which a drawing counts the memory of its scene are large enough.

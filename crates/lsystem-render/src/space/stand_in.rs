@@ -9,7 +9,7 @@ use super::scene::{Link, SampleStroke, Scene, SceneNode};
 use super::setup::Setup;
 use super::stroke::{Dot, span};
 use super::tile::ScreenTile;
-use crate::plane::{Amount, Shade};
+use crate::ink::{Amount, Shade};
 use lsystem_drawing::rotation::{minus, norm};
 
 /// A main line stands out if it is longer than this factor times the mean length of the sample strokes.

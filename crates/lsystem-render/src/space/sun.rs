@@ -13,7 +13,7 @@ use super::picture::Picture;
 use lsystem_drawing::rotation::{Vector, cross, dot, norm};
 
 /// The most texels along the side of the depth picture.
-const MOST: f64 = 1024.0;
+const MAX: f64 = 1024.0;
 /// The reach of the picture around its middle, in halves of the diagonal of the picture from the eye.
 const REACH: f64 = 1.5;
 /// The radius of the disc of compared depths, in texels.
@@ -48,7 +48,7 @@ pub(super) struct Sun {
 
 impl Sun {
     /// The most texels along a side.
-    pub(super) const MOST_SIDE: u64 = MOST as u64;
+    pub(super) const MAX_SIDE: u64 = MAX as u64;
 
     /// Starts the depth picture for a picture from the eye of `size` samples with `samples` along a pixel. Returns the
     /// lens.
@@ -59,7 +59,7 @@ impl Sun {
         self.is_partial = ball > view;
         self.focus = if self.is_partial { [0.0; 3] } else { eye.centre };
         let reach = ball.min(view).max(samples);
-        let texel = samples.max(2.0 * reach / MOST);
+        let texel = samples.max(2.0 * reach / MAX);
         self.side = ((2.0 * reach / texel).ceil() as usize).max(1);
         let away = LIGHT.map(|c| -c);
         let right = cross(away, eye.up);

@@ -42,7 +42,7 @@ const TIMES: Slider = Slider { from: 0.0, parts: &[(2.0, 0.05)], arrow: 0.05 };
 const PERCENTS: Slider = Slider { from: 0.0, parts: &[(30.0, 1.0), (100.0, 5.0)], arrow: 1.0 };
 
 /// Strength and phase of a sway: ten waves in one film.
-const SWAY: Expected = Expected::Between(-3600.0, 3600.0);
+const WIND: Expected = Expected::Between(-3600.0, 3600.0);
 
 /// The smallest magnification.
 const MIN_ZOOM: f64 = 1e-2;
@@ -277,10 +277,10 @@ pub static FIELDS: [FieldSpec; 45] = [
         name: "sway",
         link: "sway",
         file: Some((Section::Turtle, "sway_deg")),
-        expected: Expected::Each(2, &SWAY),
+        expected: Expected::Each(2, &WIND),
         label: word!("Sway"),
         help: "the sway of branches in the wind: its strength, and its phase from 0 to 360, in degrees",
-        access: Some(at!(sway)),
+        access: Some(at!(wind)),
         ..FIELD
     },
     FieldSpec {

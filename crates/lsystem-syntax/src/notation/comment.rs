@@ -1,12 +1,13 @@
 //! Comments between `/*` and `*/`, which may span lines.
 
-use crate::notes::Notes;
-use crate::{Class, Kind};
+use crate::Class;
+use crate::notes::DiagnosticList;
+use lsystem_base::say;
 use std::borrow::Cow;
 
 /// The text with spaces in place of its comments, so that all places stay the same. Line ends stay. A comment that is
 /// never closed ends with its line, and is noted.
-pub(super) fn without_comments<'a>(text: &'a str, notes: &mut Notes) -> Cow<'a, str> {
+pub(super) fn without_comments<'a>(text: &'a str, notes: &mut DiagnosticList) -> Cow<'a, str> {
     if !text.contains("/*") {
         return text.into();
     }
@@ -23,7 +24,7 @@ pub(super) fn without_comments<'a>(text: &'a str, notes: &mut Notes) -> Cow<'a, 
             let closed = inside.find("*/").map(|length| length + 4);
             let end = start + closed.unwrap_or_else(|| rest.find(['\n', '\r']).unwrap_or(rest.len()));
             if closed.is_none() {
-                notes.add(Kind::CommentUnclosed, start..start + 2);
+                notes.warn(start..start + 2, say!("This comment is never closed"), say!("Add `*/`."));
             }
             notes.class(Class::Comment, start..end);
             plain[start..end].iter_mut().filter(|byte| !matches!(byte, b'\n' | b'\r')).for_each(|byte| *byte = b' ');
@@ -49,7 +50,7 @@ mod tests {
             ("F /* open\nG", "F        \nG"),
             ("/`*`F`", "/`*`F`"),
         ] {
-            let mut notes = Notes::new(crate::Field::Rules);
+            let mut notes = DiagnosticList::new(crate::Field::Rules);
             assert_eq!(without_comments(text, &mut notes), expected);
             assert_eq!(notes.finish().len(), usize::from(text.contains("open")));
         }

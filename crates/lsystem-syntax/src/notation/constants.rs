@@ -3,8 +3,9 @@
 use super::expression::Names;
 use crate::Kind;
 use crate::code::Meaning;
-use crate::notes::{Notes, excerpt, similar};
+use crate::notes::{DiagnosticList, excerpt, similar};
 use core::ops::Range;
+use lsystem_base::say;
 use std::collections::HashMap;
 
 /// A named constant and the place of its value.
@@ -75,19 +76,37 @@ impl Constants {
     }
 
     /// Completes the notes after all lines are read: names that a later line defines, and unused constants.
-    pub(super) fn finish(mut self, notes: &mut Notes) {
+    pub(super) fn finish(mut self, notes: &mut DiagnosticList) {
         notes.each(|d| {
-            if let Kind::UnknownConstant { name, below, .. } = &mut d.kind {
-                *below = self.meaning(name).is_some();
+            if let Kind::UnknownName { name, may_be_parameter } = &d.kind
+                && self.meaning(name).is_some()
+            {
+                if !may_be_parameter {
+                    d.message = say!("There is no constant `{}` above this line", name);
+                }
+                (d.hint, d.fix) = (Some(say!("Move the definition of `{}` up.", name)), None);
             }
         });
         for DefinedOther { name, meaning, span, .. } in self.others.into_iter().filter(|other| !other.used) {
             let (name, is_curve) = (excerpt(&name), matches!(meaning, Meaning::Curve(_)));
-            notes.add(if is_curve { Kind::CurveUnused { name } } else { Kind::ShapeUnused { name } }, span);
+            if is_curve {
+                notes.warn(span, say!("Nothing uses the curve `{}`", name), say!("Use it as in `{}(x)`.", name));
+            } else {
+                let hint = say!("Use it as in `inside({}, x, y, z)`.", name);
+                notes.warn(span, say!("Nothing uses the shape `{}`", name), hint);
+            }
         }
         for Defined { place, text, span, used, .. } in self.defined {
             if !used {
-                notes.add(Kind::ConstantUnused { name: excerpt(&place.name), value: text }, span);
+                let name = excerpt(&place.name);
+                let hint = match name.as_str() {
+                    "angle" | "delta" | "δ" | "n" | "iterations" | "depth" | "generations" | "order" => {
+                        say!("The angle and the number of iterations have fields of their own.")
+                    }
+                    _ if name.chars().nth(1).is_none() => say!("If a rule is meant, write `{} -> {}`.", name, text),
+                    _ => say!("Use it in a rule, or remove it."),
+                };
+                notes.warn(span, say!("Nothing uses the constant `{}`", name), hint);
             }
         }
     }

@@ -1,11 +1,19 @@
 //! Arithmetic in weights, constants, conditions and arguments.
 
+mod functions;
+mod role;
+
+pub(super) use functions::function;
+pub(crate) use role::Role;
+
 use super::token::{Token, span_of, text_of};
 use crate::code::{Code, Meaning, Unusable};
 use crate::expr::{Expr, Function, Operator};
-use crate::notes::{Notes, similar};
-use crate::{Class, Kind, Role};
+use crate::notes::{DiagnosticList, excerpt, named, similar};
+use crate::{Class, Diagnostic};
 use core::ops::Range;
+use functions::{RAN, unknown_function, wrong_arity};
+use lsystem_base::say;
 
 /// The names that arithmetic may use.
 pub(crate) trait Names {
@@ -28,7 +36,13 @@ const WORDS: [&str; 3] = ["and", "or", "not"];
 ///
 /// From tight to loose: `^` (to the right), signs and `!`, `* / %`, `+ -`, comparisons (not to be chained), `not`,
 /// `&&`, `||`.
-pub(crate) fn read(tokens: &[Token], end: usize, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Option<Expr> {
+pub(crate) fn read(
+    tokens: &[Token],
+    end: usize,
+    role: Role,
+    names: &mut dyn Names,
+    notes: &mut DiagnosticList,
+) -> Option<Expr> {
     let mut reader = ExpressionReader { tokens, at: 0, end, depth: 0, length: 0, role, names, notes };
     let expr = match role {
         Role::Condition | Role::Argument | Role::Axiom => reader.disjunction()?,
@@ -40,12 +54,38 @@ pub(crate) fn read(tokens: &[Token], end: usize, role: Role, names: &mut dyn Nam
     }
     let span = span_of(tokens, end);
     match code(&expr, names) {
-        Ok(Code::Constant(value)) if !value.is_finite() => notes.add(Kind::ArithmeticRange, span),
-        Ok(code) if role == Role::Constant && code.is_random() => notes.add(Kind::ConstantRandom, span),
-        Ok(_) => return Some(expr),
-        Err(_) => notes.add(Kind::ArithmeticDepth, span),
+        Ok(Code::Constant(value)) if !value.is_finite() => {
+            notes.error(span, say!("The result is not a finite number"), say!("Is something divided by zero?"));
+            None
+        }
+        Ok(code) if role == Role::Constant && code.is_random() => {
+            notes.error(
+                span,
+                say!("A constant has the same value everywhere, so it cannot be random"),
+                say!("Use `random` in the arguments of a rule."),
+            );
+            None
+        }
+        Ok(_) => Some(expr),
+        Err(_) => too_deep(span, notes),
     }
+}
+
+/// Notes arithmetic that is nested too deeply.
+pub(super) fn too_deep<T>(span: Range<usize>, notes: &mut DiagnosticList) -> Option<T> {
+    let hint = say!("Name a part of it, as in `r = 0.9 * 0.7`.");
+    notes.error(span, say!("The arithmetic is too long or nested too deeply"), hint);
     None
+}
+
+/// Notes a parenthesis without its partner.
+pub(super) fn unclosed<T>(open: Token, notes: &mut DiagnosticList) -> Option<T> {
+    notes.error(open.span(), say!("This `(` is never closed"), say!("Add `)`."));
+    None
+}
+
+fn number_missing() -> Diagnostic {
+    Diagnostic::error(say!("A number is missing here"))
 }
 
 /// Compiles an expression.
@@ -62,7 +102,7 @@ struct ExpressionReader<'a> {
     length: u32,
     role: Role,
     names: &'a mut dyn Names,
-    notes: &'a mut Notes,
+    notes: &'a mut DiagnosticList,
 }
 
 impl ExpressionReader<'_> {
@@ -102,12 +142,15 @@ impl ExpressionReader<'_> {
 
     fn unexpected(&mut self, token: Token) {
         let comparison = matches!(token.ch, '<' | '>' | '=' | '!' | '&' | '|' | '≤' | '≥' | '≠') && !token.literal;
-        let kind = if comparison && self.role == Role::Weight {
-            Kind::WeightCondition
+        let (message, hint) = if comparison && self.role == Role::Weight {
+            (
+                say!("This compares values, and a weight is a number"),
+                say!("Conditions come before the arrow, as in `A(x) : x > 1 -> B`."),
+            )
         } else {
-            Kind::ArithmeticUnexpected { found: token.ch, role: self.role }
+            (say!("{} has no place in arithmetic", named(token.ch)), self.role.instead_of(token.ch))
         };
-        self.notes.add(kind, token.span());
+        self.notes.error(token.span(), message, hint);
     }
 
     fn disjunction(&mut self) -> Option<Expr> {
@@ -140,7 +183,11 @@ impl ExpressionReader<'_> {
         let value = self.binary(operator, left, Self::sum)?;
         let from = self.at;
         if self.comparator().is_some() {
-            self.notes.add(Kind::ComparisonChain, span_of(&self.tokens[from..self.at], self.end));
+            self.notes.error(
+                span_of(&self.tokens[from..self.at], self.end),
+                say!("Comparisons cannot be chained"),
+                say!("Write them one by one, as in `0 < x && x < 5`."),
+            );
             return None;
         }
         Some(value)
@@ -221,8 +268,7 @@ impl ExpressionReader<'_> {
     fn binary(&mut self, operator: Operator, left: Expr, read: fn(&mut Self) -> Option<Expr>) -> Option<Expr> {
         self.length += 1;
         if self.length > LENGTH {
-            self.notes.add(Kind::ArithmeticDepth, span_of(self.tokens, self.end));
-            return None;
+            return too_deep(span_of(self.tokens, self.end), self.notes);
         }
         let right = read(self)?;
         Some(Expr::Binary(operator, Box::new(left), Box::new(right)))
@@ -230,8 +276,7 @@ impl ExpressionReader<'_> {
 
     fn nested(&mut self, at: Token, read: fn(&mut Self) -> Option<Expr>) -> Option<Expr> {
         if self.depth == DEPTH {
-            self.notes.add(Kind::ArithmeticDepth, at.span());
-            return None;
+            return too_deep(at.span(), self.notes);
         }
         self.depth += 1;
         let value = read(self);
@@ -241,7 +286,7 @@ impl ExpressionReader<'_> {
 
     fn operand(&mut self) -> Option<Expr> {
         let Some(token) = self.peek() else {
-            self.notes.add(Kind::NumberExpected, self.end..self.end);
+            self.notes.add(self.end..self.end, number_missing());
             return None;
         };
         match token.ch {
@@ -264,10 +309,8 @@ impl ExpressionReader<'_> {
         if self.take(&[')']).is_some() {
             return Some(());
         }
-        match self.peek() {
-            Some(other) => self.unexpected(other),
-            None => self.notes.add(Kind::ArithmeticUnclosed, open.span()),
-        }
+        let Some(other) = self.peek() else { return unclosed(open, self.notes) };
+        self.unexpected(other);
         None
     }
 
@@ -291,7 +334,8 @@ impl ExpressionReader<'_> {
         let (digits, span): (String, _) = (run.iter().map(|t| t.ch).collect(), span_of(run, 0));
         match lsystem_base::decimal::read(&digits) {
             Some(value) if value.is_infinite() => {
-                self.notes.add(Kind::NumberRange { text: crate::notes::excerpt(&digits) }, span);
+                let message = say!("`{}` is too large a number", excerpt(&digits));
+                self.notes.error(span, message, say!("Numbers can be up to 1e308."));
                 None
             }
             Some(value) => {
@@ -302,7 +346,8 @@ impl ExpressionReader<'_> {
                 Some(Expr::Number(value))
             }
             None => {
-                self.notes.add(Kind::NumberMalformed { text: crate::notes::excerpt(&digits) }, span);
+                let message = say!("`{}` is not a number", excerpt(&digits));
+                self.notes.error(span, message, say!("Write numbers as 2, 0.5 or 1e-3."));
                 None
             }
         }
@@ -320,15 +365,16 @@ impl ExpressionReader<'_> {
             self.notes.class(if constant { Class::Constant } else { Class::Parameter }, span);
             return Some(Expr::Name(name));
         }
-        let kind = if function(&name).is_some() || matches!(meaning, Some(Meaning::Curve(_))) {
-            Kind::FunctionBare { name: text }
+        let error = if function(&name).is_some() || matches!(meaning, Some(Meaning::Curve(_))) {
+            Diagnostic::error(say!("`{}` needs its argument in parentheses", text))
+                .hint(say!("Write it as in `{}(30)`.", text))
         } else if is_reserved(&name) {
-            Kind::NumberExpected
+            number_missing()
         } else {
             let similar = if self.notes.is_full() { None } else { self.names.similar(&name) };
-            Kind::UnknownConstant { name: text, similar, below: false, role: self.role }
+            self.role.unknown(text, similar)
         };
-        self.notes.add(kind, span);
+        self.notes.add(span, error);
         None
     }
 
@@ -339,13 +385,14 @@ impl ExpressionReader<'_> {
             if let Some(Meaning::Curve(_)) = meaning {
                 return self.curve(name, span, open);
             }
-            let kind = if meaning.is_some() {
-                Kind::NotAFunction { name: crate::notes::excerpt(name) }
+            let text = excerpt(name);
+            let error = if meaning.is_some() {
+                Diagnostic::error(say!("`{}` is not a function", text))
+                    .hint(say!("For a product write `{}*(...)`.", text))
             } else {
-                let similar = if self.notes.is_full() { None } else { similar(name, known) };
-                Kind::UnknownFunction { name: crate::notes::excerpt(name), similar }
+                unknown_function(&text, if self.notes.is_full() { None } else { similar(name, known) })
             };
-            self.notes.add(kind, span);
+            self.notes.add(span, error);
             return None;
         };
         self.notes.class(Class::Function, span.clone());
@@ -355,8 +402,7 @@ impl ExpressionReader<'_> {
             arguments.push(self.shape_name(open)?);
             if self.take(&[',']).is_none() {
                 self.closed(open)?;
-                let (expected, found) = (function.arity(), 1);
-                self.notes.add(Kind::FunctionArity { function, expected, found }, span);
+                self.notes.add(span, wrong_arity(function, 1));
                 return None;
             }
         }
@@ -374,8 +420,7 @@ impl ExpressionReader<'_> {
         }
         let in_plane = function.takes_shape() && arguments.len() + 1 == function.arity();
         if arguments.len() != function.arity() && !in_plane {
-            let (expected, found) = (function.arity(), arguments.len());
-            self.notes.add(Kind::FunctionArity { function, expected, found }, span);
+            self.notes.add(span, wrong_arity(function, arguments.len()));
             return None;
         }
         Some(Expr::Call(function, arguments))
@@ -403,22 +448,17 @@ impl ExpressionReader<'_> {
                 Some(Expr::Name(name))
             }
             _ => {
-                self.notes.add(Kind::ShapeExpected { found: crate::notes::excerpt(&name) }, span);
+                let message = if name.is_empty() {
+                    say!("The name of a shape is missing")
+                } else {
+                    say!("`{}` is not the name of a shape", excerpt(&name))
+                };
+                let hint = say!("Define one in a line above, as in `shape crown = ball(0, 10, 0, 5)`.");
+                self.notes.error(span, message, hint);
                 None
             }
         }
     }
-}
-
-/// The name in cpfg of a random number from 0 up to the only argument.
-const RAN: &str = "ran";
-
-/// The function with this name.
-pub(super) fn function(name: &str) -> Option<Function> {
-    if name == RAN {
-        return Some(Function::Random);
-    }
-    Function::ALL.into_iter().find(|function| function.name() == name)
 }
 
 /// Whether `name` is an operator.

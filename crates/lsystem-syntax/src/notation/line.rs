@@ -7,14 +7,15 @@ use super::production::{self, ProductionLine};
 use super::token::{Token, span_of, text_of, tokens};
 use super::{Reading, arrow};
 use crate::grammar::{NamedCurve, NamedShape};
-use crate::notes::{Notes, excerpt};
-use crate::{Class, Constant, Curve, Expr, Kind, Meaning, Production, Role, Seen, Shape};
+use crate::notes::{DiagnosticList, excerpt, named};
+use crate::{Class, Constant, Curve, Diagnostic, Expr, Meaning, Production, Role, Seen, Shape};
 use core::ops::Range;
+use lsystem_base::say;
 use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Reads all lines of `text` into `reading`. The constants serve the axiom, which is read later.
-pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants, notes: &mut Notes) {
+pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants, notes: &mut DiagnosticList) {
     let mut rules = RulesReader { text, reading, notes, constants, productions: Vec::new(), drawing: false };
     for line in super::lines(text) {
         if super::is_comment(&text[line.clone()]) {
@@ -34,7 +35,7 @@ pub(crate) fn read(text: &str, reading: &mut Reading, constants: &mut Constants,
 struct RulesReader<'a> {
     text: &'a str,
     reading: &'a mut Reading,
-    notes: &'a mut Notes,
+    notes: &'a mut DiagnosticList,
     constants: &'a mut Constants,
     /// The lines with an arrow, read after all constants.
     productions: Vec<ProductionLine>,
@@ -55,8 +56,7 @@ impl RulesReader<'_> {
             return self.define(&tokens, line.end);
         }
         if let Some(note) = foreign_comment(text) {
-            let suggestion = Some(format!("// {note}"));
-            return self.notes.add(Kind::NoArrow { suggestion }, line.end - text.len()..line.end);
+            return self.no_arrow(line.end - text.len()..line.end, Some(format!("// {note}")));
         }
         let tokens = tokens(self.text, line.clone(), self.notes);
         if self.foreign_heading(&tokens) {
@@ -84,7 +84,7 @@ impl RulesReader<'_> {
         } else if let Some(equals) = tokens.iter().position(|t| t.is('=')) {
             self.constant(tokens, equals, end);
         } else {
-            self.no_arrow(tokens);
+            self.no_arrow(span_of(tokens, 0), suggestion(tokens));
         }
     }
 
@@ -103,11 +103,11 @@ impl RulesReader<'_> {
             ["homomorphism" | "interpretation"] if rest.len() <= 1 => self.drawing = true,
             ["production" | "productions" | "rules"] if rest.len() <= 1 => self.drawing = false,
             ["derivation", "length"] | ["lsystem" | "seed"] if colon.is_some() => {
-                self.notes.add(Kind::OtherField { word: parts.join(" ") }, place);
+                self.other_field(&parts.join(" "), place);
                 return true;
             }
             ["endlsystem"] | ["axiom" | "angle" | "delta" | "start" | "initial" | "iterations", _] => {
-                self.notes.add(Kind::OtherField { word: parts[0].to_owned() }, place);
+                self.other_field(parts[0], place);
                 return true;
             }
             _ => return false,
@@ -138,7 +138,7 @@ impl RulesReader<'_> {
             | "depth" | "step" | "seed"
                 if arrow::find(&tokens[after..]).is_none() =>
             {
-                self.notes.add(Kind::OtherField { word: word.to_owned() }, place);
+                self.other_field(word, place);
             }
             _ => return false,
         }
@@ -148,14 +148,18 @@ impl RulesReader<'_> {
     /// Reads the symbols that contexts skip, or see if `only`.
     fn seen(&mut self, only: bool, symbols: &[Token], place: Range<usize>) {
         for token in symbols.iter().filter(|t| t.is('(') || t.is(')')) {
-            self.notes.add(Kind::ParenthesisSymbol { symbol: token.ch }, token.span());
+            super::word::parenthesis_symbol(*token, self.notes);
         }
         let symbols = symbols.iter().map(|t| t.ch);
         match (&mut self.reading.grammar.seen, only) {
             (seen @ Seen::All, true) => *seen = Seen::Only(symbols.collect()),
             (seen @ Seen::All, false) => *seen = Seen::Except(symbols.collect()),
             (Seen::Only(list), true) | (Seen::Except(list), false) => list.extend(symbols),
-            _ => self.notes.add(Kind::IgnoreAndConsider, place),
+            _ => self.notes.error(
+                place,
+                say!("There is `ignore:` as well as `consider:`"),
+                say!("Keep one of them: `ignore:` lists what contexts skip, `consider:` all that they see."),
+            ),
         }
     }
 
@@ -178,24 +182,26 @@ impl RulesReader<'_> {
         let (name, value) = (&tokens[..equals], &tokens[equals + 1..]);
         let word: String = name.iter().map(|t| t.ch.to_ascii_lowercase()).collect();
         if matches!(word.as_str(), "axiom" | "initial" | "omega" | "ω") {
-            return self.notes.add(Kind::OtherField { word }, span_of(name, end));
+            return self.other_field(&word, span_of(name, end));
         }
         let call = value.iter().position(|t| t.is('(')).is_some_and(|open| {
             expression::function(&value[..open].iter().map(|t| t.ch).collect::<String>()).is_some()
         });
         let arithmetic = call || value.first().is_some_and(|t| t.ch.is_ascii_digit() || t.ch == '.' || t.ch == '(');
-        let mut quiet = Notes::new(crate::Field::Rules);
+        let mut quiet = DiagnosticList::new(crate::Field::Rules);
         let named = is_name(name);
         let mut is_number = || expression::read(value, end, Role::Constant, self.constants, &mut quiet).is_some();
         // One module before the sign and no number after it: probably a production.
         let module = name.get(1).is_some_and(|t| t.is('(')) && name.last().is_some_and(|t| t.is(')'));
         if (name.len() == 1 || module) && !value.is_empty() && (!named || (!arithmetic && !is_number())) {
-            let kind = Kind::EqualsForArrow { left: text_of(name), right: text_of(value) };
-            return self.notes.add(kind, tokens[equals].span());
+            let (left, right) = (text_of(name), text_of(value));
+            let error = Diagnostic::error(say!("`=` gives a constant its value, and `{}` is not a number", right))
+                .hint(say!("For a rule write `{} -> {}`.", left, right));
+            return self.notes.add(tokens[equals].span(), error.fix(String::from("->")));
         }
         // Probably an arrow, as in `F := FF`.
         if !named && name.iter().skip(1).any(|t| is_mark(*t)) {
-            return self.no_arrow(tokens);
+            return self.no_arrow(span_of(tokens, 0), suggestion(tokens));
         }
         self.notes.class(Class::Mark, tokens[equals].span());
         self.add_constant(name, value, end);
@@ -215,7 +221,7 @@ impl RulesReader<'_> {
     fn curve(&mut self, tokens: &[Token], places: (usize, usize), end: usize) {
         let Some((name, span)) = self.named(tokens, places, end) else { return };
         if expression::function(&name).is_some() {
-            return self.notes.add(Kind::ConstantTwice { name }, span);
+            return self.defined_already(&name, span);
         }
         // As with shapes, the name is defined in any case.
         let curve = super::curve::read(&tokens[places.1 + 1..], end, self.constants, self.notes);
@@ -236,32 +242,63 @@ impl RulesReader<'_> {
         let words = &tokens[name..equals];
         let (span, text): (_, String) = (span_of(words, end), words.iter().map(|t| t.ch).collect());
         if !is_name(words) || expression::is_reserved(&text) {
-            self.notes.add(Kind::ConstantName { text: text_of(words) }, span);
+            self.constant_name(&text_of(words), span);
             return None;
         }
         if self.constants.contains(&text) {
-            self.notes.add(Kind::ConstantTwice { name: excerpt(&text) }, span);
+            self.defined_already(&text, span);
             return None;
         }
         self.notes.class(Class::Constant, span.clone());
         Some((text, span))
     }
 
-    fn no_arrow(&mut self, tokens: &[Token]) {
-        self.notes.add(Kind::NoArrow { suggestion: suggestion(tokens) }, span_of(tokens, 0));
+    fn no_arrow(&mut self, span: Range<usize>, suggestion: Option<String>) {
+        let hint = match &suggestion {
+            Some(production) => say!("Write `{}`.", production),
+            None => say!("Write a rule as `F -> FF`, a constant as `r = 0.9`, a comment after `//`."),
+        };
+        let error = Diagnostic::error(say!("This line is neither a rule nor a constant")).hint(hint);
+        self.notes.add(span, error.fix(suggestion));
+    }
+
+    /// Notes `axiom: F` or `angle: 25` among the productions.
+    fn other_field(&mut self, word: &str, place: Range<usize>) {
+        let hint = match word {
+            "endlsystem" | "lsystem" | "seed" => say!("Leave this line out."),
+            "axiom" | "initial" | "start" | "omega" | "ω" => say!("The axiom has a field of its own."),
+            "angle" | "delta" | "δ" => say!("The angle has a field of its own."),
+            _ => say!("The axiom, the angle and the number of iterations have fields of their own."),
+        };
+        self.notes.error(place, say!("`{}` does not belong among the rules", word), hint);
+    }
+
+    fn defined_already(&mut self, name: &str, span: Range<usize>) {
+        self.notes.error(span, say!("`{}` is defined already", excerpt(name)), say!("Give one of them another name."));
+    }
+
+    fn constant_name(&mut self, text: &str, span: Range<usize>) {
+        if text.is_empty() {
+            return self.notes.error(span, say!("The constant has no name"), say!("Write it as `r = 0.9`."));
+        }
+        self.notes.error(
+            span,
+            say!("`{}` cannot be the name of a constant", text),
+            say!("A name is a letter followed by letters, digits or `_`; a rule needs an arrow, as in `F -> FF`."),
+        );
     }
 
     fn add_constant(&mut self, name: &[Token], value: &[Token], end: usize) {
         let span = span_of(name, value.first().map_or(end, |t| t.span().start));
         let text: String = name.iter().map(|t| t.ch).collect();
         if !is_name(name) || expression::is_reserved(&text) {
-            return self.notes.add(Kind::ConstantName { text: text_of(name) }, span);
+            return self.constant_name(&text_of(name), span);
         }
         self.notes.class(Class::Constant, span_of(name, end));
         let (name, text, place) = (text, text_of(value), span_of(value, end));
         let expr = expression::read(value, end, Role::Constant, self.constants, self.notes);
         if self.constants.contains(&name) {
-            return self.notes.add(Kind::ConstantTwice { name: excerpt(&name) }, span);
+            return self.defined_already(&name, span);
         }
         let is_number = matches!(expr, Some(Expr::Number(_))) && !value.iter().any(|t| t.is('('));
         // A wrong value is noted already. The name is defined, so that its uses are not noted too.
@@ -279,7 +316,7 @@ impl RulesReader<'_> {
 fn note_never_applied<'a>(
     productions: &[Production],
     places: impl Iterator<Item = &'a Range<usize>>,
-    notes: &mut Notes,
+    notes: &mut DiagnosticList,
 ) {
     // The first production for each key.
     let mut firsts: HashMap<String, usize> = HashMap::new();
@@ -288,20 +325,31 @@ fn note_never_applied<'a>(
         let always = key(production, false);
         let own = key(production, true);
         let first = firsts.get(&always).or_else(|| firsts.get(&own)).map(|&first| productions[first].weight.is_some());
-        let symbol = production.predecessor.symbol;
-        let kind = match (first, weighted) {
+        let name = || named(production.predecessor.symbol);
+        let (message, hint) = match (first, weighted) {
             (None, _) => {
                 firsts.insert(if production.condition.is_some() { own } else { always }, at);
                 continue;
             }
             (Some(true), true) => continue,
             (Some(false), false) => {
-                let conditional = production.condition.is_some() && firsts.contains_key(&always);
-                Kind::NeverApplies { symbol, conditional }
+                let hint = if production.condition.is_some() && firsts.contains_key(&always) {
+                    say!("Move it above the one without a condition.")
+                } else {
+                    say!("Give both a weight to choose between them at random, as in `F -> FF : 0.5`.")
+                };
+                (say!("This rule never applies: there is one for {} above", name()), hint)
             }
-            (Some(first), _) => Kind::MixedWeights { symbol, weighted: first },
+            (Some(first), _) => {
+                let message = if first {
+                    say!("This rule never applies: the first one for {} has a weight", name())
+                } else {
+                    say!("This rule never applies: the first one for {} has no weight", name())
+                };
+                (message, say!("Give all rules for {} a weight, or none.", name()))
+            }
         };
-        notes.add(kind, place.clone());
+        notes.warn(place.clone(), message, hint);
     }
 }
 

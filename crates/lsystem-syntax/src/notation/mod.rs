@@ -36,8 +36,8 @@ pub(crate) mod site;
 pub(crate) mod token;
 pub(crate) mod word;
 
-use crate::notes::Notes;
-use crate::{Diagnostic, Field, Grammar, Kind, Role};
+use crate::notes::DiagnosticList;
+use crate::{Diagnostic, Field, Grammar, Role};
 use constants::Constants;
 use core::ops::Range;
 use lsystem_base::{LimitName, MAX_TEXT};
@@ -86,7 +86,7 @@ pub struct Places {
 /// Reads an axiom and rules with the spans of all parts.
 pub fn read(axiom: &str, rules: &str) -> Reading {
     let mut constants = Constants::default();
-    let mut notes = [Notes::new(Field::Axiom), Notes::new(Field::Rules)];
+    let mut notes = [DiagnosticList::new(Field::Axiom), DiagnosticList::new(Field::Rules)];
     let mut reading = read_with(axiom, rules, &mut constants, &mut notes);
     let [notes, mut rules_notes] = notes;
     constants.finish(&mut rules_notes);
@@ -96,7 +96,12 @@ pub fn read(axiom: &str, rules: &str) -> Reading {
 }
 
 /// Reads an axiom and rules. The diagnostics go to `notes`, first the axiom's, then the rules'.
-pub(crate) fn read_with(axiom: &str, rules: &str, constants: &mut Constants, notes: &mut [Notes; 2]) -> Reading {
+pub(crate) fn read_with(
+    axiom: &str,
+    rules: &str,
+    constants: &mut Constants,
+    notes: &mut [DiagnosticList; 2],
+) -> Reading {
     let mut reading = Reading::default();
     let [notes, rules_notes] = notes;
     if is_short_enough(rules, rules_notes) {
@@ -113,10 +118,10 @@ pub(crate) fn read_with(axiom: &str, rules: &str, constants: &mut Constants, not
 }
 
 /// Whether `text` has at most [`MAX_TEXT`] bytes; noted otherwise.
-pub(crate) fn is_short_enough(text: &str, notes: &mut Notes) -> bool {
+pub(crate) fn is_short_enough(text: &str, notes: &mut DiagnosticList) -> bool {
     let short = text.len() <= MAX_TEXT;
     if !short {
-        notes.add(Kind::Limit { limit: LimitName::Text, value: MAX_TEXT as u64, largest: None }, 0..0);
+        notes.add(0..0, Diagnostic::limit(LimitName::Text, MAX_TEXT as u64, None));
     }
     short
 }

@@ -5,11 +5,11 @@ use super::expression;
 use super::token::{Token, span_of, text_of};
 use super::word::{is_empty, patterns, word};
 use super::{Places, Reading};
-use crate::notes::{Notes, excerpt};
-use crate::{Class, Code, Expr, Kind, Pattern, Production, Role};
+use crate::notes::{DiagnosticList, excerpt};
+use crate::{Class, Code, Diagnostic, Expr, Pattern, Production, Role};
 use core::ops::Range;
 use lsystem_base::sorted::{repeated, set};
-use lsystem_base::{LimitName, MAX_CONTEXT};
+use lsystem_base::{LimitName, MAX_CONTEXT, say};
 
 /// A line with an arrow. Such lines are read after all constants.
 pub(super) struct ProductionLine {
@@ -23,7 +23,12 @@ pub(super) struct ProductionLine {
 }
 
 /// Reads a production into `reading`. A line without a single predecessor is only noted.
-pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &mut Reading, notes: &mut Notes) {
+pub(super) fn read(
+    line: &ProductionLine,
+    constants: &mut Constants,
+    reading: &mut Reading,
+    notes: &mut DiagnosticList,
+) {
     let ProductionLine { tokens, arrow, end, drawing } = line;
     let (before, after) = (&tokens[..arrow.start], &tokens[arrow.end..]);
     let is_double = tokens[arrow.start].is('=');
@@ -37,7 +42,7 @@ pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &m
     let incomplete = |condition: &[Token]| condition.iter().all(|t| expression::is_name_part(t.ch) || t.is(':'));
     let number = after.first().is_some_and(|t| t.ch.is_ascii_digit());
     if is_double && condition.is_some_and(|condition| second || (number && incomplete(condition))) {
-        return notes.add(Kind::ArrowForComparison, arrow);
+        return notes.error(arrow, say!("This is read as an arrow"), say!("For at least write `>=`."));
     }
     let (successor, weight) = match outside_parentheses(after, ':').last() {
         Some(colon) => (&after[..colon], Some(&after[colon..])),
@@ -50,7 +55,11 @@ pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &m
     let head = read_head(head, &arrow, notes);
     let parameters = head.names(notes);
     if *drawing && let Some(span) = head.context_span() {
-        notes.add(Kind::DrawContext, span);
+        notes.error(
+            span,
+            say!("Rules below `draw:` have no contexts"),
+            say!("Let a rule above `draw:` make another symbol there, and draw that."),
+        );
     }
     let mut scope = Scope { parameters, constants };
     // A wrong expression is noted, and replaced so that the production still has a condition or a weight.
@@ -59,7 +68,12 @@ pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &m
         let read = expression::read(tokens, arrow.start, Role::Condition, &mut scope, notes);
         let Some(condition) = read else { return placeholder() };
         if let Ok(Code::Constant(value)) = expression::code(&condition, &mut scope) {
-            notes.add(Kind::ConditionConstant { holds: value != 0.0 }, span_of(tokens, arrow.start));
+            let holds = value != 0.0;
+            notes.warn(
+                span_of(tokens, arrow.start),
+                if holds { say!("This condition is always true") } else { say!("This condition is always false") },
+                weight_place(),
+            );
         }
         condition
     });
@@ -72,7 +86,11 @@ pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &m
         match expression::code(&weight, &mut scope) {
             // Bounded so that the sum of weights stays finite.
             Ok(Code::Constant(value)) if !(1e-100..=1e100).contains(&value) => {
-                notes.add(Kind::WeightRange { value }, span_of(tokens, *end));
+                notes.error(
+                    span_of(tokens, *end),
+                    say!("{} cannot be a weight", lsystem_base::number::number(value)),
+                    say!("A weight is a number above zero, from 1e-100 to 1e100."),
+                );
             }
             _ => {}
         }
@@ -94,12 +112,12 @@ pub(super) fn read(line: &ProductionLine, constants: &mut Constants, reading: &m
 
 /// Notes words in a successor that are read as symbols but probably mean something else: a condition after `if`, a
 /// comment after `//` or `#`, and a weight at either end.
-fn note_misread(tokens: &[Token], end: usize, notes: &mut Notes) {
+fn note_misread(tokens: &[Token], end: usize, notes: &mut DiagnosticList) {
     super::word::note_wrapping(tokens, notes);
     let weight = tokens.windows(2).position(|pair| pair[0].is(':') && (pair[1].is('.') || pair[1].ch.is_ascii_digit()));
     if let Some(at) = weight {
         let digits = tokens[at + 1..].iter().take_while(|t| t.ch.is_ascii_digit() || t.is('.')).count();
-        return notes.add(Kind::WeightOfSymbols, span_of(&tokens[at..at + 1 + digits], end));
+        return notes.add(span_of(&tokens[at..at + 1 + digits], end), weight_of_symbols());
     }
     let after = |found: Option<usize>| found.map_or(0, |at| at + 1);
     let compared = after(tokens.iter().rposition(|t| matches!(t.ch, '<' | '>' | '=' | '≤' | '≥')));
@@ -114,19 +132,38 @@ fn note_misread(tokens: &[Token], end: usize, notes: &mut Notes) {
         }
         let from = tokens.len() - behind.len();
         let text = text_of(part);
-        let (kind, slip) = match text.as_str() {
-            "if" if !is_first && from < compared => (Kind::ConditionBehind, start),
-            "//" | "#" if !is_first && from >= active && is_word(behind) => (Kind::CommentBehind, start),
-            ";" | "--" | "%" if !is_first && is_word(behind) => (Kind::CommentBehind, start),
+        let (warning, slip) = match text.as_str() {
+            "if" if !is_first && from < compared => (condition_behind(), start),
+            "//" | "#" if !is_first && from >= active && is_word(behind) => (comment_behind(), start),
+            ";" | "--" | "%" if !is_first && is_word(behind) => (comment_behind(), start),
             _ if has_note(part, behind) => {
                 let from = part.iter().position(|t| t.is(';')).unwrap_or(0);
-                (Kind::CommentBehind, &start[from..])
+                (comment_behind(), &start[from..])
             }
-            _ if (is_first || is_last) && is_weight(part) => (Kind::WeightOfSymbols, part),
+            _ if (is_first || is_last) && is_weight(part) => (weight_of_symbols(), part),
             _ => continue,
         };
-        return notes.add(kind, span_of(slip, end));
+        return notes.add(span_of(slip, end), warning);
     }
+}
+
+fn condition_behind() -> Diagnostic {
+    Diagnostic::warning(say!("`if` and what follows are read as symbols"))
+        .hint(say!("A condition stands before the arrow, as in `A(x) : x < 3 -> B`."))
+}
+
+fn comment_behind() -> Diagnostic {
+    Diagnostic::warning(say!("This comment is read as symbols"))
+        .hint(say!("A comment needs a line of its own, or stands between `/*` and `*/`."))
+        .fix(String::new())
+}
+
+fn weight_of_symbols() -> Diagnostic {
+    Diagnostic::warning(say!("This number is read as symbols")).hint(weight_place())
+}
+
+fn weight_place() -> String {
+    say!("A weight stands at the end of the line, as in `F -> FF : 0.5`.")
 }
 
 /// Whether a comment begins at a `;` in these joined tokens: two words of three letters or more stand behind it.
@@ -156,7 +193,7 @@ fn is_word(tokens: &[Token]) -> bool {
 }
 
 /// Notes the classes of a colon and of what follows it, which is given back.
-fn classed<'a>(part: &'a [Token], class: Class, notes: &mut Notes) -> &'a [Token] {
+fn classed<'a>(part: &'a [Token], class: Class, notes: &mut DiagnosticList) -> &'a [Token] {
     let (colon, rest) = part.split_at(1);
     notes.class(Class::Mark, span_of(colon, 0));
     notes.class(class, span_of(rest, 0));
@@ -177,12 +214,17 @@ impl Head {
     }
 
     /// The names of all parameters, sorted. Repeated names are noted.
-    fn names(&self, notes: &mut Notes) -> Vec<&str> {
+    fn names(&self, notes: &mut DiagnosticList) -> Vec<&str> {
         let names =
             || self.patterns().flat_map(|(pattern, span)| pattern.parameters.iter().map(move |name| (name, span)));
         for ((name, span), repeated) in names().zip(repeated(names().map(|(name, _)| name))) {
             if repeated {
-                notes.add(Kind::ParameterTwice { name: excerpt(name) }, span.clone());
+                let name = excerpt(name);
+                notes.error(
+                    span.clone(),
+                    say!("Two parameters are called `{}`", name),
+                    say!("Give them different names; compare them in a condition, as in `: {} == {}1`.", name, name),
+                );
             }
         }
         set(names().map(|(name, _)| name.as_str()))
@@ -196,15 +238,15 @@ impl Head {
 }
 
 /// Reads contexts and predecessor.
-fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
+fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut DiagnosticList) -> Head {
     let [less, greater] = ['<', '>'].map(|mark| outside_parentheses(head, mark).collect::<Vec<_>>());
     match head {
         [] => {
-            notes.add(Kind::NoPredecessor, arrow.clone());
+            no_predecessor(arrow.clone(), notes);
             return Head::default();
         }
         [only] if only.is('<') || only.is('>') => {
-            notes.add(Kind::NoPredecessor, only.span());
+            no_predecessor(only.span(), notes);
             return Head::default();
         }
         _ => {}
@@ -215,7 +257,11 @@ fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
         _ => None,
     };
     if let Some(at) = disorder {
-        notes.add(Kind::ContextOrder, head[at].span());
+        notes.error(
+            head[at].span(),
+            say!("A rule has one left and one right context at most"),
+            say!("Write it as `A < B > C -> D`; conditions come after `:`, and the symbols `<` and `>` in backquotes."),
+        );
         return Head::default();
     }
     let from = less.first().map_or(0, |at| at + 1);
@@ -230,7 +276,13 @@ fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
     let compared = (is_number(strict) && left.iter().any(|(p, _)| !p.parameters.is_empty()))
         || (greater.first().is_some_and(|&at| is_number(&head[at + 1..])) && strict.iter().any(|t| t.is('(')));
     if compared {
-        notes.add(Kind::ContextForCondition, span_of(head, arrow.start));
+        notes.warn(
+            span_of(head, arrow.start),
+            say!("This is read as a context, not as a comparison"),
+            say!(
+                "Conditions come after `:`, as in `A(x) : x < 3 -> B`; write the digits in backquotes if they are symbols."
+            ),
+        );
     }
     let mut patterns: Vec<_> = patterns.into_iter().zip(spans).collect();
     let strict = match patterns.len() {
@@ -239,55 +291,96 @@ fn read_head(head: &[Token], arrow: &Range<usize>, notes: &mut Notes) -> Head {
             let at = strict.first().map_or(arrow.clone(), |_| span_of(strict, arrow.start));
             // Otherwise an unclosed parenthesis, which is noted already.
             if strict.is_empty() {
-                notes.add(Kind::NoPredecessor, at);
+                no_predecessor(at, notes);
             }
             None
         }
         _ => {
-            notes.add(Kind::LongPredecessor { text: text_of(strict) }, span_of(strict, arrow.start));
+            long_predecessor(&text_of(strict), span_of(strict, arrow.start), notes);
             None
         }
     };
     Head { left, strict, right }
 }
 
-fn context(tokens: &[Token], mark: Token, notes: &mut Notes) -> Vec<(Pattern, Range<usize>)> {
+fn no_predecessor(span: Range<usize>, notes: &mut DiagnosticList) {
+    notes.error(
+        span,
+        say!("There is no symbol before the arrow"),
+        say!(
+            "Write the symbol to be replaced first, as in `F -> FF`; `<`, `>`, `:` and a `-` right before the arrow need \
+             backquotes or a space."
+        ),
+    );
+}
+
+fn long_predecessor(text: &str, span: Range<usize>, notes: &mut DiagnosticList) {
+    let hint = match text.chars().next() {
+        Some(first) if first.is_alphabetic() => say!("Write one rule for each symbol, as in `{} -> ...`.", first),
+        _ => say!("Write one rule for each symbol, without quotes, bullets or numbers."),
+    };
+    let error = Diagnostic::error(say!("A rule replaces one symbol, not `{}`", text)).hint(hint);
+    notes.add(span, error.fix(only_symbol(text).map(String::from)));
+}
+
+/// The predecessor in a text like `"F"` or `1.F`: quotes, bullets and numbers around one letter.
+fn only_symbol(text: &str) -> Option<char> {
+    let mut letters = text.chars().filter(|ch| ch.is_alphabetic());
+    let letter = letters.next()?;
+    let others = text
+        .chars()
+        .all(|ch| ch == letter || ch.is_ascii_digit() || matches!(ch, '"' | '\'' | '.' | ')' | '-' | '*' | '•'));
+    (letters.next().is_none() && others).then_some(letter)
+}
+
+fn context(tokens: &[Token], mark: Token, notes: &mut DiagnosticList) -> Vec<(Pattern, Range<usize>)> {
     notes.class(Class::Mark, mark.span());
     notes.class(Class::Context, span_of(tokens, 0));
     if tokens.is_empty() {
-        notes.add(Kind::ContextMissing { mark: mark.ch }, mark.span());
+        let message = match mark.ch {
+            '<' => say!("There is no context before `<`"),
+            other => say!("There is no context after `{}`", other),
+        };
+        notes.error(mark.span(), message, say!("Write `*` for any context, or leave `{}` out.", mark.ch));
     }
     if is_empty(tokens) {
         return Vec::new();
     }
     let (patterns, spans) = patterns(tokens, notes);
     if patterns.len() > MAX_CONTEXT {
-        let kind = Kind::Limit { limit: LimitName::Context, value: MAX_CONTEXT as u64, largest: None };
-        notes.add(kind, span_of(tokens, 0));
+        notes.add(span_of(tokens, 0), Diagnostic::limit(LimitName::Context, MAX_CONTEXT as u64, None));
     }
     patterns.into_iter().zip(spans).collect()
 }
 
 /// Notes misplaced brackets in contexts.
-fn check_contexts(left: &[(Pattern, Range<usize>)], right: &[(Pattern, Range<usize>)], notes: &mut Notes) {
+fn check_contexts(left: &[(Pattern, Range<usize>)], right: &[(Pattern, Range<usize>)], notes: &mut DiagnosticList) {
     for (pattern, span) in left {
         if matches!(pattern.symbol, '[' | ']') {
-            return notes.add(Kind::ContextBracketLeft, span.clone());
+            return notes.error(
+                span.clone(),
+                say!("A left context has no brackets: it is read along the way to the root"),
+                say!("Leave out finished branches and the `[` of the branch itself."),
+            );
         }
     }
     let mut open = Vec::new();
-    for (pattern, span) in right {
-        match pattern.symbol {
-            '[' | ']' if !pattern.parameters.is_empty() => {
-                return notes.add(Kind::ContextBracket, span.clone());
-            }
-            '[' => open.push(span),
-            ']' if open.pop().is_none() => return notes.add(Kind::ContextBracket, span.clone()),
-            _ => {}
+    let mut wrong = right.iter().filter(|(pattern, span)| match pattern.symbol {
+        '[' | ']' if !pattern.parameters.is_empty() => true,
+        '[' => {
+            open.push(span);
+            false
         }
-    }
-    if let Some(span) = open.pop() {
-        notes.add(Kind::ContextBracket, span.clone());
+        ']' => open.pop().is_none(),
+        _ => false,
+    });
+    let wrong = wrong.next().map(|(_, span)| span).or_else(|| open.pop());
+    if let Some(span) = wrong {
+        notes.error(
+            span.clone(),
+            say!("Brackets in a right context come in pairs and have no parameters"),
+            say!("Write a branch as in `B > C[D]E`."),
+        );
     }
 }
 

@@ -1,11 +1,13 @@
 //! Shapes in lines such as `shape crown = ball(0, 10, 0, 5) - half(0, 3, 0, 0, 1, 0)`.
 
-use super::expression::{self, Names};
+use super::expression::{self, Names, too_deep, unclosed};
 use super::token::{Token, span_of, text_of};
 use crate::code::Code;
-use crate::notes::Notes;
-use crate::shape::{SOLIDS, Shape};
-use crate::{Class, Kind, Role};
+use crate::notes::DiagnosticList;
+use crate::shape::{MAX_SIDES, SOLIDS, Shape};
+use crate::{Class, Role};
+use core::ops::Range;
+use lsystem_base::{counted, say};
 
 /// The most nested parentheses, and the most signs in a shape: printing and measuring it are recursive.
 const DEPTH: usize = 64;
@@ -20,7 +22,7 @@ pub(super) fn name(tokens: &[Token], word: &str) -> Option<(usize, usize)> {
 }
 
 /// Reads a shape; `None` if it is wrong, which is noted. `end` is the place of what is missing, in bytes.
-pub(super) fn read(tokens: &[Token], end: usize, names: &mut dyn Names, notes: &mut Notes) -> Option<Shape> {
+pub(super) fn read(tokens: &[Token], end: usize, names: &mut dyn Names, notes: &mut DiagnosticList) -> Option<Shape> {
     let mut reader = ShapeReader { tokens, at: 0, end, depth: 0, signs: 0, names, notes };
     let shape = reader.combination()?;
     match reader.peek() {
@@ -36,7 +38,7 @@ struct ShapeReader<'a> {
     depth: usize,
     signs: usize,
     names: &'a mut dyn Names,
-    notes: &'a mut Notes,
+    notes: &'a mut DiagnosticList,
 }
 
 impl ShapeReader<'_> {
@@ -45,7 +47,19 @@ impl ShapeReader<'_> {
     }
 
     fn unexpected<T>(&mut self, token: Token) -> Option<T> {
-        self.notes.add(Kind::SolidExpected { found: text_of(&[token]) }, token.span());
+        self.no_solid(&text_of(&[token]), token.span())
+    }
+
+    fn no_solid<T>(&mut self, found: &str, span: Range<usize>) -> Option<T> {
+        self.notes.error(
+            span,
+            if found.is_empty() {
+                say!("A solid is missing")
+            } else {
+                say!("`{}` is not a solid with its numbers", found)
+            },
+            say!("Solids are ball(x, y, z, r), box, cylinder, cone, half, outline and mesh, joined by +, - or &."),
+        );
         None
     }
 
@@ -56,8 +70,7 @@ impl ShapeReader<'_> {
             self.at += 1;
             self.signs += 1;
             if self.signs > DEPTH {
-                self.notes.add(Kind::ArithmeticDepth, sign.span());
-                return None;
+                return too_deep(sign.span(), self.notes);
             }
             let (a, b) = (Box::new(shape), Box::new(self.solid()?));
             shape = match sign.ch {
@@ -71,14 +84,12 @@ impl ShapeReader<'_> {
 
     fn solid(&mut self) -> Option<Shape> {
         let Some(first) = self.peek() else {
-            self.notes.add(Kind::SolidExpected { found: String::new() }, self.end..self.end);
-            return None;
+            return self.no_solid("", self.end..self.end);
         };
         if first.is('(') {
             self.depth += 1;
             if self.depth > DEPTH {
-                self.notes.add(Kind::ArithmeticDepth, first.span());
-                return None;
+                return too_deep(first.span(), self.notes);
             }
             self.at += 1;
             let shape = self.combination()?;
@@ -89,10 +100,7 @@ impl ShapeReader<'_> {
                     Some(shape)
                 }
                 Some(other) => self.unexpected(other),
-                None => {
-                    self.notes.add(Kind::ArithmeticUnclosed, first.span());
-                    None
-                }
+                None => unclosed(first, self.notes),
             };
         }
         let rest = &self.tokens[self.at..];
@@ -100,19 +108,16 @@ impl ShapeReader<'_> {
         let name: String = rest[..length].iter().map(|t| t.ch).collect();
         let span = span_of(&rest[..length.max(1)], self.end);
         let Some(&(name, wanted)) = SOLIDS.iter().find(|(known, _)| *known == name) else {
-            self.notes.add(Kind::SolidExpected { found: crate::notes::excerpt(&name) }, span);
-            return None;
+            return self.no_solid(&crate::notes::excerpt(&name), span);
         };
         self.notes.class(Class::Function, span.clone());
         let Some(open) = rest.get(length).copied().filter(|t| t.is('(')) else {
-            self.notes.add(Kind::SolidExpected { found: name.to_owned() }, span);
-            return None;
+            return self.no_solid(name, span);
         };
         self.at += length;
         let rest = &self.tokens[self.at..];
         let Some(close) = super::word::closing(rest) else {
-            self.notes.add(Kind::ArithmeticUnclosed, open.span());
-            return None;
+            return unclosed(open, self.notes);
         };
         let inside = &rest[1..close];
         self.at += close + 1;
@@ -126,8 +131,28 @@ impl ShapeReader<'_> {
         }
         let shape = Shape::solid(name, &numbers);
         if shape.is_none() {
-            self.notes.add(Kind::SolidNumbers { name, expected: wanted, found: numbers.len() }, span);
+            self.wrong_numbers(name, wanted, numbers.len(), span);
         }
         shape
+    }
+
+    /// Notes a wrong number of numbers; `expected` is `None` for a list.
+    fn wrong_numbers(&mut self, name: &str, expected: Option<usize>, found: usize, span: Range<usize>) {
+        let message = match expected {
+            Some(expected) => {
+                say!("`{}` takes {}, not {}", name, counted!(expected, "{} number", "{} numbers"), found)
+            }
+            None if name == "mesh" => say!("`mesh` takes nine numbers for each of 4 to {} triangles", MAX_SIDES),
+            None => say!("`{}` takes two numbers for each of 3 to {} corners", name, MAX_SIDES),
+        };
+        let hint = match name {
+            "ball" => say!("`ball(x, y, z, r)` has a centre and a radius."),
+            "box" => say!("`box(x, y, z, x, y, z)` has two opposite corners."),
+            "cylinder" | "cone" => say!("`{}(x, y, z, x, y, z, r)` has two ends and a radius.", name),
+            "half" => say!("`half(x, y, z, a, b, c)` has a point of its plane, and a direction out of it."),
+            "mesh" => say!("`mesh(x, y, z, x, y, z, x, y, z, ...)` has the corners of its triangles."),
+            _ => say!("`outline(x, y, x, y, x, y)` has its corners in order."),
+        };
+        self.notes.error(span, message, hint);
     }
 }

@@ -1,10 +1,11 @@
 //! The characters of a line as tokens: literals unwrapped, white space dropped, look-alikes replaced, and the two
 //! characters of cpfg's discs and of queries joined.
 
-use crate::Kind;
+use crate::Diagnostic;
 use crate::characters::{is_blank, look_alike};
-use crate::notes::Notes;
+use crate::notes::DiagnosticList;
 use core::ops::Range;
+use lsystem_base::say;
 
 /// One character other than white space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +47,7 @@ pub(crate) fn text_of(tokens: &[Token]) -> String {
 }
 
 /// The tokens of `text` in `range`, in bytes. Look-alikes and broken literals are noted.
-pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut Notes) -> Vec<Token> {
+pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut DiagnosticList) -> Vec<Token> {
     let mut found = Vec::new();
     let mut at = range.start;
     let mut joined = false;
@@ -71,9 +72,9 @@ pub(crate) fn tokens(text: &str, range: Range<usize>, notes: &mut Notes) -> Vec<
                     at += length;
                     (ch, true)
                 }
-                Err(Broken { kind, length }) => {
+                Err(Broken { error, length }) => {
                     at += length;
-                    notes.add(kind, start..at);
+                    notes.add(start..at, *error);
                     joined = false;
                     continue;
                 }
@@ -113,7 +114,7 @@ fn query(rest: &str) -> Option<char> {
 }
 
 struct Broken {
-    kind: Kind,
+    error: Box<Diagnostic>,
     length: usize,
 }
 
@@ -128,12 +129,16 @@ fn literal(rest: &str) -> Result<(char, usize), Broken> {
     // The search is short: literals are short, and many lone backquotes must not cost long searches.
     const LONGEST: usize = 16;
     let Some(length) = rest.bytes().take(LONGEST).position(|b| b == b'`') else {
-        return Err(Broken { kind: Kind::LiteralUnclosed, length: 0 });
+        let error = Diagnostic::error(say!("This backquote is never closed"))
+            .hint(say!("Backquotes make one character a symbol: `:`. The backquote itself is ```."));
+        return Err(Broken { error: Box::new(error), length: 0 });
     };
     let number = rest[..length].strip_prefix("U+").filter(|n| n.len() <= 6);
-    number
-        .and_then(|n| u32::from_str_radix(n, 16).ok())
-        .and_then(char::from_u32)
-        .map(|ch| (ch, length + 1))
-        .ok_or(Broken { kind: Kind::LiteralLength, length: length + 1 })
+    number.and_then(|n| u32::from_str_radix(n, 16).ok()).and_then(char::from_u32).map(|ch| (ch, length + 1)).ok_or_else(
+        || {
+            let error = Diagnostic::error(say!("Backquotes hold exactly one character"))
+                .hint(say!("Write each symbol in its own backquotes, or by its number, as in `U+0A`."));
+            Broken { error: Box::new(error), length: length + 1 }
+        },
+    )
 }

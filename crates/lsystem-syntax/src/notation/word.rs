@@ -3,10 +3,10 @@
 use super::arrow;
 use super::expression::{self, Names};
 use super::token::{Token, span_of, text_of};
-use crate::notes::Notes;
-use crate::{Class, Expr, Kind, Module, Pattern, Role};
+use crate::notes::DiagnosticList;
+use crate::{Class, Diagnostic, Expr, Module, Pattern, Role};
 use core::ops::Range;
-use lsystem_base::{LimitName, MAX_PARAMETERS};
+use lsystem_base::{LimitName, MAX_PARAMETERS, say};
 
 /// The modules of a word, and each module's span in the text, in bytes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,7 +17,7 @@ pub(crate) struct SpannedWord {
 
 /// Reads an axiom or a successor; `role` is the role of its arguments. `*` or `ε` alone is the empty word. A separate
 /// arrow is noted.
-pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &mut Notes) -> SpannedWord {
+pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &mut DiagnosticList) -> SpannedWord {
     let mut word = SpannedWord::default();
     if is_empty(tokens) {
         return word;
@@ -26,7 +26,11 @@ pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &
         note_wrapping(tokens, notes);
     }
     if let Some(arrow) = stray_arrow(tokens) {
-        notes.add(if role == Role::Axiom { Kind::ArrowInAxiom } else { Kind::SecondArrow }, arrow);
+        let (message, hint) = match role {
+            Role::Axiom => (say!("There is an arrow in the axiom"), say!("Rules belong below the axiom, not in it.")),
+            _ => (say!("There is a second arrow in this line"), say!("Write each rule on a line of its own.")),
+        };
+        notes.error(arrow, message, hint);
     }
     for_each_module(tokens, notes, |notes, token, inside, span| {
         if !token.literal {
@@ -34,8 +38,10 @@ pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &
         }
         let arguments = inside.map_or(Vec::new(), |inside| {
             if is_branch(inside, names) {
-                let parentheses = token.span().end..span.end;
-                notes.add(Kind::ParenthesesForBranch { inside: text_of(inside) }, parentheses);
+                let inside = text_of(inside);
+                let error = Diagnostic::error(say!("Parentheses hold numbers, not symbols"))
+                    .hint(say!("A branch stands in brackets: write `[{}]`.", inside));
+                notes.add(token.span().end..span.end, error.fix(format!("[{inside}]")));
                 return Vec::new();
             }
             arguments(inside, &span, role, names, notes)
@@ -48,7 +54,7 @@ pub(crate) fn word(tokens: &[Token], role: Role, names: &mut dyn Names, notes: &
 
 /// Reads a context or a predecessor: symbols with the names of their parameters. `*` or `ε` alone is the empty
 /// context.
-pub(crate) fn patterns(tokens: &[Token], notes: &mut Notes) -> (Vec<Pattern>, Vec<Range<usize>>) {
+pub(crate) fn patterns(tokens: &[Token], notes: &mut DiagnosticList) -> (Vec<Pattern>, Vec<Range<usize>>) {
     let (mut patterns, mut spans) = (Vec::new(), Vec::new());
     for_each_module(tokens, notes, |notes, token, inside, span| {
         let parameters = inside.map_or(Vec::new(), |inside| parameters(inside, &span, notes));
@@ -59,7 +65,7 @@ pub(crate) fn patterns(tokens: &[Token], notes: &mut Notes) -> (Vec<Pattern>, Ve
 }
 
 /// Notes quotes around a word, and a comma behind it, which are read as symbols.
-pub(crate) fn note_wrapping(tokens: &[Token], notes: &mut Notes) {
+pub(crate) fn note_wrapping(tokens: &[Token], notes: &mut DiagnosticList) {
     let [inside @ .., last] = tokens else { return };
     let comma = last.is(',') && !inside.is_empty();
     let quoted = if comma { inside } else { tokens };
@@ -67,9 +73,16 @@ pub(crate) fn note_wrapping(tokens: &[Token], notes: &mut Notes) {
         [first, inside @ .., last]
             if matches!(first.ch, '"' | '\'') && !first.literal && last.is(first.ch) && !inside.is_empty() =>
         {
-            notes.add(Kind::Quotes { inside: text_of(inside) }, span_of(tokens, 0));
+            let inside = text_of(inside);
+            let warning = Diagnostic::warning(say!("These quotes are read as symbols"))
+                .hint(say!("Strings need no quotes: write `{}`.", inside));
+            notes.add(span_of(tokens, 0), warning.fix(inside));
         }
-        _ if comma => notes.add(Kind::CommaBehind, last.span()),
+        _ if comma => {
+            let warning = Diagnostic::warning(say!("This comma is read as a symbol"))
+                .hint(say!("Lines need no comma at the end."));
+            notes.add(last.span(), warning.fix(String::new()));
+        }
         _ => {}
     }
 }
@@ -82,26 +95,41 @@ pub(crate) fn is_empty(tokens: &[Token]) -> bool {
 /// Calls `module` for each symbol with the tokens in the parentheses directly after it, and the span of both.
 fn for_each_module(
     tokens: &[Token],
-    notes: &mut Notes,
-    mut module: impl FnMut(&mut Notes, Token, Option<&[Token]>, Range<usize>),
+    notes: &mut DiagnosticList,
+    mut module: impl FnMut(&mut DiagnosticList, Token, Option<&[Token]>, Range<usize>),
 ) {
     let mut at = 0;
     while let Some(&token) = tokens.get(at) {
         at += 1;
         if token.is('(') || token.is(')') {
-            notes.add(Kind::ParenthesisSymbol { symbol: token.ch }, token.span());
+            parenthesis_symbol(token, notes);
         }
         let Some(open) = tokens.get(at).filter(|t| t.is('(') && t.joined) else {
             module(notes, token, None, token.span());
             continue;
         };
         let Some(length) = closing(&tokens[at..]) else {
-            return notes.add(Kind::ParenthesisUnclosed, open.span());
+            return notes.error(
+                open.span(),
+                say!("This `(` is never closed"),
+                say!("Add `)`, or write `(` in backquotes to use it as a symbol."),
+            );
         };
         let inside = &tokens[at + 1..at + length];
         at += length + 1;
         module(notes, token, Some(inside), token.span().start..tokens[at - 1].span().end);
     }
+}
+
+/// Warns of a parenthesis that does not directly follow a symbol.
+pub(super) fn parenthesis_symbol(token: Token, notes: &mut DiagnosticList) {
+    notes.warn(
+        token.span(),
+        say!("`{}` is read as a symbol here", token.ch),
+        say!(
+            "Arguments follow their symbol without a space; write the parenthesis in backquotes if a symbol is meant."
+        ),
+    );
 }
 
 /// The parts of `inside` between commas, except commas in parentheses, and the end of each part in bytes.
@@ -124,20 +152,29 @@ pub(super) fn parts(inside: &[Token]) -> impl Iterator<Item = (&[Token], usize)>
 }
 
 /// Whether there are 1 to [`MAX_PARAMETERS`] parts; noted otherwise.
-fn is_countable(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> bool {
+fn is_countable(inside: &[Token], span: &Range<usize>, notes: &mut DiagnosticList) -> bool {
     if inside.is_empty() {
-        notes.add(Kind::ParenthesesEmpty, span.clone());
+        notes.error(
+            span.clone(),
+            say!("There is nothing between these parentheses"),
+            say!("Leave them out, or write arguments."),
+        );
         return false;
     }
     let fits = parts(inside).count() <= MAX_PARAMETERS;
     if !fits {
-        let kind = Kind::Limit { limit: LimitName::Parameters, value: MAX_PARAMETERS as u64, largest: None };
-        notes.add(kind, span.clone());
+        notes.add(span.clone(), Diagnostic::limit(LimitName::Parameters, MAX_PARAMETERS as u64, None));
     }
     fits
 }
 
-fn arguments(inside: &[Token], span: &Range<usize>, role: Role, names: &mut dyn Names, notes: &mut Notes) -> Vec<Expr> {
+fn arguments(
+    inside: &[Token],
+    span: &Range<usize>,
+    role: Role,
+    names: &mut dyn Names,
+    notes: &mut DiagnosticList,
+) -> Vec<Expr> {
     if !is_countable(inside, span, notes) {
         return Vec::new();
     }
@@ -165,7 +202,7 @@ fn is_branch(inside: &[Token], names: &mut dyn Names) -> bool {
         })
 }
 
-fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<String> {
+fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut DiagnosticList) -> Vec<String> {
     if !is_countable(inside, span, notes) {
         return Vec::new();
     }
@@ -174,11 +211,23 @@ fn parameters(inside: &[Token], span: &Range<usize>, notes: &mut Notes) -> Vec<S
             let name: String = part.iter().map(|t| t.ch).collect();
             notes.class(Class::Parameter, span_of(part, end));
             if !super::line::is_name(part) || expression::is_reserved(&name) {
-                notes.add(Kind::ParameterName { text: text_of(part) }, span_of(part, end));
+                parameter_name(&text_of(part), span_of(part, end), notes);
             }
             name
         })
         .collect()
+}
+
+/// Notes a text in place of a parameter's name.
+fn parameter_name(text: &str, span: Range<usize>, notes: &mut DiagnosticList) {
+    let hint = match text.chars().next() {
+        Some(first) if first.is_alphabetic() => {
+            say!("Before the arrow parentheses hold names only, as in `A(l, w)`; compute after the arrow.")
+        }
+        Some(_) => say!("Write a name and a condition, as in `A(x) : x == {} -> ...`.", text),
+        None => say!("Write a name, as in `A(l, w)`."),
+    };
+    notes.error(span, say!("`{}` cannot be the name of a parameter", text), hint);
 }
 
 /// The index of the `)` that closes the `(` at the start of `tokens`.

@@ -1,7 +1,7 @@
 //! The pass that makes the next generation: by a table of letters, or module by module.
 
 use super::super::choices::Choice;
-use super::super::choose::{MOST_LOOKS, ModuleInContext};
+use super::super::choose::{MAX_LOOKS, ModuleInContext};
 use super::super::modules::{Chance, NotFinite};
 use super::super::table::LONGEST;
 use super::{Fault, LOOKS, Rewriter, StepPass, make_room, others};
@@ -126,7 +126,7 @@ impl Rewriter {
         let chance = Chance { key: word.key_of(place), seed: plan.seed, step };
         let at = ModuleInContext { plan, word, neighbours, place, own: &word.arguments[own.clone()], chance };
         let before = *work;
-        scratch.until = before + MOST_LOOKS;
+        scratch.until = before + MAX_LOOKS;
         let chosen = at.choose(&plan.rules.by_letter[letter], scratch, work);
         meter.charge(1 + (*work - before) / LOOKS);
         if *work > scratch.until {

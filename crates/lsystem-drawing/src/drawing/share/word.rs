@@ -175,7 +175,7 @@ impl<S: Space> LetterPieceWriting<S> {
                 let grows = fully_grown.is_some_and(|continuation| continuation != Some(*done));
                 let changed: Vec<_>;
                 let mut ops = word.ops(symbol);
-                if grows || score.sways() {
+                if grows || score.has_wind() {
                     changed = ops.iter().map(|&op| score.changed(op, grows, word.origin.step)).collect();
                     ops = &changed;
                 }

@@ -1,15 +1,15 @@
 //! The answers to queries: the turtle walks a word without drawing it.
 
 use super::generations::TurtleOpReader;
-use crate::course::{Leg, Spot};
 use crate::drawing::task::Task;
+use crate::exact_path::{Leg, Spot};
 use crate::neighbours::{Crowd, Site, Sky};
 use crate::room::bytes_of;
 use crate::space::Geometry;
 use crate::turtle::{Colouring, Paper, Pen, work_of};
 use crate::{Solid, StyleChange, Turtle};
 use lsystem_base::{Limits, Meter, Progress};
-use lsystem_derive::{Answer, Fault, Interpret, Interpretation, LetterId, Rewriter};
+use lsystem_derive::{Fault, Interpret, Interpretation, LetterId, QueryAnswer, Rewriter};
 use lsystem_syntax::Query;
 
 /// Answers the queries of a system with this turtle. Growth and sway of the last generation do not count: they would
@@ -20,7 +20,7 @@ pub(crate) struct TurtleInterpreter {
 
 impl TurtleInterpreter {
     pub(crate) fn new(turtle: &Turtle) -> Self {
-        Self { turtle: Turtle { growth: 1.0, sway: None, colouring: Colouring::Symbols, ..turtle.clone() } }
+        Self { turtle: Turtle { growth: 1.0, wind: None, colouring: Colouring::Symbols, ..turtle.clone() } }
     }
 }
 
@@ -34,9 +34,17 @@ impl Interpret for TurtleInterpreter {
         let (seed, n) = (rewriter.seed(), rewriter.generation());
         let task = Task { rules, turtle, score, seed, n, limits: Limits::default() };
         let reader = TurtleOpReader::of_all();
-        let walk =
-            Walk { reader, pen, saved: vec![], queries, unit, crowd: vec![], sky: vec![], waiting: [vec![], vec![]] };
-        Box::new(TurtleInterpretation { task, stage: Stage::Walk(Box::new(walk)) })
+        let walk = DepthFirst {
+            reader,
+            pen,
+            saved: vec![],
+            queries,
+            unit,
+            crowd: vec![],
+            sky: vec![],
+            waiting: [vec![], vec![]],
+        };
+        Box::new(TurtleInterpretation { task, stage: Stage::DepthFirst(Box::new(walk)) })
     }
 
     fn needs_keys(&self) -> bool {
@@ -50,7 +58,7 @@ struct TurtleInterpretation {
 }
 
 enum Stage {
-    Walk(Box<Walk>),
+    DepthFirst(Box<DepthFirst>),
     /// Counts neighbours, then light. The arguments of the modules that ask are in the order of the sites.
     Look(Box<Look>),
 }
@@ -62,7 +70,7 @@ struct Look {
 }
 
 /// The turtle on its way.
-struct Walk {
+struct DepthFirst {
     reader: TurtleOpReader<Solid>,
     pen: Pen<Solid>,
     saved: Vec<Pen<Solid>>,
@@ -77,9 +85,9 @@ struct Walk {
 }
 
 impl Interpretation for TurtleInterpretation {
-    fn step(&mut self, rewriter: &Rewriter, answers: &mut Vec<Answer>, meter: &mut Meter) -> Result<bool, Fault> {
+    fn step(&mut self, rewriter: &Rewriter, answers: &mut Vec<QueryAnswer>, meter: &mut Meter) -> Result<bool, Fault> {
         match &mut self.stage {
-            Stage::Walk(walk) => {
+            Stage::DepthFirst(walk) => {
                 if walk.step(&self.task, rewriter, answers, meter)? {
                     let waiting = core::mem::take(&mut walk.waiting);
                     let crowd = Crowd::new(core::mem::take(&mut walk.crowd));
@@ -93,7 +101,8 @@ impl Interpretation for TurtleInterpretation {
                 if crowd.step(meter) == Progress::More || sky.step(meter) == Progress::More {
                     return Ok(false);
                 }
-                let one = |argument: &usize, value: f64| Answer { argument: *argument, count: 1, values: [value; 3] };
+                let one =
+                    |argument: &usize, value: f64| QueryAnswer { argument: *argument, count: 1, values: [value; 3] };
                 let near = waiting[0].iter().zip(crowd.counts()).map(|(at, &count)| one(at, count.into()));
                 answers.extend(near.chain(waiting[1].iter().zip(sky.light()).map(|(at, &light)| one(at, light))));
                 Ok(true)
@@ -103,7 +112,7 @@ impl Interpretation for TurtleInterpretation {
 
     fn work(&self) -> u64 {
         match &self.stage {
-            Stage::Walk(_) => 0,
+            Stage::DepthFirst(_) => 0,
             Stage::Look(look) => look.crowd.work(),
         }
     }
@@ -111,7 +120,7 @@ impl Interpretation for TurtleInterpretation {
     fn bytes(&self) -> u64 {
         let waiting = |lists: &[Vec<usize>; 2]| lists.iter().map(bytes_of).sum::<u64>();
         match &self.stage {
-            Stage::Walk(walk) => {
+            Stage::DepthFirst(walk) => {
                 bytes_of(&walk.saved) + bytes_of(&walk.crowd) + bytes_of(&walk.sky) + waiting(&walk.waiting)
             }
             Stage::Look(look) => look.crowd.bytes() + look.sky.bytes() + waiting(&look.waiting),
@@ -119,12 +128,12 @@ impl Interpretation for TurtleInterpretation {
     }
 }
 
-impl Walk {
+impl DepthFirst {
     fn step(
         &mut self,
         task: &Task<Solid>,
         rewriter: &Rewriter,
-        answers: &mut Vec<Answer>,
+        answers: &mut Vec<QueryAnswer>,
         meter: &mut Meter,
     ) -> Result<bool, Fault> {
         let Self { reader, pen, saved, queries, unit, crowd, sky, waiting } = self;
@@ -159,7 +168,7 @@ impl Walk {
                     return Some(1);
                 }
             };
-            answers.push(Answer { argument, count: arity.min(query.answers()) as u8, values });
+            answers.push(QueryAnswer { argument, count: arity.min(query.answers()) as u8, values });
             Some(1)
         })
     }

@@ -39,7 +39,7 @@ impl DrawingCounts {
             TurtleOp::ClosePolygon => self.outlines = self.outlines.saturating_sub(1),
             TurtleOp::Move(_)
             | TurtleOp::Turn(_)
-            | TurtleOp::Sway(_)
+            | TurtleOp::Wind(_)
             | TurtleOp::Upright
             | TurtleOp::Bend(_)
             | TurtleOp::Style(_)

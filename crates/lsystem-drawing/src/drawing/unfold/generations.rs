@@ -9,7 +9,7 @@ use crate::room::bytes_of;
 use crate::space::unit_of;
 use crate::turtle::{Pen, TurtleOp, work_of};
 use lsystem_base::{LimitName, Limits, Meter};
-use lsystem_derive::{Age, Fate, Fault, Image, Rewriter, fault};
+use lsystem_derive::{Age, Fault, Image, ModuleAge, Rewriter, fault};
 use lsystem_syntax::Diagnostic;
 
 /// The most modules read between two checks of the meter.
@@ -280,7 +280,7 @@ impl<S: Space> TurtleOpReader<S> {
         let (word, rules) = (rewriter.word(), rewriter.rules());
         let end = (*at + PIECE).min(word.letters.len());
         meter.charge(1);
-        let mut one = |place: usize, first: usize, letter: u16, arguments: &[f64], fate: Option<&Fate>| {
+        let mut one = |place: usize, first: usize, letter: u16, arguments: &[f64], fate: Option<&ModuleAge>| {
             let mut plain = score.ops[usize::from(letter)].as_slice();
             if let ([number, ..], [_, ..]) = (arguments, plain) {
                 score.numbered(turtle, &turtle.actions[usize::from(letter)], *number, ops);
@@ -308,7 +308,7 @@ impl<S: Space> TurtleOpReader<S> {
                 let since = u32::from(age.since);
                 // A module that may be rewritten is a module of the last step, whether or not a production applied.
                 let step = if rules.by_letter[usize::from(letter)].is_empty() { since } else { rewriter.generation() };
-                Fate { key: word.key_of(*at), since, step, grows }
+                ModuleAge { key: word.key_of(*at), since, step, grows }
             });
             if rules.images[usize::from(letter)].is_empty() {
                 let Some(work) = one(*at, *argument, letter, &word.arguments[*argument..after], fate.as_ref()) else {

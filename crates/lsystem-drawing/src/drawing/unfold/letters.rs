@@ -8,12 +8,12 @@ use crate::drawing::tree::Tree;
 use crate::room::bytes_of;
 use crate::turtle::{Pen, Score, TurtleOp, work_of};
 use lsystem_base::{LimitName, Limits, Meter};
-use lsystem_derive::{LetterId, Next, Rules, Walk};
+use lsystem_derive::{DepthFirst, LetterId, Next, Rules};
 
 /// A walk through the last generation that counts symbols and segments.
 #[derive(Clone, Debug)]
 pub(crate) struct Census {
-    walk: Walk,
+    walk: DepthFirst,
     symbols: u64,
     counts: DrawingCounts,
 }
@@ -30,7 +30,7 @@ pub(super) enum WalkOutcome<T> {
 
 impl Census {
     pub(super) fn new(n: u32, seed: u32) -> Self {
-        Self { walk: Walk::new(n, seed), symbols: 0, counts: DrawingCounts::default() }
+        Self { walk: DepthFirst::new(n, seed), symbols: 0, counts: DrawingCounts::default() }
     }
 
     /// Continues until the meter is spent. Hands the place and the operations of each letter of the last generation to
@@ -41,7 +41,7 @@ impl Census {
         score: &Score<S>,
         limits: &Limits,
         meter: &mut Meter,
-        mut act: impl FnMut(&Walk, (u64, LetterId), &[TurtleOp<S>]) -> Option<u64>,
+        mut act: impl FnMut(&DepthFirst, (u64, LetterId), &[TurtleOp<S>]) -> Option<u64>,
     ) -> WalkOutcome<()> {
         let began = self.walk.work;
         let mut acted = 0_u64;

@@ -5,7 +5,7 @@ use super::parts::{Joint, Part, Parts};
 /// The most words of the pictures of parts at a time: 24 MiB. The tiles are dropped before, which take up to 23 MiB.
 pub(in crate::plane) const PART_WORDS: u64 = 24 << 17;
 /// The most words of such pictures that are stamped in all: some tenths of a second.
-const MOST_WORK: u64 = 400 << 20;
+const MAX_WORK: u64 = 400 << 20;
 /// The sides of a cell that are tried, in subsamples of the picture. The smallest that meets the limits is taken.
 const GRAINS: [u32; 3] = [1, 2, 4];
 
@@ -67,7 +67,7 @@ impl Trials {
             return Some(None);
         };
         let [words, work] = layout.cost(parts, &planes);
-        Some((layout.is_fine_enough(parts) && words <= PART_WORDS && work <= MOST_WORK).then_some(layout))
+        Some((layout.is_fine_enough(parts) && words <= PART_WORDS && work <= MAX_WORK).then_some(layout))
     }
 }
 

@@ -4,18 +4,18 @@
 //! A part is put into the nearest cell of a lattice, so it is off by at most half a cell. The errors of many parts
 //! inside each other add up to some cells.
 
+use crate::ink::{Dye, InkTable, Shade};
 use crate::plane::RenderStats;
 use crate::plane::canvas::Canvas;
 use crate::plane::canvas::bits::{Bits, Planes};
 use crate::plane::descent::{Descent, Node};
-use crate::plane::inks::{Dye, InkTable, Shade};
 use layout::{Layout, Trials, is_empty, size};
 mod layout;
 mod parts;
 
+use crate::plane::canvas::bit_words::{GROUP, GroupBits};
 use crate::plane::canvas::cone::Cone;
 use crate::plane::canvas::polygon::Filling;
-use crate::plane::canvas::words::{GROUP, GroupBits};
 use crate::plane::pen::Pen;
 use crate::plane::top_down::tile;
 use crate::plane::view::Measure;
@@ -339,7 +339,8 @@ mod tests {
     use super::*;
     use crate::plane::sample::Sample;
     use crate::plane::shape::shapes;
-    use crate::plane::view::{View, ViewTransform, Viewport};
+    use crate::plane::view::{View, ViewTransform};
+    use crate::viewport::Viewport;
 
     #[test]
     fn bits_are_enlarged() {

@@ -1,8 +1,8 @@
 //! The parts of a bottom-up picture: its blocks, distinguished by everything that makes their pictures differ. A block
 //! may recur at too many places to look into each, but it recurs in few headings, scales and widths.
 
+use crate::ink::InkTable;
 use crate::plane::descent::{Descent, Node};
-use crate::plane::inks::InkTable;
 use crate::plane::shape::Shape;
 use crate::plane::top_down::tile;
 use crate::plane::view::{Measure, TINY};
@@ -30,9 +30,9 @@ impl PartSource<'_> {
 }
 
 /// The most parts of a picture.
-const MOST_PARTS: usize = 20_000;
+const MAX_PARTS: usize = 20_000;
 /// The most items in all parts.
-const MOST_ITEMS: usize = 200_000;
+const MAX_ITEMS: usize = 200_000;
 /// The most subsamples in a unit of the root block, so that cells are exact integers.
 const LARGEST_SCALE: f64 = (1_u64 << 32) as f64;
 
@@ -110,7 +110,7 @@ impl Parts {
             if self.opened.is_none() {
                 let Some((block, _, index)) = self.waiting.pop() else { return Some(Progress::Done) };
                 self.items += drawing.items_of(block).len();
-                if self.list.len() > MOST_PARTS || self.items > MOST_ITEMS {
+                if self.list.len() > MAX_PARTS || self.items > MAX_ITEMS {
                     return None;
                 }
                 let node = descent.part(drawing, &self.list[index], [0.0; 2], 1.0);

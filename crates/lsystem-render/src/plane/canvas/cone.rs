@@ -1,8 +1,8 @@
 //! A stroke that tapers: all that lies within two discs or between their common tangents, row by row.
 
 use super::Canvas;
+use super::bit_words::{GROUP, NOTHING, Spans};
 use super::stroke::Capsule;
-use super::words::{GROUP, NOTHING, Spans};
 use core::ops::Range;
 
 /// A segment on the subsample lattice, y down, and half its widths at the two ends.
@@ -14,7 +14,7 @@ pub(in crate::plane) struct Cone {
 
 /// The greatest radius, in subsamples, that is traced as it is: the sides of a larger stroke are straight within a
 /// picture.
-const MOST_RADIUS: f64 = (1_u64 << 24) as f64;
+const MAX_RADIUS: f64 = (1_u64 << 24) as f64;
 
 /// A common tangent of the two discs, from its upper to its lower end.
 #[derive(Clone, Copy)]
@@ -61,7 +61,7 @@ impl Cone {
             let (at, radius) = if narrows > 0.0 { (from, first) } else { (to, second) };
             return Some(Capsule { from: at, to: at, radius });
         }
-        if first.max(second) <= MOST_RADIUS {
+        if first.max(second) <= MAX_RADIUS {
             return None;
         }
         // The disc between the ends that reaches the farthest towards the middle of the canvas, or beyond it.

@@ -6,18 +6,18 @@
 //! A group of eight words that one colour covers is stored as one number, and a group is cleared only when it is first
 //! painted. So large pictures with few strokes take little memory traffic.
 
+pub(in crate::plane) mod bit_words;
 pub(in crate::plane) mod bits;
 pub(super) mod cone;
 pub(in crate::plane) mod polygon;
 pub(in crate::plane) mod resolve;
 pub(in crate::plane) mod stroke;
-pub(in crate::plane) mod words;
 
-use crate::plane::inks::{Dye, PLANES};
+use crate::ink::{Dye, PLANES};
+use bit_words::{GROUP, GroupBits, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
 use bits::Bits;
 use core::ops::Range;
 use lsystem_base::{Meter, Progress};
-use words::{GROUP, GroupBits, NOTHING, STRIP, Spans, Words, any, columns, has_only_holes, within};
 
 /// Rows in a cell. A cell is 64 rows of a strip, and is turned into pixels at once.
 const CELL: usize = 64;

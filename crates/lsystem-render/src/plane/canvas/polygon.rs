@@ -1,18 +1,10 @@
 //! A filled polygon, row by row.
 
 use super::Canvas;
-use super::words::{GROUP, NOTHING, Spans};
+use super::bit_words::{GROUP, NOTHING, Spans};
+use crate::ink::{Crossing, MAX_SORTED, SIDES_PER_UNIT, Side, sides_in};
 use core::ops::Range;
 use lsystem_base::{Meter, Progress};
-
-/// A place where the outline crosses a row: its x, and 1 downwards or -1 upwards.
-pub(in crate::plane) type Crossing = (f64, i32);
-/// A side of an outline, from one corner to the next.
-pub(in crate::plane) type Side = [[f64; 2]; 2];
-/// A row with more crossings than this is filled without sorting them, to bound the work of a row.
-pub(in crate::plane) const MOST_SORTED: usize = 1 << 12;
-/// Sides of an outline that are looked at in a unit of work.
-const SIDES_PER_UNIT: usize = 8;
 
 /// A polygon that is being filled.
 #[derive(Debug, Default)]
@@ -110,7 +102,7 @@ impl Filling {
                 }
                 work += 1;
             };
-            if self.crossings.len() > MOST_SORTED {
+            if self.crossings.len() > MAX_SORTED {
                 let columns = right as usize;
                 spans_of_many(&self.crossings, columns, &mut self.changes, |from, to| {
                     span(from as f64 + 0.5, to as f64 + 0.5);
@@ -136,16 +128,6 @@ impl Filling {
         }
         units + self.layers.len() as u64 + canvas.take_work()
     }
-}
-
-/// Collects the sides of an outline that lie between two heights, at least in part. Returns the units of work.
-pub(in crate::plane) fn sides_in(vertices: &[[f64; 2]], [top, bottom]: [f64; 2], sides: &mut Vec<Side>) -> u64 {
-    sides.clear();
-    let next = vertices.iter().cycle().skip(1);
-    // A side that ends above the first row, or begins below the last, crosses none of them.
-    let crosses = |&(a, b): &(&[f64; 2], &[f64; 2])| a[1].max(b[1]) >= top && a[1].min(b[1]) <= bottom;
-    sides.extend(vertices.iter().zip(next).filter(crosses).map(|(&a, &b)| [a, b]));
-    1 + (vertices.len() / SIDES_PER_UNIT) as u64
 }
 
 /// Finds the crossings of sides with a row. Returns the units of work.

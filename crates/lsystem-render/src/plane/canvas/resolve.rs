@@ -1,9 +1,9 @@
 //! From subsamples to pixels.
 
-use super::words::GROUP;
+use super::bit_words::GROUP;
 use super::{Canvas, Group};
-use crate::plane::Detail;
-use crate::plane::picture::Plan;
+use crate::plane::opaque_picture::Plan;
+use crate::viewport::Detail;
 use core::ops::Range;
 use lsystem_base::{Meter, Progress};
 
@@ -124,7 +124,7 @@ impl Output {
                         let pixels = y * self.width + left..y * self.width + right;
                         match self.detail {
                             Detail::Fine => self.row(frame, at, pixels),
-                            Detail::Coarse => self.coarse_row(frame, at, pixels),
+                            Detail::Coarse | Detail::Sketch => self.coarse_row(frame, at, pixels),
                         }
                     }
                     continue;
@@ -173,11 +173,19 @@ impl Output {
     fn coarse_row(&mut self, frame: &Canvas, at: usize, pixels: Range<usize>) {
         let (out, _) = self.pixels[pixels.start * 4..pixels.end * 4].as_chunks_mut::<4>();
         let covered = frame.covered[at];
-        for (x, pixel) in out.iter_mut().enumerate() {
-            let digits = frame.colour_planes().enumerate();
-            let ink: usize = digits.map(|(digit, plane)| ((plane[at] >> x & 1) as usize) << digit).sum();
-            let count = if covered >> x & 1 != 0 { 16 } else { 0 };
-            *pixel = self.shades[ink.min(self.palette.len() - 1)][count];
+        let pixels = out.iter_mut().enumerate();
+        let bare = self.shades[0][0];
+        // Most words have one colour.
+        let digits = || frame.colour_planes().map(|plane| plane[at] & covered).enumerate();
+        if digits().all(|(_, word)| word == 0 || word == covered) {
+            let ink: usize = digits().map(|(digit, word)| usize::from(word != 0) << digit).sum();
+            let full = self.shades[ink.min(self.palette.len() - 1)][16];
+            pixels.for_each(|(x, pixel)| *pixel = if covered >> x & 1 == 0 { bare } else { full });
+            return;
+        }
+        for (x, pixel) in pixels {
+            let ink: usize = digits().map(|(digit, word)| ((word >> x & 1) as usize) << digit).sum();
+            *pixel = if covered >> x & 1 == 0 { bare } else { self.shades[ink.min(self.palette.len() - 1)][16] };
         }
     }
 

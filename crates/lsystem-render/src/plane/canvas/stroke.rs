@@ -1,8 +1,8 @@
 //! A stroke with round caps, row by row.
 
 use super::Canvas;
-use super::words::{GROUP, NOTHING, Spans};
-use crate::plane::search::nearest_on;
+use super::bit_words::{GROUP, NOTHING, Spans};
+use crate::search::nearest_on;
 use core::ops::Range;
 
 /// A segment on the subsample lattice, y down, and half its width.
@@ -20,7 +20,7 @@ const HALF: i64 = 1 << (FRACTION - 1);
 
 /// The greatest radius, in subsamples, that is traced as it is. The side of a larger stroke is straight within a
 /// picture, and soon exceeds the range of fixed point numbers.
-const MOST_RADIUS: f64 = (1_u64 << 34) as f64;
+const MAX_RADIUS: f64 = (1_u64 << 34) as f64;
 
 /// The left or the right side of a stroke, from top to bottom: an arc around the upper end, an edge, an arc around
 /// the lower end.
@@ -89,7 +89,7 @@ impl Capsule {
     fn trace(&self, canvas: &mut Canvas, visit: impl FnMut(&mut Canvas, usize, [i64; 2], &Spans) -> bool) -> usize {
         let height = canvas.rows as i64;
         let size = canvas.size();
-        let near = if self.radius > MOST_RADIUS { self.around(size) } else { *self };
+        let near = if self.radius > MAX_RADIUS { self.around(size) } else { *self };
         let radius = near.radius;
         let Some((ends, direction)) = near.clipped(size) else { return 0 };
         let first = ((ends[0][1] - radius - 0.5).ceil() as i64).max(0);
@@ -141,7 +141,7 @@ impl Capsule {
         (last - first + 1).max(0) as usize
     }
 
-    /// A dot of radius [`MOST_RADIUS`] that covers the same part of a canvas of this size: its side is where the
+    /// A dot of radius [`MAX_RADIUS`] that covers the same part of a canvas of this size: its side is where the
     /// stroke's side is.
     fn around(&self, size: [f64; 2]) -> Self {
         let middle = size.map(|side| side / 2.0);
@@ -149,12 +149,12 @@ impl Capsule {
         let out = [0, 1].map(|axis| middle[axis] - self.from[axis] - part * (self.to[axis] - self.from[axis]));
         let distance = libm::hypot(out[0], out[1]);
         // The distance from the side inwards to the middle of the picture, or at most to the middle of the dot.
-        let inwards = (self.radius - distance).min(MOST_RADIUS);
+        let inwards = (self.radius - distance).min(MAX_RADIUS);
         let dot = [0, 1].map(|axis| {
             let towards = if distance > 0.0 { out[axis] / distance } else { 0.0 };
-            middle[axis] + towards * (inwards - MOST_RADIUS)
+            middle[axis] + towards * (inwards - MAX_RADIUS)
         });
-        Self { from: dot, to: dot, radius: MOST_RADIUS }
+        Self { from: dot, to: dot, radius: MAX_RADIUS }
     }
 
     /// The length of the segment; `None` if numbers are not finite.

@@ -1,9 +1,9 @@
 //! The amount of ink of each block, and its distribution: sums over strokes and over the blocks inside.
 
-use crate::plane::Amount;
+use crate::ink::Amount;
+use crate::ink::{BlockVisitor, Sweep};
 use crate::plane::descent::Node;
 use crate::plane::shape::Shape;
-use crate::plane::sweep::{BlockVisitor, Sweep};
 use crate::plane::view::Measure;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, Drawing, Item, StyleChange, WidthChange};

@@ -3,13 +3,15 @@
 //! Where thousands of blocks overlap, single blocks cannot be distinguished, and their sum is smooth. A rectangle of
 //! any size costs the same: only its corners are noted, and summed up at the end.
 
-use super::sheet::{Pigment, Sheet};
+use crate::ink::{Pigment, Sheet};
 use lsystem_base::{Meter, Progress};
 
 /// Pixels along the side of a cell.
 const SIDE: usize = 4;
 /// The most pixels around a pane whose haze is spread into the pane: bounds the memory of the cells.
 const WIDEST_APRON: f64 = 1024.0;
+/// As [`WIDEST_APRON`], in a sketch, whose pixels are places of sums.
+const SKETCH_APRON: f64 = 256.0;
 /// Columns that are smoothed at a time: as many cells as a cache line holds.
 const COLUMNS: usize = 8;
 /// A sum below this part of the greatest sum is a rounding error.
@@ -54,8 +56,9 @@ enum Stage {
 
 impl Haze {
     /// The pixels around a pane in which haze of this grain must be known, because smoothing spreads it into the pane.
-    pub(super) fn apron(grain: f64) -> usize {
-        (grain / 4.0).min(WIDEST_APRON) as usize / SIDE * SIDE + 2 * SIDE
+    pub(super) fn apron(grain: f64, is_sketch: bool) -> usize {
+        let widest = if is_sketch { SKETCH_APRON } else { WIDEST_APRON };
+        (grain / 4.0).min(widest) as usize / SIDE * SIDE + 2 * SIDE
     }
 
     /// Empties the haze, for a sheet with `apron` pixels around it. Returns the units of work.

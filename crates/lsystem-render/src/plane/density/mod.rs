@@ -3,40 +3,34 @@
 //!
 //! One layer is the ink that a stroke as wide as a pixel leaves along its axis, at any magnification. The ink of a
 //! pixel is the sum over all strokes of the length of their parts there times their width. Each part is shared by the
-//! pixels around it ([`sheet`]). A block smaller than a pixel adds all its ink at once, at its centre of gravity
+//! pixels around it ([`crate::ink`]). A block smaller than a pixel adds all its ink at once, at its centre of gravity
 //! ([`deposit`]). Larger blocks are put together from tiles. The order of drawing does not matter.
 
 mod bands;
 mod deposit;
 mod facts;
-mod grid;
 mod haze;
 mod picture;
 mod pigment;
-mod sheet;
 mod survey;
 mod tile;
 mod tiling;
-mod tone;
 
 #[cfg(test)]
 mod tests;
 
-use super::fineness::Shading;
-use super::picture::Plan;
+use super::RenderStats;
+use super::opaque_picture::Plan;
 use super::shape::Shape;
-use super::{Pane, Pass, RenderStats};
+use crate::ink::{Grid, Print, Shading, Tone};
+use crate::pane::{Pane, Pass};
 use deposit::Deposits;
 use facts::Facts;
-pub(crate) use grid::Grid;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::ColourBy;
 use picture::Picture;
-pub(crate) use pigment::pigment;
-pub(crate) use sheet::{Pigment, Sheet};
 pub(super) use tile::tile_bytes;
-pub(crate) use tone::{Print, Tone};
 
 /// Makes pictures in which ink adds up ([`Ink::Density`](lsystem_syntax::Ink)).
 #[derive(Default)]

@@ -3,18 +3,21 @@
 use super::bands::bands;
 use super::deposit::Deposit;
 use super::facts::Facts;
-use super::grid::Grid;
 use super::haze::Haze;
 use super::pigment::{MeanSource, Pigments};
-use super::sheet::{BROAD as FILLED, LEAST_INK, Pigment, Sheet};
 use super::survey::{Finding, Next, Survey};
 use super::tiling::{Footprint, Outcome, Sheets, Tiling, WantedTile};
+use crate::ink::Amount;
+use crate::ink::Grid;
+use crate::ink::sheet::{BROAD as FILLED, LEAST_INK};
+use crate::ink::{InkTable, Inks, Shade};
+use crate::ink::{Pigment, Sheet};
+use crate::pane::Pass;
+use crate::plane::RenderStats;
 use crate::plane::descent::{Cut, Descent, Node, Visit};
-use crate::plane::inks::{InkTable, Inks, Shade};
+use crate::plane::opaque_picture::Plan;
 use crate::plane::pen::Pen;
-use crate::plane::picture::Plan;
 use crate::plane::view::{Measure, ViewTransform};
-use crate::plane::{Amount, Pass, RenderStats};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Item, Line};
 
@@ -131,7 +134,7 @@ impl Picture {
         // Tiles that hold dots of another size would spoil this picture.
         let other_dots = core::mem::replace(&mut self.dots.extent, grid.dot) != grid.dot;
         self.grid = grid;
-        self.tiling.limit(grid.chunks);
+        self.tiling.begin(grid);
         if self.pigments.prepare(&plan.style, self.table.choice) | changed | other_dots || measure != self.measure {
             self.measure = measure;
             self.tiling.clear();
@@ -158,8 +161,7 @@ impl Picture {
         }
         self.dots.next_growth = STEPS + STEPS_PER_SUM * (size[0] * size[1]) as u64;
         self.dots.work = 0;
-        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, grid.samples());
-        let transform = grid.transform(transform, plan.pane);
+        let transform = ViewTransform::new(drawing, plan.viewport, plan.view, grid.samples()).of_grid(grid, plan.pane);
         self.start.extend(self.descent.root(drawing, transform));
         self.cut = plan.upto.map(Cut::new);
         (self.stage, self.pass) = (Stage::Cut, plan.pass);
@@ -171,7 +173,7 @@ impl Picture {
         if matches!(self.pass, Pass::Count | Pass::Show) {
             return self.draw(self.finding);
         }
-        self.count(Survey::new([self.sheets[0].width, self.sheets[0].height]));
+        self.count(Survey::new([self.sheets[0].width, self.sheets[0].height], self.grid.is_sketch));
         0
     }
 
@@ -193,7 +195,7 @@ impl Picture {
         let exponent = all.exponent().map_or(0, |exponent| (exponent - LARGEST_EXPONENT).max(0));
         self.tiling.set_unit(exponent);
         self.sheets[0].exponent = exponent;
-        self.apron = if grain > 0.0 { Haze::apron(grain) } else { 0 };
+        self.apron = if grain > 0.0 { Haze::apron(grain, self.grid.is_sketch) } else { 0 };
         if grain > 0.0 { self.haze.reset(&self.sheets[0], self.apron) } else { 0 }
     }
 

@@ -1,33 +1,14 @@
-//! The effect of inks on the paper's light, and the mean of a block's inks.
+//! The mean of a block's inks.
 
 use super::deposit::{Deposit, part};
-use super::sheet::Pigment;
-use crate::plane::inks::{Choice, InkTable, Inks, Shade};
+use crate::ink::{Choice, InkTable, Inks, Shade};
+use crate::ink::{Pigment, pigment};
 use core::hash::BuildHasherDefault;
 use lsystem_base::Meter;
 use lsystem_base::Mixer;
 use lsystem_drawing::{Drawing, Item};
-use lsystem_syntax::{Colour, Style};
+use lsystem_syntax::Style;
 use std::collections::HashMap;
-
-/// The least part of light that a channel reflects: half of one of 256 levels, because the logarithm of 0 is infinite.
-const LEAST_LIGHT: f64 = 1.0 / 512.0;
-
-/// How much one layer of ink darkens each channel (Beer's law): the natural logarithm of the paper's light over the
-/// ink's light. For an ink lighter than the paper: minus the logarithm of the ratio of the light that each lacks.
-pub(crate) fn pigment(ink: Colour, paper: Colour) -> Pigment {
-    [0, 1, 2].map(|channel| {
-        let [ink, paper] = [ink, paper].map(|colour| f64::from(colour.rgb[channel]) / 255.0);
-        let part = |ink: f64, paper: f64| libm::log(paper.max(LEAST_LIGHT) / ink.max(LEAST_LIGHT));
-        (if ink <= paper { part(ink, paper) } else { -part(1.0 - ink, 1.0 - paper) }) as f32
-    })
-}
-
-/// The light that a channel of the paper reflects under an amount of pigment, as a part of full light.
-pub(super) fn light(paper: u8, pigment: f64) -> f64 {
-    let paper = f64::from(paper) / 255.0;
-    if pigment >= 0.0 { paper * libm::exp(-pigment) } else { 1.0 - (1.0 - paper) * libm::exp(pigment) }
-}
 
 /// The pigments of a picture's inks, and the mean pigments of blocks with several inks, found on demand.
 #[derive(Default)]
@@ -74,7 +55,7 @@ pub(super) struct MeanSource<'a> {
 }
 
 /// The most means, and the most mixtures, that are remembered, to bound the memory.
-const MOST_REMEMBERED: usize = 1 << 18;
+const MAX_REMEMBERED: usize = 1 << 18;
 
 impl Pigments {
     pub(super) fn clear(&mut self) {
@@ -109,7 +90,7 @@ impl Pigments {
 
     /// Starts to find the mean of a block.
     pub(super) fn ask(&mut self, block: u32, entry: Shade) {
-        if self.means.len() > MOST_REMEMBERED || self.mixtures.len() > MOST_REMEMBERED {
+        if self.means.len() > MAX_REMEMBERED || self.mixtures.len() > MAX_REMEMBERED {
             (self.means, self.mixtures) = Default::default();
         }
         self.stop();

@@ -1,11 +1,13 @@
 //! The survey of a picture of sums: finds in bounded work the least extent of blocks that can be drawn.
 
-use crate::plane::Amount;
+use crate::ink::Amount;
 
 /// Blocks up to this extent, in pixels, are put together from tiles.
 const TILED: f64 = 64.0;
 /// The most visits of a count. With more, larger blocks are drawn as haze.
-const MOST_VISITS: u64 = 40_000;
+const MAX_VISITS: u64 = 40_000;
+/// As [`MAX_VISITS`], in a sketch.
+const SKETCH_VISITS: u64 = 2_500;
 /// If a count is not over, the next grain is divided by this.
 const FINER: f64 = 4.0;
 /// If a count is over, the next grain is multiplied by this.
@@ -26,6 +28,8 @@ pub(super) struct Finding {
 pub(super) struct Survey {
     /// The grain in pixels.
     pub grain: f64,
+    /// The most visits of a count.
+    most: u64,
     /// The ink of all visited items that are not looked into.
     all: Amount,
     /// The items visited.
@@ -46,8 +50,9 @@ pub(super) enum Next {
 
 impl Survey {
     /// The first count, of a picture of this size in pixels.
-    pub(super) fn new(size: [usize; 2]) -> Self {
-        Self { grain: 4.0 * size[0].max(size[1]) as f64, ..Self::default() }
+    pub(super) fn new(size: [usize; 2], is_sketch: bool) -> Self {
+        let most = if is_sketch { SKETCH_VISITS } else { MAX_VISITS };
+        Self { grain: 4.0 * size[0].max(size[1]) as f64, most, ..Self::default() }
     }
 
     /// Counts a visit to an item; `ink` is 0 if the item is looked into.
@@ -58,11 +63,11 @@ impl Survey {
 
     /// Whether there were too many visits.
     pub(super) fn is_over(&self) -> bool {
-        self.visits > MOST_VISITS
+        self.visits > self.most
     }
 
     fn count_with(&self, grain: f64) -> Next {
-        Next::Count(Self { grain, is_rising: self.is_over(), found: self.found, ..Self::default() })
+        Next::Count(Self { grain, most: self.most, is_rising: self.is_over(), found: self.found, ..Self::default() })
     }
 
     /// The step after this count, which is over or complete.

@@ -1,6 +1,7 @@
 //! Small pictures of blocks in sums of ink, made once and added wherever the block recurs.
 
-use super::sheet::{BAND, Band, LANES, Sheet, Stamp};
+use crate::ink::Sheet;
+use crate::ink::sheet::{BAND, Band, LANES, Stamp};
 use crate::plane::top_down::tile::Key;
 use core::hash::BuildHasherDefault;
 use lsystem_base::Mixer;
@@ -15,6 +16,8 @@ const LEAST_STROKES: [u32; SIZES] = [64, 24, 12];
 const STEPS: f64 = 4.0;
 /// The places for origins of blocks whose strokes are distinguishable, as long as memory allows.
 const SPARSE_STEPS: f64 = 8.0;
+/// The places for all origins in a sketch.
+const SKETCH_STEPS: f64 = 1.0;
 /// Numbers in a chunk of memory (1 MiB); no tile needs more.
 const CHUNK: usize = 1 << 18;
 /// The most bands of all tiles (0.8 MiB). If more are needed, all tiles are dropped and made again as needed.
@@ -38,10 +41,16 @@ pub(super) fn is_sparse(extent: f64, strokes: u32) -> bool {
     f64::from(strokes) < extent * extent
 }
 
-/// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps: its pixel, the step in the
-/// pixel, and the step in pixels.
-pub(super) fn snap(at: [f64; 2], fine: bool) -> ([i64; 2], [u8; 2], [f64; 2]) {
-    let steps = if fine { SPARSE_STEPS } else { STEPS };
+/// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps, or in those of a sketch: its pixel,
+/// the step in the pixel, and the step in pixels.
+pub(super) fn snap(at: [f64; 2], fine: bool, is_sketch: bool) -> ([i64; 2], [u8; 2], [f64; 2]) {
+    let steps = if is_sketch {
+        SKETCH_STEPS
+    } else if fine {
+        SPARSE_STEPS
+    } else {
+        STEPS
+    };
     let whole = at.map(|v| (v * steps + 0.5).floor() as i64);
     let offset = whole.map(|v| v.rem_euclid(steps as i64) as u8);
     (whole.map(|v| v.div_euclid(steps as i64)), offset, offset.map(|v| f64::from(v) / steps))

@@ -1,9 +1,10 @@
 //! Blocks drawn once, as tiles, and added wherever they recur.
 
-use super::sheet::{Pigment, Sheet};
 use super::tile::{self, InkKey, SIZES, Tile, Tiles};
+use crate::ink::Grid;
+use crate::ink::Shade;
+use crate::ink::{Pigment, Sheet};
 use crate::plane::descent::{Node, Place};
-use crate::plane::inks::Shade;
 use crate::plane::top_down::tile::{self as opaque, Key};
 
 /// Once tiles had to be dropped, only blocks smaller than this extent, in pixels, get tiles.
@@ -69,6 +70,8 @@ pub(super) struct Tiling {
     unfinished: Vec<UnfinishedTile>,
     /// The exponent of the unit of the tiles' sums.
     unit: i32,
+    /// Whether tiles have the few places of a sketch.
+    is_sketch: bool,
 }
 
 /// The result of asking for a tile.
@@ -87,9 +90,13 @@ impl Tiling {
         self.tiles.clear();
     }
 
-    /// Sets the most chunks of memory for tiles.
-    pub(super) fn limit(&mut self, chunks: usize) {
-        self.tiles.limit(chunks);
+    /// Takes the memory for tiles and their places from the grid of a picture. Tiles in other places are dropped.
+    pub(super) fn begin(&mut self, grid: Grid) {
+        self.tiles.limit(grid.chunks);
+        if self.is_sketch != grid.is_sketch {
+            self.is_sketch = grid.is_sketch;
+            self.tiles.clear();
+        }
     }
 
     /// Gives up the unfinished tiles.
@@ -127,7 +134,7 @@ impl Tiling {
         let WantedTile { height, size, strokes, width, shade, pigment } = wanted;
         let Place { origin, scale, heading, .. } = node.place;
         let fine = !self.tiles.crowded && tile::is_sparse(footprint.extent, strokes);
-        let (pixel, offset, rest) = tile::snap(origin, fine);
+        let (pixel, offset, rest) = tile::snap(origin, fine, self.is_sketch);
         let key = Key { block: node.block, heading, scale: opaque::scale(scale), offset, fine, width };
         let key = InkKey { key, shade: shade.map(|shade| shade.number) };
         let destination = Destination { sheet: node.canvas, pixel, pigment };

@@ -1,15 +1,16 @@
 //! The tiles that may have ink: a search for a stroke that reaches into a tile.
 
 use super::{Pyramid, TilePlace};
+use crate::ink::Choice;
 use crate::plane::descent::{Descent, Node, Visit};
-use crate::plane::inks::Choice;
-use crate::plane::view::{Detail, Measure, ViewTransform};
+use crate::plane::view::{Measure, ViewTransform};
+use crate::viewport::Detail;
 use lsystem_drawing::Item;
 
 /// The most items that a search visits. In a tile with ink, a search ends after about as many items as the graph is deep.
-const MOST_ITEMS: usize = 1 << 13;
+const MAX_ITEMS: usize = 1 << 13;
 /// The same for a sample of tiles, of which a deep level makes thousands of searches.
-const MOST_SAMPLED: usize = 1 << 9;
+const MAX_SAMPLED: usize = 1 << 9;
 /// The part of a coordinate that may be rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -23,12 +24,12 @@ pub(super) struct Finder {
 
 impl Finder {
     pub(super) fn new() -> Self {
-        Self { most: MOST_ITEMS, descent: Descent::default(), stack: vec![] }
+        Self { most: MAX_ITEMS, descent: Descent::default(), stack: vec![] }
     }
 
     /// For a sample of tiles.
     pub(super) fn of_sample() -> Self {
-        Self { most: MOST_SAMPLED, ..Self::new() }
+        Self { most: MAX_SAMPLED, ..Self::new() }
     }
 
     pub(super) fn may_have_ink(&mut self, pyramid: &Pyramid, tile: TilePlace) -> bool {

@@ -13,12 +13,13 @@ mod share;
 mod tile_renderer;
 
 pub use finder::Tiles;
-pub use share::Share;
+pub use share::TileShare;
 pub use tile_renderer::TileRenderer;
 
 use super::shape::Shapes;
-use super::view::{View, Viewport, fitted_scale};
+use super::view::{View, fitted_scale};
 use super::wide::Wide;
+use crate::viewport::Viewport;
 use finder::Finder;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
@@ -124,15 +125,15 @@ impl Pyramid {
 
     /// Some tiles of a level that may have ink, spread over the drawing: all, or at most 16.
     fn sample(&self, level: u32) -> Vec<TilePlace> {
-        const MOST: usize = 16;
+        const MAX: usize = 16;
         let mut finder = Finder::of_sample();
         let mut tiles = vec![TilePlace::WHOLE];
         for _ in 0..level {
             tiles = tiles.iter().flat_map(|tile| tile.below()).collect();
             tiles.retain(|tile| finder.may_have_ink(self, *tile));
             let all = tiles.len();
-            if all > MOST {
-                tiles = (0..MOST).map(|at| tiles[at * all / MOST]).collect();
+            if all > MAX {
+                tiles = (0..MAX).map(|at| tiles[at * all / MAX]).collect();
             }
         }
         tiles

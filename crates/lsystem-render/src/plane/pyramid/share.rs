@@ -5,7 +5,7 @@ use super::TilePlace;
 /// One of several equal parts of a pyramid. The tiles below a tile of a middle level belong to the same part, so that a
 /// worker looks at few tiles of others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Share {
+pub struct TileShare {
     part: u32,
     of: u32,
     /// The level at which parts divide.
@@ -15,7 +15,7 @@ pub struct Share {
 /// The least number of tiles of the middle level for each part, so that all parts take about the same time.
 const TILES_OF_A_PART: u64 = 64;
 
-impl Share {
+impl TileShare {
     /// All tiles.
     pub const ALL: Self = Self { part: 0, of: 1, level: 0 };
 

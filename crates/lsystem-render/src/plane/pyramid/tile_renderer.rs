@@ -1,7 +1,9 @@
 //! The pictures of a pyramid's tiles.
 
 use super::{Pyramid, TilePlace};
-use crate::plane::{Pane, Pass, RenderStats, Renderer, View, Viewport};
+use crate::pane::{Pane, Pass};
+use crate::plane::{RenderStats, Renderer, View};
+use crate::viewport::Viewport;
 use lsystem_base::Progress;
 use lsystem_syntax::Ink;
 use std::collections::VecDeque;
@@ -71,7 +73,7 @@ impl TileRenderer {
 
     fn next_pass(&mut self) {
         if let Some(&(view, viewport, pass)) = self.passes.front() {
-            // What a tile leaves for the next would depend on the order of tiles.
+            // Memory kept from one tile for the next would depend on the order of tiles.
             self.renderer.forget();
             let pane = Pane::whole(viewport);
             self.renderer.begin_pane(&self.pyramid.style, viewport, view, None, (pane, pass));

@@ -10,10 +10,10 @@ pub(in crate::plane) mod tiling;
 
 use super::canvas::stroke::Capsule;
 use super::descent::{Cut, Descent, Node};
-use super::inks::{Inks, Shade};
 use super::painter::{BROAD, Painter};
 use super::shape::Shape;
-use super::strategy::MOST_STEPS;
+use super::strategy::MAX_STEPS;
+use crate::ink::{Inks, Shade};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Drawing, Item, Polygon, Stroke};
 use passes::{Passes, sketch};
@@ -21,7 +21,7 @@ use tiling::{Bounds, Tiling};
 
 /// The largest extent of an outline at first, in subsamples: four pixels.
 const FIRST_OUTLINED: f64 = 16.0;
-/// The steps after which the extent of outlines doubles: a tenth of [`MOST_STEPS`].
+/// The steps after which the extent of outlines doubles: a tenth of [`MAX_STEPS`].
 const STEPS_TO_DOUBLE: u64 = 100_000;
 /// The part of a length that may be rounding.
 const ROUNDING: f64 = 1e-9;
@@ -57,7 +57,7 @@ impl Default for TopDown {
             tiling: Tiling::default(),
             passes: Passes::default(),
             outlined: 0.0,
-            next_growth: MOST_STEPS,
+            next_growth: MAX_STEPS,
             covered: 0,
         }
     }
@@ -77,7 +77,7 @@ impl TopDown {
     pub(super) fn begin(&mut self, context: &Context<'_>, root: Node, upto: Option<u128>, outlined: f64) {
         let Context { drawing, painter, descent, .. } = context;
         self.covered = 0;
-        self.next_growth = MOST_STEPS;
+        self.next_growth = MAX_STEPS;
         // Tiles that hold outlines of another extent would spoil this picture.
         if self.outlined != outlined {
             self.tiling.clear();

@@ -13,9 +13,9 @@ const FINER: f64 = 4.0;
 /// A grain up to this, in subsamples (8 pixels), is followed by the last pass.
 const FINEST_GRAIN: f64 = 32.0;
 /// The most items that are looked at in a block for one stroke of it.
-const MOST_ITEMS_OF_BLOCK: usize = 4096;
+const MAX_ITEMS_OF_BLOCK: usize = 4096;
 /// The most items that are looked at in all blocks on the way to that stroke.
-const MOST_ITEMS: usize = 1 << 15;
+const MAX_ITEMS: usize = 1 << 15;
 
 /// The passes of a picture.
 #[derive(Default)]
@@ -57,9 +57,9 @@ pub(in crate::plane) fn sketch(context: &mut Context<'_>, node: &Node) -> u64 {
     let work = loop {
         // The search may fail: the last pass paints every stroke.
         let items = drawing.items_of(node.block);
-        let every = items.len().div_ceil(MOST_ITEMS_OF_BLOCK).max(1);
+        let every = items.len().div_ceil(MAX_ITEMS_OF_BLOCK).max(1);
         looked_at += items.len() / every;
-        if looked_at > MOST_ITEMS {
+        if looked_at > MAX_ITEMS {
             break 0;
         }
         // The search descends into the nearest block.

@@ -3,11 +3,11 @@
 //! A tile holds the subsamples that a block covers at one size and heading, with its origin at one of a few places
 //! between two subsamples. Colours are relative to the colour at entry, so that one tile serves all entry colours.
 
+use crate::ink::{Dye, Inks, PLANES};
 use crate::plane::canvas::Canvas;
+use crate::plane::canvas::bit_words::GROUP;
 use crate::plane::canvas::bits::{Bits, Planes};
-use crate::plane::canvas::words::GROUP;
-use crate::plane::inks::{Dye, Inks, PLANES};
-use crate::plane::view::Detail;
+use crate::viewport::Detail;
 use core::hash::BuildHasherDefault;
 use lsystem_base::Mixer;
 use lsystem_drawing::BlockId;
@@ -22,6 +22,8 @@ const EXTENTS: [f64; 5] = [512.0, 256.0, 96.0, 28.0, 8.0];
 const STEPS: [f64; SIZES] = [2.0, 2.0, 4.0, 4.0, 4.0];
 /// The places for origins of blocks whose strokes are distinguishable, as long as memory allows.
 const SPARSE_STEPS: f64 = 8.0;
+/// The places for all origins in a sketch.
+const SKETCH_STEPS: f64 = 2.0;
 /// By size of tile: blocks of fewer strokes are painted stroke by stroke, which is as fast, and exact.
 const LEAST_STROKES: [u32; SIZES] = [64, 48, 16, 8, 8];
 /// The same for a picture with few strokes so far, so that simple drawings are exact throughout.
@@ -92,9 +94,15 @@ pub(in crate::plane) fn is_sparse(extent: f64, strokes: u32) -> bool {
     f64::from(strokes) < side * side
 }
 
-/// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps.
-pub(in crate::plane) fn snap(at: [f64; 2], size: usize, fine: bool) -> Snapped {
-    let steps = if fine { SPARSE_STEPS } else { STEPS[size] };
+/// The nearest place for the origin of a block's tile, in `fine` or in ordinary steps, or in those of a sketch.
+pub(in crate::plane) fn snap(at: [f64; 2], size: usize, fine: bool, is_sketch: bool) -> Snapped {
+    let steps = if is_sketch {
+        SKETCH_STEPS
+    } else if fine {
+        SPARSE_STEPS
+    } else {
+        STEPS[size]
+    };
     let whole = at.map(|v| (v * steps + 0.5).floor() as i64);
     let offset = whole.map(|v| v.rem_euclid(steps as i64) as u8);
     Snapped { cell: whole.map(|v| v.div_euclid(steps as i64)), offset, rest: offset.map(|v| f64::from(v) / steps) }
@@ -292,8 +300,8 @@ pub(in crate::plane) fn append_bits(canvas: &Canvas, words: &mut Vec<u64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ink::{Choice, Shade};
     use crate::plane::canvas::stroke::Capsule;
-    use crate::plane::inks::{Choice, Shade};
     use lsystem_syntax::{ColourBy, Style};
 
     #[test]

@@ -1,16 +1,19 @@
 //! Blocks painted once, as tiles, and stamped wherever they recur.
 
 use super::tile::{self, Key, Tile, Tiles};
+use crate::ink::{Inks, Shade};
 use crate::plane::descent::Node;
-use crate::plane::inks::{Inks, Shade};
 use crate::plane::painter::{BROAD, Painter};
 use crate::plane::shape::Shape;
+use crate::viewport::Detail;
 use lsystem_base::Meter;
 
 /// Makes and stamps the tiles of a picture.
 pub(in crate::plane) struct Tiling {
     /// Below this number of strokes on the picture, tiles are made only of blocks with many strokes.
     pub simple: u64,
+    /// Whether tiles have the few places of a sketch.
+    is_sketch: bool,
     tiles: Tiles,
     /// The unfinished tiles, the innermost last.
     unfinished: Vec<UnfinishedTile>,
@@ -52,7 +55,7 @@ pub(in crate::plane) struct Bounds {
 
 impl Default for Tiling {
     fn default() -> Self {
-        Self { simple: tile::SIMPLE_STROKES, tiles: Tiles::default(), unfinished: vec![] }
+        Self { simple: tile::SIMPLE_STROKES, is_sketch: false, tiles: Tiles::default(), unfinished: vec![] }
     }
 }
 
@@ -60,6 +63,14 @@ impl Tiling {
     /// Forgets all tiles.
     pub(in crate::plane) fn clear(&mut self) {
         self.tiles.clear();
+    }
+
+    /// Starts a picture in this detail. Tiles in other places are dropped.
+    pub(in crate::plane) fn begin(&mut self, detail: Detail) {
+        if self.is_sketch != (detail == Detail::Sketch) {
+            self.is_sketch = !self.is_sketch;
+            self.tiles.clear();
+        }
     }
 
     /// Gives up the unfinished tiles.
@@ -105,7 +116,7 @@ impl Tiling {
         let place = node.place;
         let inks = painter.inks.of(node.block.0 as usize);
         let fine = !self.tiles.crowded && tile::is_sparse(shape.extent(place.scale), shape.strokes);
-        let snapped = tile::snap(place.origin, size, fine);
+        let snapped = tile::snap(place.origin, size, fine, self.is_sketch);
         let key = Key {
             block: node.block,
             heading: place.heading,

@@ -1,7 +1,7 @@
 //! The colours of nodes.
 
 use super::*;
-use crate::plane::pigment;
+use crate::ink::pigment;
 use lsystem_syntax::Ink;
 
 impl Scene {
@@ -17,9 +17,9 @@ impl Scene {
         if choice != self.choice || palette != self.palette || self.means.is_empty() && !self.along {
             (self.choice, self.palette) = (choice, palette);
             // Unfolded drawings enter each node once, so one mean for each node is enough.
-            let few = !self.memoised || self.whole[0].saturating_mul(colours as usize) > MOST_MEANS;
+            let few = !self.memoised || self.whole[0].saturating_mul(colours as usize) > MAX_MEANS;
             // Colours along the path need no means.
-            self.along = style.colour_by == ColourBy::Path;
+            self.along = !style.colour_by.source().is_shared();
             self.entries = if self.along {
                 0
             } else if few {

@@ -90,7 +90,7 @@ impl Scene {
         let radius = farthest.fold(0.0, f64::max);
         let main_line = longest(&main_lines);
         let needs = run.links.iter().map(|link| self.nodes[link.node as usize].summary.need);
-        let need = (needs.sum::<f32>() + contents as f32).min(MOST_NEED);
+        let need = (needs.sum::<f32>() + contents as f32).min(MAX_NEED);
         let sampled = self.sample(&run, length);
         let summary =
             Summary { centre, radius, length, area, bundle, widest, main_line, need, sampled, count: run.count };

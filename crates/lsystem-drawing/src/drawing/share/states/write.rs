@@ -153,7 +153,7 @@ impl<S: Space> States<S> {
                     // An image counts as a step after generation `n`.
                     acted.map_err(|error| fault(&self.rules, error, self.n, &Limits::default(), None))?;
                     let grows = writing.fully_grown.is_some_and(|continuation| continuation != Some(number));
-                    if grows || task.score.sways() {
+                    if grows || task.score.has_wind() {
                         commands[before..].iter_mut().for_each(|command| {
                             if let TurtleCommand::Op(op) = command {
                                 *op = task.score.changed(*op, grows, writing.origin.step);

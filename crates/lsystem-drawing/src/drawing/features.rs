@@ -23,7 +23,7 @@ pub struct Line {
 
 /// A block's main features.
 #[derive(Clone, Debug)]
-pub struct Shape {
+pub struct BlockFeatures {
     /// The stroke equal to all strokes of the block, if these have one style and follow each other straight ahead.
     pub straight: Option<Line>,
     /// Whether the block contains polygons.
@@ -32,7 +32,7 @@ pub struct Shape {
     pub longest: Line,
 }
 
-impl Shape {
+impl BlockFeatures {
     /// The shape of a block. `inner` are the shapes of all earlier blocks, in order.
     #[must_use]
     pub fn new(block: &Block, inner: &[Self], drawing: &Drawing, directions: &mut Directions) -> Self {

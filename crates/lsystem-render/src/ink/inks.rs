@@ -4,7 +4,7 @@ use super::sweep::{BlockVisitor, Sweep};
 use lsystem_base::MAX_PALETTE;
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::{Block, BlockId, ColourChange, Drawing, Item, StyleChange, StyleId};
-use lsystem_syntax::{ColourBy, Style};
+use lsystem_syntax::{ColourSource, Style};
 
 /// A colour inside a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -17,15 +17,15 @@ pub(crate) struct Shade {
 
 impl Shade {
     /// The shade as bits of planes: the digits of the number, then the bit `fixed`.
-    pub(super) fn code(self, digits: usize) -> u32 {
+    pub(crate) fn code(self, digits: usize) -> u32 {
         self.number | u32::from(self.fixed) << digits
     }
 }
 
 /// How colours are chosen for a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Choice {
-    by: ColourBy,
+    by: ColourSource,
     /// The number of colours in the palette; at least 1.
     pub colours: u32,
     /// Whether a stroke has the faint colour, whose number is `colours`.
@@ -34,13 +34,19 @@ pub(crate) struct Choice {
     holds: bool,
 }
 
+impl Default for Choice {
+    fn default() -> Self {
+        Self { by: ColourSource::Index, colours: 0, has_faint: false, holds: false }
+    }
+}
+
 impl Choice {
     /// The choice of a style, for a drawing with these style changes.
     pub(crate) fn new(style: &Style, changes: &[StyleChange]) -> Self {
-        let by = style.colour_by;
+        let by = style.colour_by.source();
         // If numbers can become smaller again, numbers beyond the palette must stay apart.
         let falls =
-            by != ColourBy::Level && changes.iter().any(|change| matches!(change.colour, ColourChange::Add(..0)));
+            by != ColourSource::Level && changes.iter().any(|change| matches!(change.colour, ColourChange::Add(..0)));
         let largest = changes.iter().map(|change| change.colour.of(0).max(0).unsigned_abs());
         let apart = if style.holds() && falls { largest.max().unwrap_or(0).saturating_add(1) } else { 1 };
         let has_faint = style.is_faint(Style::FAINT) && changes.iter().any(is_faint);
@@ -73,10 +79,10 @@ impl Choice {
         }
         match (self.by, change.colour) {
             // Colours along the path come from the descent, and those by density from the tone curve.
-            (ColourBy::Single | ColourBy::Path | ColourBy::Density, _) => moving(0),
-            (ColourBy::Level, _) => moving(self.wrapped(i64::from(change.level))),
-            (_, ColourChange::Set(index)) => Shade { number: wrapped(index), fixed: true },
-            (_, ColourChange::Add(count)) => moving(wrapped(count)),
+            (ColourSource::Constant | ColourSource::Along | ColourSource::Ink, _) => moving(0),
+            (ColourSource::Level, _) => moving(self.wrapped(i64::from(change.level))),
+            (ColourSource::Index, ColourChange::Set(index)) => Shade { number: wrapped(index), fixed: true },
+            (ColourSource::Index, ColourChange::Add(count)) => moving(wrapped(count)),
         }
     }
 
@@ -98,7 +104,7 @@ fn is_faint(change: &StyleChange) -> bool {
 
 /// The shades of a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Inks {
+pub(crate) enum Inks {
     /// The block draws nothing.
     #[default]
     None,
@@ -127,7 +133,7 @@ impl Inks {
 
 /// The colours of all blocks of a drawing.
 #[derive(Debug, Default)]
-pub(super) struct InkTable {
+pub(crate) struct InkTable {
     pub choice: Choice,
     /// Whether the table belongs to the present drawing.
     ready: bool,
@@ -147,12 +153,12 @@ pub(super) struct InkTable {
 
 impl InkTable {
     /// Forgets the drawing.
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.ready = false;
     }
 
     /// Starts the table for a drawing, unless the present table fits. Returns whether anything changes.
-    pub(super) fn choose(&mut self, drawing: &Drawing, style: &Style) -> bool {
+    pub(crate) fn choose(&mut self, drawing: &Drawing, style: &Style) -> bool {
         let choice = Choice::new(style, &drawing.styles);
         if self.ready && self.choice == choice {
             return false;
@@ -162,7 +168,7 @@ impl InkTable {
     }
 
     /// Goes on with the table, until it is made.
-    pub(super) fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
+    pub(crate) fn prepare(&mut self, drawing: &Drawing, meter: &mut Meter) -> Progress {
         let mut sweep = self.sweep;
         let progress = sweep.step(self, drawing, meter);
         self.sweep = sweep;
@@ -178,7 +184,7 @@ impl InkTable {
         self.fixes = drawing.styles.iter().any(|style| choice.shade(style).fixed);
         let start = Shade { number: 0, fixed: true };
         self.used = match drawing.root.map(|root| self.of(root.0 as usize).after(choice, start)) {
-            Some(Inks::One(_)) if choice.by == ColourBy::Path => (0..choice.colours).collect(),
+            Some(Inks::One(_)) if !choice.by.is_shared() => (0..choice.colours).collect(),
             Some(Inks::One(shade)) => vec![shade.number],
             Some(Inks::Many) => (0..choice.inks()).collect(),
             _ => vec![],
@@ -186,33 +192,33 @@ impl InkTable {
     }
 
     /// The palette entries of the picture, by number.
-    pub(super) fn used(&self) -> &[u32] {
+    pub(crate) fn used(&self) -> &[u32] {
         &self.used
     }
 
     /// The shades of a block.
-    pub(super) fn of(&self, block: usize) -> Inks {
+    pub(crate) fn of(&self, block: usize) -> Inks {
         self.blocks.get(block).copied().unwrap_or_default()
     }
 
     /// Binary digits of a palette entry's number.
-    pub(super) fn digits(&self) -> usize {
+    pub(crate) fn digits(&self) -> usize {
         (u32::BITS - (self.choice.inks() - 1).leading_zeros()) as usize
     }
 
     /// The number of bit planes for the colours of the picture.
-    pub(super) fn picture_planes(&self) -> usize {
+    pub(crate) fn picture_planes(&self) -> usize {
         if self.used.len() > 1 { self.digits() } else { 0 }
     }
 
     /// The number of bit planes for the colours of a tile: the digits of the number and, if some shade is fixed, one
     /// more for the bit `fixed`.
-    pub(super) fn planes(&self, inks: Inks) -> usize {
+    pub(crate) fn planes(&self, inks: Inks) -> usize {
         if inks == Inks::Many { self.digits() + usize::from(self.fixes) } else { 0 }
     }
 
     /// The dye for a tile with these shades that is entered with `shade`.
-    pub(super) fn dye(&self, inks: Inks, shade: Shade) -> Dye {
+    pub(crate) fn dye(&self, inks: Inks, shade: Shade) -> Dye {
         let entry = match inks {
             Inks::One(own) => self.choice.then(shade, own),
             _ => shade,
@@ -221,7 +227,7 @@ impl InkTable {
     }
 
     /// The shade as bits of planes.
-    pub(super) fn code(&self, shade: Shade) -> u32 {
+    pub(crate) fn code(&self, shade: Shade) -> u32 {
         shade.code(self.digits())
     }
 }
@@ -254,7 +260,7 @@ impl BlockVisitor for InkTable {
 
 /// Turns the shades of a tile into the shades at the place where the tile is stamped, 64 subsamples at a time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Dye {
+pub(crate) struct Dye {
     /// The shade at the block's entry.
     pub entry: Shade,
     pub choice: Choice,
@@ -263,18 +269,18 @@ pub(super) struct Dye {
 }
 
 /// The most bit planes of a picture's colours: the digits of [`MAX_PALETTE`] colours' numbers.
-pub(super) const PLANES: usize = MAX_PALETTE.next_power_of_two().trailing_zeros() as usize;
+pub(crate) const PLANES: usize = MAX_PALETTE.next_power_of_two().trailing_zeros() as usize;
 
 impl Dye {
     /// Whether a tile of `planes` bit planes becomes one shade throughout.
     #[inline(always)]
-    pub(super) fn is_even(&self, planes: usize) -> bool {
+    pub(crate) fn is_even(&self, planes: usize) -> bool {
         planes == 0 || self.choice.holds && self.entry.number + 1 == self.choice.colours && planes <= self.digits
     }
 
     /// Adds the number of the entry's shade to the numbers of a tile, but for `fixed` subsamples. `numbers` has the
     /// words of each digit.
-    pub(super) fn apply<const N: usize>(&self, numbers: &mut [[u64; N]], fixed: &[u64; N]) {
+    pub(crate) fn apply<const N: usize>(&self, numbers: &mut [[u64; N]], fixed: &[u64; N]) {
         let by = self.entry.number;
         if by == 0 {
             return;
@@ -320,7 +326,7 @@ mod tests {
     fn dyeing_adds_within_the_palette() {
         for (colours, holds) in [2, 3, 5, 8, 100, 256].into_iter().flat_map(|c| [(c, false), (c, true)]) {
             let digits = (u32::BITS - (colours - 1_u32).leading_zeros()) as usize;
-            let choice = Choice { by: ColourBy::Symbol, colours, has_faint: false, holds };
+            let choice = Choice { by: ColourSource::Index, colours, has_faint: false, holds };
             for by in (0..colours).step_by(7) {
                 for number in 0..colours {
                     for fixed in [false, true] {

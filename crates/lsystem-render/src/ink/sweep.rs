@@ -5,14 +5,14 @@ use lsystem_drawing::{Block, Drawing, Item};
 
 /// The item that is visited next, as indices.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Sweep {
+pub(crate) struct Sweep {
     block: usize,
     pass: usize,
     item: usize,
 }
 
 /// Collects facts about each block, children before parents.
-pub(super) trait BlockVisitor {
+pub(crate) trait BlockVisitor {
     /// How often the items of a block are visited.
     const PASSES: usize = 1;
 
@@ -25,7 +25,7 @@ pub(super) trait BlockVisitor {
 
 impl Sweep {
     /// Goes on until all blocks are done or the meter is spent.
-    pub(super) fn step<V: BlockVisitor>(&mut self, visitor: &mut V, drawing: &Drawing, meter: &mut Meter) -> Progress {
+    pub(crate) fn step<V: BlockVisitor>(&mut self, visitor: &mut V, drawing: &Drawing, meter: &mut Meter) -> Progress {
         while let Some(block) = drawing.blocks.get(self.block) {
             let items = drawing.contents(block);
             while self.pass < V::PASSES {

@@ -1,15 +1,17 @@
 //! An opaque picture in the making: its plan, and the strategy that makes it.
 
+use super::RenderStats;
 use super::bottom_up::{BottomUp, PartSource};
 use super::canvas::Canvas;
 use super::descent::{Descent, Node};
 use super::painter::Painter;
-use super::pane::Pass;
 use super::shape::Shape;
-use super::strategy::{MOST_STEPS, Strategy};
+use super::strategy::{MAX_STEPS, Strategy};
 use super::top_down::{Context, TopDown};
-use super::view::{Detail, Measure, View, ViewTransform, Viewport};
-use super::{Pane, RenderStats};
+use super::view::{Measure, View, ViewTransform};
+use crate::pane::Pane;
+use crate::pane::Pass;
+use crate::viewport::{Detail, Viewport};
 use lsystem_base::{Meter, Progress};
 use lsystem_drawing::Drawing;
 use lsystem_syntax::Style;
@@ -108,6 +110,7 @@ impl Picture {
             self.painter.measure = measure;
             self.top_down.tiling.clear();
         }
+        self.top_down.tiling.begin(plan.detail);
         self.plan = Some((plan, scale));
     }
 
@@ -204,7 +207,7 @@ impl Picture {
             if progress == Progress::Done || steps <= most {
                 return progress;
             }
-            self.probe = (steps <= MOST_STEPS).then_some(Strategy::next_judgement(steps));
+            self.probe = (steps <= MAX_STEPS).then_some(Strategy::next_judgement(steps));
             if Strategy::judge(&self.top_down, &mut context, steps) == Strategy::BottomUp {
                 self.start_bottom_up(drawing, shapes);
                 self.probe = None;

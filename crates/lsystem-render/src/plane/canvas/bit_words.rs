@@ -8,7 +8,7 @@ pub(in crate::plane) const STRIP: usize = u64::BITS as usize;
 pub(in crate::plane) const GROUP: usize = 8;
 /// The most bare subsamples, of 512, in a group that counts as covered on a canvas that leaves holes, because the last
 /// holes of a crowd take longest to fill. A whole picture is off by 1/255 at most, and 8x8 pixels by 2/255.
-const MOST_HOLES: u32 = 2;
+const MAX_HOLES: u32 = 2;
 
 /// The words of a group.
 pub(in crate::plane) type GroupBits = [u64; GROUP];
@@ -98,7 +98,7 @@ pub(in crate::plane) fn has_only_holes(rows: &[u64]) -> bool {
     let mut holes = 0;
     rows.iter().all(|row| {
         holes += row.count_zeros();
-        holes <= MOST_HOLES
+        holes <= MAX_HOLES
     })
 }
 

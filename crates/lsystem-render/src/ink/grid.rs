@@ -1,13 +1,12 @@
 //! The places of sums in a picture.
 
-use crate::plane::view::ViewTransform;
-use crate::plane::{Detail, Pane, Viewport};
+use crate::viewport::{Detail, Viewport};
 use lsystem_syntax::Ink;
 
-/// Pixels along the side of a place in a coarse picture: a ninth of the sums of a fine picture.
+/// Pixels along the side of a place in a sketch: a ninth of the sums of a fine picture.
 const COARSE_SIDE: u32 = 3;
 /// The most sums that shade a picture. A larger picture has larger places.
-const MOST_SHADING_SUMS: f64 = (1 << 22) as f64;
+const MAX_SHADING_SUMS: f64 = (1 << 22) as f64;
 /// The largest extent of a dot that shades, in pixels: a block whose ink is all added at its centre of gravity. Larger
 /// dots would blur shades.
 const SHADING_DOT: f64 = 2.0;
@@ -28,39 +27,37 @@ pub(crate) struct Grid {
     pub points: f64,
     /// The most chunks of memory for tiles.
     pub chunks: usize,
+    /// Whether the picture is a [sketch](Detail::Sketch): larger blocks are drawn as haze, and tiles have fewer places.
+    pub is_sketch: bool,
 }
 
 impl Grid {
     pub(crate) fn new(ink: Ink, viewport: Viewport, detail: Detail) -> Self {
-        let coarse = if detail == Detail::Coarse { COARSE_SIDE } else { 1 };
+        let is_sketch = detail == Detail::Sketch;
+        let coarse = if detail == Detail::Fine { 1 } else { COARSE_SIDE };
         if ink != Ink::Auto {
-            return Self { side: coarse, margin: 0, dot: 1.0, points: 2.0, chunks: CHUNKS[0] };
+            return Self { side: coarse, margin: 0, dot: 1.0, points: 2.0, chunks: CHUNKS[0], is_sketch };
         }
         let pixels = f64::from(viewport.width) * f64::from(viewport.height);
-        let least = (pixels / MOST_SHADING_SUMS).sqrt().ceil() as u32;
+        let least = (pixels / MAX_SHADING_SUMS).sqrt().ceil() as u32;
         let side = coarse.max(least);
-        Self { side, margin: 1, dot: (SHADING_DOT / f64::from(side)).max(1.0), points: 1.0, chunks: CHUNKS[1] }
+        let dot = (SHADING_DOT / f64::from(side)).max(1.0);
+        Self { side, margin: 1, dot, points: 1.0, chunks: CHUNKS[1], is_sketch }
     }
 
     /// The number of sums along the side of a pixel.
-    pub(super) fn samples(self) -> f64 {
+    pub(crate) fn samples(self) -> f64 {
         1.0 / f64::from(self.side)
     }
 
     /// The number of places across and down.
-    pub(in crate::plane) fn size(self, [width, height]: [u32; 2]) -> [usize; 2] {
+    pub(crate) fn size(self, [width, height]: [u32; 2]) -> [usize; 2] {
         [width, height].map(|pixels| (pixels.div_ceil(self.side) + 2 * self.margin) as usize)
-    }
-
-    /// The transform with the origin in the upper left corner of a pane's first place.
-    pub(super) fn transform(self, transform: ViewTransform, pane: Pane) -> ViewTransform {
-        let transform = transform.of_pane(pane, self.samples());
-        ViewTransform { middle: transform.middle.map(|middle| middle + f64::from(self.margin)), ..transform }
     }
 
     /// The last place whose centre is not beyond the centre of a pixel, and the part of the way to the next one.
     /// Without a margin, pixels at the edge have no such place.
-    pub(super) fn before(self, pixel: u32) -> (u32, f32) {
+    pub(crate) fn before(self, pixel: u32) -> (u32, f32) {
         let (halves, at) = (2 * self.side, 2 * pixel + 1 + self.side * (2 * self.margin).saturating_sub(1));
         (at / halves, (at % halves) as f32 / halves as f32)
     }

@@ -3,7 +3,7 @@
 /// The least opaque pixel, but at least as opaque as `least`, that shows `colour` over `paper`, to a level of each channel.
 /// Ink that adds up takes another part
 /// of each channel's light, and a pixel has one opacity: so the pixel is exact over this paper only.
-pub(super) fn least_opaque(colour: [u8; 3], paper: [u8; 3], least: u8) -> [u8; 4] {
+pub(crate) fn least_opaque(colour: [u8; 3], paper: [u8; 3], least: u8) -> [u8; 4] {
     let channels = [0, 1, 2].map(|channel| (i32::from(colour[channel]), i32::from(paper[channel])));
     // The opacity at which the channel of the pixel would be 0 or 255.
     let needed = channels.map(|(colour, paper)| {

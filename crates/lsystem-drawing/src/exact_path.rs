@@ -1,19 +1,19 @@
 //! How the turtle came to the places of a shared drawing.
 //!
 //! The coordinates of blocks are rounded: in a drawing 10^300 steps wide, two parts that touch lie 10^284 steps apart or
-//! overlap by as much. The course keeps the way to each place as a sum, so that places can be computed to any precision.
+//! overlap by as much. The exact path keeps the way to each place as a sum, so that places can be computed to any precision.
 
 use crate::Plane;
 use crate::room::{bytes_for, bytes_of, reserve};
 use crate::space::Geometry;
 
 /// A place in the frame of a piece: the turtle enters at the origin heading along +x. The unit is that of the drawing's
-/// course.
+/// exact_path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spot(pub(crate) u32);
 
 impl Spot {
-    /// The place at which the turtle enters; also where no course is kept.
+    /// The place at which the turtle enters; also where no exact path is kept.
     pub const ENTRY: Self = Self(0);
 }
 
@@ -39,23 +39,23 @@ pub(crate) enum By {
 
 /// The ways to all places of a drawing.
 #[derive(Clone, Debug)]
-pub(crate) struct Course<S: Geometry = Plane> {
+pub(crate) struct ExactPath<S: Geometry = Plane> {
     /// A unit is `2^exponent` steps.
     pub exponent: i32,
     /// By place, from 1 on.
     pub legs: Vec<Leg<S>>,
     /// The places of the drawing's vertices.
     pub vertices: Vec<Spot>,
-    /// Whether the course is kept.
+    /// Whether the exact path is kept.
     pub kept: bool,
 }
 
-impl<S: Geometry> Course<S> {
+impl<S: Geometry> ExactPath<S> {
     pub(crate) fn new() -> Self {
         Self { exponent: 0, legs: vec![], vertices: vec![], kept: false }
     }
 
-    /// Begins a course, in units of `2^exponent` steps; unless it is `kept`, there is none.
+    /// Begins an exact path, in units of `2^exponent` steps; unless it is `kept`, there is none.
     pub(crate) fn keep(&mut self, kept: bool, exponent: i32) {
         *self = Self { exponent, kept, ..Self::new() };
     }
@@ -75,7 +75,7 @@ impl<S: Geometry> Course<S> {
         spot.0.checked_sub(1).and_then(|at| self.legs.get(at as usize)).map_or(Spot::ENTRY, |leg| leg.from)
     }
 
-    /// The bytes that the course occupies.
+    /// The bytes that the exact path occupies.
     pub(crate) fn bytes(&self) -> u64 {
         bytes_of(&self.legs) + bytes_of(&self.vertices)
     }

@@ -4,18 +4,16 @@
 //! shorter than a pixel are shared by the four pixels around each point, by distance, so that a small change of the
 //! view does not make ink jump or vanish.
 
-use crate::plane::canvas::polygon::{Crossing, MOST_SORTED, Side, sides_in};
+use super::outline::{Crossing, MAX_SORTED, Side, sides_in};
+use super::pigment::Pigment;
 use core::ops::Range;
 use lsystem_base::{Meter, Progress};
 
-/// The colour of ink: how much one layer darkens red, green and blue ([`super::pigment`]).
-pub(crate) type Pigment = [f32; 3];
-
 /// Strokes wider than this, in pixels, are filled as polygons. Others are put together from lines of points.
-pub(super) const BROAD: f64 = 4.0;
+pub(crate) const BROAD: f64 = 4.0;
 /// The least ink that is added, in units of the sheet: less counts as this much, so a trunk shows beside 10^100 twigs.
 /// Sums stay below about 2^100 units.
-pub(super) const LEAST_INK: f64 = 1.0 / (1_u128 << 110) as f64;
+pub(crate) const LEAST_INK: f64 = 1.0 / (1_u128 << 110) as f64;
 /// Numbers that are cleared in a unit of work.
 const NUMBERS_PER_UNIT: usize = 256;
 /// Rows that are emptied between two looks at the meter.
@@ -60,7 +58,7 @@ struct Filling {
 }
 
 /// The values of a tile, in the unit of the sheet that they are added to.
-pub(super) struct Stamp<'a> {
+pub(crate) struct Stamp<'a> {
     pub planes: usize,
     /// The number of rows.
     pub rows: usize,
@@ -69,13 +67,13 @@ pub(super) struct Stamp<'a> {
 }
 
 /// The number of rows in a band.
-pub(super) const BAND: usize = 8;
+pub(crate) const BAND: usize = 8;
 /// The columns of a band are a multiple of this.
-pub(super) const LANES: usize = 4;
+pub(crate) const LANES: usize = 4;
 
 /// Neighbouring rows of a tile with the same columns. A loop over equal rows takes a fraction of the time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Band {
+pub(crate) struct Band {
     /// The first column.
     pub first: u32,
     /// The number of columns.
@@ -86,7 +84,7 @@ pub(super) struct Band {
 
 impl Sheet {
     /// Empties the sheet. Returns the units of work.
-    pub(super) fn reset(&mut self, [width, height]: [usize; 2], planes: usize, exponent: i32) -> u64 {
+    pub(crate) fn reset(&mut self, [width, height]: [usize; 2], planes: usize, exponent: i32) -> u64 {
         self.exponent = exponent;
         self.filling.parts = 0..0;
         let units = 1 + (width * height * planes / NUMBERS_PER_UNIT) as u64;
@@ -140,7 +138,7 @@ impl Sheet {
     }
 
     /// Sets only the size, without memory for values, to see which blocks the sheet would show.
-    pub(super) fn outline(&mut self, [width, height]: [usize; 2], planes: usize) {
+    pub(crate) fn outline(&mut self, [width, height]: [usize; 2], planes: usize) {
         *self = Self { width, height, planes, ..Self::default() };
     }
 
@@ -155,7 +153,7 @@ impl Sheet {
     }
 
     /// Whether bounds are outside the sheet.
-    pub(super) fn misses(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+    pub(crate) fn misses(&self, low: [f64; 2], high: [f64; 2]) -> bool {
         // Bounds that are not numbers count as outside.
         !(high[0] > -1.0 && high[1] > -1.0 && low[0] < self.width as f64 + 1.0 && low[1] < self.height as f64 + 1.0)
     }
@@ -325,7 +323,7 @@ impl Sheet {
             (turn != 0).then(|| (a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]), turn))
         }));
         let mut work = 0;
-        if crossings.len() > MOST_SORTED {
+        if crossings.len() > MAX_SORTED {
             // Each crossing counts at the nearest border of a column.
             changes.clear();
             changes.resize(self.width + 1, 0);
@@ -371,7 +369,7 @@ impl Sheet {
 
     /// Adds a tile with its upper left corner at (`x`, `y`). A tile without pigments of its own takes `pigment`.
     /// Returns the units of work.
-    pub(super) fn stamp(&mut self, stamp: &Stamp<'_>, [x, y]: [i64; 2], pigment: Pigment) -> u64 {
+    pub(crate) fn stamp(&mut self, stamp: &Stamp<'_>, [x, y]: [i64; 2], pigment: Pigment) -> u64 {
         let mut work = 1;
         for (number, band) in stamp.bands.iter().enumerate() {
             let first = x + i64::from(band.first);

@@ -1,6 +1,6 @@
 //! Panes of a picture. A picture that would take too much memory is made pane by pane.
 
-use super::Viewport;
+use crate::viewport::Viewport;
 use lsystem_base::MAX_PICTURE_PIXELS;
 use lsystem_syntax::Ink;
 
@@ -47,7 +47,7 @@ impl Pane {
     }
 
     /// The pane, cut at the bottom to at most [`MAX_PICTURE_PIXELS`].
-    pub(super) fn within_limits(self) -> Self {
+    pub(crate) fn within_limits(self) -> Self {
         Self { height: self.height.min(MAX_PICTURE_PIXELS / self.width.max(1)), ..self }
     }
 }

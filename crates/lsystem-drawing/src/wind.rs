@@ -7,7 +7,7 @@ use lsystem_syntax::Heading;
 /// A sway: each branch begins with a small turn, and a branch that a later step made with a later phase, so that waves
 /// run through the plant, from the trunk to the twigs. Blocks stay shared, because all branches of a step turn alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sway {
+pub struct Wind {
     /// The greatest turn of a branch against its bough, in degrees.
     pub strength: f64,
     /// The time, as a part of the wave's period.
@@ -22,7 +22,7 @@ const ROOT: f64 = 1.0 / 3.0;
 /// The part of the strength across the wind, so that the tips go around flat loops in space.
 const ACROSS: f64 = 0.4;
 
-impl Sway {
+impl Wind {
     /// A sway of a strength and with a phase, in degrees; `None` if nothing sways.
     #[must_use]
     pub fn new([strength, phase]: [f64; 2]) -> Option<Self> {

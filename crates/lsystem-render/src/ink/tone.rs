@@ -5,16 +5,18 @@
 
 mod shade;
 
+use super::alpha::least_opaque;
 use super::grid::Grid;
-use super::pigment::{light, pigment};
-use super::sheet::{Pigment, Sheet};
-use crate::plane::alpha::least_opaque;
-use crate::plane::fineness::Shading;
-use crate::plane::{Pane, Pass, smooth};
+use super::pigment::{Pigment, light, pigment};
+use super::sheet::Sheet;
+use super::smooth;
+use crate::pane::{Pane, Pass};
 use lsystem_base::{Meter, Progress};
-use lsystem_syntax::{Colour, ColourBy, Style};
+use lsystem_syntax::{Colour, ColourSource, Style};
 use shade::Memory;
 
+/// The bytes of the tables of tones.
+pub(crate) const TONE_BYTES: u64 = 2 << 20;
 /// The number of keys. A key is the exponent of an `f32` and the first 8 bits of its fraction, so sums with the same
 /// key differ by at most a 256th.
 const KEYS: usize = 1 << 16;
@@ -58,6 +60,15 @@ const STEPS: usize = 4096;
 /// The most pigment of the tables: it leaves less than a 256th of the light.
 const DARKEST: f64 = 8.0;
 
+/// The parts, 0 to 1, to which the amount of ink shades a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Shading {
+    /// Where strokes pile up.
+    pub piled: f64,
+    /// Where single strokes lie. Without long strokes these places are the edges of piles.
+    pub single: f64,
+}
+
 /// The finished pixels and the way to them.
 #[derive(Default)]
 pub(crate) struct Tone {
@@ -71,7 +82,7 @@ pub(crate) struct Tone {
     is_transparent: bool,
     exposure: f64,
     /// The parts to which the sums shade an opaque picture, instead of making one of their own.
-    pub(in crate::plane) shading: Option<Shading>,
+    pub(crate) shading: Option<Shading>,
     /// The background and the palette, if colours follow the density.
     ramp: Option<Vec<[u8; 3]>>,
     pixels: Vec<u8>,
@@ -91,6 +102,8 @@ pub(crate) struct Tone {
     pigments: [Vec<f32>; 3],
     /// The interpolated sums of a row.
     row: Vec<f32>,
+    /// In a picture that is shaded: the sums of two rows of places by column of pixels, and the number of the first row.
+    spread: ([Vec<f32>; 2], Option<usize>),
     /// In a picture that is shaded: by column, the place before and the part of the way to the next.
     columns: Vec<(u32, f32)>,
     /// Shades, by colour and key: many pixels have the same.
@@ -146,13 +159,14 @@ impl Tone {
             work += self.pixels.len() as u64 / 1024;
         }
         (self.grid, self.top) = (grid, pane.y);
+        self.spread.1 = None;
         self.columns.clear();
         if self.shading.is_some() {
             self.columns.extend((pane.x..pane.x + self.width as u32).map(|column| grid.before(column)));
         }
         self.exposure = libm::exp2(style.exposure.clamp(-10.0, 10.0));
         let entries = || (0..style.palette.len()).map(|index| style.entry(index));
-        self.ramp = (style.colour_by == ColourBy::Density)
+        self.ramp = (style.colour_by.source() == ColourSource::Ink)
             .then(|| core::iter::once(style.background).chain(entries()).map(|colour| colour.rgb).collect());
         let paper = style.background.rgb;
         if paper != self.paper || self.lights[0].is_empty() {
