@@ -1,8 +1,8 @@
 //! Systems in the metadata of pictures, and reading a system from any file of this library.
 
 use super::{png, read_json, xml};
-use lsystem_base::{LimitName, MAX_FILE, MAX_TEXT};
-use lsystem_syntax::{Definition, Diagnostic, Field, Kind};
+use lsystem_base::{LimitName, MAX_FILE, MAX_TEXT, say};
+use lsystem_syntax::{Definition, Diagnostic, Field};
 use std::borrow::Cow;
 
 /// The keyword of a system in a picture's metadata.
@@ -25,19 +25,23 @@ pub struct FileContent {
 pub fn read_file(bytes: &[u8]) -> FileContent {
     let plain = without_byte_order_mark(bytes);
     let bytes = &*plain;
-    let too_long = || Kind::Limit { limit: LimitName::Text, value: MAX_FILE as u64, largest: None };
+    let too_long = || Diagnostic::limit(LimitName::Text, MAX_FILE as u64, None);
+    let no_system = |picture: &str| {
+        Diagnostic::error(say!("This {} holds no L-system", picture))
+            .hint(say!("Only {} files that were saved here carry the system they show.", picture))
+    };
     let found = if png::is_png(bytes) {
-        png::system_in(bytes).ok_or(Kind::NoSystem { picture: "PNG" })
+        png::system_in(bytes).ok_or_else(|| no_system("PNG"))
     } else if is_pdf(bytes) {
-        attachment_in(bytes).ok_or(Kind::NoSystem { picture: "PDF" })
+        attachment_in(bytes).ok_or_else(|| no_system("PDF"))
     } else if is_xml(bytes) {
-        metadata_in(bytes).ok_or(Kind::NoSystem { picture: "SVG" })
+        metadata_in(bytes).ok_or_else(|| no_system("SVG"))
     } else if bytes.len() > MAX_FILE {
         Err(too_long())
     } else {
         str::from_utf8(bytes).map(Cow::Borrowed).map_err(|error| {
             let lines = bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
-            Kind::NotText { line: lines + 1 }
+            Diagnostic::error(say!("Line {} is not UTF-8 text", lines + 1))
         })
     };
     match found {
@@ -47,7 +51,7 @@ pub fn read_file(bytes: &[u8]) -> FileContent {
             let (definition, diagnostics) = read_json(&json);
             FileContent { definition, diagnostics, json: json.into_owned() }
         }
-        Err(kind) => refused(kind),
+        Err(error) => refused(error),
     }
 }
 
@@ -63,8 +67,8 @@ pub fn text_of(bytes: &[u8]) -> Option<String> {
 }
 
 /// The result for a file that is not read.
-fn refused(kind: Kind) -> FileContent {
-    let diagnostics = vec![Diagnostic { kind, field: Field::File, span: 0..0 }];
+fn refused(error: Diagnostic) -> FileContent {
+    let diagnostics = vec![error.at(Field::File, 0..0)];
     FileContent { definition: None, diagnostics, json: String::new() }
 }
 

@@ -101,7 +101,7 @@ pub struct Notes {
 }
 
 /// The result of writing a file.
-pub type Written = Result<Notes, Halt>;
+pub type WriteResult = Result<Notes, Halt>;
 
 /// The input of a file, with the function that writes it. A limit is an error before the first byte.
 #[derive(Clone, Copy, Debug)]
@@ -111,11 +111,11 @@ pub enum Content {
     /// The derived string.
     String,
     /// A definition and its system, in another notation.
-    Words(fn(&Definition, &System, &FileOptions, &mut Sink<'_>) -> Written),
+    Words(fn(&Definition, &System, &FileOptions, &mut Sink<'_>) -> WriteResult),
     /// Pixels, made by a renderer.
     Pixels,
     /// Strokes in the plane. A drawing in space is projected first.
-    Paper(fn(Arc<Drawing>, &Style, &FileOptions, &mut Sink<'_>) -> Written),
+    Paper(fn(Arc<Drawing>, &Style, &FileOptions, &mut Sink<'_>) -> WriteResult),
     /// Segments in the plane or in space. The number is the most segments and vertices of polygons.
     Segments {
         /// Writes a drawing in the plane.
@@ -126,7 +126,7 @@ pub enum Content {
     /// The notes of the turtle's walk.
     Sound,
     /// A mesh of tubes. A drawing in the plane becomes one in space.
-    Mesh(fn(Arc<Drawing<Solid>>, &Style, &FileOptions, &mut Sink<'_>) -> Written),
+    Mesh(fn(Arc<Drawing<Solid>>, &Style, &FileOptions, &mut Sink<'_>) -> WriteResult),
 }
 
 impl Content {
@@ -146,48 +146,43 @@ impl Content {
     }
 }
 
+const GLB: &str =
+    "Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines";
+
+/// The format of pictures of pixels.
+pub const PNG: Format = format("png", "png", "image/png", "PNG")
+    .help("Picture of pixels")
+    .of(&[Purpose::Screen, Purpose::Print], Content::Pixels)
+    .binary()
+    .reads(&["size", "dpi", "transparent", "bare"]);
+
 /// All formats, in the order of the page's list.
 pub static FORMATS: [Format; 17] = [
-    Format {
-        name: "svg",
-        ending: "svg",
-        mime: "image/svg+xml",
-        label: "SVG",
-        help: "Picture of strokes",
-        purposes: &[Purpose::Screen],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::Paper(|drawing, style, options, sink| picture(&drawing, style, options, SvgForm::Flat, sink)),
-        options: &["transparent", "bare"],
-    },
-    Format {
-        name: "svg-compact",
-        ending: "svg",
-        mime: "image/svg+xml",
-        label: "Compact SVG",
-        help: "Picture of strokes with each reusable part written once: a small file at any number of iterations",
-        purposes: &[Purpose::Screen],
-        is_binary: false,
-        is_made_in_memory: true,
-        content: Content::Paper(|drawing, style, options, sink| {
-            picture(&drawing, style, options, SvgForm::Compact, sink)
-        }),
-        options: &["transparent", "bare"],
-    },
-    Format {
-        name: "plotter",
-        ending: "svg",
-        mime: "image/svg+xml",
-        label: "Plotter SVG",
-        help: "Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel",
-        purposes: &[Purpose::Plotter],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::Paper(|drawing, style, options, sink| {
-            let summary = write_plot(drawing, style, options, sink)?.words(&options.plot);
-            Ok(Notes { summary: Some(summary), ..Notes::default() })
-        }),
-        options: &[
+    format("svg", "svg", "image/svg+xml", "SVG")
+        .help("Picture of strokes")
+        .of(
+            &[Purpose::Screen],
+            Content::Paper(|drawing, style, options, sink| picture(&drawing, style, options, SvgForm::Flat, sink)),
+        )
+        .reads(&["transparent", "bare"]),
+    format("svg-compact", "svg", "image/svg+xml", "Compact SVG")
+        .help("Picture of strokes with each reusable part written once: a small file at any number of iterations")
+        .of(
+            &[Purpose::Screen],
+            Content::Paper(|drawing, style, options, sink| picture(&drawing, style, options, SvgForm::Compact, sink)),
+        )
+        .made_in_memory()
+        .reads(&["transparent", "bare"]),
+    format("plotter", "svg", "image/svg+xml", "Plotter SVG")
+        .help("Lines for a pen plotter, in millimetres: a layer for each colour, drawn once, with little travel")
+        .of(
+            &[Purpose::Plotter],
+            Content::Paper(|drawing, style, options, sink| {
+                let summary = write_plot(drawing, style, options, sink)?.words(&options.plot);
+                Ok(Notes { summary: Some(summary), ..Notes::default() })
+            }),
+        )
+        .reads(&[
             "sheet",
             "portrait",
             "landscape",
@@ -200,179 +195,104 @@ pub static FORMATS: [Format; 17] = [
             "speed",
             "travel-speed",
             "lift",
-        ],
-    },
-    Format {
-        name: "png",
-        ending: "png",
-        mime: "image/png",
-        label: "PNG",
-        help: "Picture of pixels",
-        purposes: &[Purpose::Screen, Purpose::Print],
-        is_binary: true,
-        is_made_in_memory: false,
-        content: Content::Pixels,
-        options: &["size", "dpi", "transparent", "bare"],
-    },
-    Format {
-        name: "pdf",
-        ending: "pdf",
-        mime: "application/pdf",
-        label: "PDF",
-        help: "Page of strokes",
-        purposes: &[Purpose::Paper],
-        is_binary: true,
-        is_made_in_memory: false,
-        content: Content::Paper(|drawing, style, options, sink| write_pdf(&drawing, style, options, sink)),
-        options: &["sheet", "landscape", "margin", "whole-sheet", "bare"],
-    },
-    Format {
-        name: "tikz",
-        ending: "tikz",
-        mime: "text/x-tex",
-        label: "TikZ",
-        help: "Picture of strokes for LaTeX",
-        purposes: &[Purpose::Paper],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::Paper(|drawing, style, options, sink| write_tikz(&drawing, style, options, sink)),
-        options: &[],
-    },
-    Format {
-        name: "tikz-library",
-        ending: "tikz",
-        mime: "text/x-tex",
-        label: "TikZ L-system",
-        help: "System for TikZ's library lindenmayersystems, which draws simple systems while LaTeX runs",
-        purposes: &[Purpose::Paper],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::Words(write_tikz_library),
-        options: &[],
-    },
-    Format {
-        name: "latex",
-        ending: "tex",
-        mime: "text/x-tex",
-        label: "LaTeX",
-        help: "System typeset as in books: axiom, productions, constants and angles",
-        purposes: &[Purpose::Paper],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::Words(|definition, system, _, sink| words(&latex(definition, system), sink)),
-        options: &[],
-    },
-    Format {
-        name: "markdown",
-        ending: "md",
-        mime: "text/markdown",
-        label: "Markdown",
-        help: "System as a list: axiom, productions, constants and angles",
-        purposes: &[Purpose::Paper],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::Words(|definition, system, _, sink| words(&markdown(definition, system), sink)),
-        options: &[],
-    },
-    Format {
-        name: "bibtex",
-        ending: "bib",
-        mime: "text/x-bibtex",
-        label: "BibTeX",
-        help: "Entries of the system's source and of its picture",
-        purposes: &[Purpose::Paper],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::Words(|definition, system, _, sink| words(&bibtex(definition, system), sink)),
-        options: &[],
-    },
-    Format {
-        name: "midi",
-        ending: "mid",
-        mime: "audio/midi",
-        label: "MIDI",
-        help: "Walk of the turtle as notes: lines are notes, branches are voices",
-        purposes: &[Purpose::Sound],
-        is_binary: true,
-        is_made_in_memory: false,
-        content: Content::Sound,
-        options: &["pitch", "time", "scale", "octaves", "tempo", "notes"],
-    },
-    Format {
-        name: "json",
-        ending: "json",
-        mime: "application/json",
-        label: "JSON",
-        help: "System, to open again",
-        purposes: &[Purpose::Data],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::System,
-        options: &[],
-    },
-    Format {
-        name: "txt",
-        ending: "txt",
-        mime: "text/plain",
-        label: "Text",
-        help: "Derived string",
-        purposes: &[Purpose::Data],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::String,
-        options: &[],
-    },
-    Format {
-        name: "csv",
-        ending: "csv",
-        mime: "text/csv",
-        label: "CSV",
-        help: "Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour",
-        purposes: &[Purpose::Data],
-        is_binary: false,
-        is_made_in_memory: false,
-        content: Content::Segments { plane: csv_file, space: csv_file },
-        options: &[],
-    },
-    Format {
-        name: "obj",
-        ending: "obj",
-        mime: "model/obj",
-        label: "OBJ",
-        help: "Mesh of coloured tubes, as text",
-        purposes: &[Purpose::Mesh],
-        is_binary: false,
-        is_made_in_memory: true,
-        content: Content::Mesh(mesh_file::obj),
-        options: &["finest"],
-    },
-    Format {
-        name: "glb",
-        ending: "glb",
-        mime: "model/gltf-binary",
-        label: "glTF",
-        help: "Tubes and leaves with materials, as binary glTF: each reusable part is written once, for viewers and game engines",
-        purposes: &[Purpose::Mesh],
-        is_binary: true,
-        is_made_in_memory: true,
-        content: Content::Mesh(mesh_file::glb),
-        options: &["finest"],
-    },
-    Format {
-        name: "stl",
-        ending: "stl",
-        mime: "model/stl",
-        label: "STL",
-        help: "Mesh of closed tubes and slabs for printers, 100 mm long",
-        purposes: &[Purpose::Mesh],
-        is_binary: true,
-        is_made_in_memory: true,
-        content: Content::Mesh(mesh_file::stl),
-        options: &["finest"],
-    },
+        ]),
+    PNG,
+    format("pdf", "pdf", "application/pdf", "PDF")
+        .help("Page of strokes")
+        .of(
+            &[Purpose::Paper],
+            Content::Paper(|drawing, style, options, sink| write_pdf(&drawing, style, options, sink)),
+        )
+        .binary()
+        .reads(&["sheet", "landscape", "margin", "whole-sheet", "bare"]),
+    format("tikz", "tikz", "text/x-tex", "TikZ").help("Picture of strokes for LaTeX").of(
+        &[Purpose::Paper],
+        Content::Paper(|drawing, style, options, sink| write_tikz(&drawing, style, options, sink)),
+    ),
+    format("tikz-library", "tikz", "text/x-tex", "TikZ L-system")
+        .help("System for TikZ's library lindenmayersystems, which draws simple systems while LaTeX runs")
+        .of(&[Purpose::Paper], Content::Words(write_tikz_library)),
+    format("latex", "tex", "text/x-tex", "LaTeX")
+        .help("System typeset as in books: axiom, productions, constants and angles")
+        .of(&[Purpose::Paper], Content::Words(|definition, system, _, sink| words(&latex(definition, system), sink))),
+    format("markdown", "md", "text/markdown", "Markdown")
+        .help("System as a list: axiom, productions, constants and angles")
+        .of(
+            &[Purpose::Paper],
+            Content::Words(|definition, system, _, sink| words(&markdown(definition, system), sink)),
+        ),
+    format("bibtex", "bib", "text/x-bibtex", "BibTeX")
+        .help("Entries of the system's source and of its picture")
+        .of(&[Purpose::Paper], Content::Words(|definition, system, _, sink| words(&bibtex(definition, system), sink))),
+    format("midi", "mid", "audio/midi", "MIDI")
+        .help("Walk of the turtle as notes: lines are notes, branches are voices")
+        .of(&[Purpose::Sound], Content::Sound)
+        .binary()
+        .reads(&["pitch", "time", "scale", "octaves", "tempo", "notes"]),
+    format("json", "json", "application/json", "JSON")
+        .help("System, to open again")
+        .of(&[Purpose::Data], Content::System),
+    format("txt", "txt", "text/plain", "Text").help("Derived string").of(&[Purpose::Data], Content::String),
+    format("csv", "csv", "text/csv", "CSV")
+        .help("Segments as a table: x0,y0,x1,y1,level,colour; in space x0,y0,z0,x1,y1,z1,level,colour")
+        .of(&[Purpose::Data], Content::Segments { plane: csv_file, space: csv_file }),
+    format("obj", "obj", "model/obj", "OBJ")
+        .help("Mesh of coloured tubes, as text")
+        .of(&[Purpose::Mesh], Content::Mesh(mesh_file::obj))
+        .made_in_memory()
+        .reads(&["finest"]),
+    format("glb", "glb", "model/gltf-binary", "glTF")
+        .help(GLB)
+        .of(&[Purpose::Mesh], Content::Mesh(mesh_file::glb))
+        .binary()
+        .made_in_memory()
+        .reads(&["finest"]),
+    format("stl", "stl", "model/stl", "STL")
+        .help("Mesh of closed tubes and slabs for printers, 100 mm long")
+        .of(&[Purpose::Mesh], Content::Mesh(mesh_file::stl))
+        .binary()
+        .made_in_memory()
+        .reads(&["finest"]),
 ];
 
+/// A row with its name, the ending of file names, the media type and the label.
+const fn format(name: &'static str, ending: &'static str, mime: &'static str, label: &'static str) -> Format {
+    let (purposes, options, content) = (&[], &[], Content::System);
+    Format {
+        name,
+        ending,
+        mime,
+        label,
+        help: "",
+        purposes,
+        is_binary: false,
+        is_made_in_memory: false,
+        content,
+        options,
+    }
+}
+
 impl Format {
+    const fn help(self, help: &'static str) -> Self {
+        Self { help, ..self }
+    }
+
+    const fn of(self, purposes: &'static [Purpose], content: Content) -> Self {
+        Self { purposes, content, ..self }
+    }
+
+    const fn binary(self) -> Self {
+        Self { is_binary: true, ..self }
+    }
+
+    const fn made_in_memory(self) -> Self {
+        Self { is_made_in_memory: true, ..self }
+    }
+
+    const fn reads(self, options: &'static [&'static str]) -> Self {
+        Self { options, ..self }
+    }
+
     /// The format with this name, if any.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {

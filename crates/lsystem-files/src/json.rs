@@ -2,7 +2,7 @@
 //!
 //! A file is one object. Comments, trailing commas and unquoted keys are accepted. It needs `initial`, `rules`,
 //! `turtle` or `style`, to differ from other JSON; all other keys are optional. [`FIELDS`] lists them with their
-//! defaults and ranges, and README shows the list. The objects `turtle` and `style` are members of the file's object.
+//! defaults and ranges, and docs/files.md shows the list. The objects `turtle` and `style` are members of the file's object.
 //! The key `stochastic` has no effect, because the rules decide.
 //!
 //! In the course's files `rules` is an object: `{"F": "F+F", "X": [{"p": 0.5, "e": "XF"}, {"p": 0.5, "e": "X"}]}`. The
@@ -25,14 +25,16 @@ use jsonc_parser::ast::{Object, ObjectProp, Value};
 use jsonc_parser::common::Ranged;
 use jsonc_parser::errors::{ParseError, ParseErrorKind};
 use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
+use lsystem_base::number::number;
 use lsystem_base::sorted::repeated;
-use lsystem_base::{LimitName, MAX_FILE};
+use lsystem_base::words::said;
+use lsystem_base::{LimitName, MAX_FILE, say, word};
 use lsystem_syntax::Value as Held;
 use lsystem_syntax::fields::{FieldSpec, Section, field};
-use lsystem_syntax::notes::{Notes, excerpt, similar};
+use lsystem_syntax::notes::{DiagnosticList, excerpt, similar};
 use lsystem_syntax::{
-    Definition, Diagnostic, Dialect, Expected, FIELDS, Field, Grammar, JsonError, Kind, Module, Production, Style,
-    print_axiom, print_rules,
+    Definition, Diagnostic, Dialect, Expected, FIELDS, Field, Grammar, Kind, Module, Production, Style, print_axiom,
+    print_rules,
 };
 
 /// The keys of an outcome.
@@ -57,6 +59,20 @@ const ALIASES: [(&str, &str); 9] = [
 /// The range of a probability or weight.
 const WEIGHT: Expected = Expected::Between(0.0, 1e100);
 
+/// What JSON may have here.
+pub(super) const PARSING: ParseOptions = ParseOptions {
+    allow_comments: true,
+    allow_loose_object_property_names: true,
+    allow_trailing_commas: true,
+    allow_missing_commas: false,
+    allow_single_quoted_strings: true,
+    allow_hexadecimal_numbers: false,
+    allow_unary_plus_numbers: true,
+    allow_bare_decimal_point_numbers: true,
+    allow_non_finite_numbers: false,
+    allow_extended_string_escapes: false,
+};
+
 /// Reads a system from a JSON text. The definition is `None` if a diagnostic is an error. A definition may still have
 /// errors in its texts, which [`System::new`](lsystem_drawing::System::new) reports.
 #[must_use]
@@ -78,12 +94,12 @@ pub fn read_fields(text: &str) -> (Option<Definition>, Vec<Diagnostic>) {
         if is_flat { Names::Fields } else { Names::Keys }
     });
     let is_unknown =
-        |d: &Diagnostic| matches!(d.kind, Kind::UnknownKey { similar, .. } if is_flat || similar.is_some());
+        |d: &Diagnostic| matches!(d.kind, Kind::UnknownKey { is_like_another } if is_flat || is_like_another);
     (definition.filter(|_| !diagnostics.iter().any(is_unknown)), diagnostics)
 }
 
 fn read(text: &str, names: impl FnOnce(&Object<'_>) -> Names) -> (Option<Definition>, Vec<Diagnostic>) {
-    let mut file = JsonFile { notes: Notes::new(Field::File), base: 0, names: Names::Keys };
+    let mut file = JsonFile { notes: DiagnosticList::new(Field::File), base: 0, names: Names::Keys };
     let definition = file.read(text, names);
     let diagnostics = file.notes.finish();
     let definition = definition.filter(|_| !diagnostics.iter().any(Diagnostic::is_error));
@@ -100,7 +116,7 @@ enum Names {
 }
 
 struct JsonFile {
-    notes: Notes,
+    notes: DiagnosticList,
     /// The bytes of the byte order mark, which the parser does not see.
     base: usize,
     names: Names,
@@ -109,19 +125,12 @@ struct JsonFile {
 impl JsonFile {
     fn read(&mut self, text: &str, names: impl FnOnce(&Object<'_>) -> Names) -> Option<Definition> {
         if text.len() > MAX_FILE {
-            self.notes.add(Kind::Limit { limit: LimitName::Text, value: MAX_FILE as u64, largest: None }, 0..0);
+            self.notes.add(0..0, Diagnostic::limit(LimitName::Text, MAX_FILE as u64, None));
             return None;
         }
         let body = text.strip_prefix('\u{feff}').unwrap_or(text);
         self.base = text.len() - body.len();
-        let options = ParseOptions {
-            allow_missing_commas: false,
-            allow_hexadecimal_numbers: false,
-            allow_non_finite_numbers: false,
-            allow_extended_string_escapes: false,
-            ..ParseOptions::default()
-        };
-        match parse_to_ast(body, &CollectOptions::default(), &options) {
+        match parse_to_ast(body, &CollectOptions::default(), &PARSING) {
             Ok(parsed) => match parsed.value {
                 Some(Value::Object(object)) => {
                     self.names = names(&object);
@@ -132,14 +141,17 @@ impl JsonFile {
                     None
                 }
                 None => {
-                    self.notes.add(Kind::Json(JsonError::Empty), text.len()..text.len());
+                    self.notes.error(
+                        text.len()..text.len(),
+                        say!("The file holds nothing"),
+                        said(word!("It must hold an object: {\"initial\": \"F\"}.")),
+                    );
                     None
                 }
             },
             Err(error) => {
-                let (error, mut span) = json_error(&error, body);
-                span = span.start + self.base..span.end + self.base;
-                self.notes.add(Kind::Json(error), span);
+                let (error, span) = json_error(&error, body);
+                self.notes.add(span.start + self.base..span.end + self.base, error);
                 None
             }
         }
@@ -151,7 +163,11 @@ impl JsonFile {
         }
         if SYSTEM_KEYS.iter().all(|key| last(object, key).is_none()) {
             let span = self.span(object);
-            self.notes.add(Kind::Json(JsonError::NoSystem), span.start..span.start + 1);
+            self.notes.error(
+                span.start..span.start + 1,
+                say!("This is no L-system: it has neither an axiom nor rules"),
+                say!("A system has the keys `initial` and `rules`."),
+            );
             return None;
         }
         Some(self.definition(object))
@@ -280,9 +296,17 @@ impl JsonFile {
                     }
                     let span = self.span(outcomes);
                     if outcomes.elements.is_empty() || (sound && sum == 0.0) {
-                        self.notes.add(Kind::NoOutcome, span);
+                        self.notes.error(
+                            span,
+                            say!("None of these outcomes can happen"),
+                            say!("Write a string, or outcomes as {{\"p\": 0.5, \"e\": \"F+F\"}}."),
+                        );
                     } else if sound && (sum - 1.0).abs() > 1e-5 {
-                        self.notes.add(Kind::ProbabilitySum { sum }, span);
+                        self.notes.warn(
+                            span,
+                            say!("The probabilities sum to {}, not to 1", rounded(sum)),
+                            say!("They are read as weights: each is divided by the sum."),
+                        );
                     }
                 }
                 other => self.wrong_type(property.name.as_str(), Expected::Successor, other),
@@ -299,7 +323,8 @@ impl JsonFile {
         self.check_keys(outcome, &OUTCOME_KEYS);
         for key in OUTCOME_KEYS {
             if last(outcome, key).is_none() {
-                self.notes.add(Kind::MissingKey { key }, self.span(outcome));
+                let hint = say!("An outcome is written as {{\"p\": 0.5, \"e\": \"F+F\"}}.");
+                self.notes.error(self.span(outcome), say!("`{}` is missing", key), hint);
             }
         }
         let mut read = |key, expected| self.value(key, expected, last(outcome, key)?);
@@ -310,7 +335,8 @@ impl JsonFile {
         // Weights this small count as 0.
         if p < 1e-100 {
             p = 0.0;
-            self.notes.add(Kind::ProbabilityZero, self.span(last(outcome, "p")?));
+            let warning = Diagnostic::warning(say!("An outcome with probability 0 never happens"));
+            self.notes.add(self.span(last(outcome, "p")?), warning);
         }
         (p >= 0.0).then_some((p, successor))
     }
@@ -351,29 +377,24 @@ fn is_disused(key: &str) -> bool {
     key.ends_with("_old") || key.starts_with('$')
 }
 
-/// The value of the last property called `key`: if a key stands twice, the last value counts.
-fn last<'a, 'b>(object: &'b Object<'a>, key: &str) -> Option<&'b Value<'a>> {
-    object.properties.iter().rev().find(|p| p.name.as_str() == key).map(|p| &p.value)
+/// The last property called `key`: if a key stands twice, the last value counts.
+pub(super) fn last_property<'a, 'b>(object: &'b Object<'a>, key: &str) -> Option<&'b ObjectProp<'a>> {
+    object.properties.iter().rev().find(|p| p.name.as_str() == key)
 }
 
-fn json_error(error: &ParseError, text: &str) -> (JsonError, Range<usize>) {
+/// The value of the last property called `key`.
+fn last<'a, 'b>(object: &'b Object<'a>, key: &str) -> Option<&'b Value<'a>> {
+    last_property(object, key).map(|p| &p.value)
+}
+
+/// A number with at most six decimals.
+fn rounded(value: f64) -> String {
+    if value.abs() < 1e9 { number(libm::round(value * 1e6) / 1e6) } else { number(value) }
+}
+
+/// Why a text is not JSON, and where.
+fn json_error(error: &ParseError, text: &str) -> (Diagnostic, Range<usize>) {
     use ParseErrorKind as E;
-    let kind = match error.kind() {
-        E::ExpectedColonAfterObjectKey => JsonError::MissingColon,
-        E::ExpectedComma => JsonError::MissingComma,
-        E::UnterminatedArray => JsonError::UnclosedArray,
-        E::UnterminatedObject => JsonError::UnclosedObject,
-        E::UnterminatedCommentBlock => JsonError::UnclosedComment,
-        E::NestingDepthExceeded => JsonError::Depth,
-        E::String(ParseStringErrorKind::UnterminatedStringLiteral) => JsonError::UnclosedString,
-        E::String(_) => JsonError::Escape,
-        E::ExpectedDigit
-        | E::ExpectedDigitFollowingNegativeSign
-        | E::ExpectedPlusMinusOrDigitInNumberLiteral
-        | E::HexadecimalNumbersNotAllowed
-        | E::NonFiniteNumbersNotAllowed => JsonError::Number,
-        _ => JsonError::Unexpected,
-    };
     let range = error.range();
     // The parser's ranges may exceed the text, so they are clamped.
     let floor = |mut at: usize| {
@@ -384,12 +405,33 @@ fn json_error(error: &ParseError, text: &str) -> (JsonError, Range<usize>) {
         at
     };
     let start = floor(range.start);
-    let end = match kind {
-        // An unclosed part would be underlined to the end of the file, so only its first character is marked.
-        JsonError::UnclosedObject | JsonError::UnclosedArray | JsonError::UnclosedString => floor(start + 1),
-        JsonError::UnclosedComment => floor(start + 2),
-        JsonError::MissingColon => start,
-        _ => floor(range.end),
+    // An unclosed part would be underlined to the end of the file, so only its first characters are marked.
+    let first = |count: usize| floor(start + count);
+    let (message, hint, end) = match error.kind() {
+        E::ExpectedColonAfterObjectKey => (say!("A colon is missing after the key"), None, start),
+        E::ExpectedComma => (say!("A comma is missing"), None, floor(range.end)),
+        E::UnterminatedArray => (say!("This list is never closed"), Some(say!("Add `]`.")), first(1)),
+        E::UnterminatedObject => (say!("This object is never closed"), Some(said(word!("Add `}`."))), first(1)),
+        E::UnterminatedCommentBlock => (say!("This comment is never closed"), Some(say!("Add `*/`.")), first(2)),
+        E::NestingDepthExceeded => (say!("The file is nested too deeply"), None, floor(range.end)),
+        E::String(ParseStringErrorKind::UnterminatedStringLiteral) => {
+            (say!("This string is never closed"), Some(say!("Add the closing quote.")), first(1))
+        }
+        E::String(_) => (
+            say!("This escape is not known"),
+            Some(say!("A backslash in a string is written twice: \"\\\\\".")),
+            floor(range.end),
+        ),
+        E::ExpectedDigit
+        | E::ExpectedDigitFollowingNegativeSign
+        | E::ExpectedPlusMinusOrDigitInNumberLiteral
+        | E::HexadecimalNumbersNotAllowed
+        | E::NonFiniteNumbersNotAllowed => (say!("This is not a number"), None, floor(range.end)),
+        _ => (
+            say!("This has no place in JSON"),
+            Some(say!("Is a quote or a comma missing before it?")),
+            floor(range.end),
+        ),
     };
-    (kind, start..end.max(start))
+    (Diagnostic::error(message).hint(hint), start..end.max(start))
 }

@@ -92,7 +92,7 @@ fn changed_fields(
 }
 
 /// A value of a field as JSON.
-fn written(value: &Value) -> String {
+pub(super) fn written(value: &Value) -> String {
     match value {
         Value::Nothing => "null".to_owned(),
         Value::Flag(flag) => flag.to_string(),
@@ -154,7 +154,7 @@ fn block(open: char, parts: impl Iterator<Item = String>, close: char) -> String
     text
 }
 
-fn string(text: &str) -> String {
+pub(super) fn string(text: &str) -> String {
     let mut out = String::from('"');
     for ch in text.chars() {
         match ch {
@@ -171,6 +171,6 @@ fn string(text: &str) -> String {
 }
 
 /// A number as JSON. JSON has no infinities: a definition with one is invalid, and its text does not read back.
-fn json_number(value: f64) -> String {
+pub(super) fn json_number(value: f64) -> String {
     if value.is_finite() { number(value) } else { "null".to_owned() }
 }

@@ -14,9 +14,9 @@ const LONGEST: usize = 2_000_000;
 /// Longer numbers are not read, in bytes.
 const LONGEST_NUMBER: usize = 40;
 /// The most bytes that a compressed part unpacks to.
-const MOST_UNPACKED: usize = 4 << 20;
+const MAX_UNPACKED: usize = 4 << 20;
 /// The most problems that are listed.
-const MOST_PROBLEMS: usize = 100;
+const MAX_PROBLEMS: usize = 100;
 
 /// A link as read.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -47,7 +47,7 @@ impl Link {
     }
 
     fn problem(&mut self, text: &str, message: String) {
-        if self.problems.len() < MOST_PROBLEMS {
+        if self.problems.len() < MAX_PROBLEMS {
             self.problems.push(LinkProblem { text: excerpt(text), message });
         }
     }
@@ -57,20 +57,26 @@ impl Link {
 /// out and reported. Returns `None` if the text is no link: it has neither a version nor a known field.
 #[must_use]
 pub fn read_link(text: &str) -> Option<Link> {
+    read_link_within(text, LONGEST, MAX_UNPACKED)
+}
+
+/// As [`read_link`], of a link of at most `longest` UTF-16 units whose compressed part unpacks to at most `unpacked` bytes.
+#[must_use]
+pub fn read_link_within(text: &str, longest: usize, unpacked: usize) -> Option<Link> {
     let text = text.trim();
     let hash = text.split_once('#').map_or(text, |(_, hash)| hash);
     let known = |key: &str| matches!(key, "v" | "x" | "z") || FIELDS.iter().any(|spec| spec.link == key);
     if !fields_of(hash).any(|(key, _)| known(key)) {
         return None;
     }
-    if hash.len() > LONGEST && hash.encode_utf16().count() > LONGEST {
+    if hash.len() > longest && hash.encode_utf16().count() > longest {
         let mut link = Link::default();
-        link.problem(hash, say!("The link is longer than {} characters and was not read", LONGEST));
+        link.problem(hash, say!("The link is longer than {} characters and was not read", longest));
         return Some(link);
     }
     let packed = fields_of(hash).filter(|(key, _)| *key == "z").last().map(|(_, value)| value);
     let inside = packed.map(|packed| {
-        let bytes = unpack(packed, MOST_UNPACKED)?;
+        let bytes = unpack(packed, unpacked)?;
         String::from_utf8(bytes).map_err(|_| word!("is damaged or cut off"))
     });
     let (inside, wrong) = match inside {
@@ -254,7 +260,7 @@ mod tests {
     #[test]
     fn damaged_fields_are_told_and_the_rest_is_read() {
         let long = "F".repeat(MAX_TEXT + 1);
-        let bomb = pack(&vec![b'F'; MOST_UNPACKED + 1]);
+        let bomb = pack(&vec![b'F'; MAX_UNPACKED + 1]);
         let damaged = pack(b"axiom=F+F").replace('e', "f");
         for (fields, key) in [
             ("n=x", "`n`"),

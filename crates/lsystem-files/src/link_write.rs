@@ -1,4 +1,5 @@
-//! Writing systems as links of our own page. `link.rs` reads them; the page writes the same links (`www/js/link.js`).
+//! Writing systems as links of our own page. `link.rs` reads them; the page writes the same links
+//! (`www/js/state/link.js`).
 
 use super::packed::pack;
 use lsystem_base::number::number;

@@ -2,11 +2,11 @@
 
 use crate::midi::midi_file;
 use crate::{Content, FileOptions, Format, Notes, PngOptions, Sink, write_json, write_png};
-use lsystem_base::{LimitName, Limits, Progress};
+use lsystem_base::{LimitName, Limits, Progress, say};
 use lsystem_drawing::{Drawer, Drawing, Figure, Origin, Outlook, Projection, Solid, System, expand};
 use lsystem_render::{Camera, Closeup, Vantage, View, Viewport, fit, opening_camera};
 use lsystem_sound::{SoundOptions, listen};
-use lsystem_syntax::{Definition, Diagnostic, Field, Halt, Kind, Work, run_steps};
+use lsystem_syntax::{Definition, Diagnostic, Halt, Work, run_steps};
 use std::sync::Arc;
 
 /// The default length of the longer side of a picture of pixels. At this length a stroke's least width is in pixels;
@@ -82,11 +82,22 @@ pub struct FileLimits {
 /// The diagnostic for an exceeded limit, or for a system that the format cannot express, before the first byte. If the
 /// owner of the sink stops the work.
 pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
-    let &FileTask { definition, system, format, options, ref view, limits } = task;
+    make_with(task, write_pixels, sink)
+}
+
+/// As [`make`], with another writer of pictures of pixels: the page does not load ours for other files.
+///
+/// # Errors
+/// As [`make`].
+pub fn make_with(
+    task: &FileTask<'_>,
+    pixels: fn(&FileTask<'_>, &mut Sink<'_>) -> Result<Notes, Halt>,
+    sink: &mut Sink<'_>,
+) -> Result<Notes, Halt> {
+    let &FileTask { definition, system, format, limits, .. } = task;
     let style = &system.style;
-    let stored = if options.bare { String::new() } else { write_json(definition) };
     let most = if format.is_made_in_memory { limits.held } else { limits.segments };
-    let options = FileOptions { title: definition.label().to_owned(), system: stored, most, ..options.clone() };
+    let options = FileOptions { most, ..task.filled_options() };
     let none = |()| Notes::default();
     match format.content {
         Content::System => {
@@ -95,12 +106,7 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
         }
         Content::String => write_string(task, sink).map(none),
         Content::Words(write) => write(definition, system, &options, sink),
-        Content::Pixels => {
-            let figure = task.figure(sink)?;
-            let options = task.png(&figure, options);
-            let (figure, vantage) = view.shown(figure, options.viewport)?;
-            write_png(&figure, style, vantage, &options, sink).map(none)
-        }
+        Content::Pixels => pixels(task, sink),
         Content::Segments { plane, space } => match task.figure(sink)? {
             Figure::Plane(drawing) => plane(&drawing, most, sink).map(none),
             Figure::Space(drawing) => space(&drawing, most, sink).map(none),
@@ -126,6 +132,17 @@ pub fn make(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
     }
 }
 
+/// Writes a picture of pixels, whatever the format.
+///
+/// # Errors
+/// As [`make`].
+pub fn write_pixels(task: &FileTask<'_>, sink: &mut Sink<'_>) -> Result<Notes, Halt> {
+    let figure = task.figure(sink)?;
+    let options = task.png(&figure, task.filled_options());
+    let (figure, vantage) = task.view.shown(figure, options.viewport)?;
+    write_png(&figure, &task.system.style, vantage, &options, sink).map(|()| Notes::default())
+}
+
 impl FileView {
     /// The drawing of a picture of pixels, and the vantage.
     fn shown(&self, figure: Figure, viewport: Viewport) -> Result<(Figure, Vantage), Diagnostic> {
@@ -135,7 +152,11 @@ impl FileView {
             Figure::Plane(whole) => Closeup::new(whole.clone(), segment.clone()).show(viewport, vantage.view),
             Figure::Space(_) => None,
         };
-        let (near, view) = near.ok_or(Diagnostic { kind: Kind::NoCloseup, field: Field::Numbers, span: 0..0 })?;
+        let (near, view) = near.ok_or_else(|| {
+            Diagnostic::error(say!("This drawing cannot be seen from near that segment")).hint(say!(
+                "It must have such a segment. The system must be in the plane, without chance, contexts and tropism."
+            ))
+        })?;
         Ok((Figure::Plane(near.drawing.clone()), Vantage { view, ..vantage }))
     }
 
@@ -145,6 +166,12 @@ impl FileView {
 }
 
 impl FileTask<'_> {
+    /// The choices of the reader with the title and the system.
+    fn filled_options(&self) -> FileOptions {
+        let stored = if self.options.bare { String::new() } else { write_json(self.definition) };
+        FileOptions { title: self.definition.label().to_owned(), system: stored, ..self.options.clone() }
+    }
+
     fn figure(&self, work: &mut dyn Work) -> Result<Figure, Halt> {
         self.figure_of(self.system, self.definition.iterations, work)
     }

@@ -2,6 +2,7 @@
 //! voices that do not sound together.
 
 use crate::{FileOptions, Sink};
+use lsystem_base::sorted;
 use lsystem_sound::{Note, Tune};
 use lsystem_syntax::{Halt, Work};
 
@@ -14,7 +15,7 @@ const CHANNELS: [u8; 15] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 14, 15];
 /// vibraphone, marimba, celesta.
 const PROGRAMS: [u8; 5] = [0, 46, 11, 12, 8];
 /// The greatest number of ticks that the format holds between two events.
-const MOST: u32 = (1 << 28) - 1;
+const MAX: u32 = (1 << 28) - 1;
 /// The controller of the place from left to right.
 const PAN: u8 = 10;
 /// The end of a track.
@@ -42,7 +43,7 @@ pub(crate) fn midi_file(tune: &Tune, options: &FileOptions, sink: &mut Sink<'_>)
 
 /// The ticks of a time in steps.
 fn ticks(steps: f64) -> u32 {
-    (libm::round(steps * STEP) as u32).min(MOST)
+    (libm::round(steps * STEP) as u32).min(MAX)
 }
 
 /// The notes by track. A voice stays in its track from its first to its last note. It gets the first track that is
@@ -57,7 +58,7 @@ fn tracks(tune: &Tune) -> Vec<Vec<&Note>> {
     }
     let mut order: Vec<(f64, usize)> =
         (0..).zip(&spans).filter_map(|(voice, span)| Some((span.as_ref()?[0], voice))).collect();
-    order.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
+    sorted::sort_by(&mut order, |one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
     // By track: the time from which it is free.
     let mut free: Vec<f64> = vec![];
     let mut track_of = vec![0; spans.len()];
@@ -121,11 +122,11 @@ fn track(place: usize, notes: &[&Note]) -> Vec<u8> {
 fn events<'a>(notes: &[&'a Note]) -> Vec<Event<'a>> {
     let mut spans: Vec<([u32; 2], &Note)> = (notes.iter())
         .map(|&note| {
-            let start = ticks(note.start).min(MOST - 1);
+            let start = ticks(note.start).min(MAX - 1);
             ([start, ticks(note.start + note.length).max(start + 1)], note)
         })
         .collect();
-    spans.sort_by_key(|([start, _], note)| (*start, note.key));
+    sorted::sort_by_key(&mut spans, |([start, _], note)| (*start, note.key));
     // By key: the last note.
     let mut last: [Option<usize>; 128] = [None; 128];
     let mut is_left = vec![true; spans.len()];
@@ -145,7 +146,7 @@ fn events<'a>(notes: &[&'a Note]) -> Vec<Event<'a>> {
     let left = spans.iter().zip(is_left).filter_map(|(span, is_left)| is_left.then_some(span));
     let mut events: Vec<Event<'_>> =
         left.flat_map(|&([start, end], note)| [(start, true, note), (end, false, note)]).collect();
-    events.sort_by_key(|&(time, begins, note)| (time, begins, note.key));
+    sorted::sort_by_key(&mut events, |&(time, begins, note)| (time, begins, note.key));
     events
 }
 

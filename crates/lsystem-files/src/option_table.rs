@@ -5,10 +5,10 @@
 use crate::FileOptions;
 use lsystem_base::number::number;
 use lsystem_base::say;
+use lsystem_base::words::grouped;
 use lsystem_base::{MAX_PICTURE_SIDE, decimal};
 use lsystem_plot::{Corner, SHEETS, Sheet};
 use lsystem_sound::{MAX_NOTES, Pitch, Scale, Time};
-use lsystem_syntax::message::grouped;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -25,7 +25,18 @@ pub struct FileOption {
     /// The possible values and the default.
     pub kind: OptionKind,
     /// Writes a valid value.
-    set: fn(&mut FileOptions, &OptionValue),
+    set: Setter,
+}
+
+/// Words and their labels.
+type Words = &'static [(&'static str, &'static str)];
+
+/// Writes a value of a kind.
+#[derive(Clone, Copy)]
+enum Setter {
+    Flag(fn(&mut FileOptions, bool)),
+    Number(fn(&mut FileOptions, f64)),
+    Text(fn(&mut FileOptions, &OptionValue)),
 }
 
 /// The possible values of a choice, and its default.
@@ -47,7 +58,7 @@ pub enum OptionKind {
     /// One of these words, each with its label; the first one by default unless named otherwise.
     Word {
         /// Words and labels.
-        words: &'static [(&'static str, &'static str)],
+        words: Words,
         /// The default.
         default: &'static str,
     },
@@ -56,7 +67,7 @@ pub enum OptionKind {
     /// A sheet of paper: one of [`SHEETS`], or a width and a height in millimetres such as `300x400`.
     Sheet {
         /// Names and labels.
-        words: &'static [(&'static str, &'static str)],
+        words: Words,
         /// The default.
         default: &'static str,
         /// The least side of other sizes.
@@ -80,36 +91,16 @@ pub enum OptionValue {
 
 /// All choices. Values are applied in this order.
 pub static FILE_OPTIONS: [FileOption; 24] = [
-    FileOption {
-        name: "size",
-        label: "Size",
-        help: "Width and height of a picture",
-        unit: "pixels",
-        kind: OptionKind::Size,
-        set: |options, value| options.size = value.size(),
-    },
-    FileOption {
-        name: "dpi",
-        label: "Resolution",
-        help: "Pixels of an inch on paper, told in the file; 0 for none",
-        unit: "pixels per inch",
-        kind: OptionKind::Number { low: 0.0, high: 100_000.0, step: 1.0, default: 0.0 },
-        set: |options, value| options.dpi = Some(value.number()).filter(|&dpi| dpi >= 1.0),
-    },
-    FileOption {
-        name: "transparent",
-        label: "Transparent background",
-        help: "Leave the background out",
-        unit: "",
-        kind: OptionKind::Flag,
-        set: |options, value| options.transparent = value.flag(),
-    },
-    FileOption {
-        name: "sheet",
-        label: "Sheet",
-        help: "Size of the paper",
-        unit: "",
-        kind: OptionKind::Sheet {
+    choice("size", "Size", "Width and height of a picture")
+        .unit("pixels")
+        .text(OptionKind::Size, |options, value| options.size = value.size()),
+    choice("dpi", "Resolution", "Pixels of an inch on paper, told in the file; 0 for none")
+        .unit("pixels per inch")
+        .number([0.0, 100_000.0, 1.0, 0.0], |options, value| options.dpi = Some(value).filter(|&dpi| dpi >= 1.0)),
+    choice("transparent", "Transparent background", "Leave the background out")
+        .flag(|options, value| options.transparent = value),
+    choice("sheet", "Sheet", "Size of the paper").text(
+        OptionKind::Sheet {
             words: &[
                 ("a5", "A5"),
                 ("a4", "A4"),
@@ -124,174 +115,76 @@ pub static FILE_OPTIONS: [FileOption; 24] = [
             low: 10.0,
             high: 10_000.0,
         },
-        set: |options, value| {
+        |options, value| {
             let named = SHEETS.into_iter().find(|(name, ..)| *name == value.text());
             if let Some([width, height]) = named.map(|(_, width, height)| [width, height]).or_else(|| value.sides()) {
                 options.sheet = Sheet { width, height, ..options.sheet };
             }
         },
-    },
-    FileOption {
-        name: "portrait",
-        label: "Portrait",
-        help: "Keep a plot's sheet upright, even if the drawing is larger on its side",
-        unit: "",
-        kind: OptionKind::Flag,
-        set: |options, value| {
-            if value.flag() {
-                options.plot.turns = false;
-                if options.sheet.width > options.sheet.height {
-                    options.sheet = options.sheet.turned();
-                }
-            }
-        },
-    },
-    FileOption {
-        name: "landscape",
-        label: "Landscape",
-        help: "Turn the sheet, so that it is wider than tall",
-        unit: "",
-        kind: OptionKind::Flag,
-        set: |options, value| {
-            if value.flag() {
-                options.plot.turns = false;
-                if options.sheet.width < options.sheet.height {
-                    options.sheet = options.sheet.turned();
-                }
-            }
-        },
-    },
-    FileOption {
-        name: "margin",
-        label: "Margin",
-        help: "Margin on every side of the sheet",
-        unit: "mm",
-        kind: OptionKind::Number { low: 0.0, high: 100.0, step: 1.0, default: 10.0 },
-        set: |options, value| options.sheet.margin = value.number(),
-    },
-    FileOption {
-        name: "pen",
-        label: "Pen width",
-        help: "Width of the pen's line; smaller parts of the drawing become one stroke",
-        unit: "mm",
-        kind: OptionKind::Number { low: 0.05, high: 20.0, step: 0.05, default: 0.3 },
-        set: |options, value| options.plot.pen = value.number(),
-    },
-    FileOption {
-        name: "hatch",
-        label: "Hatch",
-        help: "Fill polygons and broad strokes with lines",
-        unit: "",
-        kind: OptionKind::Flag,
-        set: |options, value| options.plot.hatch = value.flag(),
-    },
-    FileOption {
-        name: "hide",
-        label: "Hide what is behind",
-        help: "Leave out lines behind polygons and broad strokes, and draw broad strokes as outlines",
-        unit: "",
-        kind: OptionKind::Flag,
-        set: |options, value| options.plot.hide = value.flag(),
-    },
-    FileOption {
-        name: "start",
-        label: "Start corner",
-        help: "Corner where each pen starts and ends",
-        unit: "",
-        kind: OptionKind::Word {
-            words: &[
-                ("top-left", "Top left"),
-                ("top-right", "Top right"),
-                ("bottom-left", "Bottom left"),
-                ("bottom-right", "Bottom right"),
-            ],
-            default: "top-left",
-        },
-        set: |options, value| {
+    ),
+    choice("portrait", "Portrait", "Keep a plot's sheet upright, even if the drawing is larger on its side")
+        .flag(|options, value| turn(options, value, |sheet| sheet.width > sheet.height)),
+    choice("landscape", "Landscape", "Turn the sheet, so that it is wider than tall")
+        .flag(|options, value| turn(options, value, |sheet| sheet.width < sheet.height)),
+    choice("margin", "Margin", "Margin on every side of the sheet")
+        .unit("mm")
+        .number([0.0, 100.0, 1.0, 10.0], |options, value| options.sheet.margin = value),
+    choice("pen", "Pen width", "Width of the pen's line; smaller parts of the drawing become one stroke")
+        .unit("mm")
+        .number([0.05, 20.0, 0.05, 0.3], |options, value| options.plot.pen = value),
+    choice("hatch", "Hatch", "Fill polygons and broad strokes with lines")
+        .flag(|options, value| options.plot.hatch = value),
+    choice(
+        "hide",
+        "Hide what is behind",
+        "Leave out lines behind polygons and broad strokes, and draw broad strokes as outlines",
+    )
+    .flag(|options, value| options.plot.hide = value),
+    choice("start", "Start corner", "Corner where each pen starts and ends").words(
+        &[
+            ("top-left", "Top left"),
+            ("top-right", "Top right"),
+            ("bottom-left", "Bottom left"),
+            ("bottom-right", "Bottom right"),
+        ],
+        |options, value| {
             if let Some(corner) = Corner::ALL.into_iter().find(|corner| corner.name() == value.text()) {
                 options.plot.start = corner;
             }
         },
-    },
-    FileOption {
-        name: "min-length",
-        label: "Shortest line",
-        help: "Length under which lines are left out",
-        unit: "mm",
-        kind: OptionKind::Number { low: 0.0, high: 1000.0, step: 0.1, default: 0.0 },
-        set: |options, value| options.plot.least = value.number(),
-    },
-    FileOption {
-        name: "speed",
-        label: "Drawing speed",
-        help: "Speed of the lowered pen, for the estimate of time",
-        unit: "mm/s",
-        kind: OptionKind::Number { low: 0.1, high: 10_000.0, step: 1.0, default: 50.0 },
-        set: |options, value| options.plot.speed = value.number(),
-    },
-    FileOption {
-        name: "travel-speed",
-        label: "Travel speed",
-        help: "Speed of the raised pen, for the estimate of time",
-        unit: "mm/s",
-        kind: OptionKind::Number { low: 0.1, high: 10_000.0, step: 1.0, default: 150.0 },
-        set: |options, value| options.plot.travel_speed = value.number(),
-    },
-    FileOption {
-        name: "lift",
-        label: "Lift time",
-        help: "Seconds to raise and lower the pen, for the estimate of time",
-        unit: "s",
-        kind: OptionKind::Number { low: 0.0, high: 60.0, step: 0.1, default: 0.2 },
-        set: |options, value| options.plot.lift = value.number(),
-    },
-    FileOption {
-        name: "whole-sheet",
-        label: "Whole sheet",
-        help: "Fill the sheet, instead of ending the page at the edge of the drawing",
-        unit: "",
-        kind: OptionKind::Flag,
-        set: |options, value| options.is_cropped = !value.flag(),
-    },
-    FileOption {
-        name: "finest",
-        label: "Finest part",
-        help: "Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all",
-        unit: "%",
-        kind: OptionKind::Number { low: 0.0, high: 20.0, step: 0.1, default: 0.0 },
-        set: |options, value| options.finest = value.number() / 100.0,
-    },
-    FileOption {
-        name: "pitch",
-        label: "Pitch",
-        help: "Pitch of a note, by the height of the line's end or by the letter that draws the line",
-        unit: "",
-        kind: OptionKind::Word { words: &[("height", "By height"), ("letter", "By letter")], default: "height" },
-        set: |options, value| {
+    ),
+    choice("min-length", "Shortest line", "Length under which lines are left out")
+        .unit("mm")
+        .number([0.0, 1000.0, 0.1, 0.0], |options, value| options.plot.least = value),
+    choice("speed", "Drawing speed", "Speed of the lowered pen, for the estimate of time")
+        .unit("mm/s")
+        .number([0.1, 10_000.0, 1.0, 50.0], |options, value| options.plot.speed = value),
+    choice("travel-speed", "Travel speed", "Speed of the raised pen, for the estimate of time")
+        .unit("mm/s")
+        .number([0.1, 10_000.0, 1.0, 150.0], |options, value| options.plot.travel_speed = value),
+    choice("lift", "Lift time", "Seconds to raise and lower the pen, for the estimate of time")
+        .unit("s")
+        .number([0.0, 60.0, 0.1, 0.2], |options, value| options.plot.lift = value),
+    choice("whole-sheet", "Whole sheet", "Fill the sheet, instead of ending the page at the edge of the drawing")
+        .flag(|options, value| options.is_cropped = !value),
+    choice(
+        "finest",
+        "Finest part",
+        "Size under which parts become one tube, in percent of the longest side (in STL, 1 % is 1 mm); 0 keeps all",
+    )
+    .unit("%")
+    .number([0.0, 20.0, 0.1, 0.0], |options, value| options.finest = value / 100.0),
+    choice("pitch", "Pitch", "Pitch of a note, by the height of the line's end or by the letter that draws the line")
+        .words(&[("height", "By height"), ("letter", "By letter")], |options, value| {
             options.sound.pitch = if value.text() == "letter" { Pitch::Letter } else { Pitch::Height }
-        },
-    },
-    FileOption {
-        name: "time",
-        label: "Time",
-        help: "Time of a note: line after line in drawing order, or by length with branches together",
-        unit: "",
-        kind: OptionKind::Word {
-            words: &[("step", "Line after line"), ("length", "By length, branches together")],
-            default: "step",
-        },
-        set: |options, value| options.sound.time = if value.text() == "length" { Time::Length } else { Time::Step },
-    },
-    FileOption {
-        name: "scale",
-        label: "Scale",
-        help: "Tones of an octave, on C",
-        unit: "",
-        kind: OptionKind::Word {
-            words: &[("pentatonic", "Pentatonic"), ("major", "Major"), ("minor", "Minor"), ("chromatic", "Chromatic")],
-            default: "pentatonic",
-        },
-        set: |options, value| {
+        }),
+    choice("time", "Time", "Time of a note: line after line in drawing order, or by length with branches together")
+        .words(&[("step", "Line after line"), ("length", "By length, branches together")], |options, value| {
+            options.sound.time = if value.text() == "length" { Time::Length } else { Time::Step }
+        }),
+    choice("scale", "Scale", "Tones of an octave, on C").words(
+        &[("pentatonic", "Pentatonic"), ("major", "Major"), ("minor", "Minor"), ("chromatic", "Chromatic")],
+        |options, value| {
             options.sound.scale = match value.text() {
                 "major" => Scale::Major,
                 "minor" => Scale::Minor,
@@ -299,42 +192,64 @@ pub static FILE_OPTIONS: [FileOption; 24] = [
                 _ => Scale::Pentatonic,
             }
         },
-    },
-    FileOption {
-        name: "octaves",
-        label: "Range",
-        help: "Range of the pitches, about middle C",
-        unit: "octaves",
-        kind: OptionKind::Number { low: 1.0, high: 6.0, step: 1.0, default: 3.0 },
-        set: |options, value| options.sound.octaves = value.number() as u8,
-    },
-    FileOption {
-        name: "tempo",
-        label: "Tempo",
-        help: "Quarter notes in a minute; a line lasts a sixteenth",
-        unit: "per minute",
-        kind: OptionKind::Number { low: 20.0, high: 400.0, step: 1.0, default: 120.0 },
-        set: |options, value| options.sound.tempo = value.number(),
-    },
-    FileOption {
-        name: "notes",
-        label: "Most notes",
-        help: "Number of notes; of longer walks, lines at even distances are heard, or by length an earlier generation",
-        unit: "",
-        kind: OptionKind::Number { low: 1.0, high: MAX_NOTES as f64, step: 1.0, default: 2_000.0 },
-        set: |options, value| options.sound.notes = value.number() as u32,
-    },
-    FileOption {
-        name: "bare",
-        label: "Without the rules inside",
-        help: "Leave the system out of the file; the file cannot be opened again as a system",
-        unit: "",
-        kind: OptionKind::Flag,
-        set: |options, value| options.bare = value.flag(),
-    },
+    ),
+    choice("octaves", "Range", "Range of the pitches, about middle C")
+        .unit("octaves")
+        .number([1.0, 6.0, 1.0, 3.0], |options, value| options.sound.octaves = value as u8),
+    choice("tempo", "Tempo", "Quarter notes in a minute; a line lasts a sixteenth")
+        .unit("per minute")
+        .number([20.0, 400.0, 1.0, 120.0], |options, value| options.sound.tempo = value),
+    choice(
+        "notes",
+        "Most notes",
+        "Number of notes; of longer walks, lines at even distances are heard, or by length an earlier generation",
+    )
+    .number([1.0, MAX_NOTES as f64, 1.0, 2_000.0], |options, value| options.sound.notes = value as u32),
+    choice(
+        "bare",
+        "Without the rules inside",
+        "Leave the system out of the file; the file cannot be opened again as a system",
+    )
+    .flag(|options, value| options.bare = value),
 ];
 
+/// Keeps the sheet as it is, or turns it if it lies the other way.
+fn turn(options: &mut FileOptions, is_wanted: bool, is_other: fn(&Sheet) -> bool) {
+    if is_wanted {
+        options.plot.turns = false;
+        if is_other(&options.sheet) {
+            options.sheet = options.sheet.turned();
+        }
+    }
+}
+
+const fn choice(name: &'static str, label: &'static str, help: &'static str) -> FileOption {
+    FileOption { name, label, help, unit: "", kind: OptionKind::Flag, set: Setter::Flag(|_, _| {}) }
+}
+
 impl FileOption {
+    const fn unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
+    const fn flag(self, set: fn(&mut FileOptions, bool)) -> Self {
+        Self { set: Setter::Flag(set), ..self }
+    }
+
+    /// A choice of numbers: the least, the largest, the distance of a control's values, and the default.
+    const fn number(self, [low, high, step, default]: [f64; 4], set: fn(&mut FileOptions, f64)) -> Self {
+        Self { kind: OptionKind::Number { low, high, step, default }, set: Setter::Number(set), ..self }
+    }
+
+    const fn text(self, kind: OptionKind, set: fn(&mut FileOptions, &OptionValue)) -> Self {
+        Self { kind, set: Setter::Text(set), ..self }
+    }
+
+    /// A choice of words with their labels; the first one is the default.
+    const fn words(self, words: Words, set: fn(&mut FileOptions, &OptionValue)) -> Self {
+        self.text(OptionKind::Word { words, default: words[0].0 }, set)
+    }
+
     /// The choice with this name, if any.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
@@ -397,14 +312,6 @@ impl FileOption {
 }
 
 impl OptionValue {
-    fn flag(&self) -> bool {
-        *self == Self::Flag(true)
-    }
-
-    fn number(&self) -> f64 {
-        if let Self::Number(number) = self { *number } else { 0.0 }
-    }
-
     fn text(&self) -> &str {
         if let Self::Text(text) = self { text } else { "" }
     }
@@ -439,7 +346,13 @@ impl FileOptions {
             if !option.admits(value) {
                 return Err(say!("{}: expected {}", option.name, option.expected_words()));
             }
-            (option.set)(&mut options, value);
+            match (option.set, value) {
+                (Setter::Flag(set), OptionValue::Flag(value)) => set(&mut options, *value),
+                (Setter::Number(set), OptionValue::Number(value)) => set(&mut options, *value),
+                (Setter::Text(set), value) => set(&mut options, value),
+                // Not admitted.
+                _ => {}
+            }
         }
         Ok(options)
     }

@@ -1,10 +1,10 @@
 //! Segments in the output of any program: an SVG of lines, or a table of coordinates.
 
-mod svg;
 mod table;
 
 use lsystem_base::decimal;
 use lsystem_base::say;
+use lsystem_syntax::line_of;
 
 /// The segments of a file, in the order of the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +38,12 @@ pub enum SegmentForm {
 pub fn read_segments(text: &str, most: usize) -> Option<Result<SegmentFile, SegmentError>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let found = if text.trim_start().starts_with('<') {
-        svg::read(text, most).map(|segments| (SegmentForm::Svg, segments, false))
+        let lines = lsystem_svg::lines(text, most)
+            .map_err(|error| SegmentError { line: line_of(text, error.at.unwrap_or(0)), message: error.message });
+        lines.map(|lines| {
+            let flat = |line: [[f64; 2]; 2]| line.map(|[x, y]| [x, y, 0.0]);
+            (SegmentForm::Svg, lines.into_iter().map(flat).collect(), false)
+        })
     } else {
         let (segments, is_solid) = match table::read(text, most)? {
             Ok(table) => table,
@@ -154,10 +159,19 @@ mod tests {
             ("<line x1='a'/>", "line 2: `x1` of a line must be a number and is `a`"),
             ("<path d='L1'/>", "line 2: the path is damaged: `L1`"),
             ("<polyline points='0,0 1'/>", "line 2: the points are damaged: `0,0 1`"),
-            ("<line x1='1", "line 2: a tag has no end"),
-            ("<g transform='skewX(3)'></g>", "line 2: this transform is not read: `skewX(3)`"),
+            ("<line x1='1", "line 2: this SVG is damaged"),
+            ("<g transform='tilt(3)'></g>", "line 2: this transform is not read: `tilt(3)`"),
         ] {
             assert_eq!(read(&format!("<svg>\n{inside}</svg>")), expected, "{inside}");
+        }
+        for (text, expected) in [
+            ("<!DOCTYPE html><meta><p>a<br>\n<svg><line x2='2'/></svg></body>", "plane to 1: 0,0-2,0"),
+            ("<!DOCTYPE html>\n<svg>\n<line x2='2mm'/></svg>", "line 3: `x2` of a line must be a number and is `2mm`"),
+            ("<s:svg xmlns:s='a'><s:line x2='&#50;'/></s:svg>", "plane to 1: 0,0-2,0"),
+            ("<svg>\n<g>\n<line x2='2'/></svg>", "line 3: this SVG is damaged"),
+            ("<svg><line x2='1e300' transform='scale(1e300)'/></svg>", "line 1: a coordinate is too large"),
+        ] {
+            assert_eq!(read(text), expected, "{text}");
         }
         let many = format!("<svg>{}</svg>", "<line x2='1'/>".repeat(13));
         assert!(read(&many).contains("more than 12 segments"));

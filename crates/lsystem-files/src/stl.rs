@@ -95,7 +95,7 @@ mod tests {
     fn mesh(axiom: &str) -> Mesh {
         let style = Style { width: 0.1, ..Style::default() };
         let definition = Definition { axiom: axiom.into(), angle: 30.0, style, ..Definition::default() };
-        let system = System::new(&definition).0.unwrap();
+        let system = System::new(&definition).unwrap();
         let drawing = draw::<Solid>(&system, 0, &Limits::default()).unwrap();
         Mesh::for_printing(&drawing, &definition.style, 1_000).unwrap()
     }

@@ -21,8 +21,7 @@ fn definition(path: &Path) -> Definition {
 }
 
 fn drawing(definition: &Definition, n: u32) -> Arc<Drawing<Solid>> {
-    let (system, diagnostics) = System::new(definition);
-    let system = system.unwrap_or_else(|| panic!("{diagnostics:?}"));
+    let system = System::new(definition).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}"));
     Arc::new(draw::<Solid>(&system, n, &Limits::default()).unwrap())
 }
 

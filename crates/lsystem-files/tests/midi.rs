@@ -31,14 +31,14 @@ fn options(values: &[(&str, &str)]) -> FileOptions {
 }
 
 fn file(definition: &Definition, options: &FileOptions) -> (Vec<u8>, Notes) {
-    let (system, format) = (System::new(definition).0.unwrap(), Format::named("midi").unwrap());
+    let (system, format) = (System::new(definition).unwrap(), Format::named("midi").unwrap());
     let view = FileView::default();
     let task = FileTask { definition, system: &system, format, options, view, limits: FileLimits::PAGE };
     collect(|sink| make(&task, sink)).unwrap()
 }
 
 fn tune(definition: &Definition, options: &FileOptions) -> Tune {
-    let system = System::new(definition).0.unwrap();
+    let system = System::new(definition).unwrap();
     let draw =
         &mut |system: &System, n, _: &mut dyn Work| Figure::draw(system, n, &Limits::default()).map_err(Halt::from);
     listen(&system, definition.iterations, &options.sound, draw, &mut Meter::new(u64::MAX)).unwrap()

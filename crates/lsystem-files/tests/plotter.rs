@@ -30,8 +30,7 @@ fn definition(name: &str) -> Definition {
 }
 
 fn drawing(definition: &Definition, n: u32) -> Option<Arc<Drawing>> {
-    let (system, diagnostics) = System::new(definition);
-    let system = system.unwrap_or_else(|| panic!("{diagnostics:?}"));
+    let system = System::new(definition).unwrap_or_else(|diagnostics| panic!("{diagnostics:?}"));
     draw::<Plane>(&system, n, &Limits::default()).ok().map(Arc::new)
 }
 

@@ -9,7 +9,8 @@ use crate::curve_letters::{LINE, LetterSearch};
 use crate::family::{Family, Rule, mirrored};
 use crate::lattice::{Lattice, Walker};
 use crate::source::Advance;
-use crate::words::{Alphabet, Symbol};
+use crate::successors::{Alphabet, Symbol};
+use lsystem_base::sorted;
 use std::collections::HashSet;
 use std::iter::once;
 use std::sync::Arc;
@@ -112,7 +113,7 @@ impl CurveSearch {
         let mut shapes: Vec<Shape> =
             steps.iter().flat_map(|&n| all.clone().filter_map(move |undrawn| shape(n, undrawn))).collect();
         // The last ones are tried first.
-        shapes.sort_by_key(|shape| std::cmp::Reverse(shape.drawn + shape.undrawn));
+        sorted::sort_by_key(&mut shapes, |shape| std::cmp::Reverse(shape.drawn + shape.undrawn));
         Some(Self {
             lattice: lattice.clone(),
             alphabet: abc,

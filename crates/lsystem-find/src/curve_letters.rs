@@ -1,7 +1,7 @@
 //! The letters of a word, given its lines: which letter each line is, and the places of letters that do not draw.
 
 use crate::lattice::{Lattice, Walker};
-use crate::words::{Alphabet, Symbol};
+use crate::successors::{Alphabet, Symbol};
 
 /// A line of a word whose letters are not known yet.
 pub(crate) const LINE: Symbol = 0;

@@ -2,6 +2,7 @@
 
 use crate::{Found, printed};
 use lsystem_base::Limits;
+use lsystem_base::sorted;
 use lsystem_base::word;
 use lsystem_drawing::{System, expand};
 use lsystem_syntax::Definition;
@@ -125,7 +126,7 @@ impl Search {
             return Err(word!("There must be 1 to 30 derivation steps."));
         }
         let mut alphabet: Vec<char> = axiom.iter().chain(&text).copied().collect();
-        alphabet.sort_unstable();
+        sorted::sort(&mut alphabet);
         alphabet.dedup();
         if alphabet.len() > MAX_ALPHABET {
             return Err(word!("The string has more than 60 different symbols."));
@@ -215,8 +216,8 @@ fn is_plain(symbol: char, has_rule: bool) -> bool {
         return true;
     }
     let derives = |axiom: &str, rules: String, expected: &str| {
-        let system = System::new(&Definition { axiom: printed(axiom), rules, ..Definition::default() }).0;
-        system.and_then(|system| expand(&system, 1, &Limits::default()).ok()).as_deref() == Some(expected)
+        let system = System::new(&Definition { axiom: printed(axiom), rules, ..Definition::default() });
+        system.is_ok_and(|system| expand(&system, 1, &Limits::default()).as_deref() == Ok(expected))
     };
     let [alone, between, last] = [format!("{symbol}"), format!("F{symbol}F"), format!("F{symbol}")];
     printed(&alone) == alone

@@ -6,6 +6,7 @@ use crate::overlay::{LIMITS, MAX_SEGMENTS, NOT_THE_SAME, judged};
 use crate::picture::Picture;
 use crate::strokes::{NEAR, Strokes};
 use crate::{Found, Named, printed};
+use lsystem_base::sorted;
 use lsystem_drawing::{Plane, draw};
 use lsystem_syntax::{Definition, Dialect};
 use std::cmp::Reverse;
@@ -20,7 +21,7 @@ const AS_GOOD: f64 = 0.005;
 /// The most systems that are kept.
 const MAX_KEPT: usize = 20;
 /// More turns in a row than this are unusual in a successor.
-const MOST_TURNS: usize = 2;
+const MAX_TURNS: usize = 2;
 /// The rank of a successor that is written in another way than usual: all usual ones of its length come before it.
 const UNUSUAL: usize = 1000;
 
@@ -77,9 +78,9 @@ impl Drawn {
     pub fn key(&self) -> String {
         let mut lines: Vec<String> = self.rules().lines().map(without_spaces).collect();
         lines.retain(|line| !line.is_empty());
-        lines.sort_unstable();
+        sorted::sort(&mut lines);
         let (axiom, mut draws) = (without_spaces(&self.axiom), self.draws.chars().collect::<Vec<_>>());
-        draws.sort_unstable();
+        sorted::sort(&mut draws);
         let draws: String = draws.into_iter().filter(|&at| axiom.contains(at) || self.rules().contains(at)).collect();
         format!("{axiom} {} {} {draws} {}", lines.join(" "), self.angle, self.found.n)
     }
@@ -95,7 +96,7 @@ impl Drawn {
         let is_turn = |symbol: char| symbol == '+' || symbol == '-';
         let is_usual = |(_, word): &(char, String)| {
             let runs = word.split(|symbol| !is_turn(symbol)).map(str::len);
-            !word.starts_with(is_turn) && !word.ends_with(is_turn) && runs.max().unwrap_or(0) <= MOST_TURNS
+            !word.starts_with(is_turn) && !word.ends_with(is_turn) && runs.max().unwrap_or(0) <= MAX_TURNS
         };
         let unusual = self.found.rules.iter().filter(|rule| !is_usual(rule)).count();
         1 + unusual * UNUSUAL + self.found.symbols() + self.found.n as usize
@@ -111,7 +112,7 @@ impl Drawn {
         let letters =
             self.axiom.chars().chain(self.found.rules.iter().flat_map(|(from, to)| once(*from).chain(to.chars())));
         let mut letters: Vec<char> = letters.filter(char::is_ascii_alphabetic).collect();
-        letters.sort_unstable();
+        sorted::sort(&mut letters);
         letters.dedup();
         let line = |&letter: &char| match (self.draws.contains(letter), usual(letter)) {
             (true, _) if !['F', 'G'].contains(&letter) => Some(format!("{letter}: draw")),
@@ -132,7 +133,7 @@ impl Drawn {
     /// Measures the agreement once more, with the drawing of the definition. A drawing with too many segments is not called
     /// the same.
     pub(crate) fn confirm(&mut self, target: &Target, picture: &Picture, fit: Fit) {
-        let Some(system) = lsystem_drawing::System::new(&self.definition()).0 else {
+        let Ok(system) = lsystem_drawing::System::new(&self.definition()) else {
             self.agreement = 0.0;
             return;
         };
@@ -168,7 +169,7 @@ pub(crate) fn keep(kept: &mut Vec<Drawn>, mut drawn: Drawn) {
     }
     kept.push(drawn);
     let best = kept.iter().map(|drawn| drawn.agreement).fold(0.0, f64::max);
-    kept.sort_by_cached_key(|drawn| drawn.order(best));
+    sorted::sort_by_key(kept, |drawn| drawn.order(best));
     let near = kept.iter().filter(|drawn| drawn.agreement >= NEAR).count();
     kept.truncate(near.clamp(1, MAX_KEPT));
 }

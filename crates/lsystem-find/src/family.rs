@@ -1,6 +1,6 @@
 //! Families of systems: those with the same letters, whose rules are free, fixed, or the mirror image of another one.
 
-use crate::words::{Alphabet, Symbol, Words};
+use crate::successors::{Alphabet, Symbol, Words};
 use lsystem_base::{say, word};
 
 /// The most symbols of the successors.
@@ -38,8 +38,7 @@ pub(crate) struct Family {
     /// The successors of the free letters.
     words: Vec<Words>,
     pub(crate) tried: u64,
-    /// A family gets a part of the work that is smaller by this factor than that of the most usual ones, or of those
-    /// with all its systems.
+    /// The divisor of the family's share of the work; 1 for the most common families.
     pub(crate) rank: u64,
 }
 

@@ -5,6 +5,7 @@ use crate::drawn::{Drawn, FOUND, keep};
 use crate::lattice::Lattices;
 use crate::{Known, Named, Picture, PictureSearch, Searched, Share};
 use lsystem_base::say;
+use lsystem_base::sorted;
 use lsystem_base::words::shown;
 use lsystem_drawing::System;
 use std::collections::VecDeque;
@@ -125,7 +126,7 @@ impl Finder {
         for is_usual in [true, false] {
             for (named, system) in &own {
                 let mut steps = steps(named);
-                steps.sort_unstable();
+                sorted::sort(&mut steps);
                 steps.dedup();
                 let steps = steps.into_iter().filter(|&n| usual(named, n) == is_usual);
                 self.named.extend(steps.map(|n| (named.clone(), system.clone(), n)));
@@ -221,7 +222,8 @@ impl Finder {
 fn axioms(angle: f64) -> Vec<String> {
     let turns = 360.0 / angle;
     let mut axioms = AXIOMS.map(str::to_owned).to_vec();
-    if (turns - turns.round()).abs() < 1e-9 {
+    // Smaller angles are refused by the search.
+    if turns <= 36_000.0 && (turns - turns.round()).abs() < 1e-9 {
         let turns = turns.round() as usize;
         let sides = (SIDES[0]..=SIDES[1]).rev().filter(|&sides| turns.is_multiple_of(sides));
         axioms.extend(sides.map(|sides| vec!["F"; sides].join(&"+".repeat(turns / sides))));

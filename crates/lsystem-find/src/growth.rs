@@ -10,7 +10,8 @@ use crate::hull::{Fit, Hulls, System, Target};
 use crate::picture::Picture;
 use crate::source::Advance;
 use crate::strokes::{Laid, Strokes, pixel};
-use crate::words::{Alphabet, Symbol};
+use crate::successors::{Alphabet, Symbol};
+use lsystem_base::sorted;
 use lsystem_render::mask::SIDE;
 use std::cmp::Reverse;
 use std::collections::HashSet;
@@ -20,7 +21,7 @@ use std::sync::Arc;
 const SHORTEST: usize = 16;
 /// The usual length of a line, in pixels.
 const USUAL: f64 = 4.0;
-/// How far, in pixels, a trunk may end beside the place where a picture tells its end.
+/// The largest distance, in pixels, between the computed end of a trunk and its end in the picture.
 const OFF: f64 = 5.0;
 /// How far before the place where a trunk is wider a branch begins, in pixels: it parts from the trunk little by little.
 const PARTING: f64 = 1.5;
@@ -210,11 +211,11 @@ impl GrowthSearch {
             ends.iter().map(|end| (end - length).abs()).fold(f64::INFINITY, f64::min)
         };
         let mut told: Vec<Trunk> = trunks.iter().filter(|trunk| off(trunk) <= OFF).copied().collect();
-        told.sort_by_cached_key(|trunk| Reverse((off(trunk).round() as u32, unusual(trunk).to_bits())));
+        sorted::sort_by_key(&mut told, |trunk| Reverse((off(trunk).round() as u32, unusual(trunk).to_bits())));
         let (mut usual, mut long) = (trunks.clone(), trunks);
         // The bits of positive numbers are in the order of the numbers.
-        usual.sort_by_cached_key(|trunk| Reverse(unusual(trunk).to_bits()));
-        long.sort_by_cached_key(|trunk| unit(trunk).to_bits());
+        sorted::sort_by_key(&mut usual, |trunk| Reverse(unusual(trunk).to_bits()));
+        sorted::sort_by_key(&mut long, |trunk| unit(trunk).to_bits());
         search.trunks = [(told, 0), (usual, 0), (long, 0)];
         Some(search)
     }
@@ -325,7 +326,7 @@ impl GrowthSearch {
         }
         let Growing { plant, mut kept, .. } = growing;
         let next: Vec<Branch> = kept.iter().map(|(_, branch)| *branch).collect();
-        kept.sort_by_key(|(covered, _)| Reverse(*covered));
+        sorted::sort_by_key(&mut kept, |(covered, _)| Reverse(*covered));
         kept.truncate(MAX_BRANCHES);
         for &(covered, branch) in kept.iter().rev() {
             let branches = with(&plant, branch);
@@ -414,7 +415,7 @@ impl GrowthSearch {
     fn write(&self, branches: &[Branch], at: Option<usize>, heading: i32, word: &mut Vec<Symbol>) {
         let mut from: Vec<usize> = (0..branches.len()).filter(|&branch| branches[branch].from == at).collect();
         // As books do, branches to the left come first.
-        from.sort_by_key(|&branch| (Reverse(branches[branch].turns), branches[branch].is_leaf));
+        sorted::sort_by_key(&mut from, |&branch| (Reverse(branches[branch].turns), branches[branch].is_leaf));
         let is_on_trunk = self.kind == Kind::Copies && at.is_none_or(|at| at < self.scale.trunk);
         let last = match is_on_trunk {
             true => from.iter().position(|&branch| branch < self.scale.trunk),

@@ -5,12 +5,12 @@
 //! the rules, however many segments are drawn. Places are in steps, with the first heading along the x axis.
 
 use crate::picture::{LOOSE, Picture};
-use crate::words::{Alphabet, Symbol};
+use crate::successors::{Alphabet, Symbol};
 use std::f64::consts::TAU;
 
 /// The fewest and the most directions of a hull.
 const FEWEST: usize = 12;
-const MOST: usize = 72;
+const MAX: usize = 72;
 /// How far a hull reaches that is empty.
 const NOWHERE: f32 = -1e15;
 /// How far a line of a picture may be from where it is drawn, in pixels: on the average, and at most.
@@ -35,7 +35,7 @@ impl Headings {
     pub(crate) fn new(angle: f64) -> Self {
         let hundredths = ((angle * 100.0).round() as u32).clamp(1, 36_000);
         let order = (36_000 / gcd(36_000, hundredths)) as usize;
-        let count = if order <= MOST { FEWEST.div_ceil(order) * order } else { MOST };
+        let count = if order <= MAX { FEWEST.div_ceil(order) * order } else { MAX };
         let heading = |at: usize| {
             let turn = f64::from(hundredths) / 36_000.0 * at as f64;
             let (turn, (sin, cos)) = (turn.fract() * count as f64, libm::sincos(turn * TAU));
@@ -67,11 +67,11 @@ pub(crate) struct Block {
     pub(crate) end: (f64, f64),
     pub(crate) turns: usize,
     /// How far the ink reaches, twice around. Half of the usual precision is enough for pixels and twice as fast.
-    reach: [f32; 2 * MOST],
+    reach: [f32; 2 * MAX],
 }
 
 impl Block {
-    const EMPTY: Self = Self { end: (0.0, 0.0), turns: 0, reach: [NOWHERE; 2 * MOST] };
+    const EMPTY: Self = Self { end: (0.0, 0.0), turns: 0, reach: [NOWHERE; 2 * MAX] };
 
     /// The largest distance of the ink from where the letter begins.
     pub(crate) fn radius(&self) -> f64 {

@@ -6,7 +6,7 @@
 use crate::hull::Target;
 use crate::picture::Picture;
 use crate::strokes::put_stroke;
-use crate::words::{Alphabet, Symbol};
+use crate::successors::{Alphabet, Symbol};
 use lsystem_render::mask::{Mask, SIDE};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
@@ -23,7 +23,7 @@ const MAX_DIRECTIONS: usize = 24;
 const MAX_EDGES: usize = 30_000;
 /// The ink of all edges, each drawn by itself, is at most so many times the ink of the picture: no more than half of it
 /// lies where edges meet.
-const MOST_INK: f64 = 2.0;
+const MAX_INK: f64 = 2.0;
 /// The number of places that a step of the search looks at.
 const SHARE: usize = 100_000;
 /// After twice as many edges, and each time when their number has doubled, the fit is made better.
@@ -210,7 +210,7 @@ impl<'a> Tracer<'a> {
         let mut open = VecDeque::from([0_u32]);
         let mut nodes = HashMap::from([((0, 0), 0_u32)]);
         let mut refined = REFINED;
-        let most = MOST_INK * self.picture.mask.count() as f64 / (2.0 * self.picture.stroke * self.unit);
+        let most = MAX_INK * self.picture.mask.count() as f64 / (2.0 * self.picture.stroke * self.unit);
         let most = (most as usize).min(MAX_EDGES);
         while let Some(node) = open.pop_front() {
             let [x, y] = self.places[node as usize];
@@ -343,7 +343,7 @@ mod tests {
         use lsystem_syntax::Definition;
         let definition =
             Definition { axiom: axiom.to_owned(), rules: rules.to_owned(), angle, ..Definition::default() };
-        let system = lsystem_drawing::System::new(&definition).0.expect("a system");
+        let system = lsystem_drawing::System::new(&definition).expect("a system");
         let drawing =
             lsystem_drawing::draw::<lsystem_drawing::Plane>(&system, n, &Limits::default()).expect("a drawing");
         let segments: Vec<[f64; 4]> =

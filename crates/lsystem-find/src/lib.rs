@@ -45,8 +45,7 @@ mod source;
 mod squares;
 mod strings;
 mod strokes;
-mod svg;
-mod words;
+mod successors;
 
 pub use derivation::{Search, Searched};
 pub use drawn::{Drawn, FOUND};
@@ -58,7 +57,6 @@ pub use picture::Picture;
 pub use picture_search::{Known, PictureSearch};
 pub use share::Share;
 pub use strings::StringFinder;
-pub use svg::{Svg, draw_svg, is_svg, outline_of_svg};
 
 use lsystem_syntax::print_module;
 
@@ -88,6 +86,10 @@ impl Found {
 
 /// Symbols in our notation.
 fn printed(symbols: &str) -> String {
+    // Alone, these would stand for nothing.
+    if matches!(symbols, "ε" | "*") {
+        return format!("`{symbols}`");
+    }
     let mut text = String::new();
     symbols.chars().for_each(|symbol| print_module(symbol, &[], &mut text));
     text

@@ -3,6 +3,7 @@
 use crate::overlay::Overlay;
 use crate::picture::Picture;
 use crate::{Drawn, Found, Question};
+use lsystem_base::sorted;
 use lsystem_drawing::System;
 use lsystem_syntax::{Action, Definition};
 use std::sync::Arc;
@@ -25,7 +26,7 @@ impl Named {
         let may_be = question.axiom.as_ref().is_none_or(is_axiom)
             && question.angle.is_none_or(|known| is_near(known, *angle))
             && question.heading.is_none_or(|known| is_near(known, *heading));
-        let system = System::new(&self.definition).0.filter(|system| may_be && !system.is_solid())?;
+        let system = System::new(&self.definition).ok().filter(|system| may_be && !system.is_solid())?;
         let own = drawing_letters(&system);
         let is_drawing = |known: &String| {
             let all = known.chars().chain(own.chars());
@@ -64,7 +65,7 @@ fn drawing_letters(system: &System) -> String {
     let letters = system.rules.letters.iter().zip(&system.turtle.actions);
     let mut letters: Vec<char> =
         letters.filter(|(_, actions)| draws(actions)).map(|(letter, _)| letter.symbol).collect();
-    letters.sort_unstable();
+    sorted::sort(&mut letters);
     letters.dedup();
     letters.into_iter().collect()
 }

@@ -19,7 +19,7 @@ pub(crate) const LIMITS: Limits =
 pub(crate) const NOT_THE_SAME: f64 = 1.0 - f64::EPSILON;
 /// The sides of the box around a drawing differ from that of the picture by at most this many pixels.
 const OTHER_BOX: f64 = 6.0;
-/// Those of a drawing by hand, by at most this many: a tenth of the whole.
+/// The same limit for drawings by hand: a tenth of the side of the picture, in pixels.
 const BY_HAND: f64 = SIDE as f64 / 10.0;
 /// The heading of coordinates in the plane: its cosine and its sine.
 const RIGHT: (f64, f64) = (1.0, 0.0);
@@ -96,7 +96,7 @@ impl Picture {
     /// system cannot be laid on the picture.
     #[must_use]
     pub fn compared(&self, definition: &Definition) -> Option<Vec<u8>> {
-        let system = System::new(definition).0?;
+        let system = System::new(definition).ok()?;
         let overlay = Overlay::close(&system, definition.iterations, self, f64::INFINITY)?;
         Some(overlay.strokes.mask(overlay.laid).compared(&self.mask))
     }

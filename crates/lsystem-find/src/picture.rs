@@ -10,7 +10,7 @@ use lsystem_render::mask::{Mask, SIDE};
 /// The pixels around the ink.
 pub(crate) const MARGIN: usize = 4;
 /// A picture whose ink covers more than this part of its hull shows no lines.
-const MOST_COVERED: f64 = 0.85;
+const MAX_COVERED: f64 = 0.85;
 /// Half the width of the lines that segments are drawn with, in pixels.
 const THIN: f64 = 0.75;
 /// Half the width of these lines on the sheet, in pixels, and the sheet's pixels for one of the mask.
@@ -132,7 +132,7 @@ impl Picture {
         let scale = (longest as f64 / side as f64).max(1.0);
         let mut mask = Mask::default();
         // Pixels of the picture for one of the sheet.
-        let coarser = (longest as f64 / sheet::MOST as f64).max(1.0);
+        let coarser = (longest as f64 / sheet::MAX as f64).max(1.0);
         let on_sheet = |value: usize, first: usize| ((value - first) as f64 / coarser) as usize;
         let Bounds { left, top, right, bottom } = ink;
         let mut sheet = Sheet::new(on_sheet(right, left) + 1, on_sheet(bottom, top) + 1, scale / coarser);
@@ -142,7 +142,7 @@ impl Picture {
             sheet.put(on_sheet(x, left), on_sheet(y, top));
         }
         let picture = Self::of(mask, sheet.finished());
-        if picture.mask.count() as f64 > picture.hull_area() * MOST_COVERED {
+        if picture.mask.count() as f64 > picture.hull_area() * MAX_COVERED {
             return Err(filled);
         }
         Ok(picture)
@@ -158,20 +158,22 @@ impl Picture {
         let most = |axis: usize| places().map(|at| at[axis]).fold(f64::NEG_INFINITY, f64::max);
         let (left, top) = (least(0), most(1));
         let longest = (most(0) - left).max(top - least(1));
+        let no_length = word!("the segments have no length");
         if !(longest > 0.0 && longest.is_finite()) {
-            return Err(word!("the segments have no length"));
+            return Err(no_length);
         }
         let scale = (SIDE - 2 * MARGIN) as f64 / longest;
         let pixel = |x: f64, y: f64| [(x - left) * scale + MARGIN as f64, (top - y) * scale + MARGIN as f64];
         let mut mask = Mask::default();
-        let fine = |side: f64| ((side * scale * FINER) as usize).min(sheet::MOST - 2) + 2;
+        let fine = |side: f64| ((side * scale * FINER) as usize).min(sheet::MAX - 2) + 2;
         let mut sheet = Sheet::new(fine(most(0) - left), fine(top - least(1)), FINER);
         for &[x1, y1, x2, y2] in segments {
             put_stroke(&mut mask, [pixel(x1, y1), pixel(x2, y2)], THIN);
             let fine = |x: f64, y: f64| [(x - left) * scale * FINER, (top - y) * scale * FINER];
             sheet.put_stroke([fine(x1, y1), fine(x2, y2)], THIN_ON_SHEET);
         }
-        Ok(Self::of(mask, sheet.finished()))
+        // Ends that are no numbers leave nothing.
+        (mask.count() > 0).then(|| Self::of(mask, sheet.finished())).ok_or(no_length)
     }
 
     /// How much of the ink of both agrees, from 0 to 1.

@@ -7,7 +7,7 @@ use crate::lattice::Lattices;
 use crate::picture::Picture;
 use crate::source::Sources;
 use crate::strokes::{NEAR, Strokes};
-use crate::words::Symbol;
+use crate::successors::Symbol;
 use crate::{Found, Searched, Share};
 use lsystem_base::word;
 use std::sync::Arc;

@@ -5,7 +5,7 @@ use crate::strokes::{PIXELS, for_runs};
 use lsystem_render::mask::put_run;
 
 /// The longer side is at most this many pixels, so that a sheet has at most 512 KiB.
-pub(crate) const MOST: usize = 2048;
+pub(crate) const MAX: usize = 2048;
 /// One in this many pixels of ink lies on a line of at most the usual width.
 const USUAL: usize = 3;
 /// The least distance, in pixels, by which a stroke may lie beside the ink: half a pixel for the fit, and half for the
@@ -39,7 +39,7 @@ struct Shift {
 }
 
 impl Sheet {
-    /// A sheet without ink; its sides are at most [`MOST`]. `scale` is the number of its pixels for one pixel of the mask.
+    /// A sheet without ink; its sides are at most [`MAX`]. `scale` is the number of its pixels for one pixel of the mask.
     pub(crate) fn new(width: usize, height: usize, scale: f64) -> Self {
         let row = width.div_ceil(64);
         Self { width, height, row, bits: vec![0; row * height], scale, stroke: 0.5 }
@@ -136,7 +136,7 @@ impl Sheet {
         for ends in strokes {
             let [[x1, y1], [x2, y2]] = ends.map(|at| self.shifted(at, shift));
             // A stroke that is longer than both sides leaves the sheet at once.
-            let steps = libm::hypot(x2 - x1, y2 - y1).ceil().clamp(1.0, 2.0 * MOST as f64);
+            let steps = libm::hypot(x2 - x1, y2 - y1).ceil().clamp(1.0, 2.0 * MAX as f64);
             for step in 0..=steps as usize {
                 let along = step as f64 / steps;
                 let at = [x1 + (x2 - x1) * along, y1 + (y2 - y1) * along];

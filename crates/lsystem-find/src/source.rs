@@ -7,7 +7,7 @@ use crate::hull::Target;
 use crate::lattice::{LatticeSearch, Lattices};
 use crate::picture::Picture;
 use crate::share::Share;
-use crate::words::Symbol;
+use crate::successors::Symbol;
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 

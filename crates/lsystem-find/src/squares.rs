@@ -1,6 +1,7 @@
 //! Least squares for a few unknowns.
 
-/// What holds the unknowns where the observations do not tell them, as a part of what is told.
+/// Regularisation: this part of the mean of the diagonal is added to the diagonal, so that unknowns without observations
+/// stay near zero.
 const HELD: f64 = 1e-4;
 
 /// Sums of the products of observed coefficients, and of these with what is observed: the normal equations.

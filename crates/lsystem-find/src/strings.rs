@@ -1,6 +1,7 @@
 //! The search for the rules of a string, of whose system some properties are known.
 
 use crate::{Drawn, Found, Question, Search, Searched};
+use lsystem_base::sorted;
 use lsystem_base::{say, word};
 
 /// The numbers of derivation steps that are tried where theirs is not known.
@@ -8,7 +9,7 @@ const STEPS: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
 /// The most letters of a string that are tried as axioms where none is known.
 const MAX_AXIOMS: usize = 8;
 /// The most symbols of all successors.
-const MOST: usize = 60;
+const MAX: usize = 60;
 /// The number of symbols that a search reads before the next search's turn.
 const SHARE: usize = 4096;
 /// The most systems that are kept.
@@ -56,7 +57,7 @@ impl StringFinder {
         let axiom = axiom.filter(|axiom| !axiom.is_empty());
         let all = || text.chars().chain(axiom.iter().flat_map(|axiom| axiom.chars()));
         let sorted = |mut symbols: Vec<char>| {
-            symbols.sort_unstable();
+            sorted::sort(&mut symbols);
             symbols.dedup();
             symbols
         };
@@ -76,7 +77,7 @@ impl StringFinder {
         let mut searches = Vec::new();
         for n in question.n.map_or(STEPS.to_vec(), |n| vec![n]) {
             for axiom in &axioms {
-                let search = Search::new(axiom, text, n, &constants, MOST)?;
+                let search = Search::new(axiom, text, n, &constants, MAX)?;
                 searches.push(Part { axiom: axiom.clone(), n, search, spent: 0, is_done: false });
             }
         }
@@ -99,7 +100,7 @@ impl StringFinder {
     pub fn found(&self) -> Vec<Drawn> {
         let each = |part: &Part| part.search.found().iter().map(|found| (part.axiom.clone(), found.clone())).collect();
         let mut all: Vec<(String, Found)> = self.searches.iter().flat_map(|part| -> Vec<_> { each(part) }).collect();
-        all.sort_by_key(|(axiom, found)| (found.symbols(), axiom.len(), found.n));
+        sorted::sort_by_key(&mut all, |(axiom, found)| (found.symbols(), axiom.len(), found.n));
         all.truncate(MAX_KEPT);
         let drawn = |(axiom, found)| Drawn {
             axiom,
@@ -178,6 +179,8 @@ mod tests {
         let finder = found("F-F++F-F-F-F++F-F++F-F++F-F-F-F++F-F", &known("F", 2));
         let definition = finder.found()[0].definition();
         assert_eq!((definition.rules.as_str(), definition.angle, definition.iterations), ("F -> F-F++F-F", 60.0, 2));
+        let empty = found("εy-", &known("ε", 1));
+        assert_eq!(empty.found()[0].definition().rules, "`ε` -> εy-", "a letter, not an empty word");
         for (text, question, said) in [
             ("+-+", Question::default(), "no letters"),
             ("", Question::default(), "no letters"),

@@ -20,7 +20,7 @@ const BESIDE: f64 = 0.03;
 const SOME: f64 = 8.0;
 /// Parts of a drawing whose places differ by less than this many pixels are the same part.
 const SAME: f64 = 0.25;
-/// More of these distances than from any place on a picture to another one, so that a cast cuts off on the same side.
+/// Larger than any distance within a picture: a conversion to an integer then saturates at the same end.
 const FAR: f64 = 1e6;
 /// Of systems that agree less, only the nearest one is kept.
 pub(crate) const NEAR: f64 = 0.8;

@@ -3,4 +3,3 @@
 mod pictures;
 mod sketches;
 mod strings;
-mod svg;

@@ -30,7 +30,7 @@ impl Chance {
 /// A system as somebody draws it by hand: each stroke begins and ends up to `wobble` pixels beside its place, so corners
 /// stay open, and bends by as much on its way.
 fn sketch(definition: &Definition, wobble: f64, seed: u64) -> Vec<u8> {
-    let system = System::new(definition).0.expect("a system");
+    let system = System::new(definition).expect("a system");
     let drawing = draw::<Plane>(&system, definition.iterations, &Limits::default()).expect("a drawing");
     let [left, low, right, high] = drawing.bounds().expect("strokes");
     let scale = (WIDTH as f64 - 2.0 * MARGIN) / (right - left).max(high - low);

@@ -7,7 +7,7 @@ use lsystem_syntax::Definition;
 
 fn derived(axiom: &str, rules: &str, n: u32) -> String {
     let definition = Definition { axiom: axiom.into(), rules: rules.into(), ..Definition::default() };
-    expand(&System::new(&definition).0.expect("rules"), n, &Limits { symbols: 60_000, ..Limits::default() })
+    expand(&System::new(&definition).expect("rules"), n, &Limits { symbols: 60_000, ..Limits::default() })
         .unwrap_or_default()
 }
 

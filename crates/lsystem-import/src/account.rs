@@ -1,6 +1,7 @@
 //! The account of a text: what became of every byte of it.
 
 use core::ops::Range;
+use lsystem_base::sorted;
 
 /// A part of a text, and what became of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +42,9 @@ pub(crate) struct Mark {
 pub(crate) fn account(length: usize, marks: Vec<(usize, Mark)>) -> Vec<Part> {
     let mut marks: Vec<(usize, Mark)> =
         marks.into_iter().filter(|(_, mark)| !mark.span.is_empty() && mark.span.end <= length).collect();
-    marks.sort_by(|(_, a), (_, b)| (a.span.start, b.span.end, a.fate).cmp(&(b.span.start, a.span.end, b.fate)));
+    sorted::sort_by(&mut marks, |(_, a), (_, b)| {
+        (a.span.start, b.span.end, a.fate).cmp(&(b.span.start, a.span.end, b.fate))
+    });
     let mut parts: Vec<Part> = Vec::new();
     // The marks that are open, the innermost last.
     let mut open: Vec<usize> = Vec::new();

@@ -7,7 +7,7 @@ use core::ops::Range;
 use lsystem_base::number::number;
 use lsystem_base::{counted, decimal, say, word};
 use lsystem_syntax::{Dialect, Expr, Grammar, Module, Pattern, Production, look_alike, parse};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A value, and the place of its statement.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,6 +73,7 @@ pub(super) struct Statements {
     pub(super) images: Vec<Said<String>>,
     /// Symbols and their actions in the words of custom symbols.
     pub(super) meanings: Vec<(char, Said<String>)>,
+    meant: HashSet<char>,
     pub(super) symbols: Symbols,
     /// Remarks, and whether they refuse the system.
     pub(super) remarks: Vec<(Range<usize>, String, bool)>,
@@ -99,6 +100,7 @@ impl Statements {
             lines: Vec::new(),
             images: Vec::new(),
             meanings: Vec::new(),
+            meant: HashSet::new(),
             symbols,
             remarks: Vec::new(),
             extents: Vec::new(),
@@ -116,7 +118,9 @@ impl Statements {
 
     /// The actions of a symbol; a later statement counts.
     pub(super) fn mean(&mut self, symbol: char, actions: impl Into<String>, span: Range<usize>) {
-        self.meanings.retain(|(known, _)| *known != symbol);
+        if !self.meant.insert(symbol) {
+            self.meanings.retain(|(known, _)| *known != symbol);
+        }
         self.meanings.push((symbol, Said::new(actions.into(), span)));
     }
 

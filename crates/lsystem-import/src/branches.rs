@@ -4,6 +4,7 @@ use crate::tokens::{Kind, Node};
 use crate::value::{Unit, What, arithmetic};
 use core::ops::Range;
 use lsystem_base::number::number;
+use lsystem_base::sorted;
 
 /// What a program does where it compares a symbol.
 #[derive(Debug, Default)]
@@ -15,7 +16,7 @@ pub(super) struct Branches {
 }
 
 /// The most symbols for which one thing is done.
-const MOST: usize = 64;
+const MAX: usize = 64;
 /// The most parts behind a comparison that belong to it.
 const LONGEST: usize = 60;
 
@@ -33,9 +34,9 @@ pub(super) fn branches(nodes: &[Node]) -> Branches {
             start = flat[at].span.start;
         }
         symbols.extend(compared);
-        symbols.sort_unstable();
+        sorted::sort(&mut symbols);
         symbols.dedup();
-        symbols.truncate(MOST);
+        symbols.truncate(MAX);
         let end = (at + 1..flat.len().min(at + LONGEST)).find(|next| self::compared(&flat, *next).is_some());
         let body = &flat[at + 1..end.unwrap_or(flat.len().min(at + LONGEST))];
         // `case 'F': case 'G':`, `c == 'F' || c == 'G'`: what follows is for all of them.
@@ -167,5 +168,5 @@ fn successor(body: &[&Node]) -> Option<(String, usize)> {
                 "append" | "push" | "pushstr" | "add" | "write" | "concat"
             )
         });
-    ((appends || calls) && !crate::words::is_prose(text)).then(|| (text.to_owned(), body[at].span.end))
+    ((appends || calls) && !crate::prose_words::is_prose(text)).then(|| (text.to_owned(), body[at].span.end))
 }

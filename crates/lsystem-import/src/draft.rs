@@ -6,6 +6,7 @@ use crate::{Entry, Remark};
 use core::array::IntoIter;
 use core::iter::Flatten;
 use core::ops::{Range, RangeInclusive};
+use lsystem_base::sorted;
 use lsystem_base::sorted::set;
 use lsystem_base::{MAX_ITERATIONS, decimal, say};
 use lsystem_drawing::System;
@@ -49,9 +50,9 @@ const CONNECTIVES: [&str; 34] = [
     "y",
 ];
 /// The most characters that say what a part became.
-const MOST_WORDS: usize = 200;
+const MAX_WORDS: usize = 200;
 /// The most remarks of a system.
-const MOST_REMARKS: usize = 100;
+const MAX_REMARKS: usize = 100;
 
 impl<'a> Draft<'a> {
     /// An empty draft of a system that begins in this line of the text.
@@ -85,7 +86,7 @@ impl<'a> Draft<'a> {
     /// because marks inside divide the part, and each division has the words.
     pub(super) fn read(&mut self, span: Range<usize>, became: String) {
         let mut words = became;
-        if let Some((end, _)) = words.char_indices().nth(MOST_WORDS) {
+        if let Some((end, _)) = words.char_indices().nth(MAX_WORDS) {
             words.truncate(end);
             words.push('…');
         }
@@ -131,7 +132,7 @@ impl<'a> Draft<'a> {
             self.marks.push(Mark { span: span.clone(), fate, words: message.clone() });
         }
         let remark = Remark { line, text: excerpt(text), message, refused, span };
-        if self.remarks.len() < MOST_REMARKS && !self.remarks.contains(&remark) {
+        if self.remarks.len() < MAX_REMARKS && !self.remarks.contains(&remark) {
             self.remarks.push(remark);
         } else if refused && !self.is_refused() {
             self.remarks.pop();
@@ -218,9 +219,9 @@ impl<'a> Draft<'a> {
     /// Notes what stands inside the system and has no mark.
     fn account(&mut self) {
         let mut marked: Vec<Range<usize>> = self.marks.iter().map(|mark| mark.span.clone()).collect();
-        marked.sort_unstable_by_key(|span| span.start);
+        sorted::sort_by_key(&mut marked, |span| span.start);
         let mut extents = core::mem::take(&mut self.extents);
-        extents.sort_unstable_by_key(|span| span.start);
+        sorted::sort_by_key(&mut extents, |span| span.start);
         let mut gaps = Vec::new();
         let (mut next, mut at) = (0, 0);
         for extent in extents {
@@ -246,7 +247,7 @@ impl<'a> Draft<'a> {
     /// Completes the definition and checks that it compiles.
     fn check(&mut self) {
         if let Some(wrong) = self.definition.out_of_range().first() {
-            return self.refuse(self.line, "", wrong.message());
+            return self.refuse(self.line, "", wrong.message.clone());
         }
         let (grammar, _) = parse(&self.definition.axiom, &self.definition.rules);
         if !self.is_ours {
@@ -259,11 +260,11 @@ impl<'a> Draft<'a> {
         }
         let mut problems = self.definition.out_of_range();
         if problems.is_empty() {
-            problems = System::new(&self.definition).1;
+            problems = System::problems(&self.definition);
         }
         if let Some(error) = problems.iter().find(|problem| problem.is_error()) {
             let found = self.definition.text(error.field).and_then(|text| text.get(error.span.clone()));
-            let (found, message) = (found.unwrap_or_default().to_owned(), error.message());
+            let (found, message) = (found.unwrap_or_default().to_owned(), error.message.clone());
             self.refuse(self.line, &found, say!("In our notation: {}", message));
         }
     }
@@ -347,7 +348,7 @@ impl FreeSymbols {
 
 /// A number of iterations that gives a picture of a usual size: the largest whose string has at most 20,000 symbols.
 pub(super) fn fitting_iterations(grammar: &Grammar) -> u32 {
-    const MOST: f64 = 20_000.0;
+    const MAX: f64 = 20_000.0;
     const STEPS: u32 = 16;
     if !grammar.is_plain() {
         return 5;
@@ -373,7 +374,7 @@ pub(super) fn fitting_iterations(grammar: &Grammar) -> u32 {
                 None => next[letter] += count,
             }
         }
-        if next.iter().sum::<f64>() > MOST || next == counts {
+        if next.iter().sum::<f64>() > MAX || next == counts {
             return step.max(1);
         }
         counts = next;

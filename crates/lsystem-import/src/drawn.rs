@@ -17,7 +17,7 @@ fn definition(text: &str) -> Definition {
 #[track_caller]
 fn segments(text: &str, n: u32) -> Vec<[f64; 6]> {
     let definition = definition(text);
-    let system = System::new(&definition).0.unwrap();
+    let system = System::new(&definition).unwrap();
     let near = |value: f64| (value / definition.step * 1e4).round() / 1e4 + 0.0;
     match Figure::draw(&system, n, &Limits::default()).unwrap() {
         Figure::Plane(plane) => {
@@ -37,7 +37,7 @@ fn join([a, b, c]: [f64; 3], [d, e, f]: [f64; 3]) -> [f64; 6] {
 /// The string of the only system in a text after n steps.
 #[track_caller]
 fn string(text: &str, n: u32) -> String {
-    expand(&System::new(&definition(text)).0.unwrap(), n, &Limits::default()).unwrap()
+    expand(&System::new(&definition(text)).unwrap(), n, &Limits::default()).unwrap()
 }
 
 /// All remarks on the only system in a text.

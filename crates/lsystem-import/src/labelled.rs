@@ -65,7 +65,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     (draft.has_iterations, draft.is_ours) = (true, true);
     draft.covers(place);
     // Running text may begin like this, too.
-    let is_ours = !System::new(&draft.definition).1.iter().any(lsystem_syntax::Diagnostic::is_error);
+    let is_ours = !System::problems(&draft.definition).iter().any(lsystem_syntax::Diagnostic::is_error);
     is_ours.then(|| vec![draft])
 }
 

@@ -32,6 +32,7 @@ mod link;
 mod objects;
 mod own;
 mod phrases;
+mod prose_words;
 mod racket;
 mod rules;
 mod source;
@@ -39,7 +40,6 @@ mod statements;
 mod tikz;
 mod tokens;
 mod value;
-mod words;
 pub mod write;
 
 #[cfg(test)]
@@ -96,7 +96,7 @@ pub struct Remark {
 }
 
 /// The most systems that are read from one text. A reader stops after one more.
-pub(crate) const MAX_ENTRIES: usize = 4096;
+pub(crate) const MAX_ENTRIES: usize = 1024;
 
 /// The name of our own notation in JSON, which `lsystem_files::read_file` reads with places in the file.
 pub const OWN_JSON: &str = word!("our own JSON");

@@ -18,7 +18,7 @@ const OTHERS: [&str; 9] = ["v", "z", "controls", "theme", "host", "x", "by", "ha
 const SYSTEM: [&str; 3] = ["axiom", "rules", "z"];
 
 /// The most compressed links of a text: a short link may unpack to a long system.
-const MOST_PACKED: usize = 100;
+const MAX_PACKED: usize = 100;
 
 /// The links in a text of links alone.
 pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
@@ -70,8 +70,8 @@ fn link<'a>(source: Source<'a>, word: &'a str, compressed: &mut usize) -> Option
     let mut draft = Draft::new(source, "", source.line_of(place.start));
     draft.covers(place.clone());
     *compressed += usize::from(has("z"));
-    if has("z") && *compressed > MOST_PACKED {
-        draft.refuse_at(place, say!("A text may have {} compressed links", MOST_PACKED));
+    if has("z") && *compressed > MAX_PACKED {
+        draft.refuse_at(place, say!("A text may have {} compressed links", MAX_PACKED));
         return Some(draft);
     }
     let link = read_link(word)?;

@@ -26,8 +26,8 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     draft.read(draft.place(all), say!("the system"));
     (draft.has_iterations, draft.is_ours) = (true, true);
     for diagnostic in diagnostics {
-        let hint = diagnostic.hint().map_or(String::new(), |hint| format!(". {hint}"));
-        let message = format!("{}{hint}", diagnostic.message());
+        let hint = diagnostic.hint.as_ref().map_or(String::new(), |hint| format!(". {hint}"));
+        let message = format!("{}{hint}", diagnostic.message);
         let place = from + diagnostic.span.start..from + diagnostic.span.end;
         if diagnostic.is_error() {
             draft.refuse_at(place, message);
@@ -36,10 +36,10 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         }
     }
     if let Some(definition) = definition {
-        if let Some(error) = System::new(&definition).1.iter().find(|problem| problem.is_error())
+        if let Some(error) = System::problems(&definition).iter().find(|problem| problem.is_error())
             && let Some(place) = place_of(source.text, &definition, error)
         {
-            draft.refuse_at(place, error.message());
+            draft.refuse_at(place, error.message.clone());
         }
         draft.definition = definition;
     }

@@ -1,27 +1,12 @@
 //! Rules as people write them, and the lines of a text.
 
-/// The arrows, longer ones first.
-const ARROWS: [&str; 19] = [
-    "\\longrightarrow",
-    "\\rightarrow",
-    "\\mapsto",
-    "\\to",
-    "--->",
-    "-->",
-    "==>",
-    "->",
-    "=>",
-    "::=",
-    ":=",
-    "⟶",
-    "→",
-    "⇒",
-    "⟹",
-    "↦",
-    "=",
-    ":",
-    ">",
-];
+/// Arrows of rules, longer ones first.
+pub(super) const ARROWS: [&str; 15] =
+    ["|->", "--->", "==>", "-->", "::=", "->", "=>", ":=", "→", "⟶", "⇒", "⟹", "↦", "➔", "➝"];
+/// Arrows of LaTeX.
+const COMMANDS: [&str; 4] = ["\\longrightarrow", "\\rightarrow", "\\mapsto", "\\to"];
+/// Signs that are arrows where only a rule can stand.
+const SIGNS: [&str; 3] = ["=", ":", ">"];
 
 /// Splits a rule at its arrow into the predecessor and the successor, without white space at their ends.
 pub(super) fn split_rule(rule: &str) -> Option<(&str, &str)> {
@@ -30,7 +15,8 @@ pub(super) fn split_rule(rule: &str) -> Option<(&str, &str)> {
     let from = rule.len() - rule.trim_start().len() + first.len_utf8();
     let found = rule[from..].char_indices().find_map(|(at, _)| {
         let rest = &rule[from + at..];
-        ARROWS.iter().find(|arrow| rest.starts_with(**arrow)).map(|arrow| (from + at, arrow.len()))
+        let mut arrows = COMMANDS.iter().chain(&ARROWS).chain(&SIGNS);
+        arrows.find(|arrow| rest.starts_with(**arrow)).map(|arrow| (from + at, arrow.len()))
     });
     let (at, length) = found?;
     Some((rule[..at].trim(), rule[at + length..].trim()))

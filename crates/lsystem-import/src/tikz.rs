@@ -15,6 +15,7 @@ use crate::rules::split_rule;
 use crate::source::Source;
 use core::ops::Range;
 use lsystem_base::number::number;
+use lsystem_base::sorted;
 use lsystem_base::words::said;
 use lsystem_base::{decimal, say, word};
 use lsystem_syntax::{Grammar, Module, look_alike};
@@ -39,7 +40,7 @@ const COMMANDS: [(&str, &str); 6] = [
 ];
 
 /// The most declarations and the most uses that are read.
-const MOST: usize = 500;
+const MAX: usize = 500;
 /// The most bytes that are searched for the end of a group or a statement.
 const FAR: usize = 10_000;
 /// The keys of a system.
@@ -54,7 +55,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     }
     let tex = Tex::new(source);
     let mut declared = Vec::new();
-    for (at, mark) in tex.matches(text, "\\pgfdeclarelindenmayersystem").take(MOST) {
+    for (at, mark) in tex.matches(text, "\\pgfdeclarelindenmayersystem").take(MAX) {
         let Some((name, after)) = tex.group(&text[at + mark.len()..]) else { continue };
         let Some((body, rest)) = tex.group(after) else { continue };
         declared.push(Declared { name: name.trim(), body, span: at..text.len() - rest.len() });
@@ -65,7 +66,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
     // The declarations whose bytes have marks already.
     let mut used: HashSet<&str> = HashSet::new();
     for key in KEYS {
-        for (at, mark) in tex.matches(text, key).take(MOST) {
+        for (at, mark) in tex.matches(text, key).take(MAX) {
             let rest = text[at + mark.len()..].trim_start();
             let Some((options, _)) = rest.strip_prefix('=').and_then(|rest| tex.group(rest)) else { continue };
             let mut draft = Draft::new(source, "", source.line_of(at));
@@ -83,7 +84,7 @@ pub(super) fn read<'a>(source: Source<'a>) -> Option<Vec<Draft<'a>>> {
         draft.refuse_at(draft.place(one.name), say!("The text gives no axiom for this system"));
         drafts.push((at, draft));
     }
-    drafts.sort_by_key(|(at, _)| *at);
+    sorted::sort_by_key(&mut drafts, |(at, _)| *at);
     let mut drafts: Vec<Draft<'_>> = drafts.into_iter().map(|(_, draft)| draft).collect();
     for command in ["\\pgftransform", "\\rotatebox", "\\reflectbox", "\\scalebox", "\\tikzset"] {
         for (at, mark) in tex.matches(text, command).take(1) {
@@ -210,7 +211,7 @@ impl<'a> Tex<'a> {
         let (mut found, mut open): (Vec<Environment<'_>>, Vec<Environment<'_>>) = (Vec::new(), Vec::new());
         let begins = self.matches(text, "\\begin{").map(|(at, mark)| (at + mark.len(), true));
         let mut marks: Vec<_> = begins.chain(self.matches(text, "\\end{").map(|(at, _)| (at, false))).collect();
-        marks.sort_unstable();
+        sorted::sort(&mut marks);
         let mut searched = 0;
         for (at, begins) in marks {
             if !begins {
@@ -219,7 +220,7 @@ impl<'a> Tex<'a> {
             }
             let name = text[at..].bytes().take(100).position(|byte| byte == b'}');
             let rest = name.map_or("", |end| text[at + end + 1..].trim_start());
-            let is_open = rest.starts_with('[') && searched < MOST;
+            let is_open = rest.starts_with('[') && searched < MAX;
             searched += usize::from(is_open);
             let options = is_open.then(|| self.closed(rest, '[', ']')).flatten().map_or("", |(options, _)| options);
             let mut turned = open.last().map_or(Ok(0.0), |outer| outer.turned);
@@ -480,40 +481,4 @@ fn add_rule(text: &str, grammar: &mut Grammar, draft: &mut Draft<'_>) {
 }
 
 #[cfg(test)]
-mod tests {
-    use crate::tests::check;
-    use expect_test::expect;
-
-    #[test]
-    fn cases() {
-        check(
-            "\\pgfdeclarelindenmayersystem{Koch curve}{\n  \\rule{F -> F-F++F-F}}\n\\begin{tikzpicture}\n\\draw [l-system={Koch curve, axiom=F++F++F, order=3, angle=60, step=2pt}] lindenmayer system;\n\\end{tikzpicture}",
-            expect![[r#"
-                TikZ
-                [Koch curve]
-                n 3, angle 60, heading 0, abop
-                  F++F++F
-                  F -> F-F++F-F"#]],
-        );
-        check(
-            "\\draw [green, l-system={rule set={F -> FF-[-F+F]+[+F-F], X -> f}, axiom=F, order=4, left angle=25, randomize angle percent=25}] l-system;",
-            expect![[r#"
-                TikZ
-                []
-                n 4, angle 25, right 90, heading 0, abop
-                  F
-                  F -> FF-[-F+F]+[+F-F]
-                  X -> f
-                note 1 "green": How the path is drawn is not carried over"#]],
-        );
-        check(
-            "\\pgfdeclarelindenmayersystem{H}{\\symbol{A}{\\pgflsystemdrawforward}\\symbol{B}{\\code}\\rule{A -> AB}}\n\\draw[lindenmayer system={H, axiom=A, order=2}] (0,0) lindenmayer system; \\pgfdeclarelindenmayersystem{I}{\\rule{F->F}}",
-            expect![[r#"
-                TikZ
-                [H]
-                refused 1 "\\code": The code of this symbol is not run
-                [I]
-                refused 2 "I": The text gives no axiom for this system"#]],
-        );
-    }
-}
+mod tests;

@@ -21,7 +21,7 @@ fn read(text: &str) -> Definition {
 }
 
 fn system(definition: &Definition) -> System {
-    System::new(definition).0.unwrap()
+    System::new(definition).unwrap()
 }
 
 /// The segments of a text after its iterations: the lengths along x, y and z, and the width.
@@ -514,7 +514,7 @@ fn surfaces_of_other_files() {
     // Times 2, divided by the size of 10: 4 long, 1 to either side of the turtle.
     let patch = surfaces[0].patches[0];
     assert_eq!([patch[0], patch[3], patch[12]], [[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [4.0, 1.0, 0.0]]);
-    let (system, _) = System::new(&definition);
+    let system = System::new(&definition);
     let figure = Figure::draw(&system.unwrap(), 1, &Limits::default()).unwrap();
     assert_eq!(figure.polygon_count(), 2 * 72);
     noted(&text, "The surface `~k` is not drawn");
@@ -527,7 +527,7 @@ fn surfaces_of_other_files() {
     let written = lsystem_import::write::export(&definition, notation).unwrap().text;
     let again = read(&written);
     assert_eq!(again.surfaces, definition.surfaces, "{written}");
-    let (again, _) = System::new(&again);
+    let again = System::new(&again);
     let again = Figure::draw(&again.unwrap(), 1, &Limits::default()).unwrap();
     assert_eq!((again.polygon_count(), again.bounds()), (figure.polygon_count(), figure.bounds()), "{written}");
 }

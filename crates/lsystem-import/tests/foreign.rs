@@ -8,13 +8,13 @@ use serde_json::Value;
 
 /// The segments of a system as `(x0, y0, x1, y1)`, seen from the front.
 fn segments(definition: &Definition, n: u32) -> Vec<[f64; 4]> {
-    let system = System::new(definition).0.unwrap();
+    let system = System::new(definition).unwrap();
     let drawing = draw::<Plane>(&system, n, &Limits::default()).unwrap();
     drawing.segments().map(|segment| [segment.from[0], segment.from[1], segment.to[0], segment.to[1]]).collect()
 }
 
 fn string(definition: &Definition, n: u32) -> String {
-    expand(&System::new(definition).0.unwrap(), n, &Limits::default()).unwrap()
+    expand(&System::new(definition).unwrap(), n, &Limits::default()).unwrap()
 }
 
 /// Segments moved and scaled so that the first one begins at the origin and has length 1.
@@ -48,7 +48,7 @@ fn problem(case: &Value) -> Option<String> {
     let shown = || format!("{imported:#?}");
     for (n, count) in want["segs"].as_object().into_iter().flatten() {
         let n: u32 = n.parse().unwrap();
-        let system = System::new(definition).0.unwrap();
+        let system = System::new(definition).unwrap();
         let found = lsystem_drawing::Figure::draw(&system, n, &Limits::default()).unwrap().segment_count();
         if found != u128::from(count.as_u64().unwrap()) {
             return Some(format!("{found} segments after {n}: {}", shown()));
@@ -84,7 +84,7 @@ fn problem(case: &Value) -> Option<String> {
     if let Some(shape) = want["shape"].as_array() {
         let wanted: Vec<[f64; 4]> =
             shape.iter().map(|one| core::array::from_fn(|at| one[at].as_f64().unwrap())).collect();
-        let system = System::new(definition).0.unwrap();
+        let system = System::new(definition).unwrap();
         if !system.is_solid() {
             let found = placed(&segments(definition, definition.iterations));
             let near = |(a, b): (&[f64; 4], &[f64; 4])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
@@ -369,14 +369,14 @@ fn files_without_a_system_are_passed() {
         "crates/lsystem-files/src/csv.rs",
         "crates/lsystem-film/src/easing.rs",
         "crates/lsystem-find/src/lattice.rs",
-        "crates/lsystem-syntax/src/message.rs",
+        "crates/lsystem-syntax/src/diagnostic.rs",
         "crates/lsystem-import/src/keys.rs",
         "crates/lsys/src/cli.rs",
         "crates/xtask/src/main.rs",
-        "www/js/refusal.js",
+        "www/js/view/refusal.js",
         "www/js/course/maker.js",
         "www/js/tables.js",
-        "www/js/state.js",
+        "www/js/state/state.js",
         "www/js/main.js",
         "www/worker/drawing.js",
         "docs/about.md",

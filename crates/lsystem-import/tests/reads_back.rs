@@ -16,11 +16,11 @@ fn a_declaration_for_tikz() {
         iterations: 4,
         ..Definition::default()
     };
-    let system = System::new(&plant).0.unwrap();
+    let system = System::new(&plant).unwrap();
     let Content::Words(write) = Format::named("tikz-library").unwrap().content else { panic!("not in words") };
     let (text, _) = collect::<String, _>(|sink| write(&plant, &system, &FileOptions::default(), sink)).unwrap();
     let imported = import(&text).unwrap();
     let read = imported.entries[0].definition.clone().unwrap();
-    let string = |definition: &Definition| expand(&System::new(definition).0.unwrap(), 4, &Limits::default()).unwrap();
+    let string = |definition: &Definition| expand(&System::new(definition).unwrap(), 4, &Limits::default()).unwrap();
     assert_eq!((string(&read), read.angle, read.iterations), (string(&plant), plant.angle, plant.iterations));
 }

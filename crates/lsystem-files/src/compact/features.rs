@@ -1,6 +1,6 @@
 //! The features of a drawing's blocks at the size of a picture.
 
-use lsystem_drawing::{BlockId, Directions, Drawing, Item, Line, Shape};
+use lsystem_drawing::{BlockFeatures, BlockId, Directions, Drawing, Item, Line};
 use lsystem_syntax::{Halt, Work};
 
 /// Blocks less than this size across become one stroke, in pixels.
@@ -9,7 +9,7 @@ const DOT: f64 = 1.0;
 /// The features of blocks, by block.
 #[derive(Default)]
 pub(super) struct Features {
-    shapes: Vec<Shape>,
+    shapes: Vec<BlockFeatures>,
     /// The number of strokes that draw the block at this size, saturating. Blocks placed with scaled lengths may have
     /// other numbers there.
     strokes: Vec<u32>,
@@ -21,8 +21,8 @@ impl Features {
         let exponent = drawing.blocks[root.0 as usize].exponent;
         let (mut features, mut directions) = (Self::default(), Directions::default());
         for block in &drawing.blocks {
-            work.charge(1 + Shape::work(block, drawing))?;
-            let shape = Shape::new(block, &features.shapes, drawing, &mut directions);
+            work.charge(1 + BlockFeatures::work(block, drawing))?;
+            let shape = BlockFeatures::new(block, &features.shapes, drawing, &mut directions);
             let own = scale * libm::scalbn(1.0, block.exponent.saturating_sub(exponent));
             let strokes = match one_stroke(&shape, own) {
                 Some(_) => 1,
@@ -49,7 +49,7 @@ impl Features {
     }
 }
 
-fn one_stroke(shape: &Shape, scale: f64) -> Option<&Line> {
+fn one_stroke(shape: &BlockFeatures, scale: f64) -> Option<&Line> {
     let dot = (shape.longest.length() * scale.abs() < DOT).then_some(&shape.longest);
     shape.straight.as_ref().or(dot)
 }

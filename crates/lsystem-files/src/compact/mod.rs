@@ -11,7 +11,7 @@ use crate::strokes::{PATH, StrokeFile, StrokeLook};
 use features::Features;
 use lsystem_drawing::finite;
 use lsystem_drawing::{BlockId, Drawing, StyleChange};
-use lsystem_syntax::{ColourBy, Halt, Heading, Style, Work};
+use lsystem_syntax::{Halt, Heading, Style, Work};
 use plan::{CompactPlan, SymbolPart};
 use std::collections::HashMap;
 use styled_drawing::StyledDrawing;
@@ -47,7 +47,7 @@ pub(super) enum SymbolForm {
 
 /// Whether a drawing has blocks that a compact picture can share.
 pub(super) fn is_shareable(drawing: &Drawing, style: &Style) -> bool {
-    drawing.is_memoised() && style.colour_by != ColourBy::Path
+    drawing.is_memoised() && style.colour_by.source().is_shared()
 }
 
 /// A planned compact picture.

@@ -10,7 +10,7 @@ const SMALL: u128 = 2_000;
 const LEAST: u128 = 64;
 /// The most nodes of a scene. Viewers draw each node by itself, and more than some thousands take longer than a frame of
 /// a film.
-const MOST_NODES: u64 = 4_000;
+const MAX_NODES: u64 = 4_000;
 /// The bytes of a node, and of a segment or polygon: means of files.
 const NODE_BYTES: u64 = 110;
 const MARK_BYTES: u64 = 600;
@@ -27,7 +27,7 @@ pub(super) fn size_of_parts(drawing: &Drawing<Solid>, most: u64, work: &mut dyn 
     while size < all {
         let (nodes, marks) = nodes_and_marks(drawing, root, size, work)?;
         let bytes = nodes.saturating_mul(NODE_BYTES).saturating_add(marks.saturating_mul(MARK_BYTES));
-        if nodes <= MOST_NODES && best.is_none_or(|(best, _)| bytes < best) {
+        if nodes <= MAX_NODES && best.is_none_or(|(best, _)| bytes < best) {
             best = Some((bytes, size));
         }
         size *= 2;

@@ -15,7 +15,7 @@ use lsystem_drawing::{
     BlockFrame, BlockId, ColourChange, Drawing, Mesh, MeshForm, MeshOptions, MeshParts, Solid, StyleChange, Widths,
     times,
 };
-use lsystem_syntax::{ColourBy, Diagnostic, Halt, Style, Work};
+use lsystem_syntax::{Diagnostic, Halt, Style, Work};
 use scene::{Node, Scene};
 use std::collections::HashMap;
 use std::collections::hash_map::DefaultHasher;
@@ -53,7 +53,7 @@ fn scene(drawing: &Drawing<Solid>, style: &Style, options: &FileOptions, work: &
     if drawing.size() > u128::from(MAX_MESH_COPIES) {
         return Err(Diagnostic::limit(LimitName::MeshCopies, MAX_MESH_COPIES, None).into());
     }
-    let by_colour = style.colour_by != ColourBy::Path;
+    let by_colour = style.colour_by.source().is_shared();
     let &FileOptions { most, memory, .. } = options;
     let whole = if by_colour { choice::size_of_parts(drawing, most, work)? } else { 0 };
     let form = MeshForm::Apart { by_colour };

@@ -3,7 +3,6 @@
 use super::*;
 use lsystem_base::MAX_PALETTE;
 use lsystem_base::decimal;
-use lsystem_base::word;
 use lsystem_syntax::Value as Held;
 use lsystem_syntax::look_alike;
 
@@ -15,11 +14,14 @@ impl JsonFile {
             let key = property.name.as_str();
             let span = self.span(&property.name);
             if repeated {
-                self.notes.add(Kind::DuplicateKey { key: excerpt(key) }, span);
+                let message = say!("`{}` stands here a second time; this one counts", excerpt(key));
+                self.notes.add(span, Diagnostic::warning(message));
             } else if !known.is_empty() && !known.contains(&key) && !is_disused(key) {
                 let near = || if self.notes.is_full() { None } else { similar(key, known.iter().copied()) };
                 let similar = self.other_name(key).filter(|key| known.contains(key)).or_else(near);
-                self.notes.add(Kind::UnknownKey { key: excerpt(key), similar }, span);
+                let warning = Diagnostic::warning(say!("Unknown key `{}`", excerpt(key)))
+                    .hint(similar.map(|similar| say!("Did you mean `{}`?", similar)));
+                self.notes.add(span, warning.kind(Kind::UnknownKey { is_like_another: similar.is_some() }));
             }
         }
     }
@@ -42,7 +44,11 @@ impl JsonFile {
         if let (Some(symbol), None) = (chars.next(), chars.next()) {
             return Some(symbol);
         }
-        self.notes.add(Kind::RuleKey { key: excerpt(key) }, self.span(&property.name));
+        let message = match excerpt(key) {
+            key if key.is_empty() => say!("The key is empty; it must be one symbol"),
+            key => say!("`{}` must be one symbol", key),
+        };
+        self.notes.add(self.span(&property.name), Diagnostic::error(message));
         None
     }
 
@@ -114,7 +120,11 @@ impl JsonFile {
     pub(super) fn plain_word(&mut self, text: &str, value: &Value<'_>) -> Vec<Module> {
         let span = self.span(value);
         if text.contains(char::is_whitespace) {
-            self.notes.add(Kind::SpaceSymbol, span.clone());
+            self.notes.warn(
+                span.clone(),
+                say!("White space is a symbol here"),
+                say!("In this form of rules each character is a symbol; remove the space if it is not meant."),
+            );
         }
         let plain = text.chars().map(|found| match look_alike(found) {
             Some(meant) => {
@@ -136,11 +146,16 @@ impl JsonFile {
             Value::Array(_) => word!("a list"),
             Value::NullKeyword(_) => "null",
         };
-        self.notes.add(Kind::WrongType { key: excerpt(key), expected, found }, self.span(value));
+        let message = match excerpt(key) {
+            key if key.is_empty() => say!("The file must hold {}, not {}", expected.words(), said(found)),
+            key => say!("`{}` must be {}, not {}", key, expected.words(), said(found)),
+        };
+        self.notes.add(self.span(value), Diagnostic::error(message));
     }
 
     pub(super) fn wrong_value(&mut self, key: &str, expected: Expected, value: &Value<'_>) {
-        self.notes.add(Kind::WrongValue { key: excerpt(key), expected }, self.span(value));
+        let message = say!("`{}` must be {}", excerpt(key), expected.words());
+        self.notes.add(self.span(value), Diagnostic::error(message));
     }
 
     pub(super) fn span(&self, value: &impl Ranged) -> Range<usize> {

@@ -165,7 +165,7 @@ mod tests {
     use expect_test::{Expect, expect};
 
     fn written(definition: &Definition) -> String {
-        bibtex(definition, &System::new(definition).0.unwrap())
+        bibtex(definition, &System::new(definition).unwrap())
     }
 
     fn check(source: &str, expected: &Expect) {

@@ -49,8 +49,8 @@ pub(super) fn facts(definition: &Definition, system: &System) -> Vec<Fact> {
         add("tropism T", r"\vec{T}", &definition.tropism, Unit::None);
         add("elasticity e", "e", &[definition.elasticity], Unit::None);
     }
-    if definition.sway[0] != 0.0 {
-        add("sway", r"\text{sway}", &definition.sway, Unit::Degrees);
+    if definition.wind[0] != 0.0 {
+        add("sway", r"\text{sway}", &definition.wind, Unit::Degrees);
     }
     if definition.length_factor != 1.0 {
         add(

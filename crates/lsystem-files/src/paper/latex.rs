@@ -250,7 +250,7 @@ mod tests {
     use expect_test::{Expect, expect};
 
     fn check(definition: &Definition, expected: &Expect) {
-        expected.assert_eq(&latex(definition, &System::new(definition).0.unwrap()));
+        expected.assert_eq(&latex(definition, &System::new(definition).unwrap()));
     }
 
     #[test]
@@ -316,7 +316,7 @@ mod tests {
     fn long_successors_may_break() {
         let rules = format!("F -> {}", "F[+F]".repeat(30));
         let definition = Definition { axiom: "F".into(), rules, ..Definition::default() };
-        let text = latex(&definition, &System::new(&definition).0.unwrap());
+        let text = latex(&definition, &System::new(&definition).unwrap());
         assert_eq!(text.matches("\\allowbreak [").count(), 3, "{text}");
     }
 }

@@ -188,7 +188,7 @@ mod tests {
 
             Prusinkiewicz and Lindenmayer (1990), page 1\_2
         "#]]
-        .assert_eq(&markdown(&definition, &System::new(&definition).0.unwrap()));
+        .assert_eq(&markdown(&definition, &System::new(&definition).unwrap()));
     }
 
     #[test]

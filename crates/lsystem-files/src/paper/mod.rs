@@ -15,4 +15,4 @@ pub use latex::latex;
 pub use markdown::markdown;
 pub(crate) use pdf::write_pdf;
 pub(crate) use tikz::write_tikz;
-pub(crate) use tikz_library::write_tikz_library;
+pub use tikz_library::write_tikz_library;

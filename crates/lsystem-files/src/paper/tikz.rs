@@ -11,7 +11,7 @@ use lsystem_drawing::Drawing;
 use lsystem_syntax::{Halt, Style, Work};
 
 /// The most segments and vertices of a picture: LaTeX takes about 15 seconds for them.
-const MOST: u64 = 100_000;
+const MAX: u64 = 100_000;
 /// The most segments of one path, which TeX holds in memory.
 const PATH: usize = 1_000;
 /// The number of points on a line of the file.
@@ -28,7 +28,7 @@ pub(crate) fn write_tikz(
     options: &FileOptions,
     sink: &mut Sink<'_>,
 ) -> Result<Notes, Halt> {
-    drawing.check_size(options.most.min(MOST))?;
+    drawing.check_size(options.most.min(MAX))?;
     let figure = Figure::for_text(drawing, &options.sheet);
     let usual = figure.start(drawing, style).width;
     write_head(&figure, style, options, usual, &mut sink.text);
@@ -174,7 +174,7 @@ mod tests {
 
     fn written(definition: &Definition, options: &FileOptions) -> Result<String, Diagnostic> {
         let drawing =
-            draw::<Plane>(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
+            draw::<Plane>(&System::new(definition).unwrap(), definition.iterations, &Limits::default()).unwrap();
         collect(|sink| write_tikz(&drawing, &definition.style, options, sink)).map(|(text, _)| text)
     }
 
@@ -220,6 +220,6 @@ mod tests {
         assert_eq!((text.matches("\\draw").count(), text.matches("--").count()), (5, 4096));
         assert!(text.lines().all(|line| line.len() < 200));
         let over = written(&koch(9), &FileOptions::default()).err().map(|error| error.kind);
-        assert_eq!(over, Some(Kind::Limit { limit: LimitName::Segments, value: MOST, largest: None }));
+        assert_eq!(over, Some(Kind::Limit { limit: LimitName::Segments, value: MAX, largest: None }));
     }
 }

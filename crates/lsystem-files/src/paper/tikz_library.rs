@@ -10,12 +10,11 @@ use crate::formats::Notes;
 use crate::svg::warning;
 use crate::{FileOptions, Sink};
 use core::fmt::Write;
-use lsystem_base::Limits;
 use lsystem_base::number::number;
+use lsystem_base::words::said;
+use lsystem_base::{Limits, say, word};
 use lsystem_drawing::{Drawer, Drawing, Plane, System, expand};
-use lsystem_syntax::{
-    Action, ColourBy, Definition, Diagnostic, Field, Grammar, Halt, Heading, Kind, Module, TikzObstacle, run_steps,
-};
+use lsystem_syntax::{Action, ColourBy, Definition, Diagnostic, Grammar, Halt, Heading, Module, run_steps};
 
 /// The limits of a drawing by TeX, which draws some thousand symbols in a second.
 const LIMITS: Limits =
@@ -36,19 +35,19 @@ const OWN: [(char, &str); 6] = [
 /// Writes the declaration of a definition's system, and a picture with its drawing.
 ///
 /// # Errors
-/// [`Kind::NotInTikz`] if the library cannot express the system, and [`Kind::Limit`] if TeX would take too long.
-pub(crate) fn write_tikz_library(
+/// If the library cannot express the system, and [`Kind::Limit`](lsystem_syntax::Kind::Limit) if TeX would take too long.
+pub fn write_tikz_library(
     definition: &Definition,
     system: &System,
     options: &FileOptions,
     sink: &mut Sink<'_>,
 ) -> Result<Notes, Halt> {
     if let Some(obstacle) = obstacle(definition, system) {
-        return Err(lacking(obstacle).into());
+        return Err(lacking(&obstacle).into());
     }
-    let codes = codes(system).map_err(lacking)?;
+    let codes = codes(system).map_err(|obstacle| lacking(&obstacle))?;
     let word = expand(system, definition.iterations, &LIMITS)?;
-    check_branches(system, &word).map_err(lacking)?;
+    check_branches(system, &word).map_err(|obstacle| lacking(&obstacle))?;
     let mut drawer = Drawer::<Plane>::new(system, definition.iterations, LIMITS);
     run_steps(sink, |units| drawer.step(units))?;
     let drawing = drawer.finish()?;
@@ -106,8 +105,10 @@ fn write_picture(
     text.push_str("mm}] lindenmayer system;\n\\end{tikzpicture}\n");
 }
 
-fn lacking(obstacle: TikzObstacle) -> Diagnostic {
-    Diagnostic { kind: Kind::NotInTikz { obstacle }, field: Field::Numbers, span: 0..0 }
+/// The error for the first thing that the library lacks.
+fn lacking(obstacle: &str) -> Diagnostic {
+    Diagnostic::error(say!("TikZ's library lindenmayersystems has no {}", obstacle))
+        .hint(say!("The TikZ picture holds any drawing, as paths."))
 }
 
 /// An angle in degrees that TeX can hold.
@@ -120,7 +121,7 @@ fn symbols(modules: &[Module]) -> String {
 }
 
 /// The first thing that the library lacks, except for symbols and branches.
-fn obstacle(definition: &Definition, system: &System) -> Option<TikzObstacle> {
+fn obstacle(definition: &Definition, system: &System) -> Option<String> {
     let grammar = &system.grammar;
     let productions = || grammar.productions.iter();
     let has_parameters = productions().any(|p| p.condition.is_some() || !p.predecessor.parameters.is_empty())
@@ -128,19 +129,19 @@ fn obstacle(definition: &Definition, system: &System) -> Option<TikzObstacle> {
     let style = &definition.style;
     let is_one_colour = match style.colour_by {
         ColourBy::Single | ColourBy::Density | ColourBy::Symbol => true,
-        _ => style.palette.len() == 1,
+        ColourBy::Level | ColourBy::Turn | ColourBy::Generation | ColourBy::Path => style.palette.len() == 1,
     };
     let found = [
-        (productions().any(lsystem_syntax::Production::is_context_sensitive), TikzObstacle::Contexts),
-        (has_parameters, TikzObstacle::Parameters),
-        (!grammar.images.is_empty(), TikzObstacle::Images),
-        (system.is_stochastic(), TikzObstacle::Random),
-        (!is_one_colour, TikzObstacle::Colours),
-        (definition.length_factor != 1.0 || style.width_factor != 1.0, TikzObstacle::Levels),
-        (definition.elasticity != 0.0 || system.turtle.sway.is_some(), TikzObstacle::Tropism),
-        (definition.growth != 1.0, TikzObstacle::Growth),
+        (productions().any(lsystem_syntax::Production::is_context_sensitive), word!("contexts")),
+        (has_parameters, word!("parameters and conditions")),
+        (!grammar.images.is_empty(), word!("rules for drawing")),
+        (system.is_stochastic(), word!("seeded random choices")),
+        (!is_one_colour, word!("colours within one drawing")),
+        (definition.length_factor != 1.0 || style.width_factor != 1.0, word!("widths or lengths by branch level")),
+        (definition.elasticity != 0.0 || system.turtle.wind.is_some(), word!("tropism and sway")),
+        (definition.growth != 1.0, word!("partly grown steps")),
     ];
-    found.into_iter().find(|(is_found, _)| *is_found).map(|(_, obstacle)| obstacle)
+    found.into_iter().find(|(is_found, _)| *is_found).map(|(_, obstacle)| said(obstacle))
 }
 
 /// The symbols that may occur.
@@ -150,7 +151,7 @@ fn reached(system: &System) -> Vec<char> {
 }
 
 /// The codes that differ from the library's, of all symbols that may occur.
-fn codes(system: &System) -> Result<Vec<(char, String)>, TikzObstacle> {
+fn codes(system: &System) -> Result<Vec<(char, String)>, String> {
     let mut codes = Vec::new();
     let reachable = system.rules.reachable();
     for ((letter, actions), _) in
@@ -158,10 +159,10 @@ fn codes(system: &System) -> Result<Vec<(char, String)>, TikzObstacle> {
     {
         let symbol = letter.symbol;
         if !symbol.is_ascii_alphanumeric() && !"+-[]|".contains(symbol) {
-            return Err(TikzObstacle::Symbol(symbol));
+            return Err(say!("symbol `{}`", symbol));
         }
         let code: Option<String> = actions.iter().map(|&action| code(action)).collect();
-        let code = code.ok_or(TikzObstacle::Action(symbol))?;
+        let code = code.ok_or_else(|| say!("action for what `{}` does", symbol))?;
         let own = OWN.iter().find(|(own, _)| *own == symbol).map_or("", |(_, code)| *code);
         if code != own {
             codes.push((symbol, code));
@@ -189,7 +190,7 @@ fn code(action: Action) -> Option<String> {
 
 /// Checks that every branch is closed where it is opened, because a branch is a group of TeX, and that TeX has enough
 /// groups for the string `word`.
-fn check_branches(system: &System, word: &str) -> Result<(), TikzObstacle> {
+fn check_branches(system: &System, word: &str) -> Result<(), String> {
     let changes: Vec<(char, isize)> = (system.rules.letters.iter().zip(&system.turtle.actions))
         .map(|(letter, actions)| {
             let change = |action: &Action| match action {
@@ -209,11 +210,11 @@ fn check_branches(system: &System, word: &str) -> Result<(), TikzObstacle> {
     let is_rewritten = grammar.productions.iter().any(|p| change(p.predecessor.symbol) != 0);
     let mut balanced = texts.map(|modules| deepest(modules.iter().map(|module| module.symbol), change));
     if is_rewritten || balanced.any(|depth| depth.is_none()) {
-        return Err(TikzObstacle::Branches);
+        return Err(say!("brackets across rules"));
     }
     match deepest(word.chars(), change) {
         Some(depth) if depth <= DEEPEST => Ok(()),
-        _ => Err(TikzObstacle::Nesting),
+        _ => Err(say!("room for so many branches in branches")),
     }
 }
 
@@ -235,7 +236,7 @@ mod tests {
 
     fn written(definition: &Definition) -> Result<String, Diagnostic> {
         let options = FileOptions { title: definition.title.clone(), ..FileOptions::default() };
-        let system = System::new(definition).0.unwrap();
+        let system = System::new(definition).unwrap();
         collect(|sink| write_tikz_library(definition, &system, &options, sink)).map(|(text, _)| text)
     }
 
@@ -309,28 +310,28 @@ mod tests {
 
     #[test]
     fn the_library_lacks() {
-        let check = |change: &dyn Fn(&mut Definition), expected: TikzObstacle| {
+        let check = |change: &dyn Fn(&mut Definition), expected: &str| {
             let mut definition = plant();
             change(&mut definition);
-            let kind = written(&definition).err().map(|diagnostic| diagnostic.kind);
-            assert_eq!(kind, Some(Kind::NotInTikz { obstacle: expected }));
+            let message = written(&definition).unwrap_err().message;
+            assert_eq!(message, format!("TikZ's library lindenmayersystems has no {expected}"));
         };
-        check(&|d| d.rules = "A < X -> F".into(), TikzObstacle::Contexts);
-        check(&|d| d.axiom = "F(2)".into(), TikzObstacle::Parameters);
-        check(&|d| d.rules = "draw:\nX -> F".into(), TikzObstacle::Images);
-        check(&|d| d.rules = "X -> F : 1\nX -> G : 1".into(), TikzObstacle::Random);
-        check(&|d| d.angle_variation = 5.0, TikzObstacle::Random);
-        check(&|d| d.style.colour_by = ColourBy::Level, TikzObstacle::Colours);
-        check(&|d| d.style.width_factor = 0.7, TikzObstacle::Levels);
-        check(&|d| d.elasticity = 0.1, TikzObstacle::Tropism);
-        check(&|d| (d.axiom, d.sway) = ("F[F]".into(), [3.0, 0.0]), TikzObstacle::Tropism);
-        check(&|d| d.growth = 0.5, TikzObstacle::Growth);
-        check(&|d| d.axiom = "{F}".into(), TikzObstacle::Symbol('{'));
-        check(&|d| d.overrides = "F: colour 2".into(), TikzObstacle::Action('F'));
-        check(&|d| d.rules = "X -> [F\nF -> F]".into(), TikzObstacle::Branches);
-        check(&|d| d.rules = "[ -> F[".into(), TikzObstacle::Branches);
-        check(&|d| (d.rules, d.iterations) = ("X -> [FX]".into(), 201), TikzObstacle::Nesting);
+        check(&|d| d.rules = "A < X -> F".into(), "contexts");
+        check(&|d| d.axiom = "F(2)".into(), "parameters and conditions");
+        check(&|d| d.rules = "draw:\nX -> F".into(), "rules for drawing");
+        check(&|d| d.rules = "X -> F : 1\nX -> G : 1".into(), "seeded random choices");
+        check(&|d| d.angle_variation = 5.0, "seeded random choices");
+        check(&|d| d.style.colour_by = ColourBy::Level, "colours within one drawing");
+        check(&|d| d.style.width_factor = 0.7, "widths or lengths by branch level");
+        check(&|d| d.elasticity = 0.1, "tropism and sway");
+        check(&|d| (d.axiom, d.wind) = ("F[F]".into(), [3.0, 0.0]), "tropism and sway");
+        check(&|d| d.growth = 0.5, "partly grown steps");
+        check(&|d| d.axiom = "{F}".into(), "symbol `{`");
+        check(&|d| d.overrides = "F: colour 2".into(), "action for what `F` does");
+        check(&|d| d.rules = "X -> [F\nF -> F]".into(), "brackets across rules");
+        check(&|d| d.rules = "[ -> F[".into(), "brackets across rules");
+        check(&|d| (d.rules, d.iterations) = ("X -> [FX]".into(), 201), "room for so many branches in branches");
         let huge = Definition { iterations: 30, ..plant() };
-        assert!(matches!(written(&huge).unwrap_err().kind, Kind::Limit { .. }));
+        assert!(matches!(written(&huge).unwrap_err().kind, lsystem_syntax::Kind::Limit { .. }));
     }
 }

@@ -10,8 +10,10 @@ use super::sink::{Sink, collect};
 use compact::write_compact;
 use core::fmt::Write;
 use flat::write_flat;
+use lsystem_base::say;
+use lsystem_base::words::grouped;
 use lsystem_drawing::Drawing;
-use lsystem_syntax::{Diagnostic, Field, Halt, Ink, Kind, Style};
+use lsystem_syntax::{Diagnostic, Halt, Ink, Style};
 use paths::attribute;
 
 /// Options of an SVG picture.
@@ -68,12 +70,18 @@ impl Svg {
 
 /// A warning about a picture of strokes: it makes many copies of blocks, or it lacks the drawing's additive ink.
 pub(super) fn warning(instances: u128, ink: Ink) -> Option<Diagnostic> {
-    let kind = match ink {
-        _ if instances > MANY => Kind::Instances { count: instances },
-        Ink::Density => Kind::CoveringInk,
+    let (message, hint) = match ink {
+        _ if instances > MANY => (
+            say!("This file may open slowly ({} shapes)", grouped(&instances.to_string())),
+            say!("Fewer iterations or a smaller size make fewer."),
+        ),
+        Ink::Density => (
+            say!("This format has no additive blending: strokes cover each other in the file"),
+            say!("PNG keeps the blending."),
+        ),
         Ink::Solid | Ink::Auto => return None,
     };
-    Some(Diagnostic { kind, field: Field::Numbers, span: 0..0 })
+    Some(Diagnostic::warning(message).hint(hint))
 }
 
 impl Default for SvgOptions {
@@ -95,7 +103,7 @@ impl Default for SvgOptions {
 /// share a path. The compact form is in CSS pixels, exact to a hundredth of a pixel.
 ///
 /// # Errors
-/// [`Kind::Limit`] if there is more to write than [`SvgOptions::most`].
+/// [`Kind::Limit`](lsystem_syntax::Kind::Limit) if there is more to write than [`SvgOptions::most`].
 pub fn write_svg(drawing: &Drawing, style: &Style, options: &SvgOptions) -> Result<Svg, Diagnostic> {
     let (text, instances) = collect(|sink| svg_file(drawing, style, options, sink))?;
     Ok(Svg { text, instances, ink: style.ink })

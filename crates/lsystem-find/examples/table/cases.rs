@@ -152,7 +152,7 @@ fn iterations(definition: &Definition) -> Option<u32> {
     if definition.rules.lines().any(is_idle) {
         return None;
     }
-    let system = System::new(definition).0?;
+    let system = System::new(definition).ok()?;
     let count = |n: u32| draw::<Plane>(&system, n, &Limits::default()).map(|drawing| drawing.segment_count()).ok();
     let n = (3..=8).take_while(|&n| count(n).is_some_and(|count| count <= SEGMENTS[1])).last()?;
     (count(n)? >= SEGMENTS[0]).then_some(n)

@@ -55,7 +55,7 @@ fn rendered(definition: &Definition, side: usize) -> Result<Grey, &'static str> 
     // Lines of one width, as pictures of textbooks have.
     let mut thin = definition.clone();
     (thin.style.width, thin.style.width_factor) = (0.0, 1.0);
-    let system = System::new(&thin).0.ok_or("the system is wrong")?;
+    let system = System::new(&thin).ok().ok_or("the system is wrong")?;
     let limits = Limits::default();
     let drawing = draw::<Plane>(&system, definition.iterations, &limits).map_err(|_| "the drawing is too large")?;
     let mut renderer = Renderer::light();

@@ -3,6 +3,7 @@
 
 use super::light::Grey;
 use crate::projection::Projection;
+use lsystem_base::sorted;
 use std::f64::consts::{PI, TAU};
 
 /// The most places whose direction is looked at.
@@ -19,7 +20,7 @@ const WAYS: usize = 16;
 /// The focal length that is tried first, as a part of the picture's longer side.
 const FOCAL: f64 = 0.95;
 /// The most that a view stretches, and how near the line far away is: a tilt of 32 degrees and a short focal length.
-const MOST: View = [0.62, 0.62, 0.09, 0.09];
+const MAX: View = [0.62, 0.62, 0.09, 0.09];
 const SHORTEST: f64 = 0.65;
 /// Of the parts of a half turn, this many are looked at closely.
 const CLOSE: usize = 4;
@@ -62,7 +63,7 @@ pub(super) fn view(grey: &Grey) -> Option<Projection> {
     let few: Vec<Piece> = pieces.iter().copied().step_by(4).collect();
     let starts = starts(focal);
     let near = FOCAL / (focal * SHORTEST);
-    let most = [MOST[0] * near, MOST[1] * near, MOST[2], 0.0];
+    let most = [MAX[0] * near, MAX[1] * near, MAX[2], 0.0];
     // For each part of a half turn its best start.
     let spreads: Vec<[f64; PARTS.len()]> = starts.iter().map(|&view| spreads(&few, view)).collect();
     let mut best: Vec<(f64, usize, View)> = (0..PARTS.len())
@@ -71,7 +72,7 @@ pub(super) fn view(grey: &Grey) -> Option<Projection> {
             Some((spreads[start][part], part, starts[start]))
         })
         .collect();
-    best.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sorted::sort_by(&mut best, |a, b| a.0.total_cmp(&b.0));
     let near = best.iter().take(CLOSE).map(|&(_, part, view)| improved(&pieces, part, view, most));
     let (_, part, view) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let mut projection = projection(view);

@@ -9,6 +9,7 @@ use crate::picture::{Picture, threshold};
 use crate::projection::Projection;
 use crate::strokes::PIXELS;
 use light::Grey;
+use lsystem_base::sorted;
 
 /// The longer side of a photograph that is looked at; larger ones are made smaller.
 const SIDE: usize = 2048;
@@ -62,7 +63,7 @@ impl Photograph {
 fn is_drawn(grey: &[u8]) -> bool {
     let mut counts = [0_usize; 256];
     grey.iter().for_each(|&level| counts[usize::from(level)] += 1);
-    counts.sort_unstable();
+    sorted::sort(&mut counts);
     (counts[254] + counts[255]) * 2 >= grey.len()
 }
 

@@ -3,6 +3,7 @@
 use super::light::Grey;
 use crate::picture::threshold;
 use crate::projection::Projection;
+use lsystem_base::sorted;
 use std::ops::RangeInclusive;
 
 /// The longer side of the picture in which a page is sought, in pixels.
@@ -151,7 +152,7 @@ fn hull(grey: &Grey, inside: &[bool]) -> Vec<[f64; 2]> {
             }
         }
     }
-    places.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    sorted::sort_by(&mut places, |a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let mut hull: Vec<[f64; 2]> = Vec::new();
     let mut chain = |places: &mut dyn Iterator<Item = [f64; 2]>| {
         let first = hull.len();
@@ -244,7 +245,7 @@ fn edge(grey: &Grey, from: [f64; 2], to: [f64; 2], far: f64) -> Option<Line> {
     let mut line = about;
     for _ in 0..ROUNDS {
         let mut offs: Vec<f64> = places.iter().map(|&at| line.off(at).abs()).collect();
-        offs.sort_by(f64::total_cmp);
+        sorted::sort_by(&mut offs, f64::total_cmp);
         let most = 2.0 * offs.get(offs.len() / 2)?.max(0.25);
         let near: Vec<[f64; 2]> = places.iter().copied().filter(|&at| line.off(at).abs() <= most).collect();
         line = Line::nearest(&near)?;

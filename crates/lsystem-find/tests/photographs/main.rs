@@ -67,7 +67,7 @@ const HELD_OUT: [Figure; 20] = [
     ("F", "F -> F+F-F-F+F", 90.0, 90.0, 2),
 ];
 /// Systems that are tried at most: some tens of seconds of one thread.
-const MOST: u64 = 4_000_000;
+const MAX: u64 = 4_000_000;
 /// Photographs that are looked at in every run: each scene, right angles and others, with names and without.
 const ALWAYS: [usize; 6] = [0, 11, 15, 24, 32, 41];
 /// The photographs of which the rules are found.
@@ -88,7 +88,7 @@ fn definition((axiom, rules, angle, heading, n): Figure) -> Definition {
 }
 
 fn segments(definition: &Definition) -> Vec<[f64; 4]> {
-    let system = System::new(definition).0.expect("a system");
+    let system = System::new(definition).expect("a system");
     let drawing = draw::<Plane>(&system, definition.iterations, &Limits::default()).expect("a drawing");
     drawing.segments().map(|at| [at.from[0], at.from[1], at.to[0], at.to[1]]).collect()
 }
@@ -108,7 +108,7 @@ fn searched(grey: &[u8], figure: &[[f64; 4]]) -> (Option<Drawn>, bool) {
     let Ok(picture) = photograph.picture() else { return (None, false) };
     let mut finder = Finder::new(&Arc::new(picture), &Question::default(), Share::WHOLE).expect("a search");
     finder.try_first(gallery());
-    let mut left = MOST;
+    let mut left = MAX;
     while left > 0 && !finder.is_found() && finder.step(10_000) == Searched::More {
         left = left.saturating_sub(10_000);
     }

@@ -9,7 +9,7 @@ use lsystem_base::word;
 const LONGEST: usize = 4000;
 
 /// The most names with values.
-const MOST_VALUES: usize = 100;
+const MAX_VALUES: usize = 100;
 
 /// The reason for other code.
 const OTHER: &str = word!("Of the code in a production, only assignments are read");
@@ -85,7 +85,7 @@ impl Values {
     pub(super) fn assign(&mut self, name: &str, value: &str) -> Result<(), &'static str> {
         let text = self.put(value.trim(), 1)?;
         self.0.retain(|known| known.name != name);
-        if self.0.len() >= MOST_VALUES {
+        if self.0.len() >= MAX_VALUES {
             return Err(TOO_LONG);
         }
         self.0.push(Value { name: name.to_owned(), text, used: Cell::new(false) });

@@ -8,6 +8,9 @@ use core::ops::Range;
 use lsystem_base::number::number;
 use lsystem_base::say;
 
+/// The most assignments at every step: each is compared with all constants, rules and the other assignments.
+const MAX_ASSIGNMENTS: usize = 1000;
+
 /// The statements between the braces of a block.
 fn inside(block: &str) -> Option<&str> {
     block.trim().strip_prefix('{')?.strip_suffix('}')
@@ -65,6 +68,10 @@ pub(super) fn every_step(
             draft.refuse_at(own, say!("Of the code that runs at every step, only assignments without chance are read"));
             continue;
         };
+        let code = &parts.every_step;
+        if code.before.len() + code.after.len() >= MAX_ASSIGNMENTS {
+            return draft.refuse_at(own, say!("There can be at most {} assignments at every step", MAX_ASSIGNMENTS));
+        }
         match parts.arithmetic.read(value) {
             Ok(value) => {
                 draft.read(own, say!("{} = {} at every step", name, value));

@@ -16,7 +16,7 @@ use lsystem_base::{MAX_SURFACES, MAX_SURFACES_TEXT, say};
 use lsystem_syntax::{Curve, Surface, print_surfaces};
 
 /// The most functions of a text.
-const MOST_FUNCTIONS: usize = 100;
+const MAX_FUNCTIONS: usize = 100;
 
 /// A file in a text.
 #[derive(Clone, Copy)]
@@ -110,7 +110,7 @@ pub(super) fn read_curves<'c>(text: &'c str, places: &Places<'c>, draft: &mut Dr
         draft.covers(place.clone());
         let file = words.split_whitespace().next().unwrap_or_default();
         let name = file.rsplit(['/', '\\']).next().unwrap_or_default().trim_end_matches(".func");
-        let part = parts.iter().find(|part| is_same_file(part.name, file)).filter(|_| functions.len() < MOST_FUNCTIONS);
+        let part = parts.iter().find(|part| is_same_file(part.name, file)).filter(|_| functions.len() < MAX_FUNCTIONS);
         let curve = part.and_then(|part| read_functions(part.text).into_iter().next()?.1);
         match (part, &curve) {
             (None, _) => draft.note_at(place, say!("The file `{}` is missing; give it together with this one", file)),
@@ -129,7 +129,7 @@ pub(super) fn read_curves<'c>(text: &'c str, places: &Places<'c>, draft: &mut Dr
         let place = places.of(set.text);
         draft.covers(place.clone());
         draft.read(place, say!("a set of curves"));
-        let read = read_functions(set.text).into_iter().take(MOST_FUNCTIONS);
+        let read = read_functions(set.text).into_iter().take(MAX_FUNCTIONS);
         functions.extend(read.map(|(name, curve)| NamedFunction { name, curve }));
     }
     functions

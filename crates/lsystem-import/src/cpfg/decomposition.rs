@@ -38,13 +38,13 @@ type Case = (Expr, bool);
 type Cased = (Vec<Case>, Vec<Module>);
 
 /// The most words that conditions of parameters may make of one word.
-const MOST_CASES: usize = 64;
+const MAX_CASES: usize = 64;
 /// The most productions that decompositions are written into.
-const MOST_PRODUCTIONS: usize = 2000;
+const MAX_PRODUCTIONS: usize = 2000;
 /// The most modules of a word.
-const MOST_MODULES: usize = 20_000;
+const MAX_MODULES: usize = 20_000;
 /// The most modules and parts of expressions that are read and written for a system.
-const MOST_WORK: usize = 2_000_000;
+const MAX_WORK: usize = 2_000_000;
 /// The most parts of an expression, which may be nested in one another.
 const LONGEST: usize = 1000;
 
@@ -55,7 +55,7 @@ impl<'a> Decomposition<'a> {
         if rules.iter().any(|rule| !rule.left.is_empty() || !rule.right.is_empty() || rule.weight.is_some()) {
             return Err(say!("{} with a context or a probability is not possible", said(name[0])));
         }
-        let (work, stopped) = (Cell::new(MOST_WORK), Cell::new(false));
+        let (work, stopped) = (Cell::new(MAX_WORK), Cell::new(false));
         Ok(Self { name, rules, constants: grammar.values(), depth, work, stopped })
     }
 
@@ -101,7 +101,7 @@ impl<'a> Decomposition<'a> {
             for (cases, word) in self.cases(&production.successor)? {
                 made.push(within(production, production.condition.as_ref(), &cases, word));
             }
-            if made.len() > MOST_PRODUCTIONS {
+            if made.len() > MAX_PRODUCTIONS {
                 return Err(self.too_long());
             }
         }
@@ -129,7 +129,7 @@ impl<'a> Decomposition<'a> {
             while decided.pop_if(|(_, is_true)| !*is_true).is_some() {}
             let Some((_, is_true)) = decided.last_mut() else { return Ok(found) };
             *is_true = false;
-            if found.len() >= MOST_CASES {
+            if found.len() >= MAX_CASES {
                 return Err(say!(
                     "Whether {} applies depends on parameters in too many cases, which is not possible",
                     said(self.name[1])
@@ -145,7 +145,7 @@ impl<'a> Decomposition<'a> {
         // The modules still to come, the next one last, with the number of replacements that made them.
         let mut rest: Vec<(Module, usize)> = word.iter().rev().map(|module| (module.clone(), 0)).collect();
         while let Some((module, depth)) = rest.pop() {
-            if made.len() + rest.len() >= MOST_MODULES {
+            if made.len() + rest.len() >= MAX_MODULES {
                 return Err(self.too_long());
             }
             if depth >= self.depth {

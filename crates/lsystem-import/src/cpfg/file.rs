@@ -15,7 +15,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 /// The most definitions of a text.
-const MOST_DEFINITIONS: usize = 2000;
+const MAX_DEFINITIONS: usize = 2000;
 
 /// Whether a line begins a system.
 fn begins(line: &str) -> bool {
@@ -203,8 +203,8 @@ impl<'c> File<'c> {
             };
             return draft.refuse_at(place, why);
         };
-        if self.parts.arithmetic.macros.len() > MOST_DEFINITIONS {
-            return draft.refuse_at(place, say!("At most {} definitions are read", MOST_DEFINITIONS));
+        if self.parts.arithmetic.macros.len() > MAX_DEFINITIONS {
+            return draft.refuse_at(place, say!("At most {} definitions are read", MAX_DEFINITIONS));
         }
         let rest = rest.trim();
         let (name, value) = rest.split_at(rest.find(|c: char| !is_part(c)).unwrap_or(rest.len()));

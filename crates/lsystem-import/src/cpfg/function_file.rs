@@ -18,7 +18,7 @@ use lsystem_base::number::number;
 use lsystem_syntax::Curve;
 
 /// The most points of a file that are looked at.
-const MOST_POINTS: usize = 1000;
+const MAX_POINTS: usize = 1000;
 
 /// The functions of a file with their names, which are empty if the file has none; `None` for a function that cannot be
 /// read.
@@ -44,7 +44,7 @@ fn read_function(text: &str) -> (&str, Option<Curve>) {
     let count = value("points").and_then(|count| count.parse::<usize>().ok()).unwrap_or(0);
     let behind = text.lines().map(str::trim).skip_while(|line| !line.starts_with("points")).skip(1);
     let mut points = Vec::new();
-    for line in behind.filter(|line| !line.is_empty()).take(count.min(MOST_POINTS)) {
+    for line in behind.filter(|line| !line.is_empty()).take(count.min(MAX_POINTS)) {
         let numbers: Option<Vec<f64>> = line.split_whitespace().take(4).map(|word| word.parse().ok()).collect();
         match numbers.as_deref() {
             Some(&[x, y]) => points.push([x, y]),

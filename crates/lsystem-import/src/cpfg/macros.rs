@@ -32,7 +32,7 @@ pub(super) enum Replaced {
 }
 
 /// The most characters that are written for a text.
-const MOST_WORK: usize = 4_000_000;
+const MAX_WORK: usize = 4_000_000;
 /// The most macros inside one another: they are replaced recursively.
 const DEEPEST: usize = 50;
 /// The reason for a text that is too long.
@@ -41,7 +41,7 @@ pub(super) const TOO_LONG: &str = word!("Macros or loops make this too long");
 impl Macros {
     /// Functions of another program in words of ours: the name, its parameters, and what stands in its place.
     pub(super) fn new(functions: &[(&str, &[&str], &str)]) -> Self {
-        let mut macros = Self { known: BTreeMap::new(), work: Cell::new(MOST_WORK), depth: Cell::new(0) };
+        let mut macros = Self { known: BTreeMap::new(), work: Cell::new(MAX_WORK), depth: Cell::new(0) };
         for (name, parameters, body) in functions {
             let parameters = Some(parameters.iter().map(|&name| name.to_owned()).collect());
             let body = (*body).to_owned();

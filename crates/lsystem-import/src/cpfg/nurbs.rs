@@ -7,13 +7,13 @@ use super::symbols::parenthesised;
 use lsystem_syntax::Curve;
 
 /// The most curves and the most points of a curve that are looked at.
-const MOST: usize = 1000;
+const MAX: usize = 1000;
 
 /// The curves of a text with their names; `None` for one that is no clamped cubic of equal weights.
 pub(super) fn read_curves(text: &str) -> Vec<NamedFunction<'_>> {
     let mut found: Vec<NamedFunction<'_>> = Vec::new();
     for kind in ["NurbsCurve2D", "BezierCurve2D"] {
-        for (at, _) in text.match_indices(kind).take(MOST) {
+        for (at, _) in text.match_indices(kind).take(MAX) {
             let line = text[..at].rsplit('\n').next().unwrap_or_default();
             let Some((name, _)) = line.split_once('=').map(|(name, rest)| (name.trim(), rest)) else { continue };
             if !is_name(name) || found.iter().any(|known| known.name == name) {
@@ -35,7 +35,7 @@ pub(super) fn read_curves(text: &str) -> Vec<NamedFunction<'_>> {
 fn points(text: &str) -> Option<Vec<[f64; 2]>> {
     let innermost = text.split('(').filter_map(|part| part.split_once(')')).map(|(inside, _)| inside);
     let mut found = Vec::new();
-    for inside in innermost.take(MOST) {
+    for inside in innermost.take(MAX) {
         let numbers: Result<Vec<f64>, _> = inside.split(',').take(4).map(|word| word.trim().parse::<f64>()).collect();
         match numbers.as_deref() {
             Ok(&[x, y] | &[x, y, 1.0]) => found.push([x, y]),

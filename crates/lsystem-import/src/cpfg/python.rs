@@ -46,9 +46,9 @@ struct Line<'c> {
 }
 
 /// The most ways through a rule, and conditions of a way.
-const MOST_WAYS: usize = 64;
+const MAX_WAYS: usize = 64;
 /// The most turns of a loop.
-const MOST_TURNS: f64 = 500.0;
+const MAX_TURNS: f64 = 500.0;
 /// The most bytes of all successors of a rule.
 const LONGEST: usize = 20_000;
 
@@ -201,7 +201,7 @@ impl<'c> Ways<'_, 'c> {
     /// Follows the statements. Returns the ways that reach their end.
     fn run(&mut self, statements: &[Statement<'c>], mut open: Vec<Way<'c>>) -> Result<Vec<Way<'c>>, String> {
         for statement in statements {
-            if open.len() > MOST_WAYS {
+            if open.len() > MAX_WAYS {
                 return Err(TOO_LONG.to_owned());
             }
             self.arithmetic.macros.spend(open.iter().map(|way| 20 + way.made.len()).sum())?;
@@ -259,7 +259,7 @@ impl<'c> Ways<'_, 'c> {
             let mut others = way;
             let mut has_else = false;
             for (condition, body) in cases {
-                if next.len() > MOST_WAYS || others.conditions.len() > MOST_WAYS {
+                if next.len() > MAX_WAYS || others.conditions.len() > MAX_WAYS {
                     return Err(TOO_LONG.to_owned());
                 }
                 let condition = others.values.put(condition, 1)?;
@@ -313,7 +313,7 @@ impl<'c> Ways<'_, 'c> {
             (Some(&[start, end]), "") => start..end,
             _ => return Err(wrong()),
         };
-        if range.end - range.start > MOST_TURNS {
+        if range.end - range.start > MAX_TURNS {
             return Err(TOO_LONG.to_owned());
         }
         Ok(range.start as i64..range.end as i64)

@@ -18,7 +18,7 @@ pub(super) fn every_step(parts: &Parts<'_>, decompositions: &str, symbols: &mut 
     let Some(place) = &parts.every_step.place else { return };
     let (mut grammar, wrong) = parse(&draft.definition.axiom, &draft.definition.rules);
     if let Some(error) = wrong.iter().find(|problem| problem.is_error()) {
-        return draft.refuse_at(place.clone(), say!("In our notation: {}", error.message()));
+        return draft.refuse_at(place.clone(), say!("In our notation: {}", error.message));
     }
     let initial = |name: &str| before_steps(parts, name);
     let mut free = |symbol: char| symbols.free.get(&format!("{symbol} at every step"));
@@ -41,7 +41,7 @@ pub(super) fn decompose(parts: &Parts<'_>, place: &Range<usize>, decompositions:
     let (own, own_wrong) = parse("", decompositions);
     let error = wrong.iter().chain(&own_wrong).find(|problem| problem.is_error());
     if let Some(error) = error {
-        return draft.refuse_at(place.clone(), say!("In our notation: {}", error.message()));
+        return draft.refuse_at(place.clone(), say!("In our notation: {}", error.message));
     }
     let depth = parts.decomposition_depth.map_or(Some(1.0), |text| parts.arithmetic.value(text));
     let Some(depth) = depth else { return draft.refuse_at(place.clone(), say!("The maximum depth cannot be read")) };

@@ -186,7 +186,7 @@ const LPY: &[(&str, Meaning)] = &[
 ];
 
 /// The most symbols with a remark.
-const MOST_REMARKS: usize = 600;
+const MAX_REMARKS: usize = 600;
 
 /// A part of a production.
 #[derive(Clone, Copy, PartialEq)]
@@ -403,7 +403,7 @@ impl<'p> Symbols<'p> {
     ) {
         let is_cpfg = self.arithmetic.kind == Kind::Cpfg;
         match symbol {
-            _ if self.told.len() > MOST_REMARKS => {
+            _ if self.told.len() > MAX_REMARKS => {
                 return draft.refuse_at(place.clone(), say!("So many different symbols are not read"));
             }
             _ if symbol.starts_with('~') && symbol.len() > 1 => {

@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 /// The most bytes of a name.
 pub(super) const LONGEST_NAME: usize = 60;
 /// The most numbers with names.
-const MOST_CONSTANTS: usize = 5000;
+const MAX_CONSTANTS: usize = 5000;
 /// The most bytes of all rules.
 const LONGEST: usize = 200_000;
 
@@ -29,8 +29,8 @@ pub(super) fn translate(parts: &Parts<'_>, places: &Places<'_>, draft: &mut Draf
     if size > LONGEST {
         draft.refuse(1, "", say!("The rules are too long"));
     }
-    if parts.constants.len() > MOST_CONSTANTS {
-        draft.refuse(1, "", say!("At most {} numbers with names are read", MOST_CONSTANTS));
+    if parts.constants.len() > MAX_CONSTANTS {
+        draft.refuse(1, "", say!("At most {} numbers with names are read", MAX_CONSTANTS));
     }
     if draft.is_refused() {
         // What is understood is told all the same.

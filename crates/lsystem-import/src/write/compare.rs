@@ -2,6 +2,7 @@
 
 use super::source::{Need, Source};
 use lsystem_base::Limits;
+use lsystem_base::sorted;
 use lsystem_drawing::{Figure, System};
 use lsystem_syntax::{Definition, Grammar, Production, print_rules};
 use std::collections::HashMap;
@@ -9,11 +10,11 @@ use std::collections::HashMap;
 /// The limits of one drawing.
 const LIMITS: Limits = Limits { symbols: 100_000, modules: 1 << 16, segments: 20_000, work: 1 << 20, memory: 64 << 20 };
 /// The most segments that are compared one by one.
-const MOST_SEGMENTS: u128 = 50_000;
+const MAX_SEGMENTS: u128 = 50_000;
 /// The most choices of a production that are compared.
-const MOST_CHOICES: usize = 4;
+const MAX_CHOICES: usize = 4;
 /// The most derivation steps.
-const MOST: u32 = 5;
+const MAX: u32 = 5;
 
 /// The first difference of two definitions in words; `None` if the first generations draw the same up to place and size,
 /// and the same number of derivation steps is made. Colours, widths and seeds do not count.
@@ -28,7 +29,7 @@ pub(super) fn difference(a: &Definition, b: &Definition, counts_steps: bool) -> 
         }
         // The random numbers of programs differ, so each choice is compared alone.
         let chosen = |of: &Source<'_>, at| Definition { rules: chosen(of, at), ..of.definition.clone() };
-        return (0..MOST_CHOICES).find_map(|at| difference_of(&chosen(&one, at), &chosen(&other, at)));
+        return (0..MAX_CHOICES).find_map(|at| difference_of(&chosen(&one, at), &chosen(&other, at)));
     }
     difference_of(a, b)
 }
@@ -60,7 +61,7 @@ fn weights(grammar: &Grammar) -> Vec<String> {
             weights.iter().map(|weight| format!("{:.9} ", weight / sum)).collect()
         })
         .collect();
-    found.sort();
+    sorted::sort(&mut found);
     found
 }
 
@@ -73,9 +74,9 @@ fn chosen(source: &Source<'_>, at: usize) -> String {
 }
 
 fn difference_of(a: &Definition, b: &Definition) -> Option<String> {
-    let drawn = |own| System::new(own).0.map(System::without_wires);
+    let drawn = |own| System::new(own).ok().map(System::without_wires);
     let (Some(one), Some(other)) = (drawn(a), drawn(b)) else { return Some("errors".to_owned()) };
-    for n in 0..=a.iterations.min(MOST) {
+    for n in 0..=a.iterations.min(MAX) {
         let (one, other) = (Figure::draw(&one, n, &LIMITS), Figure::draw(&other, n, &LIMITS));
         let (Ok(one), Ok(other)) = (&one, &other) else {
             return (one.is_ok() != other.is_ok() && n < 2).then(|| format!("limits at n = {n}"));
@@ -84,7 +85,7 @@ fn difference_of(a: &Definition, b: &Definition) -> Option<String> {
         if counts[0] != counts[1] {
             return Some(format!("{} and {} segments at n = {n}", counts[0].0, counts[1].0));
         }
-        if counts[0].0 > MOST_SEGMENTS {
+        if counts[0].0 > MAX_SEGMENTS {
             return None;
         }
         let (one, other) = (shape(one), shape(other));

@@ -7,28 +7,33 @@ use super::Refusal;
 use super::expression::{Arithmetic, COMMON, PYTHON};
 use super::queries;
 use super::source::{Need, Source, Symbol, plain_number};
-use super::words::{Kind, Words, numbered, without_arguments};
+use super::symbol_words::{Kind, Words, numbered, without_arguments};
 use crate::cpfg::{function_file, surface_file};
 use core::f64::consts::FRAC_1_SQRT_2;
 use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::say;
+use lsystem_base::sorted;
 use lsystem_base::sorted::set;
 use lsystem_syntax::grammar::Values;
 use lsystem_syntax::{
-    Action, Expr, Function, Module, Outline, Pattern, Production, Query, Seen, Surface, parse_surfaces,
+    Action, Expr, Function, Module, Outline, Pattern, Production, Query, Seen, Surface, Vocabulary, parse_surfaces,
 };
 
-/// The parts of systems that cpfg lacks, or has in other files.
-pub(super) const LACKS: &[Need] = &[
-    Need::Variation,
-    Need::BranchLengths,
-    Need::Scaling,
-    Need::SwappedTurns,
-    Need::Tropism,
-    Need::Growth,
-    Need::OpenBranches,
-    Need::Surroundings,
+/// The parts of systems that cpfg expresses in one file.
+pub(super) const SPEAKS: &[Need] = &[
+    Need::Contexts,
+    Need::Parameters,
+    Need::Conditions,
+    Need::Chance,
+    Need::Images,
+    Need::Space,
+    Need::Acts(Vocabulary::Polygons),
+    Need::Acts(Vocabulary::Circles),
+    Need::Acts(Vocabulary::Tubes),
+    Need::Acts(Vocabulary::Surfaces),
+    Need::Acts(Vocabulary::Cuts),
+    Need::Queries,
 ];
 
 pub(super) fn write_cpfg(source: &Source<'_>) -> Result<String, Refusal> {
@@ -84,7 +89,7 @@ pub(super) struct File<'a> {
 }
 
 /// More symbols that are replaced or in contexts have no names.
-const MOST_NAMED: usize = 80;
+const MAX_NAMED: usize = 80;
 
 impl<'a> File<'a> {
     pub(super) fn new(source: &'a Source<'a>, kind: Kind) -> Result<Self, Refusal> {
@@ -151,7 +156,7 @@ impl<'a> File<'a> {
         let bound: Vec<char> =
             self.source.symbols.iter().filter(|own| !own.is_constant()).map(|own| own.symbol).collect();
         let is_full = || Refusal(say!("{} has too few symbols", self.label));
-        if bound.len() > MOST_NAMED {
+        if bound.len() > MAX_NAMED {
             return Err(is_full());
         }
         // The symbols for a constant symbol must stay, too.
@@ -178,7 +183,7 @@ impl<'a> File<'a> {
             let name = name.ok_or_else(is_full)?;
             self.names.push((own.symbol, name));
         }
-        self.names.sort_unstable();
+        sorted::sort(&mut self.names);
         let cut = |own: &Symbol| own.actions.contains(&Action::Cut) && own.actions.len() > 1;
         match self.source.symbols.iter().find(|own| cut(own)) {
             Some(own) => Err(Refusal(say!("{} has no symbol that does what `{}` does", self.label, own.symbol))),
@@ -255,7 +260,7 @@ impl<'a> File<'a> {
         }
         // Brackets always delimit branches.
         listed.retain(|name| !"[]".contains(*name));
-        listed.sort_unstable();
+        sorted::sort(&mut listed);
         listed.dedup();
         if listed.iter().any(|name| others.contains(name)) {
             return Err(Refusal(say!("{} cannot express which symbols contexts see", self.label)));
@@ -316,7 +321,7 @@ impl<'a> File<'a> {
                 Action::ScaleWidth(_) if argument.is_some() => format!("!({})", argument.unwrap_or_default()),
                 // Only looks, which are left out.
                 Action::ScaleWidth(own) => if own == FRAC_1_SQRT_2 { "!" } else { "" }.to_owned(),
-                Action::Circle(_) | Action::ScaleLength(_) | Action::SwapTurns => {
+                _ => {
                     let symbol = symbol.symbol;
                     return Err(Refusal(say!("{} has no symbol that does what `{}` does", self.label, symbol)));
                 }

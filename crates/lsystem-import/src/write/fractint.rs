@@ -7,36 +7,20 @@ use super::Refusal;
 use super::source::{Need, Source, plain_number};
 use super::spelling::{Alphabet, Spelling, turns};
 use lsystem_base::say;
-use lsystem_syntax::{Action, Module};
+use lsystem_syntax::{Action, Vocabulary};
 
-/// The parts of systems that Fractint lacks.
-pub(super) const LACKS: &[Need] = &[
-    Need::Contexts,
-    Need::Parameters,
-    Need::Chance,
-    Need::Variation,
-    Need::Images,
-    Need::Space,
-    Need::BranchLengths,
-    Need::Polygons,
-    Need::Circles,
-    Need::Tubes,
-    Need::Surfaces,
-    Need::Cuts,
-    Need::Tropism,
-    Need::Growth,
-    Need::OpenBranches,
-];
+/// The parts of systems that Fractint expresses.
+pub(super) const SPEAKS: &[Need] = &[Need::Acts(Vocabulary::Scaling), Need::Acts(Vocabulary::SwappedTurns)];
 
 /// The letters that Fractint does not draw with, and that are no part of a number.
 const IDLE: &str = "XYZABEHJKLNOPRSTUVW";
 /// The most rules of a file.
-const MOST_RULES: usize = 25;
+const MAX_RULES: usize = 25;
 /// The most characters of a line.
 const LONGEST: usize = 250;
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
-    if source.needs(Need::SwappedTurns) && source.right_angle() != source.definition.angle {
+    if source.needs(Need::Acts(Vocabulary::SwappedTurns)) && source.right_angle() != source.definition.angle {
         return Err(Refusal::new(say!("Fractint cannot swap turns by two angles")));
     }
     let parts = 360.0 / source.definition.angle;
@@ -57,45 +41,34 @@ fn system(source: &Source<'_>, parts: Option<f64>) -> Result<String, Refusal> {
             _ => format!("\\{}", decimal(degrees)),
         }),
     };
-    let line = |letter: char, length: f64| {
+    let line = |letter: &str, length: f64| {
         if length == 1.0 {
-            return Some(letter.to_string());
+            return Some(letter.to_owned());
         }
         // `@I` divides by the number.
         let number = decimal(length);
         (length > 0.0).then(|| format!("@{number}{letter}@I{number}"))
     };
-    let own = |actions: &[Action]| match (actions, parts.is_some()) {
-        ([Action::Draw(length)], true) if source.length(*length) == 1.0 => "F",
-        ([Action::Draw(length)], false) if source.length(*length) == 1.0 => "D",
-        ([Action::Move(length)], true) if source.length(*length) == 1.0 => "G",
-        ([Action::Move(length)], false) if source.length(*length) == 1.0 => "M",
-        ([Action::TurnLeft(None)], true) => "+",
-        ([Action::TurnRight(None)], true) => "-",
-        ([Action::TurnRound], true) if parts.is_some_and(|parts| parts % 2.0 == 0.0) => "|",
-        ([Action::Push], _) => "[",
-        ([Action::Pop], _) => "]",
-        ([Action::SwapTurns], _) => "!",
+    let own = |action: Action| match action {
+        Action::TurnLeft(None) if parts.is_some() => "+",
+        Action::TurnRight(None) if parts.is_some() => "-",
+        Action::TurnRound if parts.is_some_and(|parts| parts % 2.0 == 0.0) => "|",
+        Action::SwapTurns => "!",
         _ => "",
     };
-    let one = |action: &Action| match *action {
-        Action::Draw(length) | Action::DrawUnmarked(length) => {
-            line(if parts.is_some() { 'F' } else { 'D' }, source.length(length))
-        }
-        Action::Move(length) | Action::MoveUnmarked(length) => {
-            line(if parts.is_some() { 'G' } else { 'M' }, source.length(length))
-        }
+    let [draws, moves] = if parts.is_some() { ["F", "G"] } else { ["D", "M"] };
+    let code = |action: Action| match action {
+        Action::Draw(length) | Action::DrawUnmarked(length) => line(draws, source.length(length)),
+        Action::Move(length) | Action::MoveUnmarked(length) => line(moves, source.length(length)),
         Action::ScaleLength(factor) if factor > 0.0 => Some(format!("@{}", decimal(factor))),
-        Action::Push => Some("[".into()),
-        Action::Pop => Some("]".into()),
         Action::SwapTurns => Some("!".into()),
         other => turn(source.turn(other)?),
     };
-    let code = |actions: &[Action]| actions.iter().map(one).collect::<Option<String>>();
     let alphabet = Alphabet {
         label: "Fractint",
         idle: IDLE,
         is_upper: true,
+        steps: [draws, moves],
         own: &own,
         code: &code,
         mortal: "FGDM",
@@ -104,19 +77,13 @@ fn system(source: &Source<'_>, parts: Option<f64>) -> Result<String, Refusal> {
     let spelling = Spelling::new(source, &alphabet)?;
     let start =
         turn(source.definition.heading).ok_or_else(|| Refusal::new(say!("Fractint cannot begin with this heading")))?;
-    let word = |modules: &[Module]| spelling.word(modules);
     let mut lines = vec![
         format!("Angle {}", parts.map_or_else(|| "4".to_owned(), plain_number)),
-        format!("Axiom {start}{}", word(&source.grammar.axiom)),
+        format!("Axiom {start}{}", spelling.word(&source.grammar.axiom)),
     ];
-    for rule in source.plain_rules() {
-        let successor = rule.successors.first().map_or(String::new(), |(_, successor)| word(successor));
-        lines.push(format!("{}={successor}", spelling.name_of(rule.symbol)));
-    }
-    lines.extend(spelling.repeated.iter().map(|(name, word)| format!("{name}={word}")));
-    lines.extend(spelling.vanishing.iter().map(|name| format!("{name}=")));
-    if lines.len() - 2 > MOST_RULES {
-        return Err(Refusal::new(say!("Fractint reads at most {} rules", MOST_RULES)));
+    lines.extend(spelling.equations(source));
+    if lines.len() - 2 > MAX_RULES {
+        return Err(Refusal::new(say!("Fractint reads at most {} rules", MAX_RULES)));
     }
     if lines.iter().any(|line| line.len() > LONGEST) {
         return Err(Refusal::new(say!("Fractint reads at most {} characters on a line", LONGEST)));

@@ -2,30 +2,17 @@
 
 use super::Refusal;
 use super::expression::{Arithmetic, COMMON};
-use super::source::{Need, Source, is_look, plain_number};
+use super::source::{Need, Source, plain_number};
 use super::spelling::{Alphabet, Spelling};
 use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::say;
 use lsystem_syntax::grammar::Values;
-use lsystem_syntax::{Action, Expr, Module, Pattern, Production, Seen};
+use lsystem_syntax::{Action, Expr, Module, Pattern, Production, Seen, Vocabulary};
 
-/// The parts of systems that Houdini lacks.
-pub(super) const LACKS: &[Need] = &[
-    Need::Variation,
-    Need::Images,
-    Need::BranchLengths,
-    Need::SwappedTurns,
-    Need::Polygons,
-    Need::Circles,
-    Need::Tubes,
-    Need::Surfaces,
-    Need::Cuts,
-    Need::Tropism,
-    Need::Growth,
-    Need::OpenBranches,
-    Need::Queries,
-];
+/// The parts of systems that Houdini expresses.
+pub(super) const SPEAKS: &[Need] =
+    &[Need::Contexts, Need::Parameters, Need::Conditions, Need::Chance, Need::Space, Need::Acts(Vocabulary::Scaling)];
 
 /// Names of parameters that are no variables of Houdini.
 const PARAMETERS: &str = "hjklmnopqrsef";
@@ -33,7 +20,6 @@ const PARAMETERS: &str = "hjklmnopqrsef";
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let definition = source.definition;
     let angle = definition.angle;
-    let is_step = |length: &Option<f64>| source.length(*length) == 1.0;
     // Angles of the actions, with the symbols that turn by them.
     let turn = |action: Action| -> Option<(f64, char)> {
         let down = definition.pitch_down;
@@ -48,44 +34,32 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
             _ => return None,
         })
     };
-    let own = |actions: &[Action]| match actions {
-        [Action::Draw(length)] if is_step(length) => "FG",
-        [Action::Move(length)] if is_step(length) => "f",
-        [Action::TurnRound] => "|",
-        [Action::Push] => "[",
-        [Action::Pop] => "]",
-        [action] => match turn(*action) {
-            Some((by, '-')) if by == angle => "-",
-            Some((by, '+')) if by == angle => "+",
-            Some((by, '^')) if by == angle => "^",
-            Some((by, '&')) if by == angle => "&",
-            Some((by, '/')) if by == angle => "/",
-            Some((by, '\\')) if by == angle => "\\",
-            _ => "",
-        },
+    let own = |action: Action| match turn(action) {
+        _ if action == Action::TurnRound => "|",
+        Some((by, '-')) if by == angle => "-",
+        Some((by, '+')) if by == angle => "+",
+        Some((by, '^')) if by == angle => "^",
+        Some((by, '&')) if by == angle => "&",
+        Some((by, '/')) if by == angle => "/",
+        Some((by, '\\')) if by == angle => "\\",
         _ => "",
     };
-    let line = |letter: char, length: f64| match length {
-        1.0 => letter.to_string(),
-        _ => format!("{letter}({})", plain_number(length)),
+    let line = |letter: char, length: f64| format!("{letter}({})", plain_number(length));
+    let code = |action: Action| match action {
+        Action::Draw(length) => Some(line('F', source.length(length))),
+        Action::Move(length) => Some(line('f', source.length(length))),
+        Action::ScaleLength(factor) => Some(format!("\"({})", plain_number(factor))),
+        Action::TurnRound => Some("|".to_owned()),
+        other => {
+            let (by, symbol) = turn(other)?;
+            Some(if by == angle { symbol.to_string() } else { format!("{symbol}({})", plain_number(by)) })
+        }
     };
-    let one =
-        |action: &Action| match *action {
-            Action::Draw(length) => Some(line('F', source.length(length))),
-            Action::Move(length) => Some(line('f', source.length(length))),
-            Action::ScaleLength(factor) => Some(format!("\"({})", plain_number(factor))),
-            Action::TurnRound => Some("|".to_owned()),
-            Action::Push => Some("[".to_owned()),
-            Action::Pop => Some("]".to_owned()),
-            other => turn(other).map(|(by, symbol)| {
-                if by == angle { symbol.to_string() } else { format!("{symbol}({})", plain_number(by)) }
-            }),
-        };
-    let code = |actions: &[Action]| actions.iter().map(one).collect::<Option<String>>();
     let alphabet = Alphabet {
         label: "Houdini",
         idle: "XYZABCDEILNOPQRSUVWabcdeijklmnopqrsuvwxyz",
         is_upper: false,
+        steps: ["FG", "f"],
         own: &own,
         code: &code,
         mortal: "Ff",
@@ -201,7 +175,7 @@ impl Writer<'_> {
         let is_single = self.spelling.word_of(symbol).chars().count() == 1;
         // The number of a look may come first.
         let actions = own.map_or(&[][..], |own| &own.actions);
-        let is_numbered = actions.is_empty() || actions.iter().all(|action| is_look(*action)) || actions.len() == 1;
+        let is_numbered = actions.is_empty() || actions.iter().all(|action| action.is_look()) || actions.len() == 1;
         // Lengths are in steps in Houdini.
         let is_length = matches!(actions, [Action::Draw(_) | Action::Move(_)]) && self.source.definition.step != 1.0;
         let is_moved = actions.len() == 1 && own.is_some_and(|own| own.shape().len() == 1);

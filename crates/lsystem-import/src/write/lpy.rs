@@ -4,25 +4,20 @@ use super::Refusal;
 use super::cpfg::File;
 use super::expression::PYTHON;
 use super::source::{Need, Source};
-use super::words::Kind;
+use super::symbol_words::Kind;
 use core::fmt::Write;
 use lsystem_base::number::number;
+use lsystem_syntax::Vocabulary;
 
-/// The parts of systems that the rules of L-Py lack.
-pub(super) const LACKS: &[Need] = &[
-    Need::Variation,
-    Need::BranchLengths,
-    Need::Scaling,
-    Need::SwappedTurns,
-    Need::Tropism,
-    Need::Growth,
-    Need::OpenBranches,
-    Need::Chance,
-    Need::Polygons,
-    Need::Circles,
-    Need::Tubes,
-    Need::Surfaces,
-    Need::Surroundings,
+/// The parts of systems that L-Py expresses.
+pub(super) const SPEAKS: &[Need] = &[
+    Need::Contexts,
+    Need::Parameters,
+    Need::Conditions,
+    Need::Images,
+    Need::Space,
+    Need::Acts(Vocabulary::Cuts),
+    Need::Queries,
 ];
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {

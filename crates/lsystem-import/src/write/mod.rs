@@ -22,8 +22,8 @@ mod python;
 mod queries;
 mod source;
 mod spelling;
+mod symbol_words;
 mod text;
-mod words;
 
 #[cfg(test)]
 mod tests;
@@ -44,12 +44,12 @@ pub struct Notation {
     pub help: &'static str,
     /// The ending of file names, without a dot.
     pub ending: &'static str,
-    /// The parts of systems that the notation lacks.
-    lacks: &'static [Need],
+    /// The parts of systems that the notation expresses. A system that needs another part is refused.
+    speaks: &'static [Need],
     write: Writer,
 }
 
-/// Writes a system that needs nothing that the notation lacks.
+/// Writes a system that needs nothing but what the notation speaks.
 type Writer = fn(&Source<'_>) -> Result<String, Refusal>;
 
 /// A system in another notation.
@@ -79,134 +79,54 @@ impl Refusal {
     }
 }
 
-/// Notations of a turtle in the plane for words of plain symbols lack these.
-const PLAIN: &[Need] = &[
-    Need::Contexts,
-    Need::Parameters,
-    Need::Chance,
-    Need::Variation,
-    Need::Images,
-    Need::Space,
-    Need::BranchLengths,
-    Need::Scaling,
-    Need::SwappedTurns,
-    Need::Polygons,
-    Need::Circles,
-    Need::Tubes,
-    Need::Surfaces,
-    Need::Cuts,
-    Need::Tropism,
-    Need::Growth,
-    Need::OpenBranches,
-];
-
 /// All notations, in the order of the page's list.
 pub static NOTATIONS: [Notation; 12] = [
-    Notation {
-        name: "text",
-        label: word!("Text"),
-        help: word!("Labelled lines, as in papers, where our reader makes the same system of them"),
-        ending: "txt",
-        lacks: &[Need::Surfaces],
-        write: text::write,
-    },
-    Notation {
-        name: "latex",
-        label: word!("LaTeX"),
-        help: word!("Table for a paper, as in The Algorithmic Beauty of Plants"),
-        ending: "tex",
-        lacks: &[],
-        write: paper::latex,
-    },
-    Notation {
-        name: "tikz",
-        label: word!("TikZ"),
-        help: word!("Picture by the library lindenmayersystems, in one colour, of at most 100,000 symbols"),
-        ending: "tex",
-        lacks: &[],
-        write: paper::tikz,
-    },
-    Notation {
-        name: "python",
-        label: word!("Python turtle"),
-        help: word!("Program that draws with the standard module turtle"),
-        ending: "py",
-        lacks: program::LACKS,
-        write: python::write,
-    },
-    Notation {
-        name: "p5",
-        label: word!("p5.js sketch"),
-        help: word!("Sketch that derives and draws, for the editor of p5.js"),
-        ending: "js",
-        lacks: program::LACKS,
-        write: p5::write,
-    },
-    Notation {
-        name: "js",
-        label: word!("JavaScript object"),
-        help: word!(
-            "Object for JavaScript packages: F and G draw, f moves, + and - turn by one angle, and the first heading is up"
-        ),
-        ending: "js",
-        lacks: object::LACKS,
-        write: object::write,
-    },
-    Notation {
-        name: "fractint",
-        label: word!("Fractint"),
-        help: word!(
-            "Entry of a file, of at most 25 rules and lines of 250 characters; without the number of iterations"
-        ),
-        ending: "l",
-        lacks: fractint::LACKS,
-        write: fractint::write,
-    },
-    Notation {
-        name: "inkscape",
-        label: word!("Inkscape"),
-        help: word!(
-            "Lines for the dialog Extensions > Render > L-system, with headings that its angles reach from upwards"
-        ),
-        ending: "txt",
-        lacks: PLAIN,
-        write: inkscape::write,
-    },
-    Notation {
-        name: "houdini",
-        label: word!("Houdini"),
-        help: word!("Lines of the L-system node, with numbers as in its own symbols"),
-        ending: "txt",
-        lacks: houdini::LACKS,
-        write: houdini::write,
-    },
-    Notation {
-        name: "cpfg",
-        label: word!("cpfg"),
-        help: word!("File with the angles as numbers; circles only filled"),
-        ending: "l",
-        lacks: cpfg::LACKS,
-        write: cpfg::write_cpfg,
-    },
-    Notation {
-        name: "lpy",
-        label: word!("L-Py"),
-        help: word!("Arrow rules, and rules of Python with conditions; arithmetic with the functions of Python"),
-        ending: "lpy",
-        lacks: lpy::LACKS,
-        write: lpy::write,
-    },
-    Notation {
-        name: "anvaka",
-        label: word!("anvaka’s page"),
-        help: word!("Text for anvaka’s page, with one action for each symbol"),
-        ending: "txt",
-        lacks: PLAIN,
-        write: anvaka::write,
-    },
+    notation("text", "txt", word!("Text"), text::SPEAKS, text::write)
+        .help(word!("Labelled lines, as in papers, where our reader makes the same system of them")),
+    // The writer refuses by itself.
+    notation("latex", "tex", word!("LaTeX"), &Need::ALL, paper::latex)
+        .help(word!("Table for a paper, as in The Algorithmic Beauty of Plants")),
+    // The writer refuses by itself.
+    notation("tikz", "tex", word!("TikZ"), &Need::ALL, paper::tikz)
+        .help(word!("Picture by the library lindenmayersystems, in one colour, of at most 100,000 symbols")),
+    notation("python", "py", word!("Python turtle"), program::SPEAKS, python::write)
+        .help(word!("Program that draws with the standard module turtle")),
+    notation("p5", "js", word!("p5.js sketch"), program::SPEAKS, p5::write)
+        .help(word!("Sketch that derives and draws, for the editor of p5.js")),
+    notation("js", "js", word!("JavaScript object"), object::SPEAKS, object::write).help(word!(
+        "Object for JavaScript packages: F and G draw, f moves, + and - turn by one angle, and the first heading is up"
+    )),
+    notation("fractint", "l", word!("Fractint"), fractint::SPEAKS, fractint::write).help(word!(
+        "Entry of a file, of at most 25 rules and lines of 250 characters; without the number of iterations"
+    )),
+    notation("inkscape", "txt", word!("Inkscape"), &[], inkscape::write).help(word!(
+        "Lines for the dialog Extensions > Render > L-system, with headings that its angles reach from upwards"
+    )),
+    notation("houdini", "txt", word!("Houdini"), houdini::SPEAKS, houdini::write)
+        .help(word!("Lines of the L-system node, with numbers as in its own symbols")),
+    notation("cpfg", "l", word!("cpfg"), cpfg::SPEAKS, cpfg::write_cpfg)
+        .help(word!("File with the angles as numbers; circles only filled")),
+    notation("lpy", "lpy", word!("L-Py"), lpy::SPEAKS, lpy::write)
+        .help(word!("Arrow rules, and rules of Python with conditions; arithmetic with the functions of Python")),
+    notation("anvaka", "txt", word!("anvaka’s page"), &[], anvaka::write)
+        .help(word!("Text for anvaka’s page, with one action for each symbol")),
 ];
 
+const fn notation(
+    name: &'static str,
+    ending: &'static str,
+    label: &'static str,
+    speaks: &'static [Need],
+    write: Writer,
+) -> Notation {
+    Notation { name, label, help: "", ending, speaks, write }
+}
+
 impl Notation {
+    const fn help(self, help: &'static str) -> Self {
+        Self { help, ..self }
+    }
+
     /// The notation with this name, if any.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
@@ -215,7 +135,10 @@ impl Notation {
 
     /// The parts of systems that the notation lacks, as noun phrases.
     pub fn lacks(&self) -> impl Iterator<Item = &'static str> {
-        self.lacks.iter().map(|need| need.words())
+        let is_lacking = |need: &&Need| !self.speaks.contains(need);
+        // What follows from another part is not listed too.
+        let is_first = |need: &&Need| need.basis().is_none_or(|basis| self.speaks.contains(&basis));
+        Need::ALL.iter().filter(is_lacking).filter(is_first).map(|need| need.words())
     }
 }
 
@@ -231,7 +154,7 @@ impl PartialEq for Notation {
 /// The reason why the notation cannot express the definition, or why the definition itself is wrong.
 pub fn export(definition: &Definition, notation: &Notation) -> Result<Written, Refusal> {
     let source = Source::new(definition)?;
-    if let Some(need) = notation.lacks.iter().find(|need| source.needs(**need)) {
+    if let Some(need) = source.lacking(notation.speaks) {
         return Err(Refusal(say!("{}: {} cannot be expressed", said(notation.label), said(need.words()))));
     }
     let text = (notation.write)(&source)?;

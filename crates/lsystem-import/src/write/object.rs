@@ -2,32 +2,15 @@
 //! round, `[` and `]` branch, and the turtle starts upwards.
 
 use super::Refusal;
-use super::source::{Need, PlainRule, Source};
+use super::source::{Need, Source};
 use super::spelling::{Alphabet, Spelling, turns};
 use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::say;
-use lsystem_syntax::{Action, Module};
+use lsystem_syntax::Action;
 
-/// The parts of systems that such objects lack.
-pub(super) const LACKS: &[Need] = &[
-    Need::Contexts,
-    Need::Parameters,
-    Need::Variation,
-    Need::Images,
-    Need::Space,
-    Need::BranchLengths,
-    Need::Scaling,
-    Need::SwappedTurns,
-    Need::Polygons,
-    Need::Circles,
-    Need::Tubes,
-    Need::Surfaces,
-    Need::Cuts,
-    Need::Tropism,
-    Need::Growth,
-    Need::OpenBranches,
-];
+/// The parts of systems that these objects express beside plain words of a turtle in the plane.
+pub(super) const SPEAKS: &[Need] = &[Need::Chance];
 
 /// The usual symbols.
 pub(super) fn spelling(source: &Source<'_>, label: &str) -> Result<(Spelling, String), Refusal> {
@@ -35,30 +18,21 @@ pub(super) fn spelling(source: &Source<'_>, label: &str) -> Result<(Spelling, St
     if source.right_angle() != angle && source.acts(|action| action == Action::TurnRight(None)) {
         return Err(Refusal(say!("{} has one angle for turns to the left and to the right", label)));
     }
-    let is_step = |length: &Option<f64>| source.length(*length) == 1.0;
-    let own = |actions: &[Action]| match actions {
-        [Action::Draw(length)] if is_step(length) => "FG",
-        [Action::Move(length)] if is_step(length) => "f",
-        [Action::TurnLeft(None)] => "+",
-        [Action::TurnRight(None)] => "-",
-        [Action::TurnRound] => "|",
-        [Action::Push] => "[",
-        [Action::Pop] => "]",
+    let own = |action: Action| match action {
+        Action::TurnLeft(None) => "+",
+        Action::TurnRight(None) => "-",
+        Action::TurnRound => "|",
         _ => "",
     };
-    let one = |action: &Action| match action {
-        Action::Draw(length) if is_step(length) => Some("F".to_owned()),
-        Action::Move(length) if is_step(length) => Some("f".to_owned()),
-        Action::Push => Some("[".to_owned()),
-        Action::Pop => Some("]".to_owned()),
+    let code = |action: Action| match action {
         Action::TurnRound => Some("|".to_owned()),
-        other => turns(source.turn(*other)?, (angle, '+'), (angle, '-')),
+        other => turns(source.turn(other)?, (angle, '+'), (angle, '-')),
     };
-    let code = |actions: &[Action]| actions.iter().map(one).collect::<Option<String>>();
     let alphabet = Alphabet {
         label,
         idle: "XYZABCDEHIJKLMNOPQRSTUVWabcdehijklmnopqrstuvwxyz",
         is_upper: false,
+        steps: ["FG", "f"],
         own: &own,
         code: &code,
         mortal: "Ff",
@@ -74,7 +48,7 @@ pub(super) fn spelling(source: &Source<'_>, label: &str) -> Result<(Spelling, St
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let (spelling, start) = spelling(source, &say!("A JavaScript object"))?;
     let axiom = format!("{start}{}", spelling.word(&source.grammar.axiom));
-    let rules = rules(source, &spelling);
+    let rules = spelling.rules(source);
     if !rules.iter().flat_map(|rule| rule.1.iter()).any(|(_, word)| word.contains(['F', 'G']))
         && !axiom.contains(['F', 'G'])
     {
@@ -99,19 +73,6 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     }
     let _ = writeln!(text, "    }},\n    angle: {angle},\n    iterations: {},\n}};", source.definition.iterations);
     Ok(text)
-}
-
-/// The productions in the symbols of a spelling.
-pub(super) fn rules(source: &Source<'_>, spelling: &Spelling) -> Vec<(char, Vec<(f64, String)>)> {
-    let word = |modules: &[Module]| spelling.word(modules);
-    let own = source.plain_rules();
-    let own = own.iter().map(|PlainRule { symbol, successors }| {
-        let successors = successors.iter().map(|(weight, successor)| (*weight, word(successor))).collect();
-        (spelling.name_of(*symbol), successors)
-    });
-    let repeated = spelling.repeated.iter().map(|(name, word)| (*name, vec![(1.0, word.clone())]));
-    let vanishing = spelling.vanishing.iter().map(|name| (*name, vec![(1.0, String::new())]));
-    own.chain(repeated).chain(vanishing).collect()
 }
 
 /// A successor, or several with weights.

@@ -2,10 +2,9 @@
 //! arrow.
 
 use super::Refusal;
-use super::program::{Data, lines};
+use super::program::Data;
 use super::source::Source;
 use core::fmt::Write;
-use lsystem_base::number::number;
 use lsystem_base::say;
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
@@ -13,32 +12,9 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let title = source.title(&[]);
     let title = if title.is_empty() { "An L-system" } else { &title };
     let mut text = format!("// {title}: an L-system, as a sketch for https://editor.p5js.org\n\n");
-    let definition = source.definition;
-    let _ = writeln!(text, "const AXIOM = {};", data.axiom);
-    if data.in_context.is_empty() {
-        if data.is_random {
-            text.push_str("// Several successors have weights: one is chosen at random.\n");
-        }
-        let _ = writeln!(text, "const SUCCESSORS = {{\n{}}};", lines(&data.rules));
-    } else {
-        let (list, excepts) = &data.seen;
-        let list = super::object::quoted(list);
-        text.push_str("// Left context, symbol, right context, successor. The first that fits is applied.\n");
-        let _ = writeln!(text, "const SUCCESSORS = [\n{}];", lines(&data.in_context));
-        text.push_str(if *excepts {
-            "// The symbols that contexts do not see.\n"
-        } else {
-            "// The symbols that contexts see.\n"
-        });
-        let _ = writeln!(text, "const {} = {list};", if *excepts { "IGNORED" } else { "CONSIDERED" });
-    }
-    let _ = writeln!(text, "const ITERATIONS = {};", definition.iterations);
-    let heading = number(definition.heading);
-    let _ = writeln!(text, "const HEADING = {heading}; // degrees, counter-clockwise from the right");
-    text.push_str("// What the turtle does: lengths in steps, turns in degrees to the left.\n");
-    let _ = writeln!(text, "const ACTIONS = {{\n{}}};", lines(&data.actions));
+    text += &data.constants(source, ["//", "const ", ";"]);
     if data.is_random {
-        let _ = writeln!(text, "const SEED = {};", definition.seed);
+        let _ = writeln!(text, "const SEED = {};", source.definition.seed);
     }
     text.push('\n');
     if data.in_context.is_empty() {

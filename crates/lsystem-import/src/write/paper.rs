@@ -2,22 +2,15 @@
 
 use super::Refusal;
 use super::source::Source;
-use lsystem_files::{Content, FileOptions, Format, collect};
+use lsystem_files::{FileOptions, collect, write_tikz_library};
 use lsystem_syntax::Diagnostic;
 
 pub(super) fn latex(source: &Source<'_>) -> Result<String, Refusal> {
-    words("latex", source)
+    Ok(lsystem_files::latex(source.definition, &source.system))
 }
 
 pub(super) fn tikz(source: &Source<'_>) -> Result<String, Refusal> {
-    words("tikz-library", source)
-}
-
-fn words(name: &str, source: &Source<'_>) -> Result<String, Refusal> {
-    let Some(Content::Words(write)) = Format::named(name).map(|format| format.content) else {
-        return Err(Refusal::new("This notation is not available"));
-    };
     let options = FileOptions { title: source.definition.label().to_owned(), ..FileOptions::default() };
-    let written = collect::<String, _>(|sink| write(source.definition, &source.system, &options, sink));
-    written.map(|(text, _)| text).map_err(|problem: Diagnostic| Refusal(problem.message()))
+    let written = collect::<String, _>(|sink| write_tikz_library(source.definition, &source.system, &options, sink));
+    written.map(|(text, _)| text).map_err(|problem: Diagnostic| Refusal(problem.message))
 }

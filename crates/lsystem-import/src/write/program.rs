@@ -3,36 +3,32 @@
 use super::Refusal;
 use super::object::quoted;
 use super::source::{Need, Source};
+use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::say;
-use lsystem_syntax::{Action, Module, Pattern, Seen};
+use lsystem_syntax::{Action, Module, Pattern, Seen, Vocabulary};
 
-/// The parts of systems that the programs lack.
-pub(super) const LACKS: &[Need] = &[
-    Need::Parameters,
-    Need::Variation,
-    Need::Images,
-    Need::Space,
-    Need::Polygons,
-    Need::Circles,
-    Need::Tubes,
-    Need::Surfaces,
-    Need::Cuts,
-    Need::Tropism,
-    Need::Growth,
+/// The parts of systems that the programs express.
+pub(super) const SPEAKS: &[Need] = &[
+    Need::Contexts,
+    Need::Chance,
+    Need::BranchLengths,
+    Need::Acts(Vocabulary::Scaling),
+    Need::Acts(Vocabulary::SwappedTurns),
+    Need::OpenBranches,
 ];
 
 /// The data of a program.
 pub(super) struct Data {
-    pub(super) axiom: String,
+    axiom: String,
     /// Members of an object: symbols and successors, or lists of weights and successors. Empty if there are contexts.
-    pub(super) rules: Vec<String>,
+    rules: Vec<String>,
     /// Lists of a left context, a symbol, a right context and a successor, in the order in which they are tried.
     pub(super) in_context: Vec<String>,
     /// The symbols that contexts see, and whether the list has the symbols that they do not see.
     pub(super) seen: (String, bool),
     /// Members of an object: symbols and lists of commands with numbers.
-    pub(super) actions: Vec<String>,
+    actions: Vec<String>,
     pub(super) is_random: bool,
 }
 
@@ -67,7 +63,7 @@ impl Data {
             let (left, right, successor) = (context(&rule.left), context(&rule.right), quoted(&word(&rule.successor)));
             in_context.push(format!("[{left}, {symbol}, {right}, {successor}]"));
         }
-        let swaps = source.needs(Need::SwappedTurns);
+        let swaps = source.needs(Need::Acts(Vocabulary::SwappedTurns));
         if swaps && source.right_angle() != source.definition.angle {
             return Err(Refusal(say!("{} cannot swap turns by two angles", label)));
         }
@@ -87,6 +83,34 @@ impl Data {
     }
 }
 
+impl Data {
+    /// The constants of a program: `comment` begins a comment, `set` a constant, and `end` ends one.
+    pub(super) fn constants(&self, source: &Source<'_>, [comment, set, end]: [&str; 3]) -> String {
+        let mut text = format!("{set}AXIOM = {}{end}\n", self.axiom);
+        if self.in_context.is_empty() {
+            if self.is_random {
+                let _ = writeln!(text, "{comment} Several successors have weights: one is chosen at random.");
+            }
+            let _ = writeln!(text, "{set}SUCCESSORS = {{\n{}}}{end}", lines(&self.rules));
+        } else {
+            let (see, name) = if self.seen.1 { ("do not see", "IGNORED") } else { ("see", "CONSIDERED") };
+            let fits = "Left context, symbol, right context, successor. The first that fits is applied.";
+            let _ = writeln!(text, "{comment} {fits}\n{set}SUCCESSORS = [\n{}]{end}", lines(&self.in_context));
+            let _ = writeln!(
+                text,
+                "{comment} The symbols that contexts {see}.\n{set}{name} = {}{end}",
+                quoted(&self.seen.0)
+            );
+        }
+        let (heading, gap) = (number(source.definition.heading), if end.is_empty() { "  " } else { " " });
+        let _ = writeln!(text, "{set}ITERATIONS = {}{end}", source.definition.iterations);
+        let _ = writeln!(text, "{set}HEADING = {heading}{end}{gap}{comment} degrees, counter-clockwise from the right");
+        let _ = writeln!(text, "{comment} What the turtle does: lengths in steps, turns in degrees to the left.");
+        let _ = writeln!(text, "{set}ACTIONS = {{\n{}}}{end}", lines(&self.actions));
+        text
+    }
+}
+
 /// A command with its number.
 fn command(source: &Source<'_>, action: Action) -> Option<String> {
     let (name, value) = match action {
@@ -102,6 +126,6 @@ fn command(source: &Source<'_>, action: Action) -> Option<String> {
 }
 
 /// Members of an object or elements of a list, one on each line.
-pub(super) fn lines(members: &[String]) -> String {
+fn lines(members: &[String]) -> String {
     members.iter().map(|member| format!("    {member},\n")).collect()
 }

@@ -2,10 +2,9 @@
 //! it has no such word.
 
 use super::Refusal;
-use super::program::{Data, lines};
+use super::program::Data;
 use super::source::Source;
 use core::fmt::Write;
-use lsystem_base::number::number;
 use lsystem_base::say;
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
@@ -17,31 +16,10 @@ pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
         text.push_str("import random\n");
     }
     text.push_str("import turtle\n\n");
-    let definition = source.definition;
-    let _ = writeln!(text, "AXIOM = {}", data.axiom);
-    if data.in_context.is_empty() {
-        if data.is_random {
-            text.push_str("# Several successors have weights: one is chosen at random.\n");
-        }
-        let _ = writeln!(text, "SUCCESSORS = {{\n{}}}", lines(&data.rules));
-    } else {
-        let (list, excepts) = &data.seen;
-        let list = super::object::quoted(list);
-        text.push_str("# Left context, symbol, right context, successor. The first that fits is applied.\n");
-        let _ = writeln!(text, "SUCCESSORS = [\n{}]", lines(&data.in_context));
-        text.push_str(if *excepts {
-            "# The symbols that contexts do not see.\n"
-        } else {
-            "# The symbols that contexts see.\n"
-        });
-        let _ = writeln!(text, "{} = {list}", if *excepts { "IGNORED" } else { "CONSIDERED" });
-    }
-    let _ = writeln!(text, "ITERATIONS = {}", definition.iterations);
-    let _ = writeln!(text, "HEADING = {}  # degrees, counter-clockwise from the right", number(definition.heading));
-    text.push_str("# What the turtle does: lengths in steps, turns in degrees to the left.\n");
-    let _ = writeln!(text, "ACTIONS = {{\n{}}}\nSTEP = 10\n", lines(&data.actions));
+    text += &data.constants(source, ["#", "", ""]);
+    text.push_str("STEP = 10\n\n");
     if data.is_random {
-        let _ = writeln!(text, "random.seed({})\n", definition.seed);
+        let _ = writeln!(text, "random.seed({})\n", source.definition.seed);
     }
     text.push('\n');
     if data.in_context.is_empty() {

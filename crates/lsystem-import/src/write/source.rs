@@ -1,11 +1,12 @@
 //! A system as writers see it: its symbols with their actions, and what it needs of a notation.
 
 use super::Refusal;
+use lsystem_base::sorted;
 use lsystem_base::sorted::set;
 use lsystem_base::{say, word};
 use lsystem_derive::Letter;
 use lsystem_drawing::System;
-use lsystem_syntax::{Action, Definition, Diagnostic, Grammar, Module, Pattern, Production, Query, Style};
+use lsystem_syntax::{Action, Definition, Grammar, Module, Pattern, Production, Query, Style, Vocabulary};
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 
@@ -21,13 +22,8 @@ pub(super) enum Need {
     Images,
     Space,
     BranchLengths,
-    Scaling,
-    SwappedTurns,
-    Polygons,
-    Circles,
-    Tubes,
-    Surfaces,
-    Cuts,
+    /// Actions of symbols, but not steps, turns and branches in the plane, and looks.
+    Acts(Vocabulary),
     /// A tropism, or a sway in the wind.
     Tropism,
     Growth,
@@ -40,6 +36,39 @@ pub(super) enum Need {
 }
 
 impl Need {
+    /// All parts, in the order in which they are refused.
+    pub(super) const ALL: [Self; 20] = [
+        Self::Contexts,
+        Self::Parameters,
+        Self::Conditions,
+        Self::Chance,
+        Self::Variation,
+        Self::Images,
+        Self::Space,
+        Self::BranchLengths,
+        Self::Acts(Vocabulary::Scaling),
+        Self::Acts(Vocabulary::SwappedTurns),
+        Self::Acts(Vocabulary::Polygons),
+        Self::Acts(Vocabulary::Circles),
+        Self::Acts(Vocabulary::Tubes),
+        Self::Acts(Vocabulary::Surfaces),
+        Self::Acts(Vocabulary::Cuts),
+        Self::Tropism,
+        Self::Growth,
+        Self::OpenBranches,
+        Self::Queries,
+        Self::Surroundings,
+    ];
+
+    /// The part without which this one cannot be.
+    pub(super) fn basis(self) -> Option<Self> {
+        match self {
+            Self::Conditions | Self::Queries => Some(Self::Parameters),
+            Self::Surroundings => Some(Self::Queries),
+            _ => None,
+        }
+    }
+
     /// A noun phrase.
     pub(super) fn words(self) -> &'static str {
         match self {
@@ -49,15 +78,16 @@ impl Need {
             Self::Chance => word!("random rules"),
             Self::Variation => word!("angles and lengths that vary at random"),
             Self::Images => word!("rules for drawing (draw:)"),
-            Self::Space => word!("turns in space"),
+            Self::Space | Self::Acts(Vocabulary::Space) => word!("turns in space"),
             Self::BranchLengths => word!("lengths that change with the branch level"),
-            Self::Scaling => word!("symbols that change lengths"),
-            Self::SwappedTurns => word!("symbols that swap turns"),
-            Self::Polygons => word!("polygons"),
-            Self::Circles => word!("circles"),
-            Self::Tubes => word!("smooth tubes"),
-            Self::Surfaces => word!("Bezier surfaces"),
-            Self::Cuts => word!("symbols that cut off a branch"),
+            Self::Acts(Vocabulary::Scaling) => word!("symbols that change lengths"),
+            Self::Acts(Vocabulary::SwappedTurns) => word!("symbols that swap turns"),
+            Self::Acts(Vocabulary::Polygons) => word!("polygons"),
+            Self::Acts(Vocabulary::Circles) => word!("circles"),
+            Self::Acts(Vocabulary::Tubes) => word!("smooth tubes"),
+            Self::Acts(Vocabulary::Surfaces) => word!("Bezier surfaces"),
+            Self::Acts(Vocabulary::Cuts) => word!("symbols that cut off a branch"),
+            Self::Acts(Vocabulary::Basic | Vocabulary::Looks) => word!("symbols"),
             Self::Tropism => word!("tropism and sway"),
             Self::Growth => word!("partial growth"),
             Self::OpenBranches => word!("branches that begin in one word and end in another"),
@@ -87,13 +117,8 @@ impl Symbol {
 
     /// The actions without colours and widths.
     pub(super) fn shape(&self) -> Vec<Action> {
-        self.actions.iter().copied().filter(|action| !is_look(*action)).collect()
+        self.actions.iter().copied().filter(|action| !action.is_look()).collect()
     }
-}
-
-/// Whether an action changes only how strokes look.
-pub(super) fn is_look(action: Action) -> bool {
-    matches!(action, Action::SetColour(_) | Action::AddColour(_) | Action::SetWidth(_) | Action::ScaleWidth(_))
 }
 
 /// A successor with its weight, if it has one.
@@ -121,11 +146,10 @@ impl<'a> Source<'a> {
     /// # Errors
     /// The first error of the definition.
     pub(super) fn new(definition: &'a Definition) -> Result<Self, Refusal> {
-        let (system, problems) = System::new(definition);
-        let Some(system) = system else {
-            let error = problems.iter().find(|problem| problem.is_error());
-            return Err(Refusal(error.map_or_else(|| say!("The system is wrong"), Diagnostic::message)));
-        };
+        let system = System::new(definition).map_err(|problems| {
+            let error = problems.first_error();
+            Refusal(error.map_or_else(|| say!("The system is wrong"), |problem| problem.message))
+        })?;
         let rules = &system.rules;
         let is_plain = rules.is_plain();
         // Symbols of productions for drawing occur in no generation.
@@ -148,7 +172,7 @@ impl<'a> Source<'a> {
             });
         }
         // Productions with a context come first, as ABOP has it. Other programs take the first that applies.
-        grammar.productions.sort_by_key(|rule| !rule.is_context_sensitive());
+        sorted::sort_by_key(&mut grammar.productions, |rule| !rule.is_context_sensitive());
         let replaced = set(grammar.productions.iter().map(|rule| rule.predecessor.symbol));
         let contexts =
             |rule: &Production| rule.left.iter().chain(&rule.right).map(|own| own.symbol).collect::<Vec<_>>();
@@ -202,19 +226,18 @@ impl<'a> Source<'a> {
             Need::Images => !grammar.images.is_empty(),
             Need::Space => system.is_solid(),
             Need::BranchLengths => definition.length_factor != 1.0 && self.acts(|action| action == Action::Push),
-            Need::Scaling => self.acts(|action| matches!(action, Action::ScaleLength(_))),
-            Need::SwappedTurns => self.acts(|action| action == Action::SwapTurns),
-            Need::Polygons => self.acts(|action| action == Action::OpenPolygon),
-            Need::Circles => self.acts(|action| matches!(action, Action::Circle(_) | Action::Fill(..))),
-            Need::Tubes => self.acts(|action| matches!(action, Action::TubePoint | Action::CloseTube)),
-            Need::Surfaces => self.acts(|action| matches!(action, Action::Surface(..))),
-            Need::Cuts => self.acts(|action| action == Action::Cut),
-            Need::Tropism => system.turtle.tropism.is_some() || system.turtle.sway.is_some(),
+            Need::Acts(part) => self.acts(|action| action.row().part == part),
+            Need::Tropism => system.turtle.tropism.is_some() || system.turtle.wind.is_some(),
             Need::Growth => definition.growth != 1.0,
             Need::OpenBranches => self.has_open_branches(),
             Need::Queries => self.asks(|_| true),
             Need::Surroundings => self.asks(|query| matches!(query, Query::Crowd | Query::Sky)),
         }
+    }
+
+    /// The first part that the system needs and a notation does not speak.
+    pub(super) fn lacking(&self, speaks: &[Need]) -> Option<Need> {
+        Need::ALL.into_iter().find(|need| !speaks.contains(need) && self.needs(*need))
     }
 
     /// Whether such a query occurs.
@@ -292,7 +315,7 @@ impl<'a> Source<'a> {
     /// The parts of the definition that the text does not tell, as sentences.
     pub(super) fn left_out(&self, notation: &str) -> Vec<String> {
         let mut found = Vec::new();
-        if (Style { auto: false, ..self.definition.style.clone() }) != Style::default() || self.acts(is_look) {
+        if (Style { auto: false, ..self.definition.style.clone() }) != Style::default() || self.acts(Action::is_look) {
             found.push(say!("Colours and line widths are left out."));
         }
         if self.definition.start != [0.0, 0.0] && notation != "cpfg" {

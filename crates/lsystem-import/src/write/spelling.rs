@@ -3,6 +3,7 @@
 use super::Refusal;
 use super::source::{Need, Source, Symbol};
 use lsystem_base::say;
+use lsystem_base::sorted::sort;
 use lsystem_syntax::{Action, Module};
 
 /// The symbols of a notation for words of plain symbols, for one system.
@@ -13,14 +14,44 @@ pub(super) struct Alphabet<'a> {
     pub(super) idle: &'a str,
     /// Whether the notation has upper case only.
     pub(super) is_upper: bool,
-    /// The symbols that have exactly these actions.
-    pub(super) own: &'a dyn Fn(&[Action]) -> &'static str,
-    /// A word with the effect of these actions.
-    pub(super) code: &'a dyn Fn(&[Action]) -> Option<String>,
+    /// The symbols that draw one step, and those that move one step.
+    pub(super) steps: [&'static str; 2],
+    /// The symbols that have exactly this action; `[` and `]` are branches.
+    pub(super) own: &'a dyn Fn(Action) -> &'static str,
+    /// A word with the effect of this action.
+    pub(super) code: &'a dyn Fn(Action) -> Option<String>,
     /// Symbols in words of `code` that may have productions.
     pub(super) mortal: &'a str,
     /// Symbols that cannot have productions.
     pub(super) fixed: &'a str,
+}
+
+impl Alphabet<'_> {
+    /// The symbols for an action that every notation here has.
+    fn usual(&self, source: &Source<'_>, action: Action) -> Option<&'static str> {
+        match action {
+            Action::Draw(length) if source.length(length) == 1.0 => Some(self.steps[0]),
+            Action::Move(length) if source.length(length) == 1.0 => Some(self.steps[1]),
+            Action::Push => Some("["),
+            Action::Pop => Some("]"),
+            _ => None,
+        }
+    }
+
+    /// The symbols that have exactly these actions.
+    fn own(&self, source: &Source<'_>, actions: &[Action]) -> &'static str {
+        let &[action] = actions else { return "" };
+        self.usual(source, action).unwrap_or_else(|| (self.own)(action))
+    }
+
+    /// A word with the effect of these actions.
+    fn code(&self, source: &Source<'_>, actions: &[Action]) -> Option<String> {
+        let one = |&action: &Action| match self.usual(source, action) {
+            Some(symbols) => Some(symbols[..1].to_owned()),
+            None => (self.code)(action),
+        };
+        actions.iter().map(one).collect()
+    }
 }
 
 /// How symbols are spelt.
@@ -41,14 +72,32 @@ impl Spelling {
     /// A symbol that the notation cannot express.
     pub(super) fn new(source: &Source<'_>, alphabet: &Alphabet<'_>) -> Result<Self, Refusal> {
         // No notation has so many, and the work grows with the square.
-        const MOST: usize = 500;
-        if source.symbols.len() > MOST {
+        const MAX: usize = 500;
+        if source.symbols.len() > MAX {
             return Err(alphabet.is_full());
         }
         Self::direct(source, alphabet).or_else(|refusal| {
             let is_plain = !source.needs(Need::Contexts) && !source.needs(Need::Parameters);
             if is_plain { Self::split(source, alphabet) } else { Err(refusal) }
         })
+    }
+
+    /// The productions in the symbols of this spelling, with those that it needs itself: weights and words.
+    pub(super) fn rules(&self, source: &Source<'_>) -> Vec<(char, Vec<(f64, String)>)> {
+        let own = source.plain_rules();
+        let own = own.iter().map(|rule| {
+            let successors = rule.successors.iter().map(|(weight, successor)| (*weight, self.word(successor)));
+            (self.name_of(rule.symbol), successors.collect())
+        });
+        let repeated = self.repeated.iter().map(|(name, word)| (*name, vec![(1.0, word.clone())]));
+        let vanishing = self.vanishing.iter().map(|name| (*name, vec![(1.0, String::new())]));
+        own.chain(repeated).chain(vanishing).collect()
+    }
+
+    /// The first successors as `F=FF`.
+    pub(super) fn equations(&self, source: &Source<'_>) -> Vec<String> {
+        let word = |list: &[(f64, String)]| list.first().map_or(String::new(), |(_, word)| word.clone());
+        self.rules(source).iter().map(|(name, list)| format!("{name}={}", word(list))).collect()
     }
 
     /// Spells each symbol by one symbol with the same actions, or constant symbols by a word.
@@ -60,12 +109,12 @@ impl Spelling {
             if speller.has(symbol.symbol) {
                 continue;
             }
-            let own = if shape.is_empty() { alphabet.idle } else { (alphabet.own)(&shape) };
+            let own = if shape.is_empty() { alphabet.idle } else { alphabet.own(source, &shape) };
             if let Some(name) = own.chars().find(|name| speller.may_be(symbol, *name)) {
                 speller.name(symbol, name);
                 continue;
             }
-            let code = (alphabet.code)(&shape).filter(|code| symbol.is_constant() && !code.is_empty());
+            let code = alphabet.code(source, &shape).filter(|code| symbol.is_constant() && !code.is_empty());
             match code {
                 Some(code) => {
                     codes.push((symbol, code.clone()));
@@ -96,7 +145,7 @@ impl Spelling {
                 continue;
             }
             let shape = symbol.shape();
-            let code = if shape.is_empty() { Some(String::new()) } else { (alphabet.code)(&shape) };
+            let code = if shape.is_empty() { Some(String::new()) } else { alphabet.code(source, &shape) };
             let code = code.ok_or_else(|| alphabet.lacks(symbol))?;
             if !symbol.is_replaced && !shape.is_empty() && !is_mortal(&code) {
                 speller.spelling.words.push((symbol.symbol, code));
@@ -126,8 +175,8 @@ impl Spelling {
 
     /// Sorts the symbols for fast look-up.
     fn sort(&mut self) {
-        self.words.sort_unstable();
-        self.names.sort_unstable();
+        sort(&mut self.words);
+        sort(&mut self.names);
     }
 
     /// Whether no production changes a word or looks at it.
@@ -180,7 +229,7 @@ impl<'a> Speller<'a> {
         let mut speller = Self { alphabet, taken: Vec::new(), spelling: Spelling::default() };
         for symbol in &source.symbols {
             let shape = symbol.shape();
-            let own = if shape.is_empty() { alphabet.idle } else { (alphabet.own)(&shape) };
+            let own = if shape.is_empty() { alphabet.idle } else { alphabet.own(source, &shape) };
             let name = if alphabet.is_upper { symbol.symbol.to_ascii_uppercase() } else { symbol.symbol };
             if own.contains(name) && speller.may_be(symbol, name) {
                 speller.name(symbol, name);
@@ -217,12 +266,12 @@ impl<'a> Speller<'a> {
 
 /// A word of turns by `left` and `right` degrees that turns by `degrees`, all counter-clockwise but `right`.
 pub(super) fn turns(degrees: f64, left: (f64, char), right: (f64, char)) -> Option<String> {
-    const MOST: u32 = 36;
+    const MAX: u32 = 36;
     let is_whole = |angle: f64| {
         let rounds = angle / 360.0;
         (rounds - rounds.round()).abs() < 1e-12
     };
-    (0..=MOST).find_map(|count| {
+    (0..=MAX).find_map(|count| {
         let by = |(angle, symbol): (f64, char), sign: f64| {
             let reached = is_whole(sign * angle * f64::from(count) - degrees);
             reached.then(|| symbol.to_string().repeat(count as usize))

@@ -105,7 +105,7 @@ fn decided(definition: &Definition, roll: f64) -> Definition {
 
 /// Compares points with the drawing of a definition.
 fn check_drawing(what: &str, definition: &Definition, points: &[[f64; 3]]) {
-    let system = System::new(definition).0.unwrap_or_else(|| panic!("{what}"));
+    let system = System::new(definition).unwrap_or_else(|_| panic!("{what}"));
     let told = shape(&Figure::draw(&system, definition.iterations, &Limits::default()).unwrap());
     let found = placed(points);
     assert_eq!(found.len(), told.len(), "{what}");
@@ -121,13 +121,13 @@ fn check_programs(name: &str, interpreter: &str, driver: &str) {
     let driver = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs").join(driver);
     for roll in [0.1, 0.5, 0.95] {
         let (mut cases, mut paths) = (Vec::new(), Vec::new());
-        for (what, definition) in gallery() {
+        for (what, definition) in test_effort::sampled(gallery(), 3, 0) {
             // Signals in contexts take many steps to reach branches.
             let productions = parse(&definition.axiom, &definition.rules).0.productions;
             let most = if productions.iter().any(Production::is_context_sensitive) { 20 } else { 4 };
             let definition = Definition { iterations: definition.iterations.min(most), ..definition };
             let Ok(written) = export(&definition, notation) else { continue };
-            let is_random = System::new(&definition).0.is_some_and(|system| system.has_choices());
+            let is_random = System::new(&definition).is_ok_and(|system| system.has_choices());
             if roll != 0.5 && !is_random {
                 continue;
             }
@@ -242,7 +242,7 @@ fn asking() -> Vec<Definition> {
 #[test]
 fn queries_read_back() {
     for (at, definition) in asking().iter().enumerate() {
-        assert!(System::new(definition).0.is_some_and(|own| own.rules.interpreter.is_some()), "{at}");
+        assert!(System::new(definition).is_ok_and(|own| own.rules.interpreter.is_some()), "{at}");
         for name in ["cpfg", "lpy"] {
             let notation = Notation::named(name).unwrap();
             let written = match export(definition, notation) {
@@ -353,7 +353,7 @@ proptest! {
                 prop_assert_eq!(difference, None, "{}: {}", name, written.text);
             }
         }
-        if !System::new(&definition).0.is_some_and(|system| system.has_choices()) {
+        if !System::new(&definition).is_ok_and(|system| system.has_choices()) {
             check_inkscape("a random system", &definition);
         }
     }

@@ -10,7 +10,30 @@ use crate::import;
 use core::fmt::Write;
 use lsystem_base::number::number;
 use lsystem_base::say;
-use lsystem_syntax::{Action, Dialect, overrides, print_axiom, print_rules};
+use lsystem_syntax::{Action, Dialect, Vocabulary, overrides, print_axiom, print_rules};
+
+/// All parts but surfaces, which have a field of their own.
+pub(super) const SPEAKS: &[Need] = &[
+    Need::Contexts,
+    Need::Parameters,
+    Need::Conditions,
+    Need::Chance,
+    Need::Variation,
+    Need::Images,
+    Need::Space,
+    Need::BranchLengths,
+    Need::Acts(Vocabulary::Scaling),
+    Need::Acts(Vocabulary::SwappedTurns),
+    Need::Acts(Vocabulary::Polygons),
+    Need::Acts(Vocabulary::Circles),
+    Need::Acts(Vocabulary::Tubes),
+    Need::Acts(Vocabulary::Cuts),
+    Need::Tropism,
+    Need::Growth,
+    Need::OpenBranches,
+    Need::Queries,
+    Need::Surroundings,
+];
 
 pub(super) fn write(source: &Source<'_>) -> Result<String, Refusal> {
     let usual = usual(source);
@@ -72,12 +95,12 @@ fn numbers(source: &Source<'_>, text: &mut String) {
 
 /// The system in the usual symbols: `F` and `G` draw, `f` moves, `+` and `-` turn, and the turtle starts upwards.
 fn usual(source: &Source<'_>) -> Option<String> {
-    if source.needs(Need::Chance) || object::LACKS.iter().any(|need| source.needs(*need)) {
+    if source.lacking(&[]).is_some() {
         return None;
     }
     let (spelling, start) = object::spelling(source, "").ok()?;
     let mut text = format!("Axiom: {start}{}\n", spelling.word(&source.grammar.axiom));
-    for (name, successors) in object::rules(source, &spelling) {
+    for (name, successors) in spelling.rules(source) {
         let successor = successors.first().map_or("", |(_, word)| word);
         let _ = writeln!(text, "{name} -> {successor}");
     }

@@ -81,7 +81,7 @@ mod tests {
 
     fn written(definition: &Definition, options: &FileOptions) -> Result<Vec<u8>, Diagnostic> {
         let drawing =
-            draw::<Plane>(&System::new(definition).0.unwrap(), definition.iterations, &Limits::default()).unwrap();
+            draw::<Plane>(&System::new(definition).unwrap(), definition.iterations, &Limits::default()).unwrap();
         collect(|sink| write_pdf(&drawing, &definition.style, options, sink)).map(|(file, _)| file)
     }
 

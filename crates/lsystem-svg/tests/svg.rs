@@ -1,10 +1,10 @@
 //! SVG pictures of other programs, drawn as levels of grey.
 
-use lsystem_find::{Svg, draw_svg, is_svg};
+use lsystem_svg::{SvgPicture, draw_svg, is_svg};
 use std::f64::consts::PI;
 
 /// The most units of a picture.
-const MOST: u64 = 500_000_000;
+const MAX: u64 = 500_000_000;
 
 /// A picture of 200 times 100, drawn with 1024 times 512 pixels.
 fn picture(inside: &str) -> String {
@@ -13,12 +13,12 @@ fn picture(inside: &str) -> String {
     )
 }
 
-fn drawn(inside: &str) -> Svg {
+fn drawn(inside: &str) -> SvgPicture {
     draw_svg(picture(inside).as_bytes()).unwrap_or_else(|why| panic!("{why}: {inside}"))
 }
 
 /// The ink in square units of the picture: the area of what is black.
-fn ink(svg: &Svg) -> f64 {
+fn ink(svg: &SvgPicture) -> f64 {
     let sum: u64 = svg.grey.iter().map(|&level| u64::from(255 - level)).sum();
     sum as f64 / 255.0 / (1024.0 * 1024.0) * 40_000.0
 }
@@ -32,7 +32,7 @@ fn has_ink(inside: &str, area: f64) {
 #[track_caller]
 fn refused(text: &str, words: &str) {
     match draw_svg(text.as_bytes()) {
-        Err(why) => assert!(why.contains(words), "{why}"),
+        Err(why) => assert!(why.message.contains(words), "{why}"),
         Ok(svg) => panic!("drawn with {} units instead of: {words}", svg.work),
     }
 }
@@ -377,9 +377,9 @@ fn the_work_of_hostile_files_is_bounded() {
     ] {
         let text = picture(&inside);
         match (draw_svg(text.as_bytes()), words) {
-            (Ok(svg), None | Some("")) => assert!(svg.work <= MOST, "{name}: {}", svg.work),
+            (Ok(svg), None | Some("")) => assert!(svg.work <= MAX, "{name}: {}", svg.work),
             (Ok(svg), Some(_)) => wrong.push(format!("{name} is drawn with {}", svg.work)),
-            (Err(why), words) if words.is_some_and(|words| why.contains(words)) => {}
+            (Err(why), words) if words.is_some_and(|words| why.message.contains(words)) => {}
             (Err(why), _) => wrong.push(format!("{name}: {why}")),
         }
     }

@@ -1,9 +1,10 @@
 //! The lines of paths and of basic shapes. Curves become polygons.
 
-use super::transform::Transform;
-use super::walk::length;
-use super::work::{Kind, Work};
-use super::xml::Element;
+use crate::SvgError;
+use crate::length::length;
+use crate::transform::Transform;
+use crate::work::{Kind, Work};
+use crate::xml::Element;
 use std::f64::consts::TAU;
 use svgtypes::{PathParser, PathSegment, PointsParser};
 
@@ -16,13 +17,13 @@ const MAX_SIDES: f64 = 200.0;
 /// A path ends before larger numbers.
 const MAX_NUMBER: f64 = 1e12;
 
-pub(super) struct Line {
-    pub(super) points: Vec<[f64; 2]>,
-    pub(super) is_closed: bool,
+pub(crate) struct Line {
+    pub(crate) points: Vec<[f64; 2]>,
+    pub(crate) is_closed: bool,
 }
 
 /// Lines in the making.
-pub(super) struct Pencil<'a> {
+pub(crate) struct Pencil<'a> {
     lines: Vec<Line>,
     transform: Transform,
     work: &'a mut Work,
@@ -30,11 +31,11 @@ pub(super) struct Pencil<'a> {
 
 impl<'a> Pencil<'a> {
     /// `transform` leads to pixels.
-    pub(super) fn new(transform: Transform, work: &'a mut Work) -> Self {
+    pub(crate) fn new(transform: Transform, work: &'a mut Work) -> Self {
         Self { lines: Vec::new(), transform, work }
     }
 
-    pub(super) fn lines(self) -> Vec<Line> {
+    pub(crate) fn lines(self) -> Vec<Line> {
         self.lines
     }
 
@@ -46,7 +47,7 @@ impl<'a> Pencil<'a> {
         self.lines.push(Line { points: vec![at], is_closed: false });
     }
 
-    fn line(&mut self, to: [f64; 2]) -> Result<(), String> {
+    fn line(&mut self, to: [f64; 2]) -> Result<(), SvgError> {
         self.work.charge(Kind::Segments, 1, POINT)?;
         let Some(line) = self.lines.last_mut() else { return Ok(()) };
         if line.is_closed {
@@ -64,7 +65,7 @@ impl<'a> Pencil<'a> {
         at.copied().unwrap_or_default()
     }
 
-    fn cubic(&mut self, a: [f64; 2], b: [f64; 2], to: [f64; 2]) -> Result<(), String> {
+    fn cubic(&mut self, a: [f64; 2], b: [f64; 2], to: [f64; 2]) -> Result<(), SvgError> {
         let from = self.at();
         // The largest second difference bounds the distance from a polygon (Wang's formula).
         let bend = self.bend(from, a, b).max(self.bend(a, b, to));
@@ -90,7 +91,7 @@ impl<'a> Pencil<'a> {
     }
 
     /// Draws a path, up to the first mistake in its text.
-    fn path(&mut self, text: &str) -> Result<(), String> {
+    fn path(&mut self, text: &str) -> Result<(), SvgError> {
         let (mut at, mut start) = ([0.0; 2], [0.0; 2]);
         // The last control point of the curve before, cubic or quadratic.
         let (mut cubic, mut quadratic) = (None, None);
@@ -145,7 +146,7 @@ impl<'a> Pencil<'a> {
         Ok(())
     }
 
-    fn quadratic(&mut self, by: [f64; 2], to: [f64; 2]) -> Result<(), String> {
+    fn quadratic(&mut self, by: [f64; 2], to: [f64; 2]) -> Result<(), SvgError> {
         let from = self.at();
         let between = |end: [f64; 2]| [0, 1].map(|axis| (end[axis] + 2.0 * by[axis]) / 3.0);
         self.cubic(between(from), between(to), to)
@@ -159,7 +160,7 @@ impl<'a> Pencil<'a> {
         degrees: f64,
         [large, clockwise]: [bool; 2],
         to: [f64; 2],
-    ) -> Result<(), String> {
+    ) -> Result<(), SvgError> {
         let from = self.at();
         if radii.contains(&0.0) || from == to {
             return self.line(to);
@@ -192,7 +193,7 @@ impl<'a> Pencil<'a> {
         self.line(to)
     }
 
-    fn oval(&mut self, [x, y]: [f64; 2], [rx, ry]: [f64; 2]) -> Result<(), String> {
+    fn oval(&mut self, [x, y]: [f64; 2], [rx, ry]: [f64; 2]) -> Result<(), SvgError> {
         self.start([x + rx, y]);
         self.arc([rx, ry], 0.0, [false, true], [x - rx, y])?;
         self.arc([rx, ry], 0.0, [false, true], [x + rx, y])?;
@@ -200,7 +201,7 @@ impl<'a> Pencil<'a> {
         Ok(())
     }
 
-    fn rectangle(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], [rx, ry]: [f64; 2]) -> Result<(), String> {
+    fn rectangle(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], [rx, ry]: [f64; 2]) -> Result<(), SvgError> {
         let (rx, ry) = (rx.min(width / 2.0), ry.min(height / 2.0));
         let (right, bottom) = (x + width, y + height);
         self.start([x + rx, y]);
@@ -220,7 +221,7 @@ impl<'a> Pencil<'a> {
     }
 
     /// Draws a basic shape or a path. `size` is that of the viewport.
-    pub(super) fn shape(&mut self, element: &Element, size: [f64; 2]) -> Result<(), String> {
+    pub(crate) fn shape(&mut self, element: &Element, size: [f64; 2]) -> Result<(), SvgError> {
         let diagonal = libm::hypot(size[0], size[1]) / std::f64::consts::SQRT_2;
         let known = |name: &str, whole: f64| element.get(name).and_then(|text| length(text, whole));
         let pair = |names: [&str; 2]| [0, 1].map(|axis| known(names[axis], size[axis]).unwrap_or(0.0));

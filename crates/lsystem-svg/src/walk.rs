@@ -1,21 +1,23 @@
 //! The way through the elements of a picture, in the order in which they are painted.
 
-use super::SIDE;
-use super::canvas::{Canvas, Polygons};
-use super::css::Sheet;
-use super::outline::stroke;
-use super::shapes::Pencil;
-use super::style::{Style, note};
-use super::transform::Transform;
-use super::work::{Kind, Work};
-use super::xml::{Document, Element, MAX_DEPTH, too_deep};
+use crate::SvgError;
+use crate::canvas::{Canvas, Polygons};
+use crate::contour::Filled;
+use crate::css::Sheet;
+use crate::length::length;
+use crate::outline::stroke;
+use crate::shapes::{Line, Pencil};
+use crate::style::{Style, note};
+use crate::transform::Transform;
+use crate::work::{Kind, Work};
+use crate::xml::{Document, Element, MAX_DEPTH, too_deep};
 use lsystem_base::word;
 use std::rc::Rc;
 use std::str::FromStr;
-use svgtypes::{Align, AspectRatio, Length, LengthUnit, ViewBox};
+use svgtypes::{Align, AspectRatio, ViewBox};
 
-/// The size in pixels of the letter m, to which some lengths refer.
-const EM: f64 = 16.0;
+/// The longer side of the drawn picture, in pixels.
+const SIDE: usize = 1024;
 /// The units of an element that waits.
 const WAITING: u64 = 50;
 
@@ -32,11 +34,11 @@ struct Around {
 }
 
 /// Draws the elements. Returns the names of what was left out, too.
-pub(super) fn drawn(
+pub(crate) fn drawn(
     document: &Document,
     sheet: &Sheet,
     work: &mut Work,
-) -> Result<(Canvas, Vec<&'static str>), String> {
+) -> Result<(Canvas, Vec<&'static str>), SvgError> {
     let (_, _, [width, height]) = page(document.element(0));
     let mut canvas = Canvas::new(width, height);
     let left_out = walk(document, sheet, work, &mut |element, around, work| draw(element, around, &mut canvas, work))?;
@@ -45,33 +47,24 @@ pub(super) fn drawn(
 
 /// The polygons that are filled, in pixels with y downwards, and the names of what was left out. `None` if something has a
 /// stroke only.
-pub(super) fn filled(document: &Document, sheet: &Sheet, work: &mut Work) -> Result<Option<Filled>, String> {
+pub(crate) fn filled(document: &Document, sheet: &Sheet, work: &mut Work) -> Result<Option<Filled>, SvgError> {
     let (mut polygons, mut is_filled) = (Vec::new(), true);
     let left_out = walk(document, sheet, work, &mut |element, around, work| {
-        let shades = around.style.shades();
-        if shades == [None; 2] {
-            return Ok(());
-        }
-        let mut pencil = Pencil::new(around.transform, work);
-        pencil.shape(element, around.size)?;
-        let lines = pencil.lines();
-        is_filled &= shades[0].is_some() && element.name != "line" || lines.is_empty();
+        let lines = lines_of(element, around, work)?;
+        is_filled &= around.style.shades()[0].is_some() && element.name != "line" || lines.is_empty();
         polygons.extend(lines.iter().map(|line| line.points.iter().map(|&at| around.transform.of(at)).collect()));
         Ok(())
     })?;
     Ok(Some((polygons, left_out)).filter(|_| is_filled))
 }
 
-/// Polygons, and the names of what was left out.
-pub(super) type Filled = (Vec<Vec<[f64; 2]>>, Vec<&'static str>);
-
 /// Calls `paint` with each shape. Returns the names of what was left out.
 fn walk(
     document: &Document,
     sheet: &Sheet,
     work: &mut Work,
-    paint: &mut dyn FnMut(&Element, &Around, &mut Work) -> Result<(), String>,
-) -> Result<Vec<&'static str>, String> {
+    paint: &mut dyn FnMut(&Element, &Around, &mut Work) -> Result<(), SvgError>,
+) -> Result<Vec<&'static str>, SvgError> {
     let (first, size, _) = page(document.element(0));
     let mut left_out = Vec::new();
     let diagonal = libm::hypot(size[0], size[1]) / std::f64::consts::SQRT_2;
@@ -161,14 +154,17 @@ fn is_understood(element: &Element) -> bool {
         && element.get("systemLanguage").is_none_or(speaks)
 }
 
-fn draw(element: &Element, around: &Around, canvas: &mut Canvas, work: &mut Work) -> Result<(), String> {
-    let shades = around.style.shades();
-    if shades == [None; 2] {
-        return Ok(());
-    }
+/// The lines of a shape; none if the shape is neither filled nor stroked.
+fn lines_of(element: &Element, around: &Around, work: &mut Work) -> Result<Vec<Line>, SvgError> {
     let mut pencil = Pencil::new(around.transform, work);
-    pencil.shape(element, around.size)?;
-    let lines = pencil.lines();
+    if around.style.shades() != [None; 2] {
+        pencil.shape(element, around.size)?;
+    }
+    Ok(pencil.lines())
+}
+
+fn draw(element: &Element, around: &Around, canvas: &mut Canvas, work: &mut Work) -> Result<(), SvgError> {
+    let (shades, lines) = (around.style.shades(), lines_of(element, around, work)?);
     if let Some(shade) = shades[0].filter(|_| element.name != "line") {
         let mut polygons = Polygons::on(canvas);
         for line in &lines {
@@ -245,24 +241,4 @@ fn corner(element: &Element, size: [f64; 2]) -> [f64; 2] {
 fn sides(element: &Element, size: [f64; 2]) -> [Option<f64>; 2] {
     [("width", size[0]), ("height", size[1])]
         .map(|(name, whole)| element.get(name).and_then(|text| length(text, whole)).filter(|side| *side >= 0.0))
-}
-
-/// A length in the user's coordinates; a percentage is a part of `whole`.
-pub(super) fn length(text: &str, whole: f64) -> Option<f64> {
-    Length::from_str(text).ok().map(|length| pixels(length, whole)).filter(|length| length.is_finite())
-}
-
-pub(super) fn pixels(Length { number, unit }: Length, whole: f64) -> f64 {
-    let unit = match unit {
-        LengthUnit::None | LengthUnit::Px => 1.0,
-        LengthUnit::Em => EM,
-        LengthUnit::Ex => EM / 2.0,
-        LengthUnit::In => 96.0,
-        LengthUnit::Cm => 96.0 / 2.54,
-        LengthUnit::Mm => 96.0 / 25.4,
-        LengthUnit::Pt => 96.0 / 72.0,
-        LengthUnit::Pc => 16.0,
-        LengthUnit::Percent => whole / 100.0,
-    };
-    number * unit
 }

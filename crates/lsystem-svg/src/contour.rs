@@ -1,11 +1,12 @@
 //! The outlines of a picture as a shape that plants grow in.
 
-use super::walk::Filled;
-use super::work::{Kind, Work};
+use crate::SvgError;
+use crate::work::{Kind, Work};
 use lsystem_base::number::number;
 use lsystem_base::say;
+use lsystem_base::sorted;
 use lsystem_base::words::said;
-use lsystem_syntax::MOST_SIDES;
+use lsystem_syntax::MAX_SIDES;
 
 /// The longer side of the shape, in model units.
 const SIZE: f64 = 20.0;
@@ -14,7 +15,7 @@ const APART: f64 = 0.02;
 /// Coordinates are multiples of this, in model units.
 const GRID: f64 = 0.01;
 /// The most outlines of a shape: pictures have more, letters and leaves have few.
-const MOST_OUTLINES: usize = 16;
+const MAX_OUTLINES: usize = 16;
 /// Outlines with less area than this part of the largest are dust.
 const DUST: f64 = 1e-4;
 /// The units of work of looking at a corner.
@@ -22,35 +23,44 @@ const CORNER: u64 = 10;
 
 type Point = [f64; 2];
 
+/// Polygons, and the names of what was left out.
+pub(crate) type Filled = (Vec<Vec<Point>>, Vec<&'static str>);
+
 /// The shape of filled polygons in pixels, y downwards.
 ///
 /// # Errors
 /// Why they are no shape.
-pub(super) fn shape(filled: Option<Filled>, work: &mut Work) -> Result<String, String> {
+pub(crate) fn shape(filled: Option<Filled>, work: &mut Work) -> Result<String, SvgError> {
     let (polygons, left_out) =
-        filled.ok_or_else(|| say!("this SVG has lines that are not filled, so it is no outline"))?;
+        filled.ok_or_else(|| SvgError::new(say!("this SVG has lines that are not filled, so it is no outline")))?;
     if !left_out.is_empty() {
-        return Err(say!(
-            "this SVG is more than an outline: it has {}",
-            left_out.into_iter().map(said).collect::<Vec<_>>().join(", ")
-        ));
+        let left_out = left_out.into_iter().map(said).collect::<Vec<_>>().join(", ");
+        return Err(SvgError::new(say!("this SVG is more than an outline: it has {}", left_out)));
     }
     let mut outlines: Vec<(f64, Vec<Point>)> = polygons.into_iter().map(|points| (area(&points), points)).collect();
     let largest = outlines.iter().map(|(area, _)| *area).fold(0.0, f64::max);
     outlines.retain(|(area, points)| points.len() >= 3 && *area > DUST * largest && largest < f64::INFINITY);
     if outlines.is_empty() {
-        return Err(say!("this SVG has nothing that is filled"));
+        return Err(SvgError::new(say!("this SVG has nothing that is filled")));
     }
-    if outlines.len() > MOST_OUTLINES {
-        return Err(say!("this SVG has {} outlines, and a shape has at most {}", outlines.len(), MOST_OUTLINES));
+    if outlines.len() > MAX_OUTLINES {
+        return Err(SvgError::new(say!(
+            "this SVG has {} outlines, and a shape has at most {}",
+            outlines.len(),
+            MAX_OUTLINES
+        )));
     }
-    outlines.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    sorted::sort_by(&mut outlines, |(a, _), (b, _)| b.total_cmp(a));
     let placed = place(&outlines.into_iter().map(|(_, points)| points).collect::<Vec<_>>());
     let mut text = String::new();
     for (at, points) in placed.iter().enumerate() {
         let corners = simplified(points, work)?;
-        if corners.len() > MOST_SIDES {
-            return Err(say!("this outline has {} corners, and an outline has at most {}", corners.len(), MOST_SIDES));
+        if corners.len() > MAX_SIDES {
+            return Err(SvgError::new(say!(
+                "this outline has {} corners, and an outline has at most {}",
+                corners.len(),
+                MAX_SIDES
+            )));
         }
         if corners.len() < 3 {
             continue;
@@ -85,7 +95,7 @@ fn place(outlines: &[Vec<Point>]) -> Vec<Vec<Point>> {
 }
 
 /// The corners that are left, on the grid, by the method of Ramer (1972) and of Douglas and Peucker (1973).
-fn simplified(points: &[Point], work: &mut Work) -> Result<Vec<Point>, String> {
+fn simplified(points: &[Point], work: &mut Work) -> Result<Vec<Point>, SvgError> {
     let mut keep = vec![false; points.len() + 1];
     // The polygon is closed: its first point is its last as well, and the farthest from it is kept.
     let at = |index: usize| points[index % points.len()];
@@ -131,11 +141,11 @@ fn is_inside(points: &[Point], [x, y]: Point) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::outline_of_svg;
+    use crate::outline_of_svg;
 
     fn check(content: &str, expected: Result<&str, &str>) {
         let svg = format!("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>{content}</svg>");
-        assert_eq!(outline_of_svg(svg.as_bytes()).as_deref().map_err(String::as_str), expected);
+        assert_eq!(outline_of_svg(svg.as_bytes()).as_deref().map_err(|error| error.message.as_str()), expected);
     }
 
     #[test]

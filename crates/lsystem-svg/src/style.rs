@@ -1,9 +1,11 @@
 //! How an element is painted: its style, with what it inherits.
 
-use super::css::{Sheet, declarations};
-use super::walk::length;
-use super::work::{Kind, Work};
-use super::xml::{Document, Element};
+use crate::SvgError;
+use crate::canvas::Shade;
+use crate::css::{Sheet, declarations};
+use crate::length::length;
+use crate::work::{Kind, Work};
+use crate::xml::{Document, Element};
 use lsystem_base::word;
 use std::rc::Rc;
 use std::str::FromStr;
@@ -15,13 +17,6 @@ const MAX_GRADIENTS: usize = 8;
 /// The units of a declaration.
 const DECLARATION: u64 = 100;
 
-/// A level of grey, from 0 to 255, and how opaque it is, from 0 to 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shade {
-    pub(super) level: f64,
-    pub(super) alpha: f64,
-}
-
 /// What the inside or the outline is painted with.
 #[derive(Clone, Copy, Debug)]
 enum Ink {
@@ -32,14 +27,14 @@ enum Ink {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Cap {
+pub(crate) enum Cap {
     Butt,
     Round,
     Square,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Join {
+pub(crate) enum Join {
     Miter,
     Round,
     Bevel,
@@ -47,36 +42,36 @@ pub(super) enum Join {
 
 /// The pen of an outline, with lengths of the user's coordinates.
 #[derive(Clone, Debug)]
-pub(super) struct Pen {
-    pub(super) width: f64,
-    pub(super) cap: Cap,
-    pub(super) join: Join,
-    pub(super) miter: f64,
-    pub(super) dashes: Rc<[f64]>,
-    pub(super) offset: f64,
+pub(crate) struct Pen {
+    pub(crate) width: f64,
+    pub(crate) cap: Cap,
+    pub(crate) join: Join,
+    pub(crate) miter: f64,
+    pub(crate) dashes: Rc<[f64]>,
+    pub(crate) offset: f64,
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Style {
+pub(crate) struct Style {
     fill: Ink,
     stroke: Ink,
-    pub(super) is_even_odd: bool,
-    pub(super) pen: Pen,
+    pub(crate) is_even_odd: bool,
+    pub(crate) pen: Pen,
     /// That of all groups around, too.
-    pub(super) opacity: f64,
-    pub(super) is_visible: bool,
-    pub(super) is_displayed: bool,
+    pub(crate) opacity: f64,
+    pub(crate) is_visible: bool,
+    pub(crate) is_displayed: bool,
     fill_opacity: f64,
     stroke_opacity: f64,
     colour: Shade,
     /// The diagonal of the viewport, to which lengths in percent refer.
-    pub(super) diagonal: f64,
+    pub(crate) diagonal: f64,
 }
 
 const BLACK: Shade = Shade { level: 0.0, alpha: 1.0 };
 
 impl Style {
-    pub(super) fn new(diagonal: f64) -> Self {
+    pub(crate) fn new(diagonal: f64) -> Self {
         Self {
             fill: Ink::Shade(BLACK),
             stroke: Ink::None,
@@ -93,13 +88,13 @@ impl Style {
     }
 
     /// The style of an element inside of one with this style. Names of effects that are not drawn are added.
-    pub(super) fn of(
+    pub(crate) fn of(
         &self,
         element: &Element,
         files: (&Document, &Sheet),
         left_out: &mut Vec<&'static str>,
         work: &mut Work,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, SvgError> {
         let mut style = self.clone();
         let mut own_opacity = 1.0;
         for (name, value) in declared(element, files.1, work)? {
@@ -120,7 +115,7 @@ impl Style {
     }
 
     /// How opaque the inside and the outline are, with their levels.
-    pub(super) fn shades(&self) -> [Option<Shade>; 2] {
+    pub(crate) fn shades(&self) -> [Option<Shade>; 2] {
         [(self.fill, self.fill_opacity), (self.stroke, self.stroke_opacity)].map(|(ink, opacity)| {
             let shade = match ink {
                 Ink::None => return None,
@@ -139,7 +134,7 @@ impl Style {
         files: (&Document, &Sheet),
         left_out: &mut Vec<&'static str>,
         work: &mut Work,
-    ) -> Result<(), String> {
+    ) -> Result<(), SvgError> {
         let size = |value: &str| length(value, self.diagonal).filter(|size| *size >= 0.0);
         match name {
             "fill" => self.fill = Self::paint(value, self.fill, files, left_out, work)?,
@@ -152,7 +147,7 @@ impl Style {
             "stroke-dashoffset" => self.pen.offset = length(value, self.diagonal).unwrap_or(self.pen.offset),
             "stroke-dasharray" => {
                 let lengths = LengthListParser::from(value).map_while(Result::ok);
-                let lengths = lengths.map(|each| super::walk::pixels(each, self.diagonal));
+                let lengths = lengths.map(|each| crate::length::pixels(each, self.diagonal));
                 let all: Vec<f64> = lengths.collect();
                 let is_solid = all.iter().any(|each| *each < 0.0) || all.iter().sum::<f64>() <= 0.0;
                 let all = if all.len() % 2 == 1 { all.repeat(2) } else { all };
@@ -188,7 +183,7 @@ impl Style {
         (document, sheet): (&Document, &Sheet),
         left_out: &mut Vec<&'static str>,
         work: &mut Work,
-    ) -> Result<Ink, String> {
+    ) -> Result<Ink, SvgError> {
         let Ok(paint) = Paint::from_str(value) else { return Ok(inherited) };
         Ok(match paint {
             Paint::None => Ink::None,
@@ -218,7 +213,7 @@ fn first_stop(
     document: &Document,
     sheet: &Sheet,
     work: &mut Work,
-) -> Result<Option<Shade>, String> {
+) -> Result<Option<Shade>, SvgError> {
     for _ in 0..MAX_GRADIENTS {
         for stop in document.children(gradient) {
             let element = document.element(stop);
@@ -242,7 +237,7 @@ fn first_stop(
 }
 
 /// The attributes, the rules of sheets and the own style of an element, in the order in which they apply.
-fn declared<'a>(element: &'a Element, sheet: &'a Sheet, work: &mut Work) -> Result<Vec<(&'a str, &'a str)>, String> {
+fn declared<'a>(element: &'a Element, sheet: &'a Sheet, work: &mut Work) -> Result<Vec<(&'a str, &'a str)>, SvgError> {
     let mut all: Vec<(&str, &str)> = element.attributes().collect();
     sheet.bodies(element, work)?.into_iter().for_each(|body| all.extend(declarations(body)));
     all.extend(declarations(element.get("style").unwrap_or_default()));
@@ -262,7 +257,7 @@ fn shade(Color { red, green, blue, alpha }: Color) -> Shade {
     Shade { level, alpha: f64::from(alpha) / 255.0 }
 }
 
-pub(super) fn note(left_out: &mut Vec<&'static str>, name: &'static str) {
+pub(crate) fn note(left_out: &mut Vec<&'static str>, name: &'static str) {
     if !left_out.contains(&name) {
         left_out.push(name);
     }

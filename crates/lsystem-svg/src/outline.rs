@@ -1,10 +1,11 @@
 //! The outlines of lines: a pen that follows them, with caps, joins and dashes.
 
-use super::canvas::{Canvas, Polygons};
-use super::shapes::Line;
-use super::style::{Cap, Join, Pen, Shade};
-use super::transform::Transform;
-use super::work::{Kind, Work};
+use crate::SvgError;
+use crate::canvas::{Canvas, Polygons, Shade};
+use crate::shapes::Line;
+use crate::style::{Cap, Join, Pen};
+use crate::transform::Transform;
+use crate::work::{Kind, Work};
 use std::f64::consts::{PI, TAU};
 
 /// The units of a dash.
@@ -28,14 +29,14 @@ struct Stroke<'a> {
 }
 
 /// Draws the outlines of lines. They are at least one pixel wide.
-pub(super) fn stroke(
+pub(crate) fn stroke(
     lines: &[Line],
     pen: &Pen,
     transform: Transform,
     shade: Shade,
     canvas: &mut Canvas,
     work: &mut Work,
-) -> Result<(), String> {
+) -> Result<(), SvgError> {
     let scale = transform.scale();
     if pen.width <= 0.0 || scale <= 0.0 || !scale.is_finite() {
         return Ok(());
@@ -59,17 +60,17 @@ pub(super) fn stroke(
 }
 
 impl Stroke<'_> {
-    fn paint(&mut self, work: &mut Work) -> Result<(), String> {
+    fn paint(&mut self, work: &mut Work) -> Result<(), SvgError> {
         self.canvas.fill(&mut self.polygons, false, self.shade, work)
     }
 
-    fn add(&mut self, points: &[[f64; 2]], work: &mut Work) -> Result<(), String> {
+    fn add(&mut self, points: &[[f64; 2]], work: &mut Work) -> Result<(), SvgError> {
         self.polygons.add(points, true, self.transform, work)?;
         if self.polygons.count() > MAX_EDGES { self.paint(work) } else { Ok(()) }
     }
 
     /// A line whose points differ from the next ones.
-    fn line(&mut self, points: &[[f64; 2]], is_closed: bool, work: &mut Work) -> Result<(), String> {
+    fn line(&mut self, points: &[[f64; 2]], is_closed: bool, work: &mut Work) -> Result<(), SvgError> {
         let &[first, .., last] = points else {
             let &[at] = points else { return Ok(()) };
             // A line without length is a dot, if its caps show.
@@ -94,12 +95,18 @@ impl Stroke<'_> {
         self.cap(last, end, work)
     }
 
-    fn bar(&mut self, [x1, y1]: [f64; 2], [x2, y2]: [f64; 2], along: [f64; 2], work: &mut Work) -> Result<(), String> {
+    fn bar(
+        &mut self,
+        [x1, y1]: [f64; 2],
+        [x2, y2]: [f64; 2],
+        along: [f64; 2],
+        work: &mut Work,
+    ) -> Result<(), SvgError> {
         let [nx, ny] = self.side(along);
         self.add(&[[x1 + nx, y1 + ny], [x2 + nx, y2 + ny], [x2 - nx, y2 - ny], [x1 - nx, y1 - ny]], work)
     }
 
-    fn cap(&mut self, at: [f64; 2], [dx, dy]: [f64; 2], work: &mut Work) -> Result<(), String> {
+    fn cap(&mut self, at: [f64; 2], [dx, dy]: [f64; 2], work: &mut Work) -> Result<(), SvgError> {
         match self.pen.cap {
             Cap::Butt => Ok(()),
             Cap::Square => {
@@ -113,7 +120,7 @@ impl Stroke<'_> {
         }
     }
 
-    fn join(&mut self, [x, y]: [f64; 2], from: [f64; 2], to: [f64; 2], work: &mut Work) -> Result<(), String> {
+    fn join(&mut self, [x, y]: [f64; 2], from: [f64; 2], to: [f64; 2], work: &mut Work) -> Result<(), SvgError> {
         let sine = from[0] * to[1] - from[1] * to[0];
         let cosine = from[0] * to[0] + from[1] * to[1];
         if sine.abs() < STRAIGHT && cosine > 0.0 {
@@ -137,7 +144,7 @@ impl Stroke<'_> {
     }
 
     /// A part of a circle, from the side [x, y] of its middle, through an angle in radians.
-    fn fan(&mut self, at: [f64; 2], [x, y]: [f64; 2], angle: f64, work: &mut Work) -> Result<(), String> {
+    fn fan(&mut self, at: [f64; 2], [x, y]: [f64; 2], angle: f64, work: &mut Work) -> Result<(), SvgError> {
         let parts = (angle.abs() / self.step).ceil().max(1.0);
         let corner = |part: usize| {
             let (sin, cos) = libm::sincos(angle * part as f64 / parts);
@@ -151,7 +158,7 @@ impl Stroke<'_> {
         [-dy * self.half, dx * self.half]
     }
 
-    fn dashed(&mut self, points: &[[f64; 2]], dashes: &[f64], work: &mut Work) -> Result<(), String> {
+    fn dashed(&mut self, points: &[[f64; 2]], dashes: &[f64], work: &mut Work) -> Result<(), SvgError> {
         let period: f64 = dashes.iter().sum();
         let length: f64 = points.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
         let count = (length / period + 2.0) * dashes.len() as f64;
@@ -186,7 +193,7 @@ impl Stroke<'_> {
     }
 
     /// Draws every other dash.
-    fn dash(&mut self, dash: &mut Vec<[f64; 2]>, at: usize, work: &mut Work) -> Result<(), String> {
+    fn dash(&mut self, dash: &mut Vec<[f64; 2]>, at: usize, work: &mut Work) -> Result<(), SvgError> {
         dash.dedup();
         if at.is_multiple_of(2) {
             self.line(dash, false, work)?;

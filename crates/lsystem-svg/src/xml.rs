@@ -1,6 +1,7 @@
 //! The elements of an SVG file, of which only what is drawn is kept.
 
-use super::work::{Kind, Work};
+use crate::SvgError;
+use crate::work::{Kind, Work};
 use lsystem_base::say;
 use quick_xml::Reader;
 use quick_xml::escape::{resolve_xml_entity, unescape_with};
@@ -8,7 +9,7 @@ use quick_xml::events::{BytesStart, Event};
 use std::collections::BTreeMap;
 
 /// The most levels of elements, also of those that are drawn by reference.
-pub(super) const MAX_DEPTH: usize = 500;
+pub(crate) const MAX_DEPTH: usize = 500;
 /// The units of an element and of a byte of its attributes.
 const ELEMENT: u64 = 300;
 const BYTE: u64 = 4;
@@ -94,33 +95,35 @@ const ATTRIBUTES: [&str; 48] = [
     "marker-end",
 ];
 
-pub(super) struct Element {
+pub(crate) struct Element {
     /// Empty for an element that is left out.
-    pub(super) name: &'static str,
+    pub(crate) name: &'static str,
     attributes: Vec<(&'static str, Box<str>)>,
     /// The index after the last element inside.
-    end: usize,
+    pub(crate) end: usize,
+    /// The byte of the text where the tag begins.
+    pub(crate) at: usize,
 }
 
 /// All elements in the order of the file; the first one is `svg`.
-pub(super) struct Document {
+pub(crate) struct Document {
     elements: Vec<Element>,
     ids: BTreeMap<Box<str>, usize>,
     /// The texts of all `style` elements.
-    pub(super) sheet: String,
+    pub(crate) sheet: String,
 }
 
 impl Element {
-    pub(super) fn get(&self, name: &str) -> Option<&str> {
+    pub(crate) fn get(&self, name: &str) -> Option<&str> {
         self.attributes.iter().find(|(key, _)| *key == name).map(|(_, value)| &**value)
     }
 
-    pub(super) fn attributes(&self) -> impl Iterator<Item = (&'static str, &str)> {
+    pub(crate) fn attributes(&self) -> impl Iterator<Item = (&'static str, &str)> {
         self.attributes.iter().map(|(name, value)| (*name, &**value))
     }
 
     /// Charges the work of reading this element once.
-    pub(super) fn charge(&self, work: &mut Work) -> Result<(), String> {
+    pub(crate) fn charge(&self, work: &mut Work) -> Result<(), SvgError> {
         let bytes = self.attributes.iter().map(|(_, value)| value.len()).sum();
         work.charge(Kind::Elements, 1, ELEMENT)?;
         work.charge(Kind::Elements, bytes, BYTE)
@@ -130,20 +133,26 @@ impl Element {
 impl Document {
     /// # Errors
     /// Why this is no SVG that can be drawn.
-    pub(super) fn read(text: &str, work: &mut Work) -> Result<Self, String> {
+    pub(crate) fn read(text: &str, work: &mut Work) -> Result<Self, SvgError> {
         let mut reader = Reader::from_str(text);
+        let read = Self::of_events(&mut reader, work);
+        read.map_err(|error| error.or_at(reader.error_position().max(reader.buffer_position()) as usize))
+    }
+
+    fn of_events(reader: &mut Reader<&[u8]>, work: &mut Work) -> Result<Self, SvgError> {
         let mut document = Self { elements: Vec::new(), ids: BTreeMap::new(), sheet: String::new() };
         let (mut open, mut entities): (Vec<usize>, _) = (Vec::new(), BTreeMap::new());
         // The namespace of SVG is that of the first element.
         let mut prefix = None;
         loop {
+            let place = reader.buffer_position();
             let event = reader.read_event().map_err(|_| damaged())?;
             match event {
                 Event::DocType(declared) => entities = entities_of(&declared),
                 Event::Start(ref tag) | Event::Empty(ref tag) => {
                     let own = tag.name().prefix().map(|prefix| prefix.into_inner().to_owned());
                     let is_known = own == *prefix.get_or_insert_with(|| own.clone());
-                    let element = Element::read(tag, is_known, &entities, work)?;
+                    let element = Element::read(tag, is_known, (place as usize, &entities), work)?;
                     let at = document.elements.len();
                     if open.is_empty() != (at == 0) || (at == 0 && element.name != "svg") {
                         return Err(damaged());
@@ -180,17 +189,21 @@ impl Document {
         }
     }
 
-    pub(super) fn element(&self, at: usize) -> &Element {
+    pub(crate) fn elements(&self) -> &[Element] {
+        &self.elements
+    }
+
+    pub(crate) fn element(&self, at: usize) -> &Element {
         &self.elements[at]
     }
 
     /// The element of a reference in the same file, such as `#name`.
-    pub(super) fn named(&self, reference: &str) -> Option<usize> {
+    pub(crate) fn named(&self, reference: &str) -> Option<usize> {
         self.ids.get(reference.trim().strip_prefix('#')?).copied()
     }
 
     /// The indices of the elements directly inside.
-    pub(super) fn children(&self, of: usize) -> impl Iterator<Item = usize> {
+    pub(crate) fn children(&self, of: usize) -> impl Iterator<Item = usize> {
         let last = self.elements[of].end;
         let first = Some(of + 1).filter(|&at| at < last);
         std::iter::successors(first, move |&at| Some(self.elements[at].end).filter(|&at| at < last))
@@ -201,9 +214,9 @@ impl Element {
     fn read(
         tag: &BytesStart,
         is_known: bool,
-        entities: &BTreeMap<String, String>,
+        (at, entities): (usize, &BTreeMap<String, String>),
         work: &mut Work,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, SvgError> {
         work.charge(Kind::Elements, 1, ELEMENT)?;
         let known = |names: &'static [&str], name: &str| names.iter().find(|known| **known == name).copied();
         let name = if is_known { known(&NAMES, tag.local_name().into_inner()) } else { None };
@@ -222,20 +235,23 @@ impl Element {
                 attributes.push((key, value_of(&attribute.value, entities, work)?));
             }
         }
-        Ok(Self { name: name.unwrap_or_default(), attributes, end: 0 })
+        Ok(Self { name: name.unwrap_or_default(), attributes, end: 0, at })
     }
 }
 
-fn damaged() -> String {
-    say!("this SVG is damaged")
+fn damaged() -> SvgError {
+    SvgError::new(say!("this SVG is damaged"))
 }
 
-pub(super) fn too_deep() -> String {
-    say!("this SVG has more than {} levels of elements, or draws itself. Save it as a PNG first", MAX_DEPTH)
+pub(crate) fn too_deep() -> SvgError {
+    SvgError::new(say!(
+        "this SVG has more than {} levels of elements, or draws itself. Save it as a PNG first",
+        MAX_DEPTH
+    ))
 }
 
 /// The value of an attribute, with its entities. Entities inside entities stay as they are.
-fn value_of(raw: &str, entities: &BTreeMap<String, String>, work: &mut Work) -> Result<Box<str>, String> {
+fn value_of(raw: &str, entities: &BTreeMap<String, String>, work: &mut Work) -> Result<Box<str>, SvgError> {
     let longest = entities.values().map(String::len).max().unwrap_or(0);
     let references = raw.bytes().filter(|&byte| byte == b'&').count();
     work.charge(Kind::Entities, references, longest as u64 * BYTE)?;

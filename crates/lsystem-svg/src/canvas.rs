@@ -1,8 +1,9 @@
 //! Pixels, and the inside of polygons on them.
 
-use super::style::Shade;
-use super::transform::Transform;
-use super::work::{Kind, Work};
+use crate::SvgError;
+use crate::transform::Transform;
+use crate::work::{Kind, Work};
+use lsystem_base::sorted;
 
 /// The lines that are looked at in a row of pixels.
 const LINES: usize = 4;
@@ -13,10 +14,17 @@ const PIXEL: u64 = 2;
 /// Places further away than this, in pixels, are left out with what ends there.
 const FAR: f64 = 1e9;
 
+/// A level of grey, from 0 to 255, and how opaque it is, from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shade {
+    pub(crate) level: f64,
+    pub(crate) alpha: f64,
+}
+
 /// A picture that is painted on nothing.
-pub(super) struct Canvas {
-    pub(super) width: usize,
-    pub(super) height: usize,
+pub(crate) struct Canvas {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
     /// The level of grey on black, and how opaque it is.
     pixels: Vec<[f32; 2]>,
     /// How much of each pixel is covered, as the difference to the pixel before.
@@ -24,7 +32,7 @@ pub(super) struct Canvas {
 }
 
 /// Polygons as edges that cross the lines of the picture.
-pub(super) struct Polygons {
+pub(crate) struct Polygons {
     height: usize,
     width: f64,
     edges: Vec<Edge>,
@@ -42,22 +50,22 @@ struct Edge {
 }
 
 impl Polygons {
-    pub(super) fn on(canvas: &Canvas) -> Self {
+    pub(crate) fn on(canvas: &Canvas) -> Self {
         Self { height: canvas.height, width: canvas.width as f64, edges: Vec::new() }
     }
 
-    pub(super) fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.edges.len()
     }
 
     /// Adds a polygon; `transform` leads to pixels. A convex polygon winds around its inside once, clockwise.
-    pub(super) fn add(
+    pub(crate) fn add(
         &mut self,
         points: &[[f64; 2]],
         is_convex: bool,
         transform: Transform,
         work: &mut Work,
-    ) -> Result<(), String> {
+    ) -> Result<(), SvgError> {
         work.charge(Kind::Segments, points.len(), EDGE)?;
         let next = |at: usize| transform.of(points[(at + 1) % points.len()]);
         let places = || points.iter().map(|&point| transform.of(point));
@@ -85,20 +93,20 @@ impl Polygons {
 }
 
 impl Canvas {
-    pub(super) fn new(width: usize, height: usize) -> Self {
+    pub(crate) fn new(width: usize, height: usize) -> Self {
         Self { width, height, pixels: vec![[0.0; 2]; width * height], covered: vec![0.0; width + 2] }
     }
 
     /// Paints the inside of polygons and removes these. Overlapping ones are painted once.
-    pub(super) fn fill(
+    pub(crate) fn fill(
         &mut self,
         polygons: &mut Polygons,
         is_even_odd: bool,
         shade: Shade,
         work: &mut Work,
-    ) -> Result<(), String> {
+    ) -> Result<(), SvgError> {
         let edges = &mut polygons.edges;
-        edges.sort_unstable_by_key(|edge| edge.first);
+        sorted::sort_by_key(edges, |edge| edge.first);
         let mut active: Vec<Edge> = Vec::new();
         let mut waiting = edges.drain(..).peekable();
         let mut line = 0;
@@ -159,7 +167,7 @@ impl Canvas {
     }
 
     /// Paints the covered part of a row, from `left` to `right`.
-    fn paint(&mut self, row: usize, left: usize, right: usize, shade: Shade, work: &mut Work) -> Result<(), String> {
+    fn paint(&mut self, row: usize, left: usize, right: usize, shade: Shade, work: &mut Work) -> Result<(), SvgError> {
         if left > right {
             return Ok(());
         }
@@ -178,7 +186,7 @@ impl Canvas {
     }
 
     /// The levels of grey on paper of a level.
-    pub(super) fn on(&self, paper: f32) -> Vec<u8> {
+    pub(crate) fn on(&self, paper: f32) -> Vec<u8> {
         self.pixels
             .iter()
             .map(|[level, alpha]| (level + paper * (1.0 - alpha)).round().clamp(0.0, 255.0) as u8)

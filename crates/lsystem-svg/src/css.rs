@@ -1,7 +1,9 @@
 //! The rules of `style` elements whose selectors are an element, classes and an id, such as `path.twig, #trunk`.
 
-use super::work::{Kind, Work};
-use super::xml::Element;
+use crate::SvgError;
+use crate::work::{Kind, Work};
+use crate::xml::Element;
+use lsystem_base::sorted;
 use std::collections::BTreeMap;
 
 /// The units of a selector that is read, and of one that is compared.
@@ -10,7 +12,7 @@ const COMPARED: u64 = 40;
 
 /// The rules of all sheets.
 #[derive(Default)]
-pub(super) struct Sheet {
+pub(crate) struct Sheet {
     /// By the id, else by the first class, else by the element; `*` has no key.
     rules: BTreeMap<String, Vec<Rule>>,
     bodies: Vec<String>,
@@ -30,7 +32,7 @@ impl Sheet {
     ///
     /// # Errors
     /// A sentence if there are too many.
-    pub(super) fn read(text: &str, work: &mut Work) -> Result<Self, String> {
+    pub(crate) fn read(text: &str, work: &mut Work) -> Result<Self, SvgError> {
         let mut sheet = Self::default();
         let text = without_comments(text);
         let mut rest = text.as_str();
@@ -54,7 +56,7 @@ impl Sheet {
     }
 
     /// The declarations for an element, the strongest last.
-    pub(super) fn bodies(&self, element: &Element, work: &mut Work) -> Result<Vec<&str>, String> {
+    pub(crate) fn bodies(&self, element: &Element, work: &mut Work) -> Result<Vec<&str>, SvgError> {
         let mut found = Vec::new();
         if self.rules.is_empty() {
             return Ok(found);
@@ -73,7 +75,7 @@ impl Sheet {
                     && rule.marks.iter().all(|mark| marks.contains(mark))
             }));
         }
-        matching.sort_by_key(|rule| (rule.weight, rule.body));
+        sorted::sort_by_key(&mut matching, |rule| (rule.weight, rule.body));
         for rule in matching {
             let body = self.bodies[rule.body].as_str();
             work.charge(Kind::Styles, body.len(), 8)?;
@@ -106,7 +108,7 @@ impl Rule {
 }
 
 /// The name and the value of each declaration.
-pub(super) fn declarations(body: &str) -> impl Iterator<Item = (&str, &str)> {
+pub(crate) fn declarations(body: &str) -> impl Iterator<Item = (&str, &str)> {
     let value = |value: &str| value.len() - value.trim_end().trim_end_matches("!important").len();
     body.split(';').filter_map(|each| each.split_once(':')).map(move |(name, text)| {
         let kept = text.len() - value(text);
